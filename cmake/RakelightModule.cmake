@@ -1,0 +1,79 @@
+# How a module is made. One call a module:
+#
+#   rl_add_module(NAME geometry
+#     SOURCES weld.cpp ...          relative to the module's folder
+#     ISA_SOURCES kernel.cpp ...    compiled once per instruction set (design: section "The same bits everywhere")
+#     DEPENDS math base             modules below it
+#     EXTERNAL TBB::tbb             libraries of this module alone, never in include/
+#     TESTS weld_test.cpp ...)      in tests/unit/<name>/
+#
+# It makes the static library rakelight_<name> (alias rakelight::<name>) and the test program test_<name>.
+
+# Flags of every C++ source. Bits must not depend on the machine: no contraction, no fast-math; sqrt without errno.
+add_library(rl_flags INTERFACE)
+target_compile_features(rl_flags INTERFACE cxx_std_20)
+target_compile_options(rl_flags INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
+  -ffp-contract=off -fno-math-errno -fno-strict-aliasing)
+if(RAKELIGHT_WERROR)
+  target_compile_options(rl_flags INTERFACE -Werror)
+endif()
+if(RAKELIGHT_SANITIZE)
+  target_compile_options(rl_flags INTERFACE -fsanitize=${RAKELIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(rl_flags INTERFACE -fsanitize=${RAKELIGHT_SANITIZE})
+endif()
+if(RAKELIGHT_FUZZ)
+  target_compile_options(rl_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+target_compile_definitions(rl_flags INTERFACE $<$<OR:$<CONFIG:Debug>,$<BOOL:${RAKELIGHT_TESTS}>>:RL_ASSERTIONS=1>)
+set_property(TARGET rl_flags PROPERTY INTERFACE_POSITION_INDEPENDENT_CODE ON)
+
+set(RL_ISAS scalar sse2 avx2 avx512)
+set(RL_ISA_FLAGS_scalar "")
+set(RL_ISA_FLAGS_sse2 "-msse2")
+set(RL_ISA_FLAGS_avx2 "-mavx2;-mno-fma")
+set(RL_ISA_FLAGS_avx512 "-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;-mavx512cd;-mprefer-vector-width=512")
+
+function(rl_add_isa_sources target)
+  foreach(isa IN LISTS RL_ISAS)
+    set(objects ${target}_${isa})
+    add_library(${objects} OBJECT ${ARGN})
+    target_link_libraries(${objects} PRIVATE rl_flags)
+    target_include_directories(${objects} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+    target_compile_definitions(${objects} PRIVATE RL_ISA=${isa} RL_ISA_${isa}=1 xsimd=xsimd_${isa})
+    target_compile_options(${objects} PRIVATE -O3 -fno-exceptions ${RL_ISA_FLAGS_${isa}})
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+    set_property(GLOBAL APPEND PROPERTY RL_ISA_OBJECTS ${objects})
+  endforeach()
+endfunction()
+
+function(rl_add_module)
+  cmake_parse_arguments(M "" "NAME" "SOURCES;ISA_SOURCES;DEPENDS;EXTERNAL;TESTS;TEST_EXTERNAL" ${ARGN})
+  set(target rakelight_${M_NAME})
+  if(M_SOURCES OR M_ISA_SOURCES)
+    add_library(${target} STATIC ${M_SOURCES})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE ${M_EXTERNAL})
+    set_property(GLOBAL APPEND PROPERTY RL_MODULES ${target})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(rakelight::${M_NAME} ALIAS ${target})
+  target_link_libraries(${target} ${scope} $<BUILD_INTERFACE:rl_flags>)
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
+  foreach(below IN LISTS M_DEPENDS)
+    target_link_libraries(${target} ${scope} rakelight_${below})
+  endforeach()
+  if(M_ISA_SOURCES)
+    rl_add_isa_sources(${target} ${M_ISA_SOURCES})
+  endif()
+  if(RAKELIGHT_TESTS AND M_TESTS)
+    list(TRANSFORM M_TESTS PREPEND ${PROJECT_SOURCE_DIR}/tests/unit/${M_NAME}/)
+    add_executable(test_${M_NAME} ${M_TESTS})
+    target_link_libraries(test_${M_NAME} PRIVATE ${target} GTest::gtest GTest::gtest_main ${M_TEST_EXTERNAL})
+    target_include_directories(test_${M_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_definitions(test_${M_NAME} PRIVATE RL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    gtest_discover_tests(test_${M_NAME} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit)
+  endif()
+endfunction()

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seam-free normals and tangents for models made of many parts. Needs no scene: spans and matrices in, arrays out.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <rakelight/context.h>
+#include <rakelight/vector.h>
+
+namespace rakelight {
+
+/// Over which faces a normal is smoothed: the face alone, the faces of one object, or the faces of all objects.
+enum class Scope : std::uint8_t { face, object, model };
+
+/// How strongly a triangle pulls on the normal at its corner. `uniform` is the published sum of unit face normals;
+/// `angle` Thuermer & Wuethrich 1998, "Computing Vertex Normals from Polygonal Facets".
+enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
+
+struct AttributeOptions {
+    Scope scope = Scope::model;
+    CornerWeight weight = CornerWeight::angle;
+    /// [rad] 0..pi. Faces that share an edge are joined if their normals differ by at most this much (inclusive);
+    /// pi joins everything at a position, 0 is flat.
+    double crease_angle_rad = radians(60);
+    bool normals = true;             ///< false: keep the given normals and make only tangents
+    bool tangents = true;            ///< where texture coordinates exist
+    bool groups_across = false;      ///< smoothing groups also rule between objects
+};
+
+/// How smoothing[] is to be read: bit masks join when AND != 0 (3DS, ASE), numbers join when equal (OBJ); 0 is flat.
+enum class GroupKind : std::uint8_t { none, masks, numbers };
+
+/// One mesh, placed in the world. Meshes with the same `object` number form one object (scope `object` smooths over them).
+struct AttributeMesh {
+    std::uint32_t object = 0;
+    std::span<const vec3> positions;           ///< [V] about `origin`; a face with a non-finite corner has no vote
+    std::span<const std::uint32_t> indices;    ///< [3T] each < V; counter-clockwise seen from outside
+    std::span<const vec2> texcoords;           ///< [V] or empty; v down
+    std::span<const vec3> normals;             ///< [V] or empty; read only when AttributeOptions::normals is false
+    std::span<const std::uint32_t> smoothing;  ///< [T] or empty
+    GroupKind group_kind = GroupKind::none;
+    std::span<const vec3> smoothing_hint;      ///< [3T] or empty: corners of one position whose hints are equal were one group
+    dmat4 to_world;                            ///< object -> world, affine, including `origin`; det < 0 mirrors
+};
+
+/// Result for one mesh: vertex v < V keeps its number; a vertex whose corners differ is appended. Object space.
+struct MeshAttributes {
+    std::vector<vec3> normals;                ///< [V'] unit, finite; (0, 0, 1) where only degenerate faces touch a vertex
+    std::vector<vec4> tangents;               ///< [V'] xyz unit and perpendicular to the normal, w = +1 or -1; empty without texcoords
+    std::vector<std::uint32_t> indices;       ///< [3T] each < V'; empty when no vertex was split (the input's hold)
+    std::vector<std::uint32_t> source_vertex; ///< [V' - V] the vertex that each appended one copies
+    std::uint32_t degenerate_faces = 0;       ///< faces without a vote: zero area or a non-finite corner
+    std::uint32_t isolated_vertices = 0;      ///< vertices that no face with a vote touches
+};
+
+/// Which corners share a normal: made once, used for any positions of the same meshes (poses, morphs).
+/// Immutable; cheap to copy.
+class AttributePlan {
+public:
+    struct Impl;
+    explicit AttributePlan(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+    const Impl& impl() const { return *impl_; }
+
+private:
+    std::shared_ptr<const Impl> impl_;
+};
+
+/// First step: border classes by position (exact in the world, compared in double, -0 equal to +0), faces joined by crease
+/// angle and smoothing groups, vertices that must split. Expected O(n), deterministic for any number of threads.
+/// @throws Error bad_file: sizes that do not fit, an index out of range (first one in the message), a matrix that is not finite.
+AttributePlan group(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context);
+
+/// Second step: the sums, over the same meshes (positions may have moved; counts may not).
+/// @return one entry a mesh, in the order of the input
+std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes, Context& context);
+
+/// Both steps. All corners of a group get bit-equal vectors (in the world; each object's own space after its matrix).
+std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                               Context& context);
+
+}  // namespace rakelight

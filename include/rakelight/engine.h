@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every engine takes and gives: settings, a pixel window, channels, and a sink for finished tiles.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rakelight/context.h>
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// A rectangle of pixels; row 0 on top.
+struct Window {
+    int x = 0, y = 0, width = 0, height = 0;  ///< [px]; width 0: the whole picture
+    bool operator==(const Window&) const = default;
+};
+
+enum class Shading : std::uint8_t { unlit, flat, gouraud, phong };   ///< how often lighting is evaluated
+enum class Lighting : std::uint8_t { automatic, lambert, phong, blinn_phong };  ///< automatic: what the material says
+enum class SpecularForm : std::uint8_t { automatic, textbook, normalized };     ///< automatic: textbook for classical materials
+enum class Bump : std::uint8_t { none, normal };
+enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };
+enum class Cull : std::uint8_t { automatic, none, back, front };  ///< automatic: back faces of closed single-sided surfaces as glTF says
+
+/// Channels beside colour that an engine can hand out, as bits.
+enum Channel : std::uint32_t {
+    channel_depth = 1u << 0,     ///< [m] distance along the view axis; +infinity where nothing is
+    channel_normal = 1u << 1,    ///< shading normal in the world, zero where nothing is
+    channel_object = 1u << 2,    ///< node index, `none` where nothing is
+    channel_material = 1u << 3,  ///< material index, `none` where nothing is
+};
+
+struct RenderSettings {
+    int width = 1280, height = 720;  ///< [px] of the whole picture, 1..65536
+    Window window;                   ///< what to render of it; default all
+    std::uint32_t channels = 0;      ///< Channel bits
+    Shading shading = Shading::phong;
+    Lighting lighting = Lighting::automatic;
+    SpecularForm specular_form = SpecularForm::automatic;
+    Bump bump = Bump::normal;
+    FrontFace front_face = FrontFace::counter_clockwise;
+    Cull cull = Cull::automatic;
+    vec4 background{0.18f, 0.18f, 0.2f, 1};  ///< linear RGB and alpha
+    bool specular_horizon = true;    ///< no highlight where the light is below the surface (false: as printed)
+};
+
+/// A finished rectangle: arrays are [width * height], row by row; those not asked for are empty.
+struct Tile {
+    Window area;
+    std::span<const vec4> color;               ///< linear RGB, not clamped; alpha is coverage of the background's complement
+    std::span<const float> depth;
+    std::span<const vec3> normal;
+    std::span<const std::uint32_t> object, material;
+    std::span<const std::uint16_t> samples;    ///< samples taken a pixel; empty: one each
+};
+
+/// Takes finished tiles. Bit-equal results whatever the order of the tiles. Progressive engines deliver passes.
+class Sink {
+public:
+    virtual ~Sink() = default;
+    /// Before the first tile: size of the whole picture, the window, the channels that will come.
+    virtual void begin(int width, int height, Window window, std::uint32_t channels) = 0;
+    /// From any thread, several at once, never two with a common pixel in the same pass.
+    virtual void tile(const Tile& tile) = 0;
+    /// After all tiles of a pass, from the thread that called render().
+    virtual void end_pass(int pass) = 0;
+};
+
+/// The sink that keeps everything of a window. Pixel (x, y) of the picture is at (y - window.y) * window.width + x - window.x.
+class Frame final : public Sink {
+public:
+    void begin(int width, int height, Window window, std::uint32_t channels) override;
+    void tile(const Tile& tile) override;
+    void end_pass(int pass) override;
+
+    int width = 0, height = 0;  ///< of the whole picture
+    Window window;
+    std::vector<vec4> color;
+    std::vector<float> depth;
+    std::vector<vec3> normal;
+    std::vector<std::uint32_t> object, material;
+};
+
+/// Counts of one render() call.
+struct RenderStats {
+    std::uint64_t triangles_in = 0, culled_back = 0, culled_degenerate = 0, culled_outside = 0, clipped = 0, drawn = 0;
+    std::uint64_t pixels_covered = 0, pixels_shaded = 0;
+};
+
+/// One way of making pictures. prepare() takes a scene up (again after an edit: only new blocks cost), render() draws it
+/// any number of times. Not reentrant; different engines are independent.
+class Engine {
+public:
+    virtual ~Engine() = default;
+    virtual std::string name() const = 0;
+    /// The scene must be valid (see validate()) and posed; textures that cannot be decoded become a warning in the report.
+    virtual void prepare(const Scene& scene, Context& context) = 0;
+    /// @throws Error usage: impossible settings or camera; failed: cancelled.
+    virtual RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) = 0;
+};
+
+}  // namespace rakelight

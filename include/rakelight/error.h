@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one exception type of the library: bad input or a missing part of the environment.
+#pragma once
+#include <exception>
+#include <string>
+
+namespace rakelight {
+
+/// What went wrong, in the classes that the exit codes of the program tell apart.
+enum class ErrorCode {
+    failed,        ///< 1: the work could not be done (disk full, out of memory, cancelled)
+    usage,         ///< 2: a wrong option or argument
+    not_found,     ///< 3: input not found or unreadable
+    bad_file,      ///< 4: format not supported, file broken or nothing to draw
+    check_failed,  ///< 5: a check found problems
+};
+
+/// Exit code of the program for an error, 1 to 5.
+int exit_code(ErrorCode code) noexcept;
+
+/// Bad input or environment. `what()` is one printable line: "FILE: PLACE: REASON; ADVICE", absent parts left out,
+/// control characters replaced, at most 600 bytes. Never thrown for programming mistakes (those assert).
+class Error : public std::exception {
+public:
+    /// @param reason  for people, one sentence without a full stop: "accessor 7 reads past the end of buffer 0 (needs 1200 bytes, has 960)"
+    /// @param place   where in the file: "line 12", "accessor 7", "node 3"; may be empty
+    /// @param advice  what to do: "export FBX or glTF instead"; may be empty
+    explicit Error(ErrorCode code, std::string reason, std::string place = {}, std::string advice = {});
+
+    ErrorCode code() const noexcept { return code_; }
+    const std::string& reason() const noexcept { return reason_; }
+    const std::string& place() const noexcept { return place_; }
+    const std::string& file() const noexcept { return file_; }
+    const std::string& advice() const noexcept { return advice_; }
+    const char* what() const noexcept override { return text_.c_str(); }
+
+    /// The same error with the file's name added on the way out; a name that is already there stays.
+    Error with_file(const std::string& file) const;
+
+private:
+    void compose();
+    ErrorCode code_;
+    std::string reason_, place_, advice_, file_, text_;
+};
+
+/// Text made safe for one line of a terminal: control characters and invalid UTF-8 become '?', cut to `max_bytes` with "...".
+std::string one_line(const std::string& text, std::size_t max_bytes = 240);
+
+}  // namespace rakelight

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures: decoded pixels, and encoded ones that are decoded only when somebody asks.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <rakelight/context.h>
+
+namespace rakelight {
+
+enum class Component : std::uint8_t { u8, u16, f32 };
+constexpr std::size_t size_of(Component c) { return c == Component::u8 ? 1 : c == Component::u16 ? 2 : 4; }
+
+/// Decoded pixels: row 0 on top, rows tightly packed, `channels` interleaved components a pixel (1 grey, 2 grey + alpha,
+/// 3 RGB, 4 RGBA; alpha not premultiplied). u8 and u16 are the file's code values 0..max; f32 are linear values.
+struct Pixels {
+    int width = 0, height = 0;  ///< [px] >= 0
+    int channels = 0;           ///< 1..4
+    Component component = Component::u8;
+    bool is_linear = false;     ///< the file holds linear light (EXR, HDR); else the role of the texture decides
+    std::vector<std::byte> bytes;
+
+    std::size_t row_bytes() const { return std::size_t(width) * std::size_t(channels) * size_of(component); }
+    const std::byte* row(int y) const { return bytes.data() + std::size_t(y) * row_bytes(); }
+    std::byte* row(int y) { return bytes.data() + std::size_t(y) * row_bytes(); }
+};
+
+/// A picture as it lies in a file, a buffer or a data URI. Immutable and shared; compared by identity. io makes it and
+/// installs `decode`; engines and prepare call it, so neither of them sees a file library.
+struct EncodedImage {
+    std::string name;    ///< for people: "textures/body.png" or "image 3 'body' (embedded)"
+    std::string file;    ///< the file it came from (the model for embedded ones), for messages
+    std::string path;    ///< where the encoded bytes lie when they are a file of their own, else empty
+    std::shared_ptr<const std::vector<std::byte>> bytes;  ///< the encoded bytes when embedded, else null
+    std::string mime_type;  ///< as the file claims, may be empty; the content decides
+    /// Decodes. Reentrant. @throws Error bad_file or not_found: broken, too large for the memory budget, not a picture.
+    std::function<Pixels(const EncodedImage&, Context&)> decode;
+};
+using ImageHandle = std::shared_ptr<const EncodedImage>;
+
+}  // namespace rakelight

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The facade: load, smooth, render, save. Everything else of the library can be reached from here.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <rakelight/attributes.h>
+#include <rakelight/engine.h>
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+struct LoadOptions {
+    bool allow_outside = false;  ///< references may leave the model's own folder tree
+};
+
+/// Loads a model file or "builtin:teapot". What was changed, guessed or dropped goes to context.report().
+/// @throws Error not_found, bad_file
+Scene load(const std::string& path, const LoadOptions& options, Context& context);
+
+/// Seam-free normals, and tangents where texture coordinates exist: a new scene that shares all untouched data.
+Scene smooth(const Scene& scene, const AttributeOptions& options, Context& context);
+
+/// Makes an engine by name ("soft"). @throws Error usage: unknown or not built in.
+std::unique_ptr<Engine> make_engine(const std::string& name);
+
+/// Writes a frame's colour: sRGB 8 bit for PNG, JPEG and WebP, linear float for EXR and HDR.
+/// @throws Error usage (unknown ending), failed (cannot write). Nothing is left half-written.
+void save(const Frame& frame, const std::string& path);
+
+}  // namespace rakelight

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run changed, guessed, dropped or wants to warn about. Part of the result, never printed by the library.
+#pragma once
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace rakelight {
+
+/// What kind of remark an entry is. `changed`, `guessed` and `dropped` are about the model's data; they and `warning` are
+/// printed by the program as one warning line each; `note` only with --verbose and in --json.
+enum class Remark { note, changed, guessed, dropped, warning };
+
+/// The name of a remark in JSON: "note", "changed", "guessed", "dropped", "warning".
+const char* name_of(Remark remark) noexcept;
+
+struct ReportEntry {
+    Remark remark = Remark::note;
+    std::string file;         ///< as the caller named it; may be empty
+    std::string place;        ///< "mesh 3 'body'", "line 12"; that of the first occurrence
+    std::string message;      ///< one sentence without a full stop
+    std::uint64_t count = 1;  ///< how often the same remark was made for the same file
+};
+
+/// Collects remarks. Thread-safe. Equal remarks (kind, file, message) are counted, not repeated; at most 1000 distinct ones
+/// are kept, the rest only counted, so that a hostile file cannot fill memory with warnings. Entries keep the order in
+/// which they were first made.
+class Report {
+public:
+    void add(Remark remark, std::string file, std::string place, std::string message);
+    std::vector<ReportEntry> entries() const;
+    std::uint64_t left_out() const;  ///< remarks beyond the first 1000 distinct ones
+    void clear();
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<ReportEntry> entries_;
+    std::uint64_t left_out_ = 0;
+};
+
+}  // namespace rakelight

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene: nodes that place meshes, materials, textures, lights, cameras; plain data that is cheap to copy.
+//
+// A node that has meshes is an *object*: one placement that owns one or more *meshes*; a mesh is triangles of one material.
+// Several nodes may list the same meshes (instances stay instances). Vertex and index arrays are immutable shared blocks.
+// Conventions: right-handed, +Y up, metres, radians, counter-clockwise fronts, linear RGB, texture coordinates v-down.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rakelight/block.h>
+#include <rakelight/image.h>
+#include <rakelight/vector.h>
+
+namespace rakelight {
+
+/// "No such element" for indices into the arrays of a Scene.
+inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+// --- textures and materials ----------------------------------------------------------------------------------------------
+
+enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+enum class Filter : std::uint8_t { nearest, linear };
+enum class MipFilter : std::uint8_t { none, nearest, linear };
+
+struct Sampler {
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    Filter magnify = Filter::linear, minify = Filter::linear;
+    MipFilter mip = MipFilter::linear;
+    bool operator==(const Sampler&) const = default;
+};
+
+struct Texture {
+    std::string name;
+    ImageHandle image;  ///< never null in a validated scene
+    Sampler sampler;
+};
+
+/// uv' = offset + rotate(rotation) * (scale * uv), as KHR_texture_transform (v down, rotation counter-clockwise as seen
+/// with v down, about the origin).
+struct TextureTransform {
+    vec2 offset{0, 0}, scale{1, 1};
+    float rotation_rad = 0;
+    bool operator==(const TextureTransform&) const = default;
+};
+
+/// Use of a texture by a material. The role (the member's name) decides the colour space: colours are sRGB, data is linear.
+struct TextureUse {
+    std::uint32_t texture = none;      ///< into Scene::textures
+    std::uint32_t texcoord_set = 0;
+    TextureTransform transform;
+    explicit operator bool() const { return texture != none; }
+};
+
+enum class MaterialModel : std::uint8_t { classical, metallic_roughness, unlit };
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+/// What classical formats (OBJ, 3DS, ...) say: k_a, k_s and the exponent; k_d is Material::base_color.
+struct ClassicalParameters {
+    vec3 ambient{1, 1, 1};   ///< k_a, linear; multiplies the ambient light. Loaders use k_d where the file has none
+    vec3 specular{0, 0, 0};  ///< k_s, linear
+    float shininess = 32;    ///< exponent n >= 1 of the specular lobe
+    TextureUse specular_texture;  ///< colour, multiplies k_s
+};
+
+/// glTF 2.0 metallic-roughness, with the extensions that are kept as data.
+struct MetallicRoughnessParameters {
+    float metallic = 1, roughness = 1;             ///< 0..1
+    TextureUse texture;                            ///< data: G roughness, B metallic
+    float ior = 1.5f;                              ///< KHR_materials_ior
+    float specular = 1;                            ///< KHR_materials_specular
+    vec3 specular_color{1, 1, 1};
+    TextureUse specular_texture, specular_color_texture;
+    float anisotropy = 0, anisotropy_rotation_rad = 0;  ///< KHR_materials_anisotropy
+    TextureUse anisotropy_texture;
+};
+
+struct Material {
+    std::string name;
+    MaterialModel model = MaterialModel::metallic_roughness;
+    vec4 base_color{1, 1, 1, 1};    ///< linear RGB (k_d of classical materials) and alpha
+    TextureUse base_color_texture;  ///< sRGB colour and alpha, multiplies base_color
+    TextureUse normal_texture;      ///< tangent space, green up
+    float normal_scale = 1;
+    TextureUse height_texture;      ///< grey height (classical bump map)
+    float height_scale = 1;
+    TextureUse opacity_texture;     ///< data: its first channel multiplies alpha (MTL map_d)
+    TextureUse occlusion_texture;   ///< data: R multiplies ambient light
+    float occlusion_strength = 1;
+    vec3 emission{0, 0, 0};         ///< linear, already multiplied by its strength; may exceed 1
+    TextureUse emission_texture;    ///< sRGB
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha_cutoff = 0.5f;
+    bool double_sided = false;
+    ClassicalParameters classical;            ///< meaningful when model is classical
+    MetallicRoughnessParameters metallic_roughness;  ///< meaningful when model is metallic_roughness
+};
+
+// --- meshes --------------------------------------------------------------------------------------------------------------
+
+enum class Topology : std::uint8_t { triangles, lines, points };
+
+/// What Mesh::smoothing means: 3DS/ASE bit masks join when AND != 0, OBJ numbers join when equal; 0 is flat in both.
+enum class SmoothingKind : std::uint8_t { none, masks, numbers };
+
+struct JointInfluence {
+    std::array<std::uint16_t, 4> joints{};  ///< into Skin::joints
+    std::array<float, 4> weights{};         ///< sum to 1, or all 0
+};
+
+struct MorphTarget {
+    std::string name;
+    Block<vec3> positions, normals, tangents;  ///< [V] offsets; each may be empty
+};
+
+/// Primitives of one topology and one material. Vertex arrays are [V] or empty.
+struct Mesh {
+    std::string name;
+    Topology topology = Topology::triangles;
+    dvec3 origin{0, 0, 0};        ///< positions count from here; one for all meshes of a file, zero unless its numbers need it
+    Block<vec3> positions;        ///< [V] about `origin`
+    Block<std::uint32_t> indices; ///< [3T], [2L] or [P], each < V
+    Block<vec3> normals;          ///< [V] unit, or empty; those of the file until prepare replaces them
+    Block<vec4> tangents;         ///< [V] xyz unit, w = +1 or -1, or empty
+    std::vector<Block<vec2>> texcoords;  ///< sets, each [V], v down
+    Block<vec4> colors;           ///< [V] linear RGBA or empty
+    Block<std::uint32_t> smoothing;      ///< [T] smoothing group or mask of each triangle, or empty
+    SmoothingKind smoothing_kind = SmoothingKind::none;
+    /// [3T] corner normals that the file's *reader* made from smoothing groups (3DS, ASE through Assimp), or empty: equal
+    /// across an edge exactly where the groups joined. A hint for grouping, never shown as the file's normals.
+    Block<vec3> smoothing_hint;
+    Block<JointInfluence> influences;    ///< [V] or empty
+    std::vector<MorphTarget> targets;
+    std::uint32_t material = none;       ///< into Scene::materials; none: the default material
+    std::uint32_t source_mesh = none, source_primitive = none;  ///< where the file has it (glTF mesh and primitive)
+    std::uint64_t triangle_count() const { return topology == Topology::triangles ? indices.size() / 3 : 0; }
+};
+
+// --- placement -----------------------------------------------------------------------------------------------------------
+
+/// Local placement: translation * rotation * scale, or any matrix. Kept apart so that animation can set the parts.
+struct Transform {
+    dvec3 translation{0, 0, 0};
+    dquat rotation;
+    dvec3 scale{1, 1, 1};
+    std::optional<dmat4> matrix;  ///< when set, it alone counts
+};
+
+struct Node {
+    std::string name;
+    std::uint32_t parent = none;        ///< always less than the node's own index in a validated scene
+    Transform local;
+    std::vector<std::uint32_t> meshes;  ///< into Scene::meshes; empty: a group
+    std::uint32_t skin = none;
+    std::vector<float> morph_weights;
+    std::uint32_t source_node = none;   ///< index in the file (glTF)
+};
+
+struct Skin {
+    std::string name;
+    std::vector<std::uint32_t> joints;  ///< nodes
+    std::vector<dmat4> inverse_bind;    ///< [joints]
+};
+
+enum class AnimationPath : std::uint8_t { translation, rotation, scale, morph_weights };
+enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
+
+struct AnimationChannel {
+    std::uint32_t node = none;
+    AnimationPath path = AnimationPath::translation;
+    Interpolation interpolation = Interpolation::linear;
+    Block<float> times;   ///< [K] seconds, ascending
+    Block<float> values;  ///< [K * width], times 3 for cubic splines (in-tangent, value, out-tangent)
+};
+
+struct Animation {
+    std::string name;
+    std::vector<AnimationChannel> channels;
+};
+
+// --- lights and cameras --------------------------------------------------------------------------------------------------
+
+enum class LightType : std::uint8_t { ambient, directional, point, spot };
+/// Two kinds of units, never mixed silently: classical colours and attenuation, or photometric lux and candela.
+enum class LightUnits : std::uint8_t { classical, photometric };
+
+/// A light at its node (position: the node's origin, direction: along its -Z), or at `position` / `direction` in the world.
+/// Classical: colour 1 at attenuation 1 means irradiance pi, so a white Lambert surface facing it has radiance 1.
+struct Light {
+    std::string name;
+    LightType type = LightType::point;
+    LightUnits units = LightUnits::classical;
+    std::uint32_t node = none;
+    dvec3 position{0, 0, 0};
+    dvec3 direction{0, 0, -1};       ///< the way the light travels
+    vec3 ambient{0, 0, 0}, diffuse{1, 1, 1}, specular{1, 1, 1};  ///< classical, linear RGB; ambient light: only `ambient`
+    float constant = 1, linear = 0, quadratic = 0;  ///< classical attenuation 1 / (c + l d + q d^2), d in metres
+    float cutoff_rad = float(pi / 2);  ///< classical spot: half angle, 0..pi/2
+    float exponent = 0;              ///< classical spot: falloff cos^exponent
+    vec3 color{1, 1, 1};             ///< photometric, linear RGB
+    float intensity = 1;             ///< photometric: lux for directional, candela for point and spot
+    float range = std::numeric_limits<float>::infinity();  ///< photometric [m]
+    float inner_cone_rad = 0, outer_cone_rad = float(pi / 4);  ///< photometric spot
+};
+
+enum class Projection : std::uint8_t { perspective, orthographic };
+
+/// A camera at its node (looking along -Z, up +Y), or placed by `to_world`.
+struct Camera {
+    std::string name;
+    Projection projection = Projection::perspective;
+    std::uint32_t node = none;
+    dmat4 to_world;                     ///< used when node is none: a rotation and a translation
+    double vertical_fov_rad = radians(40);  ///< perspective, 0..pi
+    std::optional<double> aspect;       ///< width / height that the file wants; the picture's own when absent
+    double half_height = 1;             ///< orthographic: half the visible height [m]
+    double near = 0.1, far = 1000;      ///< 0 < near < far (orthographic: near may be <= 0); far may be infinity
+};
+
+// --- scene ---------------------------------------------------------------------------------------------------------------
+
+struct Scene {
+    std::string source;  ///< the file it came from, as the caller named it
+    std::vector<Node> nodes;
+    std::vector<Mesh> meshes;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    std::vector<Light> lights;
+    std::vector<Camera> cameras;
+    std::vector<Skin> skins;
+    std::vector<Animation> animations;
+    /// How missing normals are to be understood by `--normals auto`: glTF says flat, others smooth.
+    bool missing_normals_are_flat = false;
+};
+
+}  // namespace rakelight

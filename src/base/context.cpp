@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/context.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <string>
+
+namespace rakelight {
+namespace {
+
+constexpr std::uint64_t gib = 1ull << 30;
+constexpr std::uint64_t bytes_per_byte_read = 64;
+
+std::string too_much(std::string_view what, std::uint64_t bytes, std::uint64_t limit) {
+    return std::string(what) + " needs " + std::to_string(bytes) + " bytes, more than the limit of " + std::to_string(limit);
+}
+
+}  // namespace
+
+std::uint64_t MemoryBudget::limit() const noexcept {
+    if (max_bytes_ != 0) return max_bytes_;
+    const std::uint64_t read = read_bytes_;
+    const std::uint64_t explained = read > (1ull << 57) ? ~0ull : read * bytes_per_byte_read;
+    return explained > 2 * gib ? explained : 2 * gib;
+}
+
+void MemoryBudget::check(std::uint64_t bytes, std::string_view what) const {
+    const std::uint64_t charged = charged_, allowed = limit();
+    if (bytes > allowed || charged > allowed - bytes)
+        throw Error(ErrorCode::bad_file, too_much(what, bytes, allowed), {}, "raise it with --max-memory if you trust the file");
+}
+
+void MemoryBudget::charge(std::uint64_t bytes, std::string_view what) {
+    check(bytes, what);
+    charged_ += bytes;
+}
+
+struct Context::Arena {
+    // Without the control oneTBB writes a warning to standard error when more threads are asked for than there are cores.
+    explicit Arena(int threads)
+        : control(tbb::global_control::max_allowed_parallelism,
+                  std::size_t(std::max(threads, tbb::this_task_arena::max_concurrency()))),
+          arena(threads) {}
+    tbb::global_control control;
+    tbb::task_arena arena;
+};
+
+Context::Context(ContextOptions options) : options_(std::move(options)), memory_(options_.max_memory) {
+    if (options_.threads < 0 || options_.threads > 1024)
+        throw Error(ErrorCode::usage, "threads must be 1 to 1024, or 0 for as many as the machine has");
+    if (options_.threads == 0) options_.threads = tbb::this_task_arena::max_concurrency();
+}
+
+Context::~Context() = default;
+
+int Context::threads() const noexcept { return options_.threads; }
+
+void Context::progress(std::string_view stage, double fraction) {
+    if (!options_.progress) return;
+    const std::lock_guard lock(progress_mutex_);
+    options_.progress(stage, fraction);
+}
+
+void Context::throw_if_cancelled() const {
+    if (cancelled_) throw Error(ErrorCode::failed, "cancelled");
+}
+
+void Context::run_parallel(std::size_t count, void (*call)(const void*, std::size_t), const void* body) {
+    if (options_.threads == 1 || count <= 1) {
+        for (std::size_t i = 0; i < count; ++i) call(body, i);
+        return;
+    }
+    {
+        const std::lock_guard lock(progress_mutex_);
+        if (!arena_) arena_ = std::make_unique<Arena>(options_.threads);
+    }
+    arena_->arena.execute([=] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [=](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i) call(body, i);
+        });
+    });
+}
+
+}  // namespace rakelight

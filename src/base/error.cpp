@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/error.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace rakelight {
+namespace {
+
+/// Bytes of the UTF-8 sequence that begins at text[i], or 0 when it is not valid or is a control character.
+std::size_t printable_bytes(const std::string& text, std::size_t i) {
+    const auto byte = [&](std::size_t k) { return std::uint8_t(k < text.size() ? text[k] : 0); };
+    const std::uint8_t first = byte(i);
+    if (first < 0x80) return first >= 0x20 && first != 0x7F ? 1 : 0;
+    const std::size_t length = first >= 0xF0 && first < 0xF5 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
+    if (length == 0 || first >= 0xF5) return 0;
+    for (std::size_t k = 1; k < length; ++k)
+        if ((byte(i + k) & 0xC0) != 0x80) return 0;
+    if (first == 0xC2 && byte(i + 1) < 0xA0) return 0;                      // C1 control characters
+    if (first == 0xE2 && byte(i + 1) == 0x80 && byte(i + 2) >= 0xA8 && byte(i + 2) <= 0xAE) return 0;  // line separators, bidi
+    return length;
+}
+
+}  // namespace
+
+int exit_code(ErrorCode code) noexcept { return int(code) + 1; }
+
+std::string one_line(const std::string& text, std::size_t max_bytes) {
+    std::string line;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t n = printable_bytes(text, i);
+        if (line.size() + (n ? n : 1) + 3 > max_bytes) return line + "...";
+        if (n)
+            line.append(text, i, n);
+        else
+            line += '?';
+        i += n ? n : 1;
+    }
+    return line;
+}
+
+Error::Error(ErrorCode code, std::string reason, std::string place, std::string advice)
+    : code_(code), reason_(std::move(reason)), place_(std::move(place)), advice_(std::move(advice)) {
+    compose();
+}
+
+Error Error::with_file(const std::string& file) const {
+    Error copy = *this;
+    if (copy.file_.empty()) copy.file_ = file;
+    copy.compose();
+    return copy;
+}
+
+void Error::compose() {
+    text_.clear();
+    if (!file_.empty()) text_ += one_line(file_, 300) + ": ";
+    if (!place_.empty()) text_ += one_line(place_, 120) + ": ";
+    text_ += one_line(reason_, 300);
+    if (!advice_.empty()) text_ += "; " + one_line(advice_, 160);
+}
+
+}  // namespace rakelight

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files in and out: bounded reading of untrusted files, references that stay in the model's folder, atomic writing.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rakelight/context.h>
+
+namespace rakelight::io {
+
+using Bytes = std::shared_ptr<const std::vector<std::byte>>;
+
+/// Reads a whole regular file (a link to one is fine). Tells the budget how much was read.
+/// @throws Error not_found: missing, a directory, a FIFO or device, unreadable, empty name; bad_file: over the memory limit.
+///         The error carries `path` as its file.
+Bytes read_file(const std::string& path, Context& context);
+
+/// True for an existing regular file.
+bool is_regular_file(const std::string& path);
+
+/// Where a reference inside a model points: `reference` (a relative path, as written; '\\' counts as '/') resolved against
+/// the folder of `model_path`. Percent-encoding must be undone by the caller where the format has it.
+/// @throws Error bad_file when it would leave the model's own folder tree (absolute, "..", through a symbolic link, another
+///         scheme such as http:) unless `allow_outside`; the message names only the last path component.
+std::string resolve_reference(const std::string& model_path, const std::string& reference, bool allow_outside);
+
+/// Bytes of a percent-encoded URI; nullopt when an escape is broken.
+std::optional<std::string> percent_decode(const std::string& uri);
+
+/// Bytes of base64 (RFC 4648, padding optional, no white space); nullopt when a character is illegal.
+std::optional<std::vector<std::byte>> base64_decode(std::string_view text);
+
+/// A file written under a temporary name beside its place and renamed when whole; removed when never committed.
+class OutputFile {
+public:
+    /// @throws Error failed: the folder is missing or not writable.
+    explicit OutputFile(std::string path);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+    void write(std::span<const std::byte> bytes);  ///< @throws Error failed: disk full
+    void commit();                                 ///< flush, close, rename; @throws Error failed
+    std::FILE* handle() { return file_; }          ///< for libraries that want a FILE*
+
+private:
+    std::string path_, temporary_;
+    std::FILE* file_ = nullptr;
+};
+
+}  // namespace rakelight::io

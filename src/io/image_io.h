@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures in files: PNG (libspng), JPEG (libjpeg-turbo), WebP (libwebp), EXR (OpenEXR), HDR, TGA, BMP (stb).
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+
+#include <rakelight/image.h>
+
+namespace rakelight::io {
+
+/// Makes an undecoded picture with its decode function installed. Either `path` (a file of its own) or `bytes` (embedded).
+/// Nothing is opened or read.
+ImageHandle image_from_file(std::string name, std::string model_file, std::string path);
+ImageHandle image_from_bytes(std::string name, std::string model_file, std::shared_ptr<const std::vector<std::byte>> bytes,
+                             std::string mime_type);
+
+/// Decodes by content (not by name). The size in the header is held against the memory budget before pixels are asked for;
+/// at most 32768 pixels a side.
+/// @throws Error bad_file: not a picture, broken, cut short, too large. The error carries no file name; the caller adds it.
+Pixels decode_image(std::span<const std::byte> bytes, Context& context);
+
+/// Takes rows from top to bottom; the file appears when finish() was called (temporary name, then rename).
+class ImageWriter {
+public:
+    virtual ~ImageWriter() = default;
+    /// [width * channels] components of the writer's kind
+    virtual void write_row(const void* row) = 0;
+    virtual void finish() = 0;
+};
+
+/// What a file name's ending asks for: png, jpg/jpeg, webp take 8-bit components (PNG 16 too), exr and hdr take f32.
+/// @throws Error usage: unknown ending.
+Component component_for(const std::string& path);
+/// @param channels 1, 3 or 4 (JPEG and HDR: 3; a fourth is dropped). @throws Error usage / failed.
+std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels, Component component);
+/// All rows at once.
+void write_image(const std::string& path, const Pixels& pixels);
+
+}  // namespace rakelight::io

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loading behind one interface: a file name in, a validated scene out, remarks into the context's report.
+#pragma once
+#include <string>
+
+#include <rakelight/scene.h>
+
+namespace rakelight::io {
+
+struct ReadOptions {
+    bool allow_outside = false;   ///< references may leave the model's own folder tree
+    double import_seconds = 8;    ///< time limit of the import helper
+};
+
+/// Reads a model file of any supported format; the content is held against the ending's format.
+/// @throws Error not_found, bad_file (with file and place; "nothing to draw" when it holds no drawable primitive).
+Scene read_scene(const std::string& path, const ReadOptions& options, Context& context);
+
+/// The single formats. `bytes` is the whole file; `path` is for messages and for resolving references.
+Scene read_gltf(const std::string& path, const ReadOptions& options, Context& context);  ///< .gltf and .glb
+Scene read_obj(const std::string& path, const ReadOptions& options, Context& context);   ///< .obj with .mtl
+/// FBX, DAE, 3DS, ASE, Blend, STL, PLY, OFF, X through the helper executable `rakelight-import` (Assimp), found beside the
+/// running program or by RAKELIGHT_IMPORT; limited in memory and time.
+Scene read_with_import_helper(const std::string& path, const ReadOptions& options, Context& context);
+
+/// The formats that this build reads, for --version and messages: "glTF 2.0, GLB, OBJ, FBX, ...".
+std::string supported_formats();
+
+}  // namespace rakelight::io

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Questions that every user of a scene asks: is it whole, where is everything, what is the default view of it.
+#pragma once
+#include <vector>
+
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// Checks that all indices, sizes and numbers of a scene are right: what engines and prepare rely on. Node parents come
+/// before their children, index blocks are in range, vertex arrays have V entries, matrices are finite, images are not null.
+/// @throws Error bad_file with the place ("mesh 3 'body'") of the first fault. O(size of the scene).
+void validate(const Scene& scene);
+
+/// Matrices node -> world, [nodes]. A single pass, since parents come first.
+std::vector<dmat4> world_matrices(const Scene& scene);
+
+struct Bounds {
+    dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    bool empty() const { return !(low.x <= high.x); }
+    dvec3 center() const;
+    double diagonal() const;
+};
+
+/// Axis-aligned box of all drawn vertices of all objects, in the world; vertices that are not finite are left out.
+/// Empty when nothing is drawn.
+Bounds world_bounds(const Scene& scene);
+
+/// Triangles in all objects, instances counted each time.
+std::uint64_t triangle_count(const Scene& scene);
+
+/// The view by which a model without cameras is shown: perspective, 40 degrees vertical, from the front slightly right and
+/// above (the direction (0.45, 0.35, 1) from the centre), so far that the sphere about the bounding box fits in width and height.
+Camera default_camera(const Bounds& bounds, double aspect);
+/// The same from a named side: "front" (+Z), "back", "left" (-X), "right", "top" (+Y), "bottom", "isometric".
+/// @throws Error usage for another name.
+Camera view_camera(const Bounds& bounds, double aspect, const std::string& side);
+
+/// The default light rig, fixed to the camera's frame so that what is looked at is lit: ambient 0.15, a key light (0.8) from
+/// above left and a fill (0.25) from the right, both directional and white, classical units.
+std::vector<Light> default_lights(const dmat4& camera_to_world);
+
+/// camera -> world of a camera of this scene, whether placed by a node or by itself; scale is taken out.
+dmat4 camera_to_world(const Scene& scene, const Camera& camera, const std::vector<dmat4>& world);
+
+/// Named conversions between the two parameter sets of a material. What they lose is said in the functions' .cpp.
+Material classical_from_metallic_roughness(const Material& m);
+Material metallic_roughness_from_classical(const Material& m);
+
+}  // namespace rakelight
