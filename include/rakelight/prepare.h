@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is made ready before an engine sees a scene: normals and tangents, and texture coordinates where a model has none.
+#pragma once
+#include <cstdint>
+
+#include <rakelight/attributes.h>
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// Whose normals count. `automatic`: the file's where it has them; else flat for formats that say so (glTF); else smoothing
+/// groups where the file has any; else over the model with the crease angle.
+enum class NormalSource : std::uint8_t { automatic, file, flat, object, model };
+
+enum class UvProjection : std::uint8_t { none, box, sphere, cylinder };
+
+struct PrepareOptions {
+    NormalSource normals = NormalSource::automatic;
+    CornerWeight weight = CornerWeight::angle;
+    double crease_angle_rad = radians(60);
+    UvProjection uv = UvProjection::none;  ///< for meshes without texture coordinates
+};
+
+/// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height map
+/// needs them. Says in the report what it replaced (zero or non-finite normals of the file, w = 0 tangents, ...).
+Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& context);
+
+}  // namespace rakelight
