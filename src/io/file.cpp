@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <new>
+#include <system_error>
+#include <utility>
+
+namespace rakelight::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A descriptor that closes itself.
+struct Descriptor {
+    int fd = -1;
+    ~Descriptor() {
+        if (fd >= 0) ::close(fd);
+    }
+};
+
+/// strerror is not thread-safe; this is.
+std::string system_message(int code) { return std::generic_category().message(code); }
+
+[[noreturn]] void refuse_input(const std::string& path, const std::string& reason) {
+    throw Error(ErrorCode::not_found, reason).with_file(path);
+}
+
+void require_regular(const std::string& path, const struct ::stat& status) {
+    if (S_ISDIR(status.st_mode)) refuse_input(path, "is a folder, not a file");
+    if (!S_ISREG(status.st_mode)) refuse_input(path, "is not a regular file");
+}
+
+/// A FIFO would block in open() and a device may act on it, so look before; fstat() after, because the name may have changed.
+int open_regular(const std::string& path, struct ::stat& status) {
+    if (path.empty()) throw Error(ErrorCode::not_found, "the file name is empty");
+    if (path.find('\0') != std::string::npos) refuse_input(path, "the file name holds a zero byte");
+    if (::stat(path.c_str(), &status) != 0) refuse_input(path, "cannot be opened: " + system_message(errno));
+    require_regular(path, status);
+    Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
+    if (file.fd < 0 || ::fstat(file.fd, &status) != 0) refuse_input(path, "cannot be opened: " + system_message(errno));
+    require_regular(path, status);
+    return std::exchange(file.fd, -1);
+}
+
+/// Reads up to `bytes.size()` bytes; a file that was cut meanwhile gives fewer.
+void read_all(const std::string& path, int fd, std::vector<std::byte>& bytes) {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t got = ::read(fd, bytes.data() + done, bytes.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) refuse_input(path, "cannot be read: " + system_message(errno));
+        if (got == 0) break;
+        done += std::size_t(got);
+    }
+    bytes.resize(done);
+}
+
+bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// "http://x", "file:x", "data:x" and "C:x"; a colon elsewhere may stand in a file name.
+bool has_scheme_or_drive(const std::string& reference) {
+    const std::size_t colon = reference.find(':');
+    if (colon == std::string::npos || colon == 0 || !is_ascii_letter(reference[0])) return false;
+    if (colon == 1) return true;
+    std::string scheme = reference.substr(0, colon);
+    for (char& c : scheme) {
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+        if (!is_ascii_letter(c) && !(c >= '0' && c <= '9') && c != '+' && c != '-' && c != '.') return false;
+    }
+    static constexpr std::array known{"http", "https", "ftp", "ftps", "file", "data"};
+    for (const char* name : known)
+        if (scheme == name) return true;
+    return reference.compare(colon, 3, "://") == 0;
+}
+
+/// The last component only: the rest of a refused path is nobody's business in a message.
+std::string last_component(const std::string& reference) {
+    const std::size_t slash = reference.find_last_of('/');
+    return one_line(slash == std::string::npos ? reference : reference.substr(slash + 1), 100);
+}
+
+[[noreturn]] void refuse_reference(const std::string& reference, const std::string& why) {
+    throw Error(ErrorCode::bad_file, "the reference to '" + last_component(reference) + "' " + why, {},
+                "copy the file into the model's folder, or use --allow-outside if you trust the model");
+}
+
+bool lies_inside(const fs::path& path, const fs::path& folder) {
+    auto inner = path.begin();
+    for (auto outer = folder.begin(); outer != folder.end(); ++outer, ++inner) {
+        if (outer->empty()) return true;  // a trailing slash
+        if (inner == path.end() || *inner != *outer) return false;
+    }
+    return true;
+}
+
+/// Both sides with every symbolic link and ".." resolved, so that a link inside the folder cannot lead out.
+void require_inside(const fs::path& folder, const fs::path& joined, const std::string& reference) {
+    std::error_code error;
+    const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    if (error) refuse_reference(reference, "cannot be resolved");
+    const fs::path target = fs::weakly_canonical(fs::absolute(joined, error), error);
+    if (error) refuse_reference(reference, "cannot be resolved");
+    const fs::path absolute_root = fs::absolute(root, error).lexically_normal();
+    if (error || !lies_inside(target, absolute_root)) refuse_reference(reference, "leaves the model's folder");
+}
+
+int hex_digit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
+int base64_digit(char c) {
+    if (c >= 'A' && c <= 'Z') return c - 'A';
+    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+    if (c >= '0' && c <= '9') return c - '0' + 52;
+    return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+[[noreturn]] void refuse_output(const std::string& path, int code) {
+    throw Error(ErrorCode::failed, "cannot be written: " + system_message(code)).with_file(path);
+}
+
+/// Output goes through a symbolic link, not over it.
+std::string behind_link(const std::string& path) {
+    std::error_code error;
+    if (!fs::is_symlink(path, error)) return path;
+    const fs::path target = fs::canonical(path, error);
+    if (error) refuse_output(path, error.value());
+    return target.string();
+}
+
+/// Creates a file in the folder of `path` under a name that nobody has; a short one, so that it fits wherever `path` fits.
+/// @return the descriptor, or -1 with errno
+int create_beside(const std::string& path, std::string& temporary) {
+    static std::atomic<unsigned> counter{0};
+    const std::size_t slash = path.find_last_of('/');
+    const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+    int fd = -1;
+    do {  // a taken name is the rest of a process of the same number that died; the counter goes on
+        temporary = folder + ".rl-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+        fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (fd < 0 && errno == EEXIST);
+    return fd;
+}
+
+}  // namespace
+
+Bytes read_file(const std::string& path, Context& context) {
+    struct ::stat status {};
+    const Descriptor file{open_regular(path, status)};
+    const std::uint64_t size = std::uint64_t(status.st_size);
+    try {
+        context.memory().note_read(size);
+        context.memory().charge(size, "the file");
+        auto bytes = std::make_shared<std::vector<std::byte>>(std::size_t(size));
+        read_all(path, file.fd, *bytes);
+        return bytes;
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::bad_file, "does not fit into memory").with_file(path);
+    }
+}
+
+bool is_regular_file(const std::string& path) {
+    struct ::stat status {};
+    return path.find('\0') == std::string::npos && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+std::string resolve_reference(const std::string& model_path, const std::string& reference, bool allow_outside) {
+    std::string relative = reference;
+    for (char& c : relative)
+        if (c == '\\') c = '/';
+    if (relative.empty()) throw Error(ErrorCode::bad_file, "an empty file reference");
+    if (relative.find('\0') != std::string::npos) refuse_reference(relative, "holds a zero byte");
+    if (!allow_outside && has_scheme_or_drive(relative)) refuse_reference(relative, "is not a file beside the model");
+    if (!allow_outside && relative[0] == '/') refuse_reference(relative, "is an absolute path");
+    const fs::path folder = fs::path(model_path).parent_path();
+    const fs::path joined = folder / relative;
+    if (!allow_outside) require_inside(folder, joined, relative);
+    return joined.string();
+}
+
+std::optional<std::string> percent_decode(const std::string& uri) {
+    std::string text;
+    text.reserve(uri.size());
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        if (uri[i] != '%') {
+            text += uri[i];
+            continue;
+        }
+        if (uri.size() - i < 3) return std::nullopt;
+        const int high = hex_digit(uri[i + 1]), low = hex_digit(uri[i + 2]);
+        if (high < 0 || low < 0) return std::nullopt;
+        text += char(high * 16 + low);
+        i += 2;
+    }
+    return text;
+}
+
+std::optional<std::vector<std::byte>> base64_decode(std::string_view text) {
+    std::size_t padding = 0;
+    while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=') ++padding;
+    if (padding != 0 && text.size() % 4 != 0) return std::nullopt;
+    text.remove_suffix(padding);
+    if (text.size() % 4 == 1) return std::nullopt;
+    std::vector<std::byte> bytes;
+    bytes.reserve(text.size() / 4 * 3 + 2);
+    std::uint32_t bits = 0;
+    int held = 0;
+    for (const char c : text) {
+        const int digit = base64_digit(c);
+        if (digit < 0) return std::nullopt;
+        bits = bits << 6 | std::uint32_t(digit);
+        held += 6;
+        if (held >= 8) bytes.push_back(std::byte(bits >> (held -= 8) & 0xff));
+    }
+    return bytes;
+}
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+    if (path_.empty() || path_.find('\0') != std::string::npos)
+        throw Error(ErrorCode::failed, "the name of the output file is empty or holds a zero byte");
+    struct ::stat status {};
+    const bool exists = ::stat(path_.c_str(), &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) refuse_output(path_, EISDIR);
+    // Renaming over /dev/null or a FIFO would replace it: such targets are written to as they are.
+    const bool direct = exists && !S_ISREG(status.st_mode);
+    if (exists && !direct) path_ = behind_link(path_);
+    Descriptor file{direct ? ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY) : create_beside(path_, temporary_)};
+    if (file.fd < 0) refuse_output(path_, errno);
+    if (exists && !direct) static_cast<void>(::fchmod(file.fd, status.st_mode & 0777));
+    file_ = ::fdopen(file.fd, "wb");
+    if (file_ == nullptr) {
+        const int code = errno;
+        if (!direct) ::unlink(temporary_.c_str());
+        refuse_output(path_, code);
+    }
+    file.fd = -1;
+}
+
+OutputFile::~OutputFile() {
+    if (file_ != nullptr) std::fclose(file_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::span<const std::byte> bytes) {
+    if (!bytes.empty() && std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
+        refuse_output(path_, errno);
+}
+
+void OutputFile::commit() {
+    // stdio keeps an earlier failure in ferror() only; fclose() alone may report success after it.
+    const bool broken = std::fflush(file_) != 0 || std::ferror(file_) != 0;
+    int code = broken ? errno : 0;
+    if (std::fclose(std::exchange(file_, nullptr)) != 0 && code == 0) code = errno;
+    if (broken || code != 0) refuse_output(path_, code != 0 ? code : EIO);
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) refuse_output(path_, errno);
+    temporary_.clear();
+}
+
+}  // namespace rakelight::io
