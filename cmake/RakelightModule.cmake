@@ -12,7 +12,7 @@
 # Flags of every C++ source. Bits must not depend on the machine: no contraction, no fast-math; sqrt without errno.
 add_library(rl_flags INTERFACE)
 target_compile_features(rl_flags INTERFACE cxx_std_20)
-target_compile_options(rl_flags INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
+target_compile_options(rl_flags INTERFACE -Wall -Wextra $<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local,-Wshadow> -Wno-missing-field-initializers
   -ffp-contract=off -fno-math-errno -fno-strict-aliasing)
 if(RAKELIGHT_WERROR)
   target_compile_options(rl_flags INTERFACE -Werror)
