@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// The view and the light of a model that brings none.
+#include <algorithm>
+#include <cmath>
+
+#include <rakelight/error.h>
+
+#include "math/functions.h"
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+/// Radius of the sphere about the box. A box without extent (a point, nothing) gets a radius that can still be told from
+/// its centre in double: 1, or a millionth of the distance from the origin.
+double sphere_radius(const Bounds& bounds) {
+    const dvec3 c = bounds.center();
+    const double far_out = std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});
+    const double half_diagonal = 0.5 * bounds.diagonal();
+    if (!(half_diagonal > 1e-100)) return std::max(1.0, far_out * 1e-6);
+    return std::clamp(std::max(half_diagonal, far_out * 1e-12), 1e-100, 1e150);
+}
+
+/// A perspective camera that looks from `toward_eye` (any length) at the sphere about the box, so far away that the sphere
+/// touches the nearer pair of the picture's edges.
+Camera fit(const Bounds& bounds, double aspect, dvec3 toward_eye, dvec3 up) {
+    Camera camera;
+    const double a = aspect > 0 && std::isfinite(aspect) ? std::clamp(aspect, 1e-4, 1e4) : 1.0;
+    const double radius = sphere_radius(bounds);
+    const double tangent = math::tan(0.5 * camera.vertical_fov_rad) * std::min(a, 1.0);
+    const double distance = radius * std::sqrt(1 + tangent * tangent) / tangent;  // radius / sin(half angle)
+    camera.to_world = look_at(toward_eye, dvec3{0, 0, 0}, up);  // about the origin first: no digits are lost far out
+    const dvec3 z = camera.to_world[2].xyz();
+    const dvec3 eye = bounds.center() + z * distance;
+    camera.to_world[3] = {eye.x, eye.y, eye.z, 1};
+    // A little beyond the sphere on both sides; distance >= radius / sin(20 degrees), so near stays well above 0.
+    camera.near = distance - 1.05 * radius;
+    camera.far = distance + 1.05 * radius;
+    return camera;
+}
+
+struct Side {
+    const char* name;
+    dvec3 toward_eye, up;
+};
+constexpr Side sides[] = {{"front", {0, 0, 1}, {0, 1, 0}},   {"back", {0, 0, -1}, {0, 1, 0}},  {"left", {-1, 0, 0}, {0, 1, 0}},
+                          {"right", {1, 0, 0}, {0, 1, 0}},   {"top", {0, 1, 0}, {0, 0, -1}},   {"bottom", {0, -1, 0}, {0, 0, 1}},
+                          {"isometric", {1, 1, 1}, {0, 1, 0}}};
+
+Light directional(const char* name, float strength, const dmat4& camera_to_world, dvec3 toward_light_camera) {
+    Light light;
+    light.name = name;
+    light.type = LightType::directional;
+    light.diffuse = light.specular = {strength, strength, strength};
+    light.direction = normalize_or(-transform_direction(camera_to_world, toward_light_camera), dvec3{0, 0, -1});
+    return light;
+}
+
+}  // namespace
+
+Camera default_camera(const Bounds& bounds, double aspect) {
+    Camera camera = fit(bounds, aspect, {0.45, 0.35, 1}, {0, 1, 0});
+    camera.name = "default";
+    return camera;
+}
+
+Camera view_camera(const Bounds& bounds, double aspect, const std::string& side) {
+    for (const Side& s : sides) {
+        if (side != s.name) continue;
+        Camera camera = fit(bounds, aspect, s.toward_eye, s.up);
+        camera.name = side;
+        return camera;
+    }
+    throw Error(ErrorCode::usage, "unknown view '" + one_line(side, 40) + "'", {},
+                "use front, back, left, right, top, bottom or isometric");
+}
+
+std::vector<Light> default_lights(const dmat4& camera_to_world) {
+    Light ambient;
+    ambient.name = "default ambient";
+    ambient.type = LightType::ambient;
+    ambient.ambient = {0.15f, 0.15f, 0.15f};
+    ambient.diffuse = ambient.specular = {0, 0, 0};
+    return {ambient, directional("default key", 0.8f, camera_to_world, {-0.5, 0.7, 0.8}),
+            directional("default fill", 0.25f, camera_to_world, {0.8, 0.1, 0.6})};
+}
+
+}  // namespace rakelight

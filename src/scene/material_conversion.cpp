@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Between classical (k_d, k_s, exponent) and metallic-roughness parameters.
+//
+// classical_from_metallic_roughness, for use with the normalized Blinn-Phong lobe:
+//   k_d = base (1 - metallic), k_a = k_d
+//   k_s = mix(F0, base, metallic),  F0 = min(((ior - 1) / (ior + 1))^2 specular_color, 1) specular   (KHR_materials_specular)
+//   n   = clamp(2 / alpha^2 - 2, 1, 10000),  alpha = roughness^2
+//         (Karis 2013, "Specular BRDF Reference": the exponent whose Blinn-Phong distribution matches a GGX or Beckmann alpha)
+//   Lost: Fresnel's rise at grazing angles, the long tail of GGX, roughness above 0.904 (n would be below 1), anisotropy, the
+//   metallic-roughness and specular textures. Where there is a metallic-roughness texture its values are not known here:
+//   metallic counts as 0 (the base colour then shows as diffuse) and roughness as half its factor. The base colour texture
+//   tints the highlight where metallic > 1/2, else the specular colour texture does.
+//
+// metallic_roughness_from_classical:
+//   base = k_d, metallic = 0, specular = 1, ior = 1.5, specular_color = k_s / 0.04 (so F0 = k_s), roughness = (2 / (n + 2))^(1/4)
+//   Lost: k_a, k_s above 1, exponents below 1 or above 10000. There and back gives k_d, k_s and n again.
+#include <algorithm>
+#include <cmath>
+
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+constexpr float dielectric_f0 = 0.04f;  // ior 1.5
+constexpr double max_exponent = 10000;
+
+float clamp01(float x) { return x > 0 ? std::min(x, 1.0f) : 0.0f; }  // NaN gives 0
+
+float exponent_of(float roughness) {
+    const double r = clamp01(roughness), alpha_squared = r * r * r * r;
+    if (!(alpha_squared > 2 / (max_exponent + 2))) return float(max_exponent);
+    return float(std::clamp(2 / alpha_squared - 2, 1.0, max_exponent));
+}
+
+float roughness_of(float exponent) {
+    const double n = exponent >= 1 ? std::min(double(exponent), max_exponent) : 1.0;
+    return float(std::sqrt(std::sqrt(2 / (n + 2))));
+}
+
+vec3 dielectric_specular(const MetallicRoughnessParameters& p) {
+    const float ior = std::isfinite(p.ior) && p.ior >= 0 ? p.ior : 1.5f;
+    const float ratio = (ior - 1) / (ior + 1), f0 = ratio * ratio, strength = clamp01(p.specular);
+    return {clamp01(f0 * p.specular_color.x) * strength, clamp01(f0 * p.specular_color.y) * strength,
+            clamp01(f0 * p.specular_color.z) * strength};
+}
+
+}  // namespace
+
+Material classical_from_metallic_roughness(const Material& m) {
+    if (m.model != MaterialModel::metallic_roughness) return m;
+    Material out = m;
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    const float metallic = p.texture ? 0.0f : clamp01(p.metallic);
+    const vec3 base = m.base_color.xyz(), k_d = base * (1 - metallic);
+    out.model = MaterialModel::classical;
+    out.base_color = {k_d.x, k_d.y, k_d.z, m.base_color.w};
+    out.classical.ambient = k_d;
+    out.classical.specular = dielectric_specular(p) * (1 - metallic) + base * metallic;
+    out.classical.shininess = exponent_of(p.texture ? 0.5f * clamp01(p.roughness) : p.roughness);
+    out.classical.specular_texture = metallic > 0.5f ? m.base_color_texture : p.specular_color_texture;
+    out.metallic_roughness = {};
+    return out;
+}
+
+Material metallic_roughness_from_classical(const Material& m) {
+    if (m.model != MaterialModel::classical) return m;
+    Material out = m;
+    const vec3 k_s = m.classical.specular;
+    out.model = MaterialModel::metallic_roughness;
+    out.metallic_roughness = {};
+    out.metallic_roughness.metallic = 0;
+    out.metallic_roughness.roughness = roughness_of(m.classical.shininess);
+    out.metallic_roughness.specular_color = vec3{clamp01(k_s.x), clamp01(k_s.y), clamp01(k_s.z)} / dielectric_f0;
+    out.metallic_roughness.specular_color_texture = m.classical.specular_texture;
+    out.classical = {};
+    return out;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where things are: matrices of the nodes, the box of all that is drawn, the frame of a camera.
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+
+std::vector<dmat4> world_matrices(const Scene& scene) {
+    std::vector<dmat4> world(scene.nodes.size());
+    for (std::size_t i = 0; i < world.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        const Transform& t = node.local;
+        const dmat4 local = t.matrix ? *t.matrix : compose(t.translation, t.rotation, t.scale);
+        RL_ASSERT(node.parent == none || node.parent < i, "a parent comes before its child");
+        world[i] = node.parent == none ? local : world[node.parent] * local;
+    }
+    return world;
+}
+
+dvec3 Bounds::center() const { return empty() ? dvec3{0, 0, 0} : low * 0.5 + high * 0.5; }
+
+double Bounds::diagonal() const {
+    if (empty()) return 0;
+    const dvec3 size = high * 0.5 - low * 0.5;  // halves: the difference itself may overflow
+    const double largest = std::max({size.x, size.y, size.z});
+    return largest > 0 ? std::min(2 * (largest * length(size / largest)), 1e300) : 0;
+}
+
+namespace {
+
+/// 1 for every vertex that a triangle uses: stray vertices must not push the camera away.
+std::vector<std::uint8_t> used_vertices(const Mesh& mesh) {
+    std::vector<std::uint8_t> used(mesh.positions.size(), 0);
+    for (const std::uint32_t index : mesh.indices) used[index] = 1;
+    return used;
+}
+
+void extend(Bounds& bounds, const Mesh& mesh, const std::vector<std::uint8_t>& used, const dmat4& to_world) {
+    const dmat4 m = to_world * translation(mesh.origin);
+    for (std::size_t v = 0; v < used.size(); ++v) {
+        if (!used[v]) continue;
+        const dvec3 p = transform_point(m, cast<double>(mesh.positions[v]));
+        if (!is_finite(p)) continue;
+        bounds.low = min(bounds.low, p);
+        bounds.high = max(bounds.high, p);
+    }
+}
+
+}  // namespace
+
+Bounds world_bounds(const Scene& scene) {
+    Bounds bounds;
+    const std::vector<dmat4> world = world_matrices(scene);
+    std::vector<std::vector<std::uint8_t>> used(scene.meshes.size());
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+        for (const std::uint32_t number : scene.nodes[i].meshes) {
+            const Mesh& mesh = scene.meshes[number];
+            if (mesh.topology != Topology::triangles) continue;  // lines and points are kept as data, not drawn
+            if (used[number].empty()) used[number] = used_vertices(mesh);
+            extend(bounds, mesh, used[number], world[i]);
+        }
+    return bounds;
+}
+
+std::uint64_t triangle_count(const Scene& scene) {
+    std::uint64_t count = 0;
+    for (const Node& node : scene.nodes)
+        for (const std::uint32_t mesh : node.meshes) count += scene.meshes[mesh].triangle_count();
+    return count;
+}
+
+dmat4 camera_to_world(const Scene&, const Camera& camera, const std::vector<dmat4>& world) {
+    RL_ASSERT(camera.node == none || camera.node < world.size(), "the camera's node exists");
+    const dmat4& m = camera.node == none ? camera.to_world : world[camera.node];
+    // The view direction is kept, then the upright one as far as it is perpendicular; x follows, so that the result is a
+    // rotation even where the matrix mirrors, shears or flattens.
+    const dvec3 x_axis = normalize_or(m[0].xyz(), dvec3{0, 0, 0}), y_axis = normalize_or(m[1].xyz(), dvec3{0, 0, 0});
+    const dvec3 z = normalize_or(m[2].xyz(), normalize_or(cross(x_axis, y_axis), dvec3{0, 0, 1}));
+    dvec3 y = y_axis - z * dot(y_axis, z);
+    if (!(dot(y, y) > 1e-20)) y = cross(z, x_axis);
+    if (!(dot(y, y) > 1e-20)) y = std::fabs(z.y) < 0.9 ? dvec3{0, 1, 0} - z * z.y : dvec3{1, 0, 0} - z * z.x;
+    y = normalize_or(y, dvec3{0, 1, 0});
+    y = normalize_or(y - z * dot(y, z), y);  // once more: the first difference may have lost digits
+    const dvec3 x = cross(y, z);
+    const dvec3 eye = is_finite(m[3].xyz()) ? m[3].xyz() : dvec3{0, 0, 0};
+    return {{{x.x, x.y, x.z, 0}, {y.x, y.y, y.z, 0}, {z.x, z.y, z.z, 0}, {eye.x, eye.y, eye.z, 1}}};
+}
+
+}  // namespace rakelight

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// The door check of a scene: every index, size and number that engines and prepare rely on. One pass over each array.
+#include <cmath>
+#include <string>
+
+#include <rakelight/error.h>
+
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+#include "scene/validate_parts.h"
+
+namespace rakelight {
+namespace {
+
+void check_node(const Scene& scene, std::size_t i) {
+    const Node& node = scene.nodes[i];
+    const Place place{"node", i, node.name};
+    if (node.parent != none && node.parent >= i)
+        place.fail("parent " + std::to_string(node.parent) + " does not come before its child");
+    for (const std::uint32_t mesh : node.meshes) place.index("mesh", mesh, scene.meshes.size());
+    place.index_or_none("skin", node.skin, scene.skins.size());
+    for (const float w : node.morph_weights) place.finite("a morph weight", w);
+    const Transform& t = node.local;
+    if (t.matrix) {
+        place.finite("the matrix", *t.matrix);
+    } else {
+        place.finite("the translation", t.translation);
+        place.finite("the scale", t.scale);
+        place.finite("the rotation", dvec4{t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w});
+    }
+}
+
+void check_use(const Scene& scene, const Place& place, const char* what, const TextureUse& use) {
+    place.index_or_none(what, use.texture, scene.textures.size());
+    const TextureTransform& t = use.transform;
+    place.finite("a texture transform", dvec4{t.offset.x, t.offset.y, t.scale.x, t.scale.y});
+    place.finite("a texture transform", t.rotation_rad);
+}
+
+void check_material(const Scene& scene, std::size_t i) {
+    const Material& m = scene.materials[i];
+    const Place place{"material", i, m.name};
+    const ClassicalParameters& c = m.classical;
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    const std::pair<const char*, const TextureUse*> uses[] = {
+        {"base color texture", &m.base_color_texture}, {"normal texture", &m.normal_texture},
+        {"height texture", &m.height_texture},         {"opacity texture", &m.opacity_texture},
+        {"occlusion texture", &m.occlusion_texture},   {"emission texture", &m.emission_texture},
+        {"specular texture", &c.specular_texture},     {"metallic-roughness texture", &p.texture},
+        {"specular texture", &p.specular_texture},     {"specular color texture", &p.specular_color_texture},
+        {"anisotropy texture", &p.anisotropy_texture}};
+    for (const auto& [what, use] : uses) check_use(scene, place, what, *use);
+    place.finite("the base color", cast<double>(m.base_color));
+    place.finite("the emission", cast<double>(m.emission));
+    place.finite("the ambient color", cast<double>(c.ambient));
+    place.finite("the specular color", cast<double>(c.specular));
+    place.finite("the specular color", cast<double>(p.specular_color));
+    for (const float number : {m.normal_scale, m.height_scale, m.occlusion_strength, m.alpha_cutoff, c.shininess, p.metallic,
+                               p.roughness, p.ior, p.specular, p.anisotropy, p.anisotropy_rotation_rad})
+        place.finite("a parameter", number);
+}
+
+void check_light(const Scene& scene, std::size_t i) {
+    const Light& light = scene.lights[i];
+    const Place place{"light", i, light.name};
+    place.index_or_none("node", light.node, scene.nodes.size());
+    place.finite("the position", light.position);
+    place.finite("the direction", light.direction);
+    if ((light.type == LightType::directional || light.type == LightType::spot) && light.node == none &&
+        light.direction == dvec3{0, 0, 0})
+        place.fail("the direction is zero");
+    for (const vec3& color : {light.ambient, light.diffuse, light.specular, light.color}) place.finite("a color", cast<double>(color));
+    for (const float number : {light.constant, light.linear, light.quadratic, light.cutoff_rad, light.exponent, light.intensity,
+                               light.inner_cone_rad, light.outer_cone_rad})
+        place.finite("a parameter", number);
+    if (!(light.range >= 0)) place.fail("the range is not a number >= 0");
+}
+
+void check_camera(const Scene& scene, std::size_t i) {
+    const Camera& camera = scene.cameras[i];
+    const Place place{"camera", i, camera.name};
+    place.index_or_none("node", camera.node, scene.nodes.size());
+    place.finite("the matrix", camera.to_world);
+    if (camera.aspect && !(*camera.aspect > 0 && std::isfinite(*camera.aspect))) place.fail("the aspect is not a number > 0");
+    if (!std::isfinite(camera.near) || !(camera.far > camera.near)) place.fail("near must be a number and less than far");
+    if (camera.projection == Projection::perspective) {
+        if (!(camera.vertical_fov_rad > 0 && camera.vertical_fov_rad < pi)) place.fail("the field of view is not between 0 and pi");
+        if (!(camera.near > 0)) place.fail("near must be greater than 0");
+    } else if (!(camera.half_height > 0 && std::isfinite(camera.half_height))) {
+        place.fail("the visible height is not a number > 0");
+    }
+}
+
+void check_skin(const Scene& scene, std::size_t i) {
+    const Skin& skin = scene.skins[i];
+    const Place place{"skin", i, skin.name};
+    for (const std::uint32_t joint : skin.joints) place.index("joint", joint, scene.nodes.size());
+    place.size("inverse bind matrices", skin.inverse_bind.size(), skin.joints.size(), "joints");
+    for (const dmat4& m : skin.inverse_bind) place.finite("an inverse bind matrix", m);
+}
+
+/// Joints that the meshes of a skinned node name must be there. `joints_needed` [meshes] is 1 + the largest joint used.
+void check_influences(const Scene& scene, const std::vector<std::uint32_t>& joints_needed) {
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (node.skin == none) continue;
+        const std::size_t joints = scene.skins[node.skin].joints.size();
+        for (const std::uint32_t mesh : node.meshes)
+            if (joints_needed[mesh] > joints)
+                Place{"mesh", mesh, scene.meshes[mesh].name}.fail("joint " + std::to_string(joints_needed[mesh] - 1) + " exceeds the " +
+                                                                  std::to_string(joints) + " joints of skin " + std::to_string(node.skin));
+    }
+}
+
+/// A chain of finite matrices can still overflow.
+void check_world_matrices(const Scene& scene) {
+    const std::vector<dmat4> world = world_matrices(scene);
+    for (std::size_t i = 0; i < world.size(); ++i) Place{"node", i, scene.nodes[i].name}.finite("the world matrix", world[i]);
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+    for (const std::size_t count : {scene.nodes.size(), scene.meshes.size(), scene.materials.size(), scene.textures.size()})
+        if (count >= none) throw Error(ErrorCode::bad_file, "too many elements for 32-bit indices");
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) check_node(scene, i);
+    std::vector<std::uint32_t> joints_needed(scene.meshes.size());
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) joints_needed[i] = check_mesh(scene, i);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
+    for (std::size_t i = 0; i < scene.textures.size(); ++i)
+        if (!scene.textures[i].image) Place{"texture", i, scene.textures[i].name}.fail("it has no image");
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) check_light(scene, i);
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) check_camera(scene, i);
+    for (std::size_t i = 0; i < scene.skins.size(); ++i) check_skin(scene, i);
+    check_influences(scene, joints_needed);
+    for (std::size_t i = 0; i < scene.animations.size(); ++i) check_animation(scene, i);
+    check_world_matrices(scene);
+}
+
+}  // namespace rakelight

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// validate(): the checks of meshes and animations, and the messages.
+#include "scene/validate_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <rakelight/error.h>
+
+#include "math/linear.h"
+
+namespace rakelight {
+
+std::string Place::text() const {
+    std::string text = std::string(kind) + " " + std::to_string(number);
+    if (!name.empty()) text += " '" + one_line(name, 80) + "'";
+    return text;
+}
+
+void Place::fail(const std::string& reason) const { throw Error(ErrorCode::bad_file, reason, text()); }
+
+void Place::index(const char* what, std::uint32_t value, std::size_t count) const {
+    if (value >= count) fail(std::string(what) + " " + std::to_string(value) + " does not exist (there are " + std::to_string(count) + ")");
+}
+
+void Place::index_or_none(const char* what, std::uint32_t value, std::size_t count) const {
+    if (value != none) index(what, value, count);
+}
+
+void Place::size(const char* what, std::size_t is, std::size_t wanted, const char* unit) const {
+    if (is != wanted) fail(std::to_string(is) + " " + what + " for " + std::to_string(wanted) + " " + unit);
+}
+
+void Place::size_or_empty(const char* what, std::size_t is, std::size_t wanted, const char* unit) const {
+    if (is != 0) size(what, is, wanted, unit);
+}
+
+void Place::finite(const char* what, double value) const {
+    if (!std::isfinite(value)) fail(std::string(what) + " is not finite");
+}
+
+void Place::finite(const char* what, const dvec3& value) const {
+    if (!is_finite(value)) fail(std::string(what) + " is not finite");
+}
+
+void Place::finite(const char* what, const dvec4& value) const {
+    finite(what, value.xyz());
+    finite(what, value.w);
+}
+
+void Place::finite(const char* what, const dmat4& value) const {
+    for (const dvec4& column : value.columns) finite(what, column);
+}
+
+namespace {
+
+void check_indices(const Place& place, const Mesh& mesh) {
+    const std::size_t vertices = mesh.positions.size();
+    const unsigned corners = mesh.topology == Topology::triangles ? 3 : mesh.topology == Topology::lines ? 2 : 1;
+    if (mesh.indices.size() % corners != 0)
+        place.fail(std::to_string(mesh.indices.size()) + " indices are not a multiple of " + std::to_string(corners));
+    std::uint32_t largest = 0;
+    for (const std::uint32_t index : mesh.indices) largest = std::max(largest, index);  // no branch a corner: the common case is good
+    if (mesh.indices.empty() || largest < vertices) return;
+    for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner)
+        if (mesh.indices[corner] >= vertices)
+            place.fail("index " + std::to_string(mesh.indices[corner]) + " at corner " + std::to_string(corner) + " exceeds " +
+                       std::to_string(vertices) + " vertices");
+}
+
+std::uint32_t check_influences(const Place& place, const Mesh& mesh) {
+    std::uint32_t needed = 0;
+    for (const JointInfluence& influence : mesh.influences)
+        for (std::size_t k = 0; k < 4; ++k) {
+            place.finite("a joint weight", influence.weights[k]);
+            if (influence.weights[k] != 0) needed = std::max(needed, influence.joints[k] + 1u);
+        }
+    return needed;
+}
+
+/// Values a key of a channel.
+std::size_t channel_width(const Scene& scene, const AnimationChannel& channel) {
+    switch (channel.path) {
+    case AnimationPath::rotation: return 4;
+    case AnimationPath::translation:
+    case AnimationPath::scale: return 3;
+    case AnimationPath::morph_weights: break;
+    }
+    std::size_t targets = 0;
+    for (const std::uint32_t mesh : scene.nodes[channel.node].meshes) targets = std::max(targets, scene.meshes[mesh].targets.size());
+    return targets;
+}
+
+void check_channel(const Scene& scene, const Place& place, const AnimationChannel& channel) {
+    place.index_or_none("node", channel.node, scene.nodes.size());
+    if (channel.node == none) return;
+    for (std::size_t k = 0; k < channel.times.size(); ++k) {
+        place.finite("a key's time", channel.times[k]);
+        if (k > 0 && channel.times[k] < channel.times[k - 1]) place.fail("the times of a channel do not ascend");
+    }
+    for (const float value : channel.values) place.finite("a key's value", value);
+    const std::size_t per_key = channel_width(scene, channel) * (channel.interpolation == Interpolation::cubic_spline ? 3 : 1);
+    place.size("values of a channel", channel.values.size(), channel.times.size() * per_key, "expected");
+}
+
+}  // namespace
+
+std::uint32_t check_mesh(const Scene& scene, std::size_t number) {
+    const Mesh& mesh = scene.meshes[number];
+    const Place place{"mesh", number, mesh.name};
+    const std::size_t vertices = mesh.positions.size();
+    if (vertices >= none) place.fail("too many vertices for 32-bit indices");
+    place.finite("the origin", mesh.origin);
+    place.index_or_none("material", mesh.material, scene.materials.size());
+    place.size_or_empty("normals", mesh.normals.size(), vertices, "vertices");
+    place.size_or_empty("tangents", mesh.tangents.size(), vertices, "vertices");
+    for (const Block<vec2>& set : mesh.texcoords) place.size_or_empty("texture coordinates", set.size(), vertices, "vertices");
+    place.size_or_empty("colors", mesh.colors.size(), vertices, "vertices");
+    place.size_or_empty("joint influences", mesh.influences.size(), vertices, "vertices");
+    place.size_or_empty("smoothing groups", mesh.smoothing.size(), mesh.triangle_count(), "triangles");
+    place.size_or_empty("smoothing hints", mesh.smoothing_hint.size(), 3 * std::size_t(mesh.triangle_count()), "corners");
+    for (const MorphTarget& target : mesh.targets) {
+        place.size_or_empty("morph positions", target.positions.size(), vertices, "vertices");
+        place.size_or_empty("morph normals", target.normals.size(), vertices, "vertices");
+        place.size_or_empty("morph tangents", target.tangents.size(), vertices, "vertices");
+    }
+    check_indices(place, mesh);
+    return check_influences(place, mesh);
+}
+
+void check_animation(const Scene& scene, std::size_t number) {
+    const Animation& animation = scene.animations[number];
+    const Place place{"animation", number, animation.name};
+    for (const AnimationChannel& channel : animation.channels) check_channel(scene, place, channel);
+}
+
+}  // namespace rakelight

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the parts of validate() share: a place in the scene that knows how to complain, and the checks of the big arrays.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// An element of a scene, for messages: "mesh 3 'body'".
+struct Place {
+    const char* kind;
+    std::size_t number;
+    const std::string& name;
+
+    std::string text() const;
+    /// @throws Error bad_file, always
+    [[noreturn]] void fail(const std::string& reason) const;
+    void index(const char* what, std::uint32_t value, std::size_t count) const;          ///< value < count
+    void index_or_none(const char* what, std::uint32_t value, std::size_t count) const;  ///< value < count or `none`
+    void size(const char* what, std::size_t is, std::size_t wanted, const char* unit) const;           ///< is == wanted
+    void size_or_empty(const char* what, std::size_t is, std::size_t wanted, const char* unit) const;  ///< or 0
+    void finite(const char* what, double value) const;
+    void finite(const char* what, const dvec3& value) const;
+    void finite(const char* what, const dvec4& value) const;
+    void finite(const char* what, const dmat4& value) const;
+};
+
+/// Array sizes, index ranges and the material of one mesh.
+/// @return 1 + the largest joint that an influence of weight > 0 names; 0 without influences
+std::uint32_t check_mesh(const Scene& scene, std::size_t number);
+
+/// Nodes, sizes, and times that are finite and ascending.
+void check_animation(const Scene& scene, std::size_t number);
+
+}  // namespace rakelight
