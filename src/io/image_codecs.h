@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inside of io: one reader and one writer a picture format, and what they share.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "io/image_io.h"
+
+namespace rakelight::io::codec {
+
+inline constexpr std::uint32_t max_side = 32768;  ///< [px] the largest picture side that is read
+
+/// Room for a picture, after its size was held against `max_side` and the memory budget.
+/// @throws Error bad_file: no pixels, too large
+Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Context& context);
+
+[[noreturn]] void bad_picture(const std::string& reason, const std::string& advice = {});
+
+/// The readers. Each is given bytes that begin like its format. @throws Error bad_file
+Pixels read_png(std::span<const std::byte> bytes, Context& context);
+Pixels read_jpeg(std::span<const std::byte> bytes, Context& context);
+
+/// The writers. Sizes are 1..65536, channels 1..4, the component is component_for(path) or u16 for PNG.
+std::unique_ptr<ImageWriter> write_png(const std::string& path, int width, int height, int channels, Component component);
+
+}  // namespace rakelight::io::codec

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which format a picture has, and the lazy decoding that scenes carry.
+#include <array>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "io/file.h"
+#include "io/image_codecs.h"
+
+namespace rakelight::io {
+namespace codec {
+
+void bad_picture(const std::string& reason, const std::string& advice) {
+    throw Error(ErrorCode::bad_file, reason, {}, advice);
+}
+
+Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Context& context) {
+    if (width == 0 || height == 0) bad_picture("the picture has no pixels");
+    if (width > max_side || height > max_side)
+        bad_picture("the picture is " + std::to_string(width) + " x " + std::to_string(height) + " pixels, more than " +
+                    std::to_string(max_side) + " a side");
+    Pixels pixels{int(width), int(height), channels, component, false, {}};
+    const std::uint64_t size = std::uint64_t(pixels.row_bytes()) * height;
+    context.memory().charge(size, "the picture");
+    pixels.bytes.resize(std::size_t(size));
+    return pixels;
+}
+
+}  // namespace codec
+
+namespace {
+
+using Reader = Pixels (*)(std::span<const std::byte>, Context&);
+
+bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
+    return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
+}
+
+/// Formats that models are seen to carry but that are not read here get their name said.
+void refuse_known_formats(std::span<const std::byte> bytes) {
+    using namespace std::string_view_literals;
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> known{{{"GIF8"sv, "GIF"sv},
+                                                                                       {"\xabKTX"sv, "KTX"sv},
+                                                                                       {"DDS "sv, "DDS"sv},
+                                                                                       {"II*\0"sv, "TIFF"sv},
+                                                                                       {"MM\0*"sv, "TIFF"sv},
+                                                                                       {"8BPS"sv, "Photoshop"sv},
+                                                                                       {"sB\x13\0"sv, "Basis"sv},
+                                                                                       {"\0\0\0\x0cJXL "sv, "JPEG XL"sv}}};
+    for (const auto& [magic, name] : known)
+        if (begins_with(bytes, magic))
+            codec::bad_picture("pictures in " + std::string(name) + " format are not supported", "convert it to PNG or JPEG");
+}
+
+Reader reader_for(std::span<const std::byte> bytes) {
+    if (begins_with(bytes, "\x89PNG\r\n\x1a\n")) return codec::read_png;
+    if (begins_with(bytes, "\xff\xd8\xff")) return codec::read_jpeg;
+    refuse_known_formats(bytes);
+    codec::bad_picture("is not a picture of a known format");
+}
+
+Pixels decode_own_file(const EncodedImage& image, Context& context) {
+    try {
+        return decode_image(*read_file(image.path, context), context);
+    } catch (const Error& error) {
+        throw error.with_file(image.path);
+    }
+}
+
+Pixels decode_embedded(const EncodedImage& image, Context& context) {
+    try {
+        return decode_image(*image.bytes, context);
+    } catch (const Error& error) {
+        throw Error(error.code(), error.reason(), image.name, error.advice()).with_file(image.file);
+    }
+}
+
+}  // namespace
+
+Pixels decode_image(std::span<const std::byte> bytes, Context& context) {
+    if (bytes.empty()) codec::bad_picture("is not a picture: it is empty");
+    context.throw_if_cancelled();
+    return reader_for(bytes)(bytes, context);
+}
+
+ImageHandle image_from_file(std::string name, std::string model_file, std::string path) {
+    return std::make_shared<const EncodedImage>(
+        EncodedImage{std::move(name), std::move(model_file), std::move(path), nullptr, {}, decode_own_file});
+}
+
+ImageHandle image_from_bytes(std::string name, std::string model_file, std::shared_ptr<const std::vector<std::byte>> bytes,
+                             std::string mime_type) {
+    if (!bytes) bytes = std::make_shared<const std::vector<std::byte>>();
+    return std::make_shared<const EncodedImage>(
+        EncodedImage{std::move(name), std::move(model_file), {}, std::move(bytes), std::move(mime_type), decode_embedded});
+}
+
+}  // namespace rakelight::io

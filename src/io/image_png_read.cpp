@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// PNG by libspng: grey, grey + alpha, RGB or RGBA with 8 or 16 bits a component. Palettes and tRNS are resolved; gAMA, iCCP
+// and sRGB are not applied: what the numbers mean is decided by the texture's role (glTF 2.0, section 3.9.2).
+#include <spng.h>
+
+#include "io/image_codecs.h"
+
+namespace rakelight::io::codec {
+namespace {
+
+constexpr std::size_t max_chunk_bytes = 32u << 20, max_cached_bytes = 64u << 20;  // text, profiles; not the pixels
+constexpr std::uint64_t max_deflate_ratio = 1032;  // zlib's documented limit of compression
+
+struct Target {
+    int channels;
+    Component component;
+    int format;  // spng_format
+};
+
+using PngContext = std::unique_ptr<spng_ctx, void (*)(spng_ctx*)>;
+
+void require(int result) {
+    if (result != 0) bad_picture(std::string("broken PNG: ") + spng_strerror(result));
+}
+
+PngContext open(std::span<const std::byte> bytes) {
+    PngContext png(spng_ctx_new(0), spng_ctx_free);
+    if (!png) throw Error(ErrorCode::failed, "out of memory");
+    require(spng_set_image_limits(png.get(), max_side, max_side));
+    require(spng_set_chunk_limits(png.get(), max_chunk_bytes, max_cached_bytes));
+    // A wrong checksum in a chunk that matters is an error; text or a profile with one is skipped.
+    require(spng_set_crc_action(png.get(), SPNG_CRC_ERROR, SPNG_CRC_DISCARD));
+    require(spng_set_png_buffer(png.get(), bytes.data(), bytes.size()));
+    return png;
+}
+
+Target target_of(const spng_ihdr& header, bool has_transparency) {
+    const bool deep = header.bit_depth == 16;
+    const Component component = deep ? Component::u16 : Component::u8;
+    switch (header.color_type) {
+        case SPNG_COLOR_TYPE_GRAYSCALE:
+            if (has_transparency) return {2, component, deep ? SPNG_FMT_GA16 : SPNG_FMT_GA8};
+            return {1, component, deep ? SPNG_FMT_PNG : SPNG_FMT_G8};
+        case SPNG_COLOR_TYPE_GRAYSCALE_ALPHA: return {2, component, SPNG_FMT_PNG};
+        case SPNG_COLOR_TYPE_TRUECOLOR_ALPHA: return {4, component, SPNG_FMT_PNG};
+        default:  // true colour, and palettes with at most 8 bits
+            if (has_transparency) return {4, component, deep ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8};
+            return {3, component, deep ? SPNG_FMT_PNG : SPNG_FMT_RGB8};
+    }
+}
+
+}  // namespace
+
+Pixels read_png(std::span<const std::byte> bytes, Context& context) {
+    const PngContext png = open(bytes);
+    spng_ihdr header{};
+    require(spng_get_ihdr(png.get(), &header));
+    spng_trns transparency{};
+    const int has_transparency = spng_get_trns(png.get(), &transparency);
+    if (has_transparency != SPNG_ECHUNKAVAIL) require(has_transparency);
+    const Target target = target_of(header, has_transparency == 0);
+
+    // Compressed data cannot hold more than this: a small file that claims to be huge is refused before memory is asked for.
+    std::size_t raw_bytes = 0;
+    require(spng_decoded_image_size(png.get(), SPNG_FMT_RAW, &raw_bytes));
+    if (raw_bytes / max_deflate_ratio > bytes.size()) bad_picture("broken PNG: it is too short for its size in pixels");
+
+    Pixels pixels = make_pixels(header.width, header.height, target.channels, target.component, context);
+    std::size_t needed = 0;
+    require(spng_decoded_image_size(png.get(), target.format, &needed));
+    if (needed != pixels.bytes.size()) bad_picture("broken PNG: its size is inconsistent");
+    require(spng_decode_image(png.get(), pixels.bytes.data(), pixels.bytes.size(), target.format, SPNG_DECODE_TRNS));
+    return pixels;
+}
+
+}  // namespace rakelight::io::codec

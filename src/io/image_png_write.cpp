@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// PNG by libspng, row by row, 8 or 16 bits a component.
+#include <spng.h>
+
+#include "io/file.h"
+#include "io/image_codecs.h"
+
+namespace rakelight::io::codec {
+namespace {
+
+class PngWriter final : public ImageWriter {
+public:
+    PngWriter(const std::string& path, int width, int height, int channels, Component component)
+        : path_(path), row_bytes_(std::size_t(width) * std::size_t(channels) * size_of(component)), rows_left_(height), file_(path),
+          png_(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free) {
+        if (!png_) throw Error(ErrorCode::failed, "out of memory").with_file(path_);
+        static constexpr std::uint8_t color_types[] = {SPNG_COLOR_TYPE_GRAYSCALE, SPNG_COLOR_TYPE_GRAYSCALE_ALPHA,
+                                                       SPNG_COLOR_TYPE_TRUECOLOR, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA};
+        spng_ihdr header{};
+        header.width = std::uint32_t(width);
+        header.height = std::uint32_t(height);
+        header.bit_depth = component == Component::u16 ? 16 : 8;
+        header.color_type = color_types[channels - 1];
+        require(spng_set_ihdr(png_.get(), &header));
+        require(spng_set_png_file(png_.get(), file_.handle()));
+        if (component == Component::u8 && channels >= 3) require(spng_set_srgb(png_.get(), perceptual_intent));
+        // Measured on rendered pictures: level 1 with one fixed filter is about five times as fast as zlib's default at
+        // about a tenth more bytes; letting libspng choose a filter for every row costs as much as the compression.
+        require(spng_set_option(png_.get(), SPNG_IMG_COMPRESSION_LEVEL, 1));
+        require(spng_set_option(png_.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_UP));
+        require(spng_encode_image(png_.get(), nullptr, 0, SPNG_FMT_PNG, SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE));
+    }
+
+    void write_row(const void* row) override {
+        const int result = spng_encode_row(png_.get(), row, row_bytes_);
+        --rows_left_;
+        if (!(result == SPNG_EOI && rows_left_ == 0)) require(result);
+    }
+
+    void finish() override {
+        if (rows_left_ != 0) throw Error(ErrorCode::failed, "the picture is not complete").with_file(path_);
+        file_.commit();
+    }
+
+private:
+    static constexpr std::uint8_t perceptual_intent = 0;
+
+    void require(int result) const {
+        if (result != 0) throw Error(ErrorCode::failed, std::string("cannot be written: ") + spng_strerror(result)).with_file(path_);
+    }
+
+    std::string path_;
+    std::size_t row_bytes_;
+    int rows_left_;
+    OutputFile file_;  // outlives the encoder that holds its handle
+    std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> png_;
+};
+
+}  // namespace
+
+std::unique_ptr<ImageWriter> write_png(const std::string& path, int width, int height, int channels, Component component) {
+    return std::make_unique<PngWriter>(path, width, height, channels, component);
+}
+
+}  // namespace rakelight::io::codec

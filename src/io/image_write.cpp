@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which writer a file name's ending asks for.
+#include <array>
+
+#include "io/image_codecs.h"
+
+namespace rakelight::io {
+namespace {
+
+constexpr int max_written_side = 65536;
+
+using MakeWriter = std::unique_ptr<ImageWriter> (*)(const std::string&, int, int, int, Component);
+
+struct Ending {
+    const char* name;
+    Component component;
+    MakeWriter make;
+};
+
+constexpr std::array endings{Ending{"png", Component::u8, codec::write_png}};
+
+std::string lower_case_ending(const std::string& path) {
+    const std::size_t dot = path.find_last_of("./");
+    std::string ending = dot == std::string::npos || path[dot] == '/' ? std::string() : path.substr(dot + 1);
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return ending;
+}
+
+const Ending& ending_of(const std::string& path) {
+    const std::string name = lower_case_ending(path);
+    std::string all;
+    for (const Ending& ending : endings) {
+        if (name == ending.name) return ending;
+        all += (all.empty() ? "." : ", .") + std::string(ending.name);
+    }
+    throw Error(ErrorCode::usage, "a picture file cannot end in '" + one_line(name, 40) + "'", {}, "use one of " + all).with_file(path);
+}
+
+}  // namespace
+
+Component component_for(const std::string& path) { return ending_of(path).component; }
+
+std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels, Component component) {
+    const Ending& ending = ending_of(path);
+    const bool is_deep_png = component == Component::u16 && ending.make == codec::write_png;
+    if (component != ending.component && !is_deep_png)
+        throw Error(ErrorCode::usage, std::string("a .") + ending.name + " picture cannot hold such components").with_file(path);
+    if (width < 1 || height < 1 || width > max_written_side || height > max_written_side || channels < 1 || channels > 4)
+        throw Error(ErrorCode::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels with " +
+                                          std::to_string(channels) + " channels cannot be written").with_file(path);
+    return ending.make(path, width, height, channels, component);
+}
+
+void write_image(const std::string& path, const Pixels& pixels) {
+    const auto writer = make_image_writer(path, pixels.width, pixels.height, pixels.channels, pixels.component);
+    for (int y = 0; y < pixels.height; ++y) writer->write_row(pixels.row(y));
+    writer->finish();
+}
+
+}  // namespace rakelight::io
