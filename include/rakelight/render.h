@@ -25,6 +25,12 @@ Scene smooth(const Scene& scene, const AttributeOptions& options, Context& conte
 /// Makes an engine by name ("soft"). @throws Error usage: unknown or not built in.
 std::unique_ptr<Engine> make_engine(const std::string& name);
 
+/// Draws a scene with the soft engine: makes normals and tangents that are missing, uses the scene's lights or, where it has
+/// none, the default rig. The second form looks through the scene's first camera, or one fitted to its bounding box.
+/// @throws Error usage, bad_file "nothing to draw"
+Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context);
+Frame render(const Scene& scene, const RenderSettings& settings, Context& context);
+
 /// Writes a frame's colour: sRGB 8 bit for PNG, JPEG and WebP, linear float for EXR and HDR.
 /// @throws Error usage (unknown ending), failed (cannot write). Nothing is left half-written.
 void save(const Frame& frame, const std::string& path);

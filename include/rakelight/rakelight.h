@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole library in one include. Reading order: render.h (the facade), scene.h (the data), engine.h (settings, frame).
+#pragma once
+#include <rakelight/attributes.h>
+#include <rakelight/block.h>
+#include <rakelight/context.h>
+#include <rakelight/engine.h>
+#include <rakelight/error.h>
+#include <rakelight/image.h>
+#include <rakelight/inspect.h>
+#include <rakelight/picture.h>
+#include <rakelight/prepare.h>
+#include <rakelight/render.h>
+#include <rakelight/report.h>
+#include <rakelight/scene.h>
+#include <rakelight/vector.h>
+#include <rakelight/version.h>

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be wrong with a picture before anything is loaded.
+#include <filesystem>
+
+#include "render/engines.h"
+#include "render/picture_files.h"
+
+#include <rakelight/picture.h>
+
+namespace rakelight {
+namespace {
+
+constexpr int max_side = 65536;  // [px]
+
+void check_size(const RenderSettings& s) {
+    if (s.width < 1 || s.height < 1 || s.width > max_side || s.height > max_side)
+        throw Error(ErrorCode::usage, "the resolution must be 1 to 65536 pixels a side");
+    const Window& w = s.window;
+    if (w == Window{}) return;
+    if (w.x < 0 || w.y < 0 || w.width < 1 || w.height < 1 || w.x > s.width - w.width || w.y > s.height - w.height)
+        throw Error(ErrorCode::usage, "the window does not lie inside the picture of " + std::to_string(s.width) + " x " +
+                                          std::to_string(s.height) + " pixels");
+}
+
+void check_output(const PictureRequest& request) {
+    const PixelFormat format = format_for(request.output, request.settings.background.w < 1);
+    std::string ending = std::filesystem::path(request.output).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    if (format.channels == 4 && (ending == ".jpg" || ending == ".jpeg" || ending == ".hdr"))
+        throw Error(ErrorCode::usage, "this format has no alpha for a transparent background", {}, "use .png, .webp or .exr");
+    std::error_code ignored;
+    const std::filesystem::path path(request.output);
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    if (!std::filesystem::is_directory(folder, ignored))
+        throw Error(ErrorCode::failed, "the folder '" + one_line(folder.string(), 160) + "' does not exist");
+    if (std::filesystem::is_directory(path, ignored)) throw Error(ErrorCode::failed, "a folder has this name");
+}
+
+}  // namespace
+
+void check_request(const PictureRequest& request) {
+    check_engine_name(request.engine);
+    check_size(request.settings);
+    try {
+        check_output(request);
+    } catch (const Error& error) {
+        throw error.with_file(request.output);
+    }
+}
+
+}  // namespace rakelight

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engines of this build.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace rakelight {
+
+/// Names for make_engine(), the default first.
+std::vector<std::string> engine_names();
+
+/// The instruction set that an engine uses; empty for engines that do not choose one.
+/// @throws Error usage: RAKELIGHT_ISA names an unknown set or one that this processor lacks
+std::string engine_isa(const std::string& name);
+
+/// @throws Error usage: the name is not one of engine_names()
+void check_engine_name(const std::string& name);
+
+}  // namespace rakelight

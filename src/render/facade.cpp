@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Facade: smooth, render, save.
+#include <algorithm>
+
+#include <rakelight/picture.h>
+
+#include "math/linear.h"
+#include "prepare/prepare.h"
+#include "render/picture_files.h"
+#include "render/view.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+double aspect_of(const RenderSettings& s) { return double(std::max(s.width, 1)) / double(std::max(s.height, 1)); }
+
+/// The camera placed in the world, so that an engine needs no node for it.
+Camera in_world(const Scene& scene, Camera camera, double aspect) {
+    camera.to_world = camera_to_world(scene, camera, world_matrices(scene));
+    camera.node = none;
+    return adapt_to_aspect(std::move(camera), aspect);
+}
+
+Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Context& context) {
+    if (scene.lights.empty()) scene.lights = default_lights(camera.to_world);
+    const std::unique_ptr<Engine> engine = make_engine("soft");
+    engine->prepare(prepare_scene(scene, {}, context), context);
+    Frame frame;
+    engine->render(camera, settings, frame, context);
+    return frame;
+}
+
+}  // namespace
+
+Scene smooth(const Scene& scene, const AttributeOptions& options, Context& context) {
+    return smooth_scene(scene, {.attributes = options, .only_missing = false}, context);
+}
+
+Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context) {
+    if (world_bounds(scene).empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
+    return draw(scene, in_world(scene, camera, aspect_of(settings)), settings, context);
+}
+
+Frame render(const Scene& scene, const RenderSettings& settings, Context& context) {
+    return draw(scene, choose_camera(scene, {}, aspect_of(settings), context), settings, context);
+}
+
+void save(const Frame& frame, const std::string& path) {
+    const bool transparent = std::any_of(frame.color.begin(), frame.color.end(), [](const vec4& c) { return c.w < 1; });
+    const PixelFormat format = format_for(path, transparent);
+    PictureFiles files(path, frame.window.width, frame.window.height, format, 0);
+    PictureSink sink(format);
+    const std::size_t width = std::size_t(frame.window.width);
+    for (int y = 0; y < frame.window.height; ++y) {
+        const Window row{0, y, frame.window.width, 1};
+        sink.begin(frame.window.width, frame.window.height, row, 0);
+        sink.tile({.area = row, .color = {frame.color.data() + std::size_t(y) * width, width}});
+        files.write(sink, 1);
+    }
+    files.finish();
+}
+
+}  // namespace rakelight

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole way of one picture: load -> prepare -> camera and lights -> engine -> files, band by band.
+#include <algorithm>
+#include <filesystem>
+#include <new>
+
+#include "render/engines.h"
+#include "render/picture_files.h"
+#include "render/picture_steps.h"
+#include "render/stopwatch.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+/// A band keeps three bytes a pixel here, and about 30 in an engine: 16 million pixels are half a gigabyte.
+constexpr std::int64_t band_pixels = 1 << 24;
+constexpr int band_granularity = 64;  ///< [rows] a multiple of every engine's tile height: no tile is drawn twice
+
+void add(RenderStats& sum, const RenderStats& s) {
+    sum.triangles_in = s.triangles_in;  // the same in every band
+    sum.culled_back += s.culled_back;
+    sum.culled_degenerate += s.culled_degenerate;
+    sum.culled_outside += s.culled_outside;
+    sum.clipped += s.clipped;
+    sum.drawn += s.drawn;
+    sum.pixels_covered += s.pixels_covered;
+    sum.pixels_shaded += s.pixels_shaded;
+}
+
+std::uint64_t count_objects(const Scene& scene) {
+    return std::uint64_t(std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
+}
+
+/// The scene with the lights that the picture is lit by.
+Scene with_lights(Scene scene, const std::optional<std::vector<Light>>& wanted, const Camera& camera) {
+    if (wanted)
+        scene.lights = *wanted;
+    else if (scene.lights.empty())
+        scene.lights = default_lights(camera.to_world);
+    return scene;
+}
+
+}  // namespace
+
+Window whole_window(const RenderSettings& s) { return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window; }
+
+void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result, Context& context) {
+    const RenderSettings& settings = request.settings;
+    const Window window = whole_window(settings);
+    const PixelFormat format = format_for(request.output, settings.background.w < 1);
+    PictureFiles files(request.output, window.width, window.height, format, settings.channels);
+    PictureSink sink(format);
+    const std::int64_t rows = std::max<std::int64_t>(band_pixels / window.width / band_granularity, 1) * band_granularity;
+    for (int y = 0; y < window.height;) {
+        const int height = int(std::min<std::int64_t>(rows, window.height - y));
+        RenderSettings band = settings;
+        band.window = {window.x, window.y + y, window.width, height};
+        Stopwatch watch;
+        add(result.stats, engine.render(camera, band, sink, context));
+        result.render_ms += watch.lap_ms();
+        files.write(sink, height);
+        result.write_ms += watch.lap_ms();
+        y += height;
+    }
+    context.throw_if_cancelled();
+    const Stopwatch watch;
+    files.finish();
+    result.write_ms += watch.ms();
+    result.width = window.width;
+    result.height = window.height;
+    result.channel_files = files.channel_names();
+}
+
+PictureResult draw_picture(const PictureRequest& request, Engine& engine, Context& context) {
+    PictureResult result{.file = request.input, .output = request.output};
+    Stopwatch watch;
+    context.progress("load", 0);
+    Scene scene = load(request.input, request.load, context);
+    result.load_ms = watch.lap_ms();
+
+    context.progress("prepare", 0);
+    const double aspect = double(request.settings.width) / double(request.settings.height);
+    const Camera camera = choose_camera(scene, request.view, aspect, context);
+    scene = prepare_scene(with_lights(std::move(scene), request.lights, camera), request.prepare, context);
+    engine.prepare(scene, context);
+    result.triangles = triangle_count(scene);
+    result.objects = count_objects(scene);
+    result.prepare_ms = watch.lap_ms();
+
+    context.progress("render", 0);
+    draw_to_files(engine, camera, request, result, context);
+    if (result.stats.pixels_covered == 0)
+        context.report().add(Remark::warning, request.input, "", "no pixel of the picture shows the model");
+    return result;
+}
+
+PictureResult render_picture(const PictureRequest& request, Context& context) {
+    check_request(request);
+    try {
+        const std::unique_ptr<Engine> engine = make_engine(request.engine);
+        PictureResult result = draw_picture(request, *engine, context);
+        result.engine = engine->name();
+        result.isa = engine_isa(request.engine);
+        result.threads = context.threads();
+        return result;
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::failed, "out of memory").with_file(request.input);
+    } catch (const Error& error) {
+        throw error.with_file(request.input);
+    }
+}
+
+}  // namespace rakelight

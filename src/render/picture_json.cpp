@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures as the program's JSON, schema rakelight.render/1: fields are added, never renamed.
+#include <rakelight/picture.h>
+
+#include "render/report_json.h"
+
+namespace rakelight {
+namespace {
+
+Json stats_json(const RenderStats& s) {
+    return {{"triangles_in", s.triangles_in},           {"culled_back", s.culled_back},
+            {"culled_degenerate", s.culled_degenerate}, {"culled_outside", s.culled_outside},
+            {"clipped", s.clipped},                     {"drawn", s.drawn},
+            {"pixels_covered", s.pixels_covered},       {"pixels_shaded", s.pixels_shaded}};
+}
+
+void add_result(Json& row, const PictureResult& r) {
+    row["width"] = r.width;
+    row["height"] = r.height;
+    row["triangles"] = r.triangles;
+    row["objects"] = r.objects;
+    row["engine"] = r.engine;
+    row["isa"] = r.isa;
+    row["threads"] = r.threads;
+    row["load_ms"] = r.load_ms;
+    row["prepare_ms"] = r.prepare_ms;
+    row["render_ms"] = r.render_ms;
+    row["write_ms"] = r.write_ms;
+    row["channel_files"] = r.channel_files;
+    row["stats"] = stats_json(r.stats);
+}
+
+}  // namespace
+
+std::string to_json(std::span<const PictureRow> rows) {
+    Json list = Json::array();
+    for (const PictureRow& r : rows) {
+        Json row = {{"file", r.result.file}, {"output", r.result.output}};
+        if (r.error)
+            row["error"] = error_json(*r.error);
+        else
+            add_result(row, r.result);
+        row["remarks"] = remarks_json(r.remarks);
+        row["remarks_left_out"] = r.remarks_left_out;
+        list.push_back(std::move(row));
+    }
+    return document("rakelight.render/1", std::move(list));
+}
+
+}  // namespace rakelight

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The steps of render_picture(), for it and for tests that bring an engine of their own.
+#pragma once
+#include <rakelight/picture.h>
+
+namespace rakelight {
+
+/// The window that is rendered: the whole picture where none is asked for.
+Window whole_window(const RenderSettings& settings);
+
+/// Draws what a prepared engine holds and writes the files, in bands.
+void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result, Context& context);
+
+/// Everything but the choice of the engine and the checks.
+PictureResult draw_picture(const PictureRequest& request, Engine& engine, Context& context);
+
+}  // namespace rakelight

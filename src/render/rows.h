@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Linear pixels -> rows of components as image files take them.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include <rakelight/image.h>
+#include <rakelight/vector.h>
+
+namespace rakelight {
+
+/// What a picture file holds: 3 channels, or 4 with alpha; display values (u8, sRGB) or linear light (f32).
+struct PixelFormat {
+    Component component = Component::u8;
+    int channels = 3;
+    std::size_t bytes() const { return size_of(component) * std::size_t(channels); }
+};
+
+/// Converts `count` pixels; `out` takes count * format.bytes(). Colours are those over the background, so with alpha they
+/// are premultiplied: 8-bit formats store them divided by alpha, EXR as they are.
+void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& format, std::byte* out);
+
+}  // namespace rakelight

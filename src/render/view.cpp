@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which camera: the caller's, else the file's first, else one fitted to the model.
+#include "render/view.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "math/functions.h"
+#include "math/linear.h"
+
+namespace rakelight {
+namespace {
+
+bool is_drawable(const Camera& c) {
+    if (!std::isfinite(c.near) || !(c.far > c.near)) return false;
+    if (c.projection == Projection::orthographic) return c.half_height > 0 && std::isfinite(c.half_height) && std::isfinite(c.far);
+    return c.near > 0 && c.vertical_fov_rad > 0 && c.vertical_fov_rad < pi;
+}
+
+std::string list_of_cameras(const Scene& scene) {
+    if (scene.cameras.empty()) return "the model has none";
+    std::string list = "the model has " + std::to_string(scene.cameras.size()) + ":";
+    for (std::size_t i = 0; i < scene.cameras.size() && i < 8; ++i)
+        list += (i ? ", " : " ") + std::to_string(i) + " '" + one_line(scene.cameras[i].name, 24) + "'";
+    return list + (scene.cameras.size() > 8 ? ", ..." : "");
+}
+
+/// Index of the camera that is asked for by number or name; a name made of digits is found where no such number exists.
+std::size_t find_camera(const Scene& scene, const std::string& wanted) {
+    std::size_t number = 0;
+    const auto [end, fault] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+    if (fault == std::errc() && end == wanted.data() + wanted.size() && number < scene.cameras.size()) return number;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+        if (scene.cameras[i].name == wanted) return i;
+    throw Error(ErrorCode::usage, "there is no camera '" + one_line(wanted, 60) + "'", {}, list_of_cameras(scene));
+}
+
+Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
+    Camera camera = scene.cameras[index];
+    camera.to_world = camera_to_world(scene, camera, world_matrices(scene));
+    camera.node = none;
+    return adapt_to_aspect(camera, aspect);
+}
+
+/// A camera of the file, or the fitted one with a remark where the file's cannot show the model.
+Camera checked_camera_of_file(const Scene& scene, std::size_t index, double aspect, const Bounds& bounds, Context& context) {
+    const Camera camera = camera_of_file(scene, index, aspect);
+    const std::string place = "camera " + std::to_string(index) + (camera.name.empty() ? "" : " '" + camera.name + "'");
+    if (is_drawable(camera) && may_see(camera, aspect, bounds)) return camera;
+    context.report().add(Remark::warning, scene.source, place,
+                         is_drawable(camera) ? "the camera sees nothing of the model, the default view is used instead"
+                                             : "the camera is impossible, the default view is used instead");
+    return default_camera(bounds, aspect);
+}
+
+}  // namespace
+
+Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
+    const Bounds bounds = world_bounds(scene);
+    if (bounds.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
+    if (!view.side.empty() && !view.camera.empty())
+        throw Error(ErrorCode::usage, "a named view and a camera of the file cannot both be used");
+    const bool use_file = !view.camera.empty() || (view.side.empty() && !view.is_placed() && !scene.cameras.empty());
+    if (use_file) {
+        const std::size_t index = view.camera.empty() ? 0 : find_camera(scene, view.camera);
+        if (!view.is_placed()) return checked_camera_of_file(scene, index, aspect, bounds, context);
+        return place_camera(camera_of_file(scene, index, aspect), false, view, aspect, bounds, scene.source, context);
+    }
+    const Camera fitted = view.side.empty() ? default_camera(bounds, aspect) : view_camera(bounds, aspect, view.side);
+    return view.is_placed() ? place_camera(fitted, true, view, aspect, bounds, scene.source, context) : fitted;
+}
+
+bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
+    const bool perspective = camera.projection == Projection::perspective;
+    const double half_height = perspective ? math::tan(0.5 * camera.vertical_fov_rad) : camera.half_height;
+    const dvec3 eye = camera.to_world[3].xyz();
+    unsigned outside_all = 0x3F;  // one bit a plane: left, right, bottom, top, near, far
+    for (int corner = 0; corner < 8; ++corner) {
+        const dvec3 p = dvec3{corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                              corner & 4 ? bounds.high.z : bounds.low.z} - eye;
+        const double x = dot(p, camera.to_world[0].xyz()), y = dot(p, camera.to_world[1].xyz());
+        const double distance = -dot(p, camera.to_world[2].xyz());
+        const double limit_y = half_height * (perspective ? distance : 1), limit_x = limit_y * aspect;
+        outside_all &= unsigned(x < -limit_x) | unsigned(x > limit_x) << 1 | unsigned(y < -limit_y) << 2 |
+                       unsigned(y > limit_y) << 3 | unsigned(distance < camera.near) << 4 | unsigned(distance > camera.far) << 5;
+    }
+    return outside_all == 0;
+}
+
+Camera adapt_to_aspect(Camera camera, double aspect) {
+    if (camera.aspect && *camera.aspect > aspect) {  // the picture is narrower: show more above and below
+        const double factor = *camera.aspect / aspect;
+        camera.half_height *= factor;
+        if (camera.projection == Projection::perspective)
+            camera.vertical_fov_rad = 2 * math::atan2(math::tan(0.5 * camera.vertical_fov_rad) * factor, 1);
+    }
+    camera.aspect.reset();
+    return camera;
+}
+
+}  // namespace rakelight

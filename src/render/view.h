@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the camera of a picture stands. See choose_camera() in <rakelight/picture.h>.
+#pragma once
+#include <rakelight/picture.h>
+
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+
+/// False when the box lies wholly on the outer side of one plane of the camera's frustum: nothing of it can be seen.
+bool may_see(const Camera& camera, double aspect, const Bounds& bounds);
+
+/// The camera with square pixels in a picture of another aspect than it asks for: all that it wants to show stays in.
+Camera adapt_to_aspect(Camera camera, double aspect);
+
+/// Moves, turns and zooms a fitted or a file's camera as the request says; near and far lie about the box afterwards.
+/// `file` is for remarks.
+Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
+                    const std::string& file, Context& context);
+
+}  // namespace rakelight
