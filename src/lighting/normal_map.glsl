@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Source: Blinn 1978, "Simulation of Wrinkled Surfaces" (the idea); tangent-space maps as glTF 2.0, section 3.9.3: green up.
+
+// From a texel in 0..1: 2 rgb - 1, x and y times scale. Not unit: perturb_normal normalizes.
+RL_FN vec3 decode_normal(vec3 texel, real scale)
+{
+    return vec3((2.0f * texel.x - 1.0f) * scale, (2.0f * texel.y - 1.0f) * scale, 2.0f * texel.z - 1.0f);
+}
+
+// The other reading of a byte: 128 means exactly 0, 1 and 255 mean -1 and +1.
+RL_FN vec3 decode_normal_centered(vec3 texel, real scale)
+{
+    vec3 m = (texel * 255.0f - vec3(128.0f)) / 127.0f;
+    return vec3(m.x * scale, m.y * scale, m.z);
+}
+
+// t made perpendicular to the unit normal n (Gram-Schmidt) and unit again; where t has no part across n, the axis that lies
+// most across n takes its place (x, unless n leans on it by more than 0.7; then y).
+RL_FN vec3 orthogonal_tangent(vec3 n, vec3 t)
+{
+    vec3 axis = select(abs(n.x) > 0.7f, vec3(0.0f, 1.0f, 0.0f), vec3(1.0f, 0.0f, 0.0f));
+    vec3 fallback = safe_normalize(axis - n * dot(n, axis));
+    vec3 across = t - n * dot(n, t);
+    mask has_direction = dot(across, across) > 1e-12f * dot(t, t);
+    return safe_normalize_or(select(has_direction, across, fallback), fallback);
+}
+
+// The frame's normal: m in (tangent t, bitangent, normal n), bitangent = cross(n, t) * w. Unit; n where the sum vanishes.
+RL_FN vec3 perturb_normal(vec3 n, vec3 t, real w, vec3 m)
+{
+    vec3 b = cross(n, t) * w;
+    return safe_normalize_or(t * m.x + b * m.y + n * m.z, n);
+}

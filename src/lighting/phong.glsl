@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Source: Phong 1975, "Illumination for Computer Generated Pictures": (r.v)^exponent with r the mirrored light direction.
+// Normalized: Lafortune & Willems 1994, "Using the Modified Phong Reflectance Model for Physically Based Rendering", eq. 5.
+
+// r.v with r = 2 (n.l) n - l: symmetric in l and v.
+RL_FN real phong_r_dot_v(vec3 n, vec3 l, vec3 v)
+{
+    return 2.0f * dot(n, l) * dot(n, v) - dot(l, v);
+}
+
+// [1], 0..1; exponent >= 1. Textbook form: times k_s and the light's color, no cosine, no energy factor.
+RL_FN real phong_lobe(real r_dot_v, real exponent)
+{
+    return pow_positive(min(r_dot_v, 1.0f), exponent);  // 0 for r.v <= 0 on every engine
+}
+
+// (e + 2) / (2 pi): with it the albedo is k_s at normal incidence and less elsewhere.
+RL_FN real phong_normalization(real exponent)
+{
+    return (exponent + 2.0f) * (0.5f * RL_INVERSE_PI);
+}
+
+// [1/sr] per unit of k_s. Times irradiance and n.l it gives radiance.
+RL_FN real phong_brdf(real r_dot_v, real exponent)
+{
+    return phong_normalization(exponent) * phong_lobe(r_dot_v, exponent);
+}

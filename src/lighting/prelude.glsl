@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The GLSL prelude (3.30 core and ES 3.00): the words of the lighting text that GLSL does not have, with the edge cases of
+// math/wide.h, which is the scalar and the wide C++ prelude. The loader puts #version (and for ES the precision) before it.
+#define RL_FN
+#define real float
+#define mask bool
+
+bool any_lane(bool m) { return m; }
+bool all_lanes(bool m) { return m; }
+bool no_lane(bool m) { return !m; }
+float select(bool m, float a, float b) { return m ? a : b; }
+vec2 select(bool m, vec2 a, vec2 b) { return m ? a : b; }
+vec3 select(bool m, vec3 a, vec3 b) { return m ? a : b; }
+vec4 select(bool m, vec4 a, vec4 b) { return m ? a : b; }
+
+float reciprocal(float x) { return 1.0f / x; }
+float safe_sqrt(float x) { return x > 0.0f ? sqrt(x) : 0.0f; }  // 0 for negative x and NaN
+
+// x^y for x > 0; 0 for x <= 0 and NaN, whatever y.
+float pow_positive(float x, float y) { return x >= 1.17549435e-38f ? pow(x, y) : 0.0f; }
+
+// Unit vector of a, or fallback where the squared length is NaN, below 2^-126 or not finite.
+vec3 safe_normalize_or(vec3 a, vec3 fallback)
+{
+    float squared = dot(a, a);
+    return squared >= 1.17549435e-38f && squared <= 3.40282347e38f ? a * (1.0f / sqrt(squared)) : fallback;
+}
+vec3 safe_normalize(vec3 a) { return safe_normalize_or(a, vec3(0.0f, 0.0f, 1.0f)); }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scalar flavour of the wide types: one lane, plain float, int32_t and bool. The reference for the others.
+#pragma once
+#include <stdint.h>
+
+namespace rakelight::wide::RL_ISA {
+
+using real = float;
+using integer = int32_t;
+using mask = bool;
+constexpr int lanes = 1;
+
+inline real broadcast(float s) { return s; }
+inline integer broadcast_i(int32_t s) { return s; }
+inline integer lane_indices() { return 0; }  ///< 0, 1, 2, ...
+inline float lane(real x, int) { return x; }
+inline int32_t lane(integer x, int) { return x; }
+inline bool lane(mask m, int) { return m; }
+
+inline real load(const float* p) { return *p; }
+inline integer load_i(const int32_t* p) { return *p; }
+inline void store(float* p, real x) { *p = x; }
+inline void store(int32_t* p, integer x) { *p = x; }
+/// Dead lanes are 0 and their memory is not touched.
+inline real load_masked(const float* p, mask m) { return m ? *p : 0.0f; }
+inline integer load_i_masked(const int32_t* p, mask m) { return m ? *p : 0; }
+inline void store_masked(float* p, real x, mask m) { if (m) *p = x; }
+inline void store_masked(int32_t* p, integer x, mask m) { if (m) *p = x; }
+inline real gather(const float* base, integer index) { return base[index]; }
+inline integer gather_i(const int32_t* base, integer index) { return base[index]; }
+inline integer gather_i(const uint32_t* base, integer index) { return int32_t(base[index]); }
+
+inline integer bits_of(real x) { return __builtin_bit_cast(int32_t, x); }
+inline real real_from_bits(integer i) { return __builtin_bit_cast(float, i); }
+inline integer shift_right_logical(integer i, int count) { return int32_t(uint32_t(i) >> count); }
+/// Out of range and NaN give INT32_MIN, as the processor's own conversion does.
+inline integer to_int(real x) { return x >= -2147483648.0f && x < 2147483648.0f ? int32_t(x) : INT32_MIN; }
+inline real to_real(integer i) { return float(i); }
+
+inline real select(mask m, real a, real b) { return m ? a : b; }
+inline integer select(mask m, integer a, integer b) { return m ? a : b; }
+inline mask select(mask m, mask a, mask b) { return m ? a : b; }
+inline bool any_lane(mask m) { return m; }
+inline bool all_lanes(mask m) { return m; }
+inline bool no_lane(mask m) { return !m; }
+inline uint32_t lane_bits(mask m) { return m ? 1u : 0u; }  ///< bit i is lane i
+
+inline real min(real a, real b) { return a < b ? a : b; }
+inline real max(real a, real b) { return a > b ? a : b; }
+inline integer min(integer a, integer b) { return a < b ? a : b; }
+inline integer max(integer a, integer b) { return a > b ? a : b; }
+inline real sqrt(real x) { return __builtin_sqrtf(x); }
+
+}  // namespace rakelight::wide::RL_ISA

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sse2, avx2 and avx512 flavours of the wide types over xsimd 8.1. Own structs around its batches keep the vocabulary
+// closed: a word that is not defined here does not compile, so nothing comes in whose edge cases were not looked at.
+#pragma once
+#include <stdint.h>
+#pragma GCC diagnostic push
+#if !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 warns of its own _mm512_undefined_ps (GCC bug 105593)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <xsimd/xsimd.hpp>
+#pragma GCC diagnostic pop
+
+static_assert(XSIMD_VERSION_MAJOR == 8, "names and edge cases below were checked against xsimd 8.1");
+
+namespace rakelight::wide::RL_ISA {
+
+#if defined(RL_ISA_avx512)
+using arch = xsimd::avx512bw;
+#elif defined(RL_ISA_avx2)
+using arch = xsimd::avx2;
+#else
+using arch = xsimd::sse2;
+#endif
+using RealBatch = xsimd::batch<float, arch>;
+using IntegerBatch = xsimd::batch<int32_t, arch>;
+using UnsignedBatch = xsimd::batch<uint32_t, arch>;
+using MaskBatch = xsimd::batch_bool<float, arch>;
+using IntegerMaskBatch = xsimd::batch_bool<int32_t, arch>;
+constexpr int lanes = int(RealBatch::size);
+
+struct mask {
+    MaskBatch v;
+    mask() = default;
+    mask(bool b) : v(b) {}
+    explicit mask(MaskBatch b) : v(b) {}
+#if defined(RL_ISA_avx512)  // one bit a lane for both types
+    explicit mask(IntegerMaskBatch b) : v(MaskBatch(b.data)) {}
+#elif defined(RL_ISA_avx2)
+    explicit mask(IntegerMaskBatch b) : v(MaskBatch(_mm256_castsi256_ps(b.data))) {}
+#else
+    explicit mask(IntegerMaskBatch b) : v(MaskBatch(_mm_castsi128_ps(b.data))) {}
+#endif
+};
+
+struct real {
+    RealBatch v;
+    real() = default;
+    real(float s) : v(s) {}
+    explicit real(RealBatch b) : v(b) {}
+};
+
+struct integer {
+    IntegerBatch v;
+    integer() = default;
+    template <class T> requires(__is_same(T, int32_t))  // no silent float -> integer
+    integer(T s) : v(s) {}
+    explicit integer(IntegerBatch b) : v(b) {}
+};
+
+// --- masks ---------------------------------------------------------------------------------------------------------------
+// && and || evaluate both sides, as everything wide does.
+
+inline mask operator&(mask a, mask b) { return mask(a.v & b.v); }
+inline mask operator|(mask a, mask b) { return mask(a.v | b.v); }
+inline mask operator&&(mask a, mask b) { return mask(a.v & b.v); }
+inline mask operator||(mask a, mask b) { return mask(a.v | b.v); }
+inline mask operator!(mask a) { return mask(!a.v); }
+inline mask& operator&=(mask& a, mask b) { return a = a & b; }
+inline mask& operator|=(mask& a, mask b) { return a = a | b; }
+
+/// Bit i is lane i.
+inline uint32_t lane_bits(mask m) {
+#if defined(RL_ISA_avx512)
+    return uint32_t(m.v.data);
+#elif defined(RL_ISA_avx2)
+    return uint32_t(_mm256_movemask_ps(m.v.data));
+#else
+    return uint32_t(_mm_movemask_ps(m.v.data));
+#endif
+}
+inline bool any_lane(mask m) { return lane_bits(m) != 0; }
+inline bool no_lane(mask m) { return lane_bits(m) == 0; }
+inline bool all_lanes(mask m) { return lane_bits(m) == (uint32_t(1) << lanes) - 1; }
+
+// --- arithmetic and comparisons ------------------------------------------------------------------------------------------
+
+inline real operator+(real a, real b) { return real(a.v + b.v); }
+inline real operator-(real a, real b) { return real(a.v - b.v); }
+inline real operator*(real a, real b) { return real(a.v * b.v); }
+inline real operator/(real a, real b) { return real(a.v / b.v); }
+inline real& operator+=(real& a, real b) { return a = a + b; }
+inline real& operator-=(real& a, real b) { return a = a - b; }
+inline real& operator*=(real& a, real b) { return a = a * b; }
+inline real& operator/=(real& a, real b) { return a = a / b; }
+inline mask operator<(real a, real b) { return mask(a.v < b.v); }
+inline mask operator<=(real a, real b) { return mask(a.v <= b.v); }
+inline mask operator>(real a, real b) { return mask(a.v > b.v); }
+inline mask operator>=(real a, real b) { return mask(a.v >= b.v); }
+inline mask operator==(real a, real b) { return mask(a.v == b.v); }
+inline mask operator!=(real a, real b) { return mask(a.v != b.v); }
+inline real min(real a, real b) { return real(xsimd::min(a.v, b.v)); }
+inline real max(real a, real b) { return real(xsimd::max(a.v, b.v)); }
+inline real sqrt(real x) { return real(xsimd::sqrt(x.v)); }
+
+inline integer operator+(integer a, integer b) { return integer(a.v + b.v); }
+inline integer operator-(integer a, integer b) { return integer(a.v - b.v); }
+inline integer operator*(integer a, integer b) { return integer(a.v * b.v); }
+inline integer operator-(integer a) { return integer(0) - a; }
+inline integer operator&(integer a, integer b) { return integer(a.v & b.v); }
+inline integer operator|(integer a, integer b) { return integer(a.v | b.v); }
+inline integer operator^(integer a, integer b) { return integer(a.v ^ b.v); }
+inline integer operator~(integer a) { return integer(~a.v); }
+inline integer operator<<(integer a, int count) { return integer(a.v << count); }
+inline integer operator>>(integer a, int count) { return integer(a.v >> count); }  ///< arithmetic: keeps the sign
+inline integer& operator+=(integer& a, integer b) { return a = a + b; }
+inline integer& operator-=(integer& a, integer b) { return a = a - b; }
+inline mask operator<(integer a, integer b) { return mask(a.v < b.v); }
+inline mask operator<=(integer a, integer b) { return mask(a.v <= b.v); }
+inline mask operator>(integer a, integer b) { return mask(a.v > b.v); }
+inline mask operator>=(integer a, integer b) { return mask(a.v >= b.v); }
+inline mask operator==(integer a, integer b) { return mask(a.v == b.v); }
+inline mask operator!=(integer a, integer b) { return mask(a.v != b.v); }
+inline integer min(integer a, integer b) { return integer(xsimd::min(a.v, b.v)); }
+inline integer max(integer a, integer b) { return integer(xsimd::max(a.v, b.v)); }
+
+// --- conversions and choice ----------------------------------------------------------------------------------------------
+
+inline integer bits_of(real x) { return integer(xsimd::bitwise_cast<IntegerBatch>(x.v)); }
+inline real real_from_bits(integer i) { return real(xsimd::bitwise_cast<RealBatch>(i.v)); }
+inline integer to_int(real x) { return integer(xsimd::to_int(x.v)); }
+inline real to_real(integer i) { return real(xsimd::to_float(i.v)); }
+inline integer shift_right_logical(integer i, int count) {
+    return integer(xsimd::bitwise_cast<IntegerBatch>(xsimd::bitwise_cast<UnsignedBatch>(i.v) >> count));
+}
+/// Flips the sign bit, as the scalar minus does (0 - x would give +0 for +0).
+inline real operator-(real x) { return real_from_bits(bits_of(x) ^ integer(INT32_MIN)); }
+
+inline real select(mask m, real a, real b) { return real(xsimd::select(m.v, a.v, b.v)); }
+inline integer select(mask m, integer a, integer b) { return bits_of(select(m, real_from_bits(a), real_from_bits(b))); }
+inline mask select(mask m, mask a, mask b) { return (m && a) || (!m && b); }
+
+// --- memory --------------------------------------------------------------------------------------------------------------
+
+inline real broadcast(float s) { return real(s); }
+inline integer broadcast_i(int32_t s) { return integer(s); }
+inline real load(const float* p) { return real(RealBatch::load_unaligned(p)); }
+inline integer load_i(const int32_t* p) { return integer(IntegerBatch::load_unaligned(p)); }
+inline void store(float* p, real x) { x.v.store_unaligned(p); }
+inline void store(int32_t* p, integer x) { x.v.store_unaligned(p); }
+
+/// 0, 1, 2, ...
+inline integer lane_indices() {
+    alignas(64) static constexpr int32_t counting[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    return load_i(counting);
+}
+inline float lane(real x, int i) {
+    float all[lanes];
+    store(all, x);
+    return all[i];
+}
+inline int32_t lane(integer x, int i) {
+    int32_t all[lanes];
+    store(all, x);
+    return all[i];
+}
+inline bool lane(mask m, int i) { return ((lane_bits(m) >> i) & 1u) != 0; }
+
+/// Dead lanes are 0 and their memory is not touched.
+inline real load_masked(const float* p, mask m) {
+#if defined(RL_ISA_avx512)
+    return real(RealBatch(_mm512_maskz_loadu_ps(m.v.data, p)));
+#elif defined(RL_ISA_avx2)
+    return real(RealBatch(_mm256_maskload_ps(p, _mm256_castps_si256(m.v.data))));
+#else
+    float all[lanes];
+    for (int i = 0; i < lanes; ++i) all[i] = lane(m, i) ? p[i] : 0.0f;
+    return load(all);
+#endif
+}
+inline void store_masked(float* p, real x, mask m) {
+#if defined(RL_ISA_avx512)
+    _mm512_mask_storeu_ps(p, m.v.data, x.v);
+#elif defined(RL_ISA_avx2)
+    _mm256_maskstore_ps(p, _mm256_castps_si256(m.v.data), x.v);
+#else
+    for (int i = 0; i < lanes; ++i)
+        if (lane(m, i)) p[i] = lane(x, i);
+#endif
+}
+inline integer load_i_masked(const int32_t* p, mask m) { return bits_of(load_masked(reinterpret_cast<const float*>(p), m)); }
+inline void store_masked(int32_t* p, integer x, mask m) { store_masked(reinterpret_cast<float*>(p), real_from_bits(x), m); }
+
+inline real gather(const float* base, integer index) {
+#if defined(RL_ISA_avx512)
+    return real(RealBatch(_mm512_i32gather_ps(index.v, base, 4)));
+#elif defined(RL_ISA_avx2)
+    return real(RealBatch(_mm256_i32gather_ps(base, index.v, 4)));
+#else
+    int32_t i[lanes];
+    store(i, index);
+    return real(RealBatch(_mm_setr_ps(base[i[0]], base[i[1]], base[i[2]], base[i[3]])));
+#endif
+}
+inline integer gather_i(const int32_t* base, integer index) { return bits_of(gather(reinterpret_cast<const float*>(base), index)); }
+inline integer gather_i(const uint32_t* base, integer index) { return bits_of(gather(reinterpret_cast<const float*>(base), index)); }
+
+// --- rounding where the processor has it; wide_functions.h has the text for the others ---------------------------------------
+
+#if defined(RL_ISA_avx512) || defined(RL_ISA_avx2)
+#define RL_WIDE_NATIVE_ROUNDING 1
+#if defined(RL_ISA_avx512)
+inline real trunc(real x) { return real(RealBatch(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC))); }
+inline real floor(real x) { return real(RealBatch(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC))); }
+inline real ceil(real x) { return real(RealBatch(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC))); }
+#else
+inline real trunc(real x) { return real(RealBatch(_mm256_round_ps(x.v, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC))); }
+inline real floor(real x) { return real(RealBatch(_mm256_round_ps(x.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC))); }
+inline real ceil(real x) { return real(RealBatch(_mm256_round_ps(x.v, _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC))); }
+#endif
+#endif
+
+}  // namespace rakelight::wide::RL_ISA
