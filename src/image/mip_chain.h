@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mip chains: a picture in ever smaller versions, for texture sampling.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include <rakelight/image.h>
+#include <rakelight/vector.h>
+
+#include "image/convert.h"
+
+namespace rakelight {
+
+/// One version of a picture, row 0 on top. Exactly one of the two arrays is filled.
+struct MipLevel {
+    int width = 0, height = 0;          ///< [px] >= 1
+    std::vector<std::uint32_t> rgba8;   ///< [height * width] code values, R in the low byte
+    std::vector<vec4> rgba32f;          ///< [height * width] linear RGB, straight alpha; finite
+};
+
+struct MipChain {
+    bool is_srgb = false;          ///< the RGB of rgba8 are sRGB codes (alpha is linear always)
+    bool is_float = false;         ///< rgba32f is filled, else rgba8
+    std::vector<MipLevel> levels;  ///< full size first, 1 x 1 last; each side is max(1, half of the one before, rounded down)
+};
+
+/// 8-bit pictures keep their codes in level 0 and have rgba8 levels; 16-bit and float pictures become linear floats.
+/// A smaller level is the box filter of the one above over exactly the area that its pixel covers, also where a side is odd
+/// (three taps with position-dependent weights: Guthe & Heckbert 2005, "Non-Power-of-Two Mipmapping"), so nothing shifts.
+/// sRGB colours are averaged in linear light and rounded once, from unrounded averages, at each level. Alpha is straight
+/// and colours are averaged without it as weight (as glTF renderers and GPUs do); hidden colours may bleed in at cut-outs.
+/// The same bits for any number of threads.
+/// @return no level for a picture without pixels
+/// @throws Error bad_file: over the memory budget
+MipChain make_mip_chain(const Pixels& pixels, ColorSpace space, Context& context);
+
+}  // namespace rakelight

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/srgb_encoder.h"
+
+#include "base/assert.h"
+#include "math/color.h"
+
+namespace rakelight {
+namespace {
+
+/// The bits of the smallest float whose code is at least `code`, 1..255. Bisection over the bits of positive floats, which
+/// are in the order of their values.
+std::uint32_t first_bits_of(std::uint32_t code, std::uint32_t above) {
+    std::uint32_t below = std::bit_cast<std::uint32_t>(linear_from_srgb((float(code) - 0.75f) / 255.0f));
+    while (below + 1 < above) {
+        const std::uint32_t middle = below + (above - below) / 2;
+        (srgb8_from_linear(std::bit_cast<float>(middle)) >= code ? above : below) = middle;
+    }
+    return above;
+}
+
+}  // namespace
+
+const SrgbEncoder& SrgbEncoder::instance() {
+    static const SrgbEncoder encoder;
+    return encoder;
+}
+
+SrgbEncoder::SrgbEncoder() {
+    for (Bucket& bucket : buckets_) bucket = {2.0f, 0};
+    constexpr std::uint32_t first = std::bit_cast<std::uint32_t>(lowest);
+    for (std::uint32_t code = 1; code <= 255; ++code) {
+        const std::uint32_t hint = std::bit_cast<std::uint32_t>(linear_from_srgb((float(code) - 0.25f) / 255.0f));
+        const std::uint32_t bits = first_bits_of(code, hint);
+        const std::size_t at = (bits - first) >> shift;
+        RL_ASSERT(buckets_[at].step == 2.0f, "two steps in one bucket");
+        buckets_[at].step = std::bit_cast<float>(bits);
+    }
+    std::uint32_t code = 0;
+    for (Bucket& bucket : buckets_) {
+        bucket.code = code;
+        code += bucket.step < 2.0f ? 1 : 0;
+    }
+}
+
+}  // namespace rakelight
