@@ -32,7 +32,8 @@ constexpr int lanes = int(RealBatch::size);
 struct mask {
     MaskBatch v;
     mask() = default;
-    mask(bool b) : v(b) {}
+    template <class T> requires(__is_same(T, bool))  // no silent float -> mask
+    mask(T b) : v(b) {}
     explicit mask(MaskBatch b) : v(b) {}
 #if defined(RL_ISA_avx512)  // one bit a lane for both types
     explicit mask(IntegerMaskBatch b) : v(MaskBatch(b.data)) {}
@@ -98,7 +99,7 @@ inline mask operator<=(real a, real b) { return mask(a.v <= b.v); }
 inline mask operator>(real a, real b) { return mask(a.v > b.v); }
 inline mask operator>=(real a, real b) { return mask(a.v >= b.v); }
 inline mask operator==(real a, real b) { return mask(a.v == b.v); }
-inline mask operator!=(real a, real b) { return mask(a.v != b.v); }
+inline mask operator!=(real a, real b) { return !(a == b); }  // xsimd's own is false for NaN with AVX and wider
 inline real min(real a, real b) { return real(xsimd::min(a.v, b.v)); }
 inline real max(real a, real b) { return real(xsimd::max(a.v, b.v)); }
 inline real sqrt(real x) { return real(xsimd::sqrt(x.v)); }
