@@ -39,7 +39,7 @@ struct Inspection {
     std::uint64_t shared_positions = 0;  ///< world positions that two or more objects draw
     std::vector<BorderSummary> borders;  ///< the largest angle first; at most 1000
     std::uint64_t borders_left_out = 0;
-    Scene scene;                  ///< as loaded: materials, textures, lights, cameras, animations
+    Scene scene;                  ///< as loaded, but without its meshes: materials, textures, lights, cameras, animations
 };
 
 struct InspectOptions {

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "console.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+namespace rakelight::cli {
+namespace {
+
+constexpr std::size_t max_lines = 20;   ///< warnings a file
+constexpr std::size_t max_text = 600;   ///< bytes of a message
+
+bool has_colors() {
+    static const bool answer = [] {
+        const char* no_color = std::getenv("NO_COLOR");  // https://no-color.org: present and not empty
+        const char* term = std::getenv("TERM");
+        return isatty(STDERR_FILENO) && !(no_color && *no_color) && term && std::string_view(term) != "dumb";
+    }();
+    return answer;
+}
+
+/// One write a line, so that lines of several processes do not mix.
+void print_line(const char* kind, const char* color, const std::string& text) {
+    std::string line = "rakelight: ";
+    if (*kind) line += has_colors() ? std::string(color) + kind + ":\033[0m " : std::string(kind) + ": ";
+    line += text + "\n";
+    std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+std::string text_of(const ReportEntry& r) {
+    std::string text;
+    if (!r.file.empty()) text += one_line(r.file) + ": ";
+    if (!r.place.empty()) text += one_line(r.place, 120) + ": ";
+    text += one_line(r.message, max_text);
+    if (r.count > 1) text += " (" + std::to_string(r.count) + " times)";
+    return text;
+}
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+void print_error(const Error& error) { print_line("error", "\033[31m", error.what()); }
+
+void print_remarks(const std::vector<ReportEntry>& remarks, std::uint64_t left_out, Loudness loudness) {
+    if (loudness == Loudness::quiet) return;
+    std::size_t lines = 0, more = left_out;
+    for (const ReportEntry& r : remarks) {
+        if (r.remark == Remark::note && loudness != Loudness::verbose) continue;
+        if (++lines > max_lines && loudness != Loudness::verbose) {
+            ++more;
+            continue;
+        }
+        if (r.remark == Remark::note)
+            print_line("note", "\033[36m", text_of(r));
+        else
+            print_line("warning", "\033[33m", text_of(r));
+    }
+    const std::string file = remarks.empty() || remarks.front().file.empty() ? "" : one_line(remarks.front().file) + ": ";
+    if (more) print_line("warning", "\033[33m", file + "... " + std::to_string(more) + " more, see --json");
+}
+
+void print_note(const std::string& text, Loudness loudness) {
+    if (loudness == Loudness::verbose) print_line("", "", one_line(text, max_text));
+}
+
+std::string summary(const PictureResult& r) {
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  ": %d x %d pixels, %llu objects, %llu triangles; load %.1f, prepare %.1f, render %.1f, write %.1f ms (%s, %s, %d threads)",
+                  r.width, r.height, static_cast<unsigned long long>(r.objects), static_cast<unsigned long long>(r.triangles), r.load_ms,
+                  r.prepare_ms, r.render_ms, r.write_ms, r.engine.c_str(), r.isa.c_str(), r.threads);
+    return one_line(r.output) + text;
+}
+
+void print_data(const std::string& text) {
+    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!written || std::fflush(stdout) != 0) throw Error(ErrorCode::failed, "cannot write to standard output");
+}
+
+ProgressLine::ProgressLine(const std::string& file, Loudness loudness)
+    : file_(one_line(file, 40)), enabled_(loudness != Loudness::quiet && isatty(STDERR_FILENO)), start_s_(now_s()) {}
+
+void ProgressLine::wipe() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+    shown_ = false;
+}
+
+std::function<void(std::string_view, double)> ProgressLine::callback() {
+    if (!enabled_) return {};
+    return [this](std::string_view stage, double fraction) { show(stage, fraction); };
+}
+
+void ProgressLine::show(std::string_view stage, double fraction) {
+    constexpr double patience_s = 0.5, pause_s = 0.1;
+    const double now = now_s();
+    if (now - start_s_ < patience_s || now - last_s_ < pause_s) return;
+    last_s_ = now;
+    shown_ = true;
+    const int percent = int(std::clamp(fraction, 0.0, 1.0) * 100 + 0.5);
+    std::fprintf(stderr, "\r\033[K%s: %.*s %d%%", file_.c_str(), int(stage.size()), stage.data(), percent);
+}
+
+}  // namespace rakelight::cli

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words on standard error: messages of one line each, and progress on a terminal.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rakelight/error.h>
+#include <rakelight/picture.h>
+#include <rakelight/report.h>
+
+namespace rakelight::cli {
+
+enum class Loudness { quiet, normal, verbose };
+
+/// "rakelight: error: FILE: PLACE: REASON; ADVICE". Errors are shown at any loudness.
+void print_error(const Error& error);
+
+/// One "rakelight: warning: ..." line a remark; at most 20 a file, then how many more there are.
+void print_remarks(const std::vector<ReportEntry>& remarks, std::uint64_t left_out, Loudness loudness);
+
+/// "rakelight: ..." at Loudness::verbose.
+void print_note(const std::string& text, Loudness loudness);
+
+/// A picture in words: size, triangles, times.
+std::string summary(const PictureResult& result);
+
+/// Data on standard output. @throws Error failed when it cannot be written (a full disk, a closed pipe).
+void print_data(const std::string& text);
+
+/// A progress line for a terminal: appears after half a second, is wiped when done. Nothing when standard error is no terminal.
+class ProgressLine {
+public:
+    ProgressLine(const std::string& file, Loudness loudness);
+    ~ProgressLine() { wipe(); }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+    /// For ContextOptions::progress; empty when there is nothing to show.
+    std::function<void(std::string_view, double)> callback();
+    void wipe();
+
+private:
+    void show(std::string_view stage, double fraction);
+    std::string file_;
+    bool enabled_ = false, shown_ = false;
+    double start_s_ = 0, last_s_ = 0;
+};
+
+}  // namespace rakelight::cli

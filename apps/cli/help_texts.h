@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands below the options in --help.
+#pragma once
+
+namespace rakelight::cli {
+
+inline constexpr const char* main_footer = R"(Examples:
+  rakelight render helmet.glb -o helmet.png
+  rakelight render builtin:teapot -o teapot.png --view isometric
+  rakelight inspect helmet.glb
+
+Exit codes: 0 done, 1 failed, 2 wrong usage, 3 input not found, 4 file broken,
+format not supported or nothing to draw.
+Environment: RAKELIGHT_ISA=scalar|sse2|avx2|avx512 forces an instruction set
+(the picture stays the same), NO_COLOR switches colours of messages off.)";
+
+inline constexpr const char* render_footer = R"(Lights:
+  Without --light the model's own lights are used, or a key light, a fill light
+  and ambient light where it has none. Colours are linear, 1 is white.
+    point:X,Y,Z         a lamp at a place; then any of
+      :color=R,G,B      its colour (default 1,1,1)
+      :specular=R,G,B   the colour of its highlights (default: as color)
+      :attenuation=C,L,Q  1 / (C + L d + Q d^2) at d metres (default 1,0,0)
+    spot:X,Y,Z          like point, and
+      :direction=X,Y,Z  the way its light goes (default 0,0,-1)
+      :cutoff=DEG       half angle of its cone, up to 90
+      :exponent=E       falls off as cos^E from the axis (default 0)
+    directional:X,Y,Z   the way the light goes; :color= :specular=
+    ambient:R,G,B       light from everywhere
+
+Examples:
+  rakelight render helmet.glb -o helmet.png
+      The first picture: fitted camera, default light, 1280 x 720.
+  rakelight render parts.obj -o parts.png --normals model --crease-angle 60
+      Objects that touch look like one surface; edges over 60 degrees stay sharp.
+  rakelight render head.obj -o head.png --camera-position 0,1,5 \
+      --light point:2,3,4:attenuation=1,0,0.02 --light ambient:0.05,0.05,0.05
+      Own camera and lights.
+  rakelight render a.glb b.obj c.fbx -o 'out/{model}.png' --resolution 640,480
+      Each model to its own picture; one that fails does not stop the others.
+  rakelight render chair.glb -o chair.png --background transparent \
+      --channels depth,normal
+      With alpha; depth and normals go to chair.depth.exr and chair.normal.exr.)";
+
+inline constexpr const char* inspect_footer = R"(Borders are world positions that two objects share. Their angle says how far
+apart the nearest two normals there are: a seam shows where it is not 0.
+
+Examples:
+  rakelight inspect helmet.glb
+  rakelight inspect parts.obj --normals object
+      How large the seams are when every object is smoothed by itself.
+  rakelight inspect *.glb --json
+      One row a file, schema rakelight.inspect/1.)";
+
+}  // namespace rakelight::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interrupt.h"
+
+#include <csignal>
+
+#include <atomic>
+
+namespace rakelight::cli {
+namespace {
+
+std::atomic<Context*> running{nullptr};
+static_assert(std::atomic<Context*>::is_always_lock_free, "a signal handler may use it");
+
+void cancel_running(int signal) {
+    if (Context* context = running.load()) context->cancel();
+    std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+CancelOnInterrupt::CancelOnInterrupt(Context& context) {
+    running = &context;
+    for (const int signal : {SIGINT, SIGTERM})
+        if (std::signal(signal, cancel_running) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup wants it
+}
+
+CancelOnInterrupt::~CancelOnInterrupt() {
+    running = nullptr;
+    for (const int signal : {SIGINT, SIGTERM})
+        if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
+}  // namespace rakelight::cli

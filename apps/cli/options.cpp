@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line by CLI11: the only file that includes it, since it is slow to compile.
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <map>
+
+#include "help_texts.h"
+#include "render_options.h"
+#include "values.h"
+
+namespace rakelight::cli {
+namespace {
+
+constexpr std::size_t column_width = 34;
+
+/// Options that every verb has.
+struct CommonWords {
+    std::string threads, max_memory;
+    bool json = false, quiet = false, verbose = false, allow_outside = false;
+};
+
+void add_common_options(CLI::App& app, CommonWords& w) {
+    app.add_flag("--json", w.json, "Write the results as JSON to standard output")->group("Output");
+    app.add_flag("--quiet", w.quiet, "Print no warnings, only errors")->group("Output");
+    app.add_flag("--verbose", w.verbose, "Print notes and times too")->group("Output");
+    app.add_option("--threads", w.threads, "Worker threads (default: all processors). The result does not depend on it")
+        ->type_name("N")->group("Machine");
+    app.add_option("--max-memory", w.max_memory,
+                   "Memory that a model's data may ask for, for example 4G (default: 2G, or 64 bytes for each byte of its files)")
+        ->type_name("SIZE")->group("Machine");
+    app.add_flag("--allow-outside", w.allow_outside, "Let a model refer to files outside its own folder")->group("Machine");
+}
+
+void add_inputs(CLI::App& app, std::vector<std::string>& inputs, const char* help) {
+    app.add_option("model", inputs, help)->type_name("MODEL...")->required();
+}
+
+CLI::Option* add(CLI::App& app, const char* group, const char* name, std::string& word, const char* type, const char* help) {
+    return app.add_option(name, word, help)->type_name(type)->group(group);
+}
+
+void add_normal_options(CLI::App& app, RenderWords& w) {
+    const char* const group = "Normals";
+    add(app, group, "--normals", w.normals, "WHICH",
+        "auto (default: the file's, else as its format says, else model), file, flat, object (smooth within each object), "
+        "model (smooth over all objects: no seams)");
+    add(app, group, "--crease-angle", w.crease_angle, "DEG", "Edges bent more than this stay sharp, 0 to 180 (default 60)");
+    add(app, group, "--weight", w.weight, "HOW", "How a triangle pulls on a normal: angle (default), uniform, area, angle-area");
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& app, RenderWords& w) {
+    add(app, "Output", "-o,--output", w.output, "FILE",
+        "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for the model's name")->required();
+    add(app, "Output", "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1280,720)");
+    add(app, "Output", "--window", w.window, "X,Y,W,H", "Draw and write only this part of the picture; 0,0 is the top left pixel");
+    add(app, "Output", "--background", w.background, "COLOR", "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent");
+    add(app, "Output", "--channels", w.channels, "LIST",
+        "Also write data: depth,normal,object,material, each to its own file NAME.depth.exr, ...");
+
+    add(app, "Shading", "--engine", w.engine, "NAME", "soft (default): own rasterizer, the same picture on every machine");
+    add(app, "Shading", "--shading", w.shading, "HOW", "phong (default: lighting at every pixel) or unlit (own colour only)");
+    add(app, "Shading", "--lighting", w.lighting, "MODEL", "auto (default: what the material says), lambert, phong, blinn-phong");
+    add(app, "Shading", "--specular", w.specular, "FORM", "auto (default), textbook, normalized (conserves energy)");
+    add(app, "Shading", "--specular-horizon", w.specular_horizon, "on|off", "No highlight where the light is below the surface (default on)");
+    add(app, "Shading", "--bump", w.bump, "HOW", "normal (default: use normal maps) or none");
+    add(app, "Shading", "--front-face", w.front_face, "ccw|cw", "Which turn of a triangle is its front (default ccw)");
+    add(app, "Shading", "--cull", w.cull, "WHICH", "Faces left out: auto (default: as the material says), none, back, front");
+    add_normal_options(app, w);
+    add(app, "Normals", "--uv", w.uv, "HOW", "Texture coordinates for models without: box, sphere, cylinder (default none)");
+
+    add(app, "Camera", "--view", w.view, "SIDE", "Fit the model, seen from: front, back, left, right, top, bottom, isometric");
+    add(app, "Camera", "--camera-index", w.camera, "N", "Camera of the file, by number from 0 or by name (default: the first, if any)");
+    add(app, "Camera", "--camera-position", w.position, "X,Y,Z", "Where the camera stands [m]");
+    add(app, "Camera", "--camera-focal-point", w.focal_point, "X,Y,Z", "What it looks at (default: the middle of the model)");
+    add(app, "Camera", "--camera-view-up", w.up, "X,Y,Z", "Which way is up (default 0,1,0)");
+    add(app, "Camera", "--camera-view-angle", w.view_angle, "DEG", "Vertical angle of view (default 40)");
+    app.add_flag("--camera-orthographic", w.orthographic, "Parallel projection")->group("Camera");
+    app.add_option("--light", w.lights, "A light instead of the model's; may be repeated, see below")->type_name("SPEC")
+        ->group("Light")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+namespace {
+
+Options finish(Options options, const CommonWords& common) {
+    if (common.quiet && common.verbose) throw Error(ErrorCode::usage, "--quiet and --verbose exclude each other");
+    options.json = common.json;
+    options.loudness = common.quiet ? Loudness::quiet : common.verbose ? Loudness::verbose : Loudness::normal;
+    if (!common.threads.empty()) options.threads = integer("--threads", common.threads, 1, 1024);
+    if (!common.max_memory.empty()) options.max_memory = byte_size("--max-memory", common.max_memory);
+    options.picture.load.allow_outside = common.allow_outside;
+    return options;
+}
+
+/// CLI11's message as one line that says where help is.
+Error usage_error(const CLI::ParseError& fault, const CLI::App& app) {
+    std::string verb;
+    for (const CLI::App* sub : app.get_subcommands()) verb += " " + sub->get_name();
+    std::string text = fault.what();
+    for (char& c : text) c = c == '\n' ? ' ' : c;
+    return Error(ErrorCode::usage, text, {}, "see rakelight" + verb + " --help");
+}
+
+std::string help_of(const CLI::App& app) {
+    const std::vector<CLI::App*> subs = app.get_subcommands();
+    return subs.empty() ? app.help() : subs.front()->help();
+}
+
+}  // namespace
+
+Options parse(int argc, const char* const* argv) {
+    Options options;
+    RenderWords words;
+    CommonWords common;
+    CLI::App app("Renders 3D models made of many parts: bumps show, seams do not.", "rakelight");
+    app.get_formatter()->column_width(column_width);
+    app.set_help_flag("-h,--help", "Show this help; rakelight VERB --help shows a verb's");
+    app.set_version_flag("--version", std::string("-"), "Say version, formats, engines and instruction sets");
+    app.require_subcommand(1);
+    app.footer(main_footer);
+    CLI::App* render = app.add_subcommand("render", "Draw models to picture files");
+    add_inputs(*render, options.inputs, "Model files, or builtin:teapot");
+    add_render_options(*render, words);
+    add_common_options(*render, common);
+    render->footer(render_footer);
+    CLI::App* inspect = app.add_subcommand("inspect", "Say what is in models: objects, materials, textures, seams");
+    add_inputs(*inspect, options.inputs, "Model files, or builtin:teapot");
+    bool no_borders = false;
+    inspect->add_flag("--no-borders", no_borders, "Do not look for the borders that objects share")->group("Normals");
+    add_normal_options(*inspect, words);
+    add_common_options(*inspect, common);
+    inspect->footer(inspect_footer);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        options.help = help_of(app);
+        return options;
+    } catch (const CLI::CallForVersion&) {
+        options.verb = Verb::version;
+        return options;
+    } catch (const CLI::ParseError& fault) {
+        throw usage_error(fault, app);
+    }
+    options.verb = render->parsed() ? Verb::render : Verb::inspect;
+    apply(words, options.picture);
+    options.inspect = {.borders = !no_borders, .prepare = options.picture.prepare};
+    return finish(std::move(options), common);
+}
+
+std::vector<PictureRequest> picture_requests(const Options& options) {
+    constexpr std::string_view mark = "{model}";
+    std::vector<PictureRequest> requests;
+    std::map<std::string, std::string> inputs_of;  // output -> input
+    for (const std::string& input : options.inputs) {
+        PictureRequest request = options.picture;
+        request.input = input;
+        const std::string stem = input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
+        bool replaced = false;
+        for (std::size_t at = 0; (at = request.output.find(mark, at)) != std::string::npos; at += stem.size(), replaced = true)
+            request.output.replace(at, mark.size(), stem);
+        if (options.inputs.size() > 1 && !replaced)
+            throw Error(ErrorCode::usage, "several models need a name for each picture", {}, "write for example -o 'out/{model}.png'");
+        const auto [entry, is_new] = inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
+        if (!is_new)
+            throw Error(ErrorCode::usage, "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) + "' would both be written to '" +
+                                              one_line(request.output, 80) + "'");
+        requests.push_back(std::move(request));
+    }
+    return requests;
+}
+
+}  // namespace rakelight::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line, read: what to do, with all values checked.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <rakelight/inspect.h>
+#include <rakelight/picture.h>
+
+#include "console.h"
+
+namespace rakelight::cli {
+
+enum class Verb { help, version, render, inspect };
+
+struct Options {
+    Verb verb = Verb::help;
+    std::string help;                 ///< text for Verb::help
+    std::vector<std::string> inputs;
+    PictureRequest picture;           ///< output holds the name template
+    InspectOptions inspect;
+    int threads = 0;
+    std::uint64_t max_memory = 0;
+    bool json = false;
+    Loudness loudness = Loudness::normal;
+};
+
+/// @throws Error usage, one line
+Options parse(int argc, const char* const* argv);
+
+/// A request for each input: '{model}' in the output stands for the input's name without folder and ending.
+/// @throws Error usage: several inputs for one output, or two inputs for the same
+std::vector<PictureRequest> picture_requests(const Options& options);
+
+}  // namespace rakelight::cli

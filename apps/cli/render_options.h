@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of `rakelight render` as words, and what they mean.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace rakelight::cli {
+
+/// The words as given; empty where not given.
+struct RenderWords {
+    std::string output, engine = "soft", resolution, window, background, channels;
+    std::string shading, lighting, specular, specular_horizon, bump, front_face, cull;
+    std::string normals, crease_angle, weight, uv;
+    std::string view, camera, position, focal_point, up, view_angle;
+    bool orthographic = false;
+    std::vector<std::string> lights;
+};
+
+/// Declares the options with their help. `words` must live until the command line is read.
+void add_render_options(CLI::App& app, RenderWords& words);
+
+/// @throws Error usage
+void apply(const RenderWords& words, PictureRequest& request);
+
+}  // namespace rakelight::cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "values.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace rakelight::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, std::string_view text, const std::string& expected) {
+    throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 60) + "' is not " + expected);
+}
+
+template <class T>
+bool parse(std::string_view text, T& value) {
+    if (text.starts_with('+')) text.remove_prefix(1);  // from_chars takes none
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return fault == std::errc() && end == text.data() + text.size();
+}
+
+}  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t at = text.find(separator);
+        parts.push_back(text.substr(0, at));
+        if (at == std::string_view::npos) return parts;
+        text.remove_prefix(at + 1);
+    }
+}
+
+std::vector<double> numbers(const std::string& option, std::string_view text, std::size_t count) {
+    const std::string expected = count == 1 ? "a number" : std::to_string(count) + " numbers separated by commas";
+    const std::vector<std::string_view> parts = split(text, ',');
+    if (parts.size() != count) refuse(option, text, expected);
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i)
+        if (!parse(parts[i], values[i]) || !std::isfinite(values[i])) refuse(option, text, expected);
+    return values;
+}
+
+double number(const std::string& option, std::string_view text) { return numbers(option, text, 1)[0]; }
+
+dvec3 vector3(const std::string& option, std::string_view text) {
+    const std::vector<double> v = numbers(option, text, 3);
+    return {v[0], v[1], v[2]};
+}
+
+int integer(const std::string& option, std::string_view text, int low, int high) {
+    int value = 0;
+    if (!parse(text, value) || value < low || value > high)
+        refuse(option, text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return value;
+}
+
+std::vector<int> integers(const std::string& option, std::string_view text, std::size_t count) {
+    const char separator = count == 2 && text.find(',') == std::string_view::npos ? 'x' : ',';
+    const std::vector<std::string_view> parts = split(text, separator);
+    const std::string expected = std::to_string(count) + " whole numbers separated by commas";
+    if (parts.size() != count) refuse(option, text, expected);
+    std::vector<int> values(count);
+    for (std::size_t i = 0; i < count; ++i)
+        if (!parse(parts[i], values[i])) refuse(option, text, expected);
+    return values;
+}
+
+std::uint64_t byte_size(const std::string& option, std::string_view text) {
+    constexpr std::string_view units = "KMGT";
+    const char* const expected = "a size such as 500M or 4G";
+    std::string_view digits = text;
+    int shift = 0;
+    if (digits.ends_with("iB")) digits.remove_suffix(2);
+    else if (digits.ends_with('B')) digits.remove_suffix(1);
+    if (!digits.empty()) {
+        const char last = digits.back() >= 'a' ? char(digits.back() - 'a' + 'A') : digits.back();
+        if (const std::size_t unit = units.find(last); unit != std::string_view::npos) {
+            shift = 10 * int(unit + 1);
+            digits.remove_suffix(1);
+        }
+    }
+    std::uint64_t value = 0;
+    if (!parse(digits, value) || value == 0 || value > (~0ull >> shift)) refuse(option, text, expected);
+    return value << shift;
+}
+
+}  // namespace rakelight::cli

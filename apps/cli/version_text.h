@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+
+namespace rakelight::cli {
+
+/// What --version says. @throws Error usage when RAKELIGHT_ISA cannot be had
+std::string version_text();
+
+}  // namespace rakelight::cli

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inspections as the program's JSON, schema rakelight.inspect/1: fields are added, never renamed.
+#include <rakelight/inspect.h>
+
+#include "render/report_json.h"
+#include "tools/texture_uses.h"
+
+namespace rakelight {
+namespace {
+
+using Has = ObjectSummary::Has;
+
+const char* word(Has has) { return has == Has::yes ? "yes" : has == Has::some ? "some" : "no"; }
+Json json_of(dvec3 v) { return {v.x, v.y, v.z}; }
+Json json_of(vec3 v) { return {v.x, v.y, v.z}; }
+Json index_or_null(std::uint32_t index) { return index == none ? Json() : Json(index); }
+
+Json json_of(const ObjectSummary& o) {
+    return {{"name", o.name}, {"node", o.node}, {"meshes", o.meshes}, {"triangles", o.triangles}, {"vertices", o.vertices},
+            {"lines", o.lines}, {"points", o.points}, {"normals", word(o.normals)}, {"tangents", word(o.tangents)},
+            {"texcoords", word(o.texcoords)}, {"colors", word(o.colors)}, {"smoothing_groups", word(o.smoothing_groups)},
+            {"skin", word(o.skin)}, {"morph_targets", word(o.morph_targets)}, {"materials", o.materials}};
+}
+
+Json json_of(const Material& m) {
+    Json textures = Json::object();
+    for (const auto& [role, use] : texture_uses(m)) textures[role] = use.texture;
+    return {{"name", m.name}, {"model", name_of(m.model)}, {"base_color", {m.base_color.x, m.base_color.y, m.base_color.z, m.base_color.w}},
+            {"alpha_mode", name_of(m.alpha_mode)}, {"double_sided", m.double_sided}, {"textures", textures}};
+}
+
+Json json_of(const Texture& t) {
+    Json json = {{"name", t.name}};
+    if (!t.image) return json;
+    json["image"] = t.image->name;
+    json["path"] = t.image->path;
+    json["mime_type"] = t.image->mime_type;
+    json["embedded_bytes"] = t.image->bytes ? Json(t.image->bytes->size()) : Json();
+    return json;
+}
+
+Json json_of(const Light& l) {
+    Json json = {{"name", l.name}, {"type", name_of(l.type)}, {"node", index_or_null(l.node)}};
+    if (l.units == LightUnits::photometric) {
+        json["units"] = "photometric";
+        json["color"] = json_of(l.color);
+        json["intensity"] = l.intensity;
+    } else {
+        json["units"] = "classical";
+        json["diffuse"] = json_of(l.type == LightType::ambient ? l.ambient : l.diffuse);
+        json["attenuation"] = {l.constant, l.linear, l.quadratic};
+    }
+    return json;
+}
+
+Json json_of(const Camera& c) {
+    Json json = {{"name", c.name}, {"node", index_or_null(c.node)}};
+    if (c.projection == Projection::perspective) {
+        json["projection"] = "perspective";
+        json["vertical_fov_deg"] = degrees(c.vertical_fov_rad);
+    } else {
+        json["projection"] = "orthographic";
+        json["half_height"] = c.half_height;
+    }
+    json["near"] = c.near;
+    json["far"] = c.far;  // null when it is infinite
+    return json;
+}
+
+Json json_of(const BorderSummary& b) {
+    return {{"object_a", b.object_a}, {"object_b", b.object_b}, {"positions", b.positions}, {"median_deg", b.median_deg},
+            {"largest_deg", b.largest_deg}};
+}
+
+template <class List>
+Json list(const List& values) {
+    Json array = Json::array();
+    for (const auto& value : values) array.push_back(json_of(value));
+    return array;
+}
+
+void add(Json& row, const Inspection& i) {
+    row["triangles"] = i.triangles;
+    row["bounds"] = {{"low", json_of(i.low)}, {"high", json_of(i.high)}};
+    row["objects"] = list(i.objects);
+    row["materials"] = list(i.scene.materials);
+    row["textures"] = list(i.scene.textures);
+    row["lights"] = list(i.scene.lights);
+    row["cameras"] = list(i.scene.cameras);
+    row["animations"] = i.scene.animations.size();
+    row["shared_positions"] = i.shared_positions;
+    row["borders"] = list(i.borders);
+    row["borders_left_out"] = i.borders_left_out;
+}
+
+}  // namespace
+
+std::string to_json(std::span<const InspectionRow> rows) {
+    Json array = Json::array();
+    for (const InspectionRow& r : rows) {
+        Json row = {{"file", r.file}};
+        if (r.error) row["error"] = error_json(*r.error);
+        if (r.inspection) add(row, *r.inspection);
+        row["remarks"] = remarks_json(r.remarks);
+        row["remarks_left_out"] = r.remarks_left_out;
+        array.push_back(std::move(row));
+    }
+    return document("rakelight.inspect/1", std::move(array));
+}
+
+}  // namespace rakelight

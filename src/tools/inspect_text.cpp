@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// An inspection for people.
+#include <cstdio>
+
+#include <rakelight/inspect.h>
+
+#include "tools/text_table.h"
+#include "tools/texture_uses.h"
+
+namespace rakelight {
+namespace {
+
+using Has = ObjectSummary::Has;
+
+constexpr std::size_t max_rows = 40;  ///< of each table
+constexpr std::size_t max_name = 40;  ///< bytes of a name in a table
+
+std::string number(double value, const char* format = "%.6g") {
+    char text[40];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string name_or(const std::string& name, const char* kind, std::size_t index) {
+    return name.empty() ? kind + (" " + std::to_string(index)) : one_line(name, max_name);
+}
+
+/// "normals, tangents, texcoords(some)": what the file brings along.
+std::string attributes_of(const ObjectSummary& o) {
+    std::string text;
+    const auto add = [&](const char* name, Has has) {
+        if (has != Has::no) text += (text.empty() ? "" : ", ") + std::string(name) + (has == Has::some ? "(some)" : "");
+    };
+    add("normals", o.normals), add("tangents", o.tangents), add("texcoords", o.texcoords), add("colors", o.colors);
+    add("groups", o.smoothing_groups), add("skin", o.skin), add("targets", o.morph_targets);
+    return text.empty() ? "-" : text;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size() && i < 4; ++i) text += (i ? ", " : "") + one_line(names[i], 24);
+    if (names.size() > 4) text += ", +" + std::to_string(names.size() - 4);
+    return text.empty() ? "-" : text;
+}
+
+/// A table under its title, cut to max_rows; nothing when the list is empty.
+template <class List, class AddRow>
+std::string section(const char* title, std::vector<std::string> head, const List& list, const AddRow& add_row, std::size_t left_out = 0) {
+    if (list.empty()) return {};
+    TextTable table(std::move(head));
+    const std::size_t shown = list.size() < max_rows ? list.size() : max_rows;
+    for (std::size_t i = 0; i < shown; ++i) table.add(add_row(list[i], i));
+    const std::size_t more = list.size() - shown + left_out;
+    return std::string(title) + "\n" + table.text("  ") + (more ? "  ... " + std::to_string(more) + " more, see --json\n" : "");
+}
+
+std::string objects_text(const Inspection& i) {
+    return section("objects", {">#", "name", ">meshes", ">triangles", ">vertices", "attributes", "materials"}, i.objects,
+                   [](const ObjectSummary& o, std::size_t n) {
+                       return std::vector<std::string>{std::to_string(n), name_or(o.name, "node", o.node), std::to_string(o.meshes),
+                                                       std::to_string(o.triangles), std::to_string(o.vertices), attributes_of(o),
+                                                       joined(o.materials)};
+                   });
+}
+
+std::string materials_text(const Scene& scene) {
+    return section("materials", {">#", "name", "model", "alpha", "sides", "textures"}, scene.materials,
+                   [](const Material& m, std::size_t n) {
+                       std::string textures;
+                       for (const auto& [role, use] : texture_uses(m))
+                           textures += (textures.empty() ? "" : ", ") + (role + (" " + std::to_string(use.texture)));
+                       return std::vector<std::string>{std::to_string(n), name_or(m.name, "material", n), name_of(m.model),
+                                                       name_of(m.alpha_mode), m.double_sided ? "2" : "1", textures.empty() ? "-" : textures};
+                   });
+}
+
+std::string textures_text(const Scene& scene) {
+    return section("textures", {">#", "image", "kind"}, scene.textures, [](const Texture& t, std::size_t n) {
+        const bool embedded = t.image && t.image->bytes;
+        const std::string kind = embedded ? "embedded, " + std::to_string(t.image->bytes->size()) + " bytes" : "file";
+        return std::vector<std::string>{std::to_string(n), t.image ? one_line(t.image->name, 80) : "-", kind};
+    });
+}
+
+std::string lights_text(const Scene& scene) {
+    return section("lights", {">#", "name", "type", "units"}, scene.lights, [](const Light& l, std::size_t n) {
+        return std::vector<std::string>{std::to_string(n), name_or(l.name, "light", n), name_of(l.type),
+                                        l.units == LightUnits::photometric ? "photometric" : "classical"};
+    });
+}
+
+std::string cameras_text(const Scene& scene) {
+    return section("cameras", {">#", "name", "projection"}, scene.cameras, [](const Camera& c, std::size_t n) {
+        const bool perspective = c.projection == Projection::perspective;
+        return std::vector<std::string>{std::to_string(n), name_or(c.name, "camera", n),
+                                        perspective ? "perspective, " + number(degrees(c.vertical_fov_rad), "%.1f") + " degrees"
+                                                    : "orthographic, height " + number(2 * c.half_height)};
+    });
+}
+
+std::string borders_text(const Inspection& i) {
+    const auto object = [&](std::uint32_t n) { return name_or(i.objects[n].name, "node", i.objects[n].node); };
+    return section("borders", {"object", "object", ">positions", ">median deg", ">largest deg"}, i.borders,
+                   [&](const BorderSummary& b, std::size_t) {
+                       return std::vector<std::string>{object(b.object_a), object(b.object_b), std::to_string(b.positions),
+                                                       number(b.median_deg, "%.2f"), number(b.largest_deg, "%.2f")};
+                   },
+                   i.borders_left_out);
+}
+
+}  // namespace
+
+std::string to_text(const Inspection& i) {
+    const dvec3 size{i.high.x - i.low.x, i.high.y - i.low.y, i.high.z - i.low.z};
+    std::string text = one_line(i.file) + "\n";
+    text += "  " + std::to_string(i.objects.size()) + " objects, " + std::to_string(i.triangles) + " triangles, " +
+            std::to_string(i.scene.materials.size()) + " materials, " + std::to_string(i.scene.textures.size()) + " textures, " +
+            std::to_string(i.scene.animations.size()) + " animations\n";
+    text += "  bounds " + number(i.low.x) + " " + number(i.low.y) + " " + number(i.low.z) + " to " + number(i.high.x) + " " +
+            number(i.high.y) + " " + number(i.high.z) + ", size " + number(size.x) + " x " + number(size.y) + " x " + number(size.z) + " m\n";
+    text += "  " + std::to_string(i.shared_positions) + " positions shared by objects\n";
+    return text + objects_text(i) + materials_text(i.scene) + textures_text(i.scene) + lights_text(i.scene) + cameras_text(i.scene) +
+           borders_text(i);
+}
+
+}  // namespace rakelight
