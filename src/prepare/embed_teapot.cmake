@@ -1,0 +1,21 @@
+# Turns data/teapot/newell_teapot_patches.txt into two C++ tables.
+# cmake -DINPUT=patches.txt -DOUTPUT=teapot_patches.inc -P embed_teapot.cmake
+file(STRINGS "${INPUT}" lines)
+set(patches "")
+set(points "")
+foreach(line IN LISTS lines)
+  if(line MATCHES "^#" OR line STREQUAL "")
+    continue()
+  elseif(line MATCHES "^([a-z]+) ([0-9 ]+)$")
+    set(part "${CMAKE_MATCH_1}")
+    string(REPLACE " " ", " indices "${CMAKE_MATCH_2}")
+    string(APPEND patches "    {Part::${part}, {${indices}}},\n")
+  elseif(line MATCHES "^-?[0-9.]+ -?[0-9.]+ -?[0-9.]+$")
+    string(REPLACE " " ", " point "${line}")
+    string(APPEND points "    {${point}},\n")
+  else()
+    message(FATAL_ERROR "${INPUT}: not a patch and not a point: ${line}")
+  endif()
+endforeach()
+file(WRITE "${OUTPUT}" "// Made by embed_teapot.cmake from newell_teapot_patches.txt.\n"
+  "constexpr Patch patches[] = {\n${patches}};\nconstexpr dvec3 points[] = {\n${points}};\n")

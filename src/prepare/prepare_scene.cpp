@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of a scene to an engine: repair, texture coordinates, normals by the chosen source, tangents where they are needed.
+#include <algorithm>
+#include <cmath>
+
+#include <rakelight/error.h>
+
+#include "math/linear.h"
+#include "prepare/prepare.h"
+#include "prepare/repair.h"
+#include "prepare/smooth_request.h"
+#include "prepare/variants.h"
+#include "scene/scene_tools.h"
+#include "scene/validate_parts.h"
+
+namespace rakelight {
+namespace {
+
+/// Which normals are made, for the meshes that have none (all of them when the file's do not count).
+SmoothRequest request_for(const Scene& scene, const PrepareOptions& options) {
+    SmoothRequest request;
+    request.attributes.weight = options.weight;
+    request.attributes.crease_angle_rad = options.crease_angle_rad;
+    request.only_missing = true;
+    request.groups = false;
+    switch (options.normals) {
+    case NormalSource::automatic:
+        request.attributes.scope = scene.missing_normals_are_flat ? Scope::face : Scope::model;
+        request.groups = !scene.missing_normals_are_flat;  // rule inside an object; across objects the crease angle does
+        break;
+    case NormalSource::file:
+    case NormalSource::flat: request.attributes.scope = Scope::face; break;
+    case NormalSource::object: request.attributes.scope = Scope::object; break;
+    case NormalSource::model: request.attributes.scope = Scope::model; break;
+    }
+    return request;
+}
+
+bool wants_tangents(const Scene& scene, const Mesh& mesh) {
+    if (mesh.material == none) return false;
+    const Material& m = scene.materials[mesh.material];
+    return bool(m.normal_texture) || bool(m.height_texture);
+}
+
+/// True if some triangle has an area in the texture; ends at the first one.
+bool spans_texture(const Mesh& mesh, std::uint32_t set) {
+    const Block<vec2>& uv = mesh.texcoords[set];
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+        const vec2 a = uv[mesh.indices[3 * t]], b = uv[mesh.indices[3 * t + 1]], c = uv[mesh.indices[3 * t + 2]];
+        if (double(b.x - a.x) * double(c.y - a.y) != double(c.x - a.x) * double(b.y - a.y)) return true;
+    }
+    return false;
+}
+
+void warn_of_tangents(const Scene& scene, Report& report) {
+    std::vector<bool> seen(scene.meshes.size(), false);
+    for (const Instance& instance : drawn_instances(scene)) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        if (seen[instance.mesh] || !wants_tangents(scene, mesh)) continue;
+        seen[instance.mesh] = true;
+        const std::uint32_t set = tangent_set(scene, mesh, TangentWish::where_needed);
+        const char* message = set == none ? "the normal map is not used: the mesh has no texture coordinates for it"
+                              : mesh.tangents.empty() && !spans_texture(mesh, set)
+                                  ? "no triangle has an area in the normal map: tangents have no direction"
+                                  : nullptr;
+        if (message) report.add(Remark::warning, scene.source, Place{"mesh", instance.mesh, mesh.name}.text(), message);
+    }
+}
+
+}  // namespace
+
+Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& context) {
+    if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi))
+        throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");
+    validate(scene);
+    check_nodes(scene, context.report());
+    const bool keep_normals = options.normals == NormalSource::automatic || options.normals == NormalSource::file;
+    Scene out = repair_scene(scene, keep_normals, context);
+    if (options.uv != UvProjection::none) out = project_texcoords(out, options.uv, context);
+    warn_of_tangents(out, context.report());
+    const SmoothRequest request = request_for(out, options);
+    context.throw_if_cancelled();
+    out = smooth_meshes(out, request, context);
+    return add_missing_tangents(out, request, context);
+}
+
+}  // namespace rakelight

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "math/linear.h"
+#include "prepare/repair.h"
+
+namespace rakelight {
+namespace {
+
+constexpr float unit_tolerance = 1e-3f;      // below this a vector counts as unit and its block is shared as it is
+constexpr float quantized_tolerance = 2e-2f; // bytes give unit vectors to about 1 / 127: no fault of the file
+constexpr float huge_texcoord = 1e6f;        // a float texel address has no sub-texel digits left
+
+/// How an array of directions looks, in one pass.
+struct DirectionCheck {
+    std::size_t broken = 0;  ///< zero or not finite
+    float off_unit = 0;      ///< largest | |v|^2 - 1 | of the others
+};
+
+bool is_broken(vec3 v) { return !is_finite(v) || (v.x == 0 && v.y == 0 && v.z == 0); }
+
+template <class T>
+vec3 direction(const T& v) {
+    return {v.x, v.y, v.z};
+}
+
+template <class T>
+DirectionCheck check_directions(const Block<T>& block) {
+    DirectionCheck check;
+    for (const T& v : block) {
+        const vec3 d = direction(v);
+        const float off = std::fabs(dot(d, d) - 1);
+        if (off <= 2 * unit_tolerance) {
+            check.off_unit = std::max(check.off_unit, off);
+        } else if (is_broken(d)) {
+            ++check.broken;
+        } else {
+            check.off_unit = std::isfinite(off) ? std::max(check.off_unit, off) : std::numeric_limits<float>::max();
+        }
+    }
+    return check;
+}
+
+/// The unit normal of a triangle in double; zero for one without area.
+dvec3 face_normal(const Mesh& mesh, std::size_t t) {
+    const auto corner = [&](std::size_t k) { return cast<double>(mesh.positions[mesh.indices[3 * t + k]]); };
+    const dvec3 a = corner(0);
+    return normalize_or(cross(corner(1) - a, corner(2) - a), dvec3{0, 0, 0});
+}
+
+/// Replaces broken normals by the sum of the unit normals of the faces at their vertex; +Z where there is none.
+void fill_broken(const Mesh& mesh, std::vector<vec3>& normals) {
+    std::vector<dvec3> sums(normals.size(), dvec3{0, 0, 0});
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t v = mesh.indices[3 * t + k];
+            if (is_broken(normals[v])) sums[v] += face_normal(mesh, t);
+        }
+    for (std::size_t v = 0; v < normals.size(); ++v)
+        if (is_broken(normals[v])) normals[v] = cast<float>(normalize_or(sums[v], dvec3{0, 0, 1}));
+}
+
+void report_lengths(const char* what, float off_unit, std::vector<Finding>& findings) {
+    if (off_unit <= 2 * unit_tolerance) return;
+    findings.push_back({off_unit <= 2 * quantized_tolerance ? Remark::note : Remark::changed,
+                        std::string(what) + " that are not of unit length were made so"});
+}
+
+}  // namespace
+
+void repair_texcoords(Mesh& mesh, bool is_textured, std::vector<Finding>& findings) {
+    for (Block<vec2>& set : mesh.texcoords) {
+        if (set.empty()) continue;
+        bool finite = true, huge = false, varies = false;
+        const vec2 first = set[0];
+        for (const vec2& uv : set) {
+            if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) finite = false;
+            else if (std::fabs(uv.x) > huge_texcoord || std::fabs(uv.y) > huge_texcoord) huge = true;
+            varies = varies || !(uv == first);
+        }
+        if (huge) findings.push_back({Remark::warning, "texture coordinates beyond 1e6: the texture has no detail there"});
+        if (!varies && is_textured)
+            findings.push_back({Remark::warning, "all texture coordinates are the same: the texture has one color and no tangent direction"});
+        if (finite) continue;
+        findings.push_back({Remark::changed, "texture coordinates that are not finite were set to 0"});
+        std::vector<vec2> values(set.begin(), set.end());
+        for (vec2& uv : values)
+            if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) uv = {0, 0};
+        set = std::move(values);
+    }
+}
+
+void repair_normals(Mesh& mesh, std::vector<Finding>& findings) {
+    const DirectionCheck check = check_directions(mesh.normals);
+    if (check.broken == 0 && check.off_unit <= 2 * unit_tolerance) return;
+    if (check.broken == mesh.normals.size()) {
+        findings.push_back({Remark::warning, "the normals are all zero or not finite: computed instead"});
+        mesh.normals = {};
+        return;
+    }
+    std::vector<vec3> normals(mesh.normals.begin(), mesh.normals.end());
+    if (check.broken > 0) {
+        findings.push_back({Remark::warning, "normals that are zero or not finite were replaced by computed ones"});
+        fill_broken(mesh, normals);
+    }
+    report_lengths("normals", check.off_unit, findings);
+    for (vec3& n : normals) n = cast<float>(normalize_or(cast<double>(n), dvec3{0, 0, 1}));
+    mesh.normals = std::move(normals);
+}
+
+void repair_tangents(Mesh& mesh, std::vector<Finding>& findings) {
+    if (mesh.tangents.empty()) return;
+    if (mesh.normals.empty()) {
+        findings.push_back({Remark::note, "tangents without normals are not used"});  // as glTF 2.0 says
+        mesh.tangents = {};
+        return;
+    }
+    const DirectionCheck check = check_directions(mesh.tangents);
+    const bool signs_exact = std::all_of(mesh.tangents.begin(), mesh.tangents.end(), [](const vec4& t) { return std::fabs(t.w) == 1; });
+    const bool signs_right = signs_exact || std::all_of(mesh.tangents.begin(), mesh.tangents.end(), [](const vec4& t) {
+                                 return std::fabs(std::fabs(t.w) - 1) <= unit_tolerance;  // false for NaN
+                             });
+    if (check.broken > 0 || !signs_right) {
+        findings.push_back({Remark::warning, check.broken > 0 ? "tangents that are zero or not finite: all of the mesh are computed anew"
+                                                              : "tangents whose w is not +1 or -1: all of the mesh are computed anew"});
+        mesh.tangents = {};
+        return;
+    }
+    if (signs_exact && check.off_unit <= 2 * unit_tolerance) return;
+    report_lengths("tangents", check.off_unit, findings);
+    std::vector<vec4> tangents(mesh.tangents.begin(), mesh.tangents.end());
+    for (vec4& t : tangents) {
+        const dvec3 d = normalize_or(cast<double>(t.xyz()), dvec3{1, 0, 0});
+        t = {float(d.x), float(d.y), float(d.z), t.w < 0 ? -1.0f : 1.0f};
+    }
+    mesh.tangents = std::move(tangents);
+}
+
+}  // namespace rakelight

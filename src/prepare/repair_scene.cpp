@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include <rakelight/error.h>
+
+#include "math/linear.h"
+#include "prepare/repair.h"
+#include "prepare/variants.h"
+#include "scene/scene_tools.h"
+#include "scene/validate_parts.h"
+
+namespace rakelight {
+namespace {
+
+bool is_textured(const Scene& scene, const Mesh& mesh) {
+    if (mesh.material == none) return false;
+    const Material& m = scene.materials[mesh.material];
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    for (const TextureUse* use : {&m.base_color_texture, &m.normal_texture, &m.height_texture, &m.opacity_texture, &m.occlusion_texture,
+                                  &m.emission_texture, &m.classical.specular_texture, &p.texture})
+        if (*use) return true;
+    return false;
+}
+
+/// A column of no length, or three columns in a plane (to twelve digits).
+bool flattens(const dmat4& m) {
+    const dvec3 a = normalize_or(m[0].xyz(), dvec3{0, 0, 0}), b = normalize_or(m[1].xyz(), dvec3{0, 0, 0}),
+                c = normalize_or(m[2].xyz(), dvec3{0, 0, 0});
+    return std::fabs(dot(a, cross(b, c))) <= 1e-12;
+}
+
+}  // namespace
+
+void check_nodes(const Scene& scene, Report& report) {
+    const std::vector<dmat4> world = world_matrices(scene);
+    std::vector<bool> draws(scene.nodes.size(), false);
+    for (const Instance& instance : drawn_instances(scene)) draws[instance.node] = true;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        const dquat& q = node.local.rotation;
+        if (!node.local.matrix && q == dquat{0, 0, 0, 0})
+            report.add(Remark::warning, scene.source, Place{"node", i, node.name}.text(), "the rotation is zero: taken as none");
+        if (draws[i] && flattens(world[i]))
+            report.add(Remark::warning, scene.source, Place{"node", i, node.name}.text(),
+                       "the matrix or scale flattens the object: it has no volume and perhaps no area");
+    }
+}
+
+Scene repair_scene(const Scene& scene, bool keep_normals, Context& context) {
+    std::vector<std::uint32_t> numbers;
+    for (const Instance& instance : drawn_instances(scene)) numbers.push_back(instance.mesh);
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+
+    Scene out = scene;
+    std::vector<std::vector<Finding>> findings(numbers.size());
+    context.parallel_for(numbers.size(), [&](std::size_t i) {
+        Mesh& mesh = out.meshes[numbers[i]];
+        if (!keep_normals) {
+            mesh.normals = {};
+            mesh.tangents = {};
+        }
+        repair_positions(mesh, findings[i]);
+        repair_texcoords(mesh, is_textured(scene, mesh), findings[i]);
+        repair_normals(mesh, findings[i]);
+        repair_tangents(mesh, findings[i]);
+    });
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        for (const Finding& f : findings[i])
+            context.report().add(f.remark, scene.source, Place{"mesh", numbers[i], scene.meshes[numbers[i]].name}.text(), f.message);
+    if (triangle_count(out) == 0) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
+    return out;
+}
+
+}  // namespace rakelight

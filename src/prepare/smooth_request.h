@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Between prepare_scene and smooth_scene: what to compute for which meshes.
+#pragma once
+#include <rakelight/attributes.h>
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// Which meshes get tangents: those whose material has a normal or height texture, or all with texture coordinates.
+enum class TangentWish : std::uint8_t { none, where_needed, everywhere };
+
+struct SmoothRequest {
+    AttributeOptions attributes;   ///< `tangents` is overruled by the wish
+    TangentWish tangents = TangentWish::where_needed;
+    bool only_missing = false;     ///< leave meshes alone that have normals
+    bool groups = true;            ///< smoothing groups of the file count
+};
+
+/// The coordinate set on which a mesh's tangents are to be made: that of the normal texture, else of the height texture, else
+/// (wish `everywhere`) the first that is there. `none`: no tangents, or no such coordinates.
+std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish);
+
+/// New normals (and tangents by the wish) for the drawn triangle meshes. The scene must be valid.
+Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& context);
+
+/// Tangents, by the wish, for drawn meshes that have normals but no tangents; normals stay.
+Scene add_missing_tangents(const Scene& scene, const SmoothRequest& request, Context& context);
+
+}  // namespace rakelight

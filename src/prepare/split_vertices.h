@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vertices that became two: every array of the mesh follows.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <rakelight/context.h>
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// Appends one vertex for each entry of `source_vertex` [each < V], a copy of that vertex in all arrays of the mesh (normals,
+/// tangents, texture coordinates, colours, influences and morph targets too), and puts `indices` in force.
+/// Nothing happens when `source_vertex` is empty and `indices` is empty. The memory is checked against the budget.
+void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<const std::uint32_t> source_vertex, Context& context);
+
+}  // namespace rakelight

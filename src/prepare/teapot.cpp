@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Utah teapot from Martin Newell's patches of 1975. The data are z up and 3.15 high; here y is up, the height is 1 and
+// the pot stands on the plane y = 0 about the y axis, spout to +x.
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include <rakelight/error.h>
+
+#include "math/linear.h"
+#include "prepare/prepare.h"
+
+namespace rakelight {
+namespace {
+
+enum class Part : std::uint8_t { rim, body, handle, spout, lid, bottom };
+constexpr const char* part_names[] = {"rim", "body", "handle", "spout", "lid", "bottom"};
+
+struct Patch {
+    Part part;
+    std::array<std::uint16_t, 16> points;  ///< four rows of four, into `points`
+};
+
+#include "teapot_patches.inc"
+
+constexpr double height = 3.15;
+
+/// Bernstein weights of degree 3 at k / n, times n^3: whole numbers, so that k and n - k give exactly mirrored ones.
+std::array<double, 4> bernstein(int k, int n) {
+    const double a = n - k, b = k;
+    return {a * a * a, 3 * a * a * b, 3 * a * b * b, b * b * b};
+}
+
+/// One Bezier curve at k / n. Symmetric in its form: the reversed curve at n - k gives the same bits, so that two patches
+/// that run along a common border in opposite directions meet exactly.
+dvec3 curve(dvec3 p0, dvec3 p1, dvec3 p2, dvec3 p3, int k, int n) {
+    const auto w = bernstein(k, n);
+    const dvec3 sum = (p0 * w[0] + p3 * w[3]) + (p1 * w[1] + p2 * w[2]);
+    return sum / (double(n) * n * n);
+}
+
+/// The patch at row parameter s / n and column parameter t / n. On a border one of the two steps returns control points as
+/// they are, so the other alone is the border's curve, whichever direction it has in the patch.
+dvec3 surface(const Patch& patch, int s, int t, int n) {
+    dvec3 row[4];
+    for (std::size_t j = 0; j < 4; ++j)
+        row[j] = curve(points[patch.points[j]], points[patch.points[4 + j]], points[patch.points[8 + j]], points[patch.points[12 + j]], s, n);
+    return curve(row[0], row[1], row[2], row[3], t, n);
+}
+
+vec3 placed(dvec3 p) { return cast<float>(dvec3{p.x, p.z, -p.y} / height); }
+
+struct Arrays {
+    std::vector<vec3> positions;
+    std::vector<vec2> texcoords;
+    std::vector<std::uint32_t> indices;
+};
+
+/// The first row of a patch at the lid's tip or the bottom's centre is one point.
+bool has_pole(const Patch& patch) {
+    const auto& p = patch.points;
+    return p[0] == p[1] && p[1] == p[2] && p[2] == p[3];
+}
+
+/// Seen from outside the columns run to the left, so u = 1 - t: the texture is not mirrored, and (v0, u0) (v1, u0) (v1, u1)
+/// is counter-clockwise. A pole gets one vertex a column of triangles, with the u of its middle, and no zero-area triangles.
+void add_patch(const Patch& patch, int n, Arrays& out) {
+    const auto first = std::uint32_t(out.positions.size());
+    const bool pole = has_pole(patch);
+    const auto add_vertex = [&](int v, int column, double u) {
+        out.positions.push_back(placed(surface(patch, v, n - column, n)));
+        out.texcoords.push_back({float(u), float(double(v) / n)});
+    };
+    const int top_count = pole ? n : n + 1;
+    for (int c = 0; c < top_count; ++c) add_vertex(0, c, (c + (pole ? 0.5 : 0.0)) / n);
+    for (int v = 1; v <= n; ++v)
+        for (int c = 0; c <= n; ++c) add_vertex(v, c, double(c) / n);
+    const auto at = [&](int v, int c) {
+        return first + std::uint32_t(v == 0 ? c : top_count + (v - 1) * (n + 1) + c);
+    };
+    for (int v = 0; v < n; ++v)
+        for (int c = 0; c < n; ++c) {
+            out.indices.insert(out.indices.end(), {at(v, c), at(v + 1, c), at(v + 1, c + 1)});
+            if (!(pole && v == 0)) out.indices.insert(out.indices.end(), {at(v, c), at(v + 1, c + 1), at(v, c + 1)});
+        }
+}
+
+Material porcelain() {
+    Material m;
+    m.name = "porcelain";
+    m.model = MaterialModel::classical;
+    m.base_color = {0.72f, 0.68f, 0.58f, 1};
+    m.classical.ambient = m.base_color.xyz();
+    m.classical.specular = {0.35f, 0.35f, 0.35f};
+    m.classical.shininess = 60;
+    m.double_sided = true;  // the surface has no thickness: one looks into the spout and past the lid
+    return m;
+}
+
+}  // namespace
+
+Scene make_teapot(int divisions) {
+    if (divisions < 1 || divisions > 256)
+        throw Error(ErrorCode::usage, "divisions of the teapot must be 1 to 256, not " + std::to_string(divisions));
+    Scene scene;
+    scene.source = "builtin:teapot";
+    scene.materials.push_back(porcelain());
+    for (std::size_t part = 0; part < std::size(part_names); ++part) {
+        Arrays arrays;
+        for (const Patch& patch : patches)
+            if (patch.part == Part(part)) add_patch(patch, divisions, arrays);
+        Mesh mesh;
+        mesh.name = part_names[part];
+        mesh.positions = std::move(arrays.positions);
+        mesh.texcoords.emplace_back(std::move(arrays.texcoords));
+        mesh.indices = std::move(arrays.indices);
+        mesh.material = 0;
+        Node node;
+        node.name = part_names[part];
+        node.meshes = {std::uint32_t(part)};
+        scene.meshes.push_back(std::move(mesh));
+        scene.nodes.push_back(std::move(node));
+    }
+    return scene;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/variants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rakelight {
+namespace {
+
+constexpr float rounding = 2e-6f;
+/// More variants of one mesh than this are not searched for an equal one, so that many instances cost linear time.
+constexpr std::size_t searched = 16;
+
+bool near(float a, float b) { return std::fabs(a - b) <= rounding; }
+bool near(vec2 a, vec2 b) { return near(a.x, b.x) && near(a.y, b.y); }
+bool near(vec3 a, vec3 b) { return near(a.x, b.x) && near(a.y, b.y) && near(a.z, b.z); }
+bool near(vec4 a, vec4 b) { return near(a.xyz(), b.xyz()) && a.w == b.w; }
+
+template <class T>
+bool all_near(const Block<T>& a, const Block<T>& b) {
+    if (a == b) return true;
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return near(x, y); });
+}
+
+}  // namespace
+
+bool same_surface(const Mesh& a, const Mesh& b) {
+    if (a.positions.size() != b.positions.size() || a.texcoords.size() != b.texcoords.size()) return false;
+    if (!(a.indices == b.indices) && !std::equal(a.indices.begin(), a.indices.end(), b.indices.begin(), b.indices.end())) return false;
+    for (std::size_t set = 0; set < a.texcoords.size(); ++set)
+        if (!all_near(a.texcoords[set], b.texcoords[set])) return false;
+    return all_near(a.normals, b.normals) && all_near(a.tangents, b.tangents);
+}
+
+std::vector<Instance> drawn_instances(const Scene& scene) {
+    std::vector<Instance> instances;
+    for (std::uint32_t node = 0; node < scene.nodes.size(); ++node) {
+        const auto& meshes = scene.nodes[node].meshes;
+        for (std::uint32_t slot = 0; slot < meshes.size(); ++slot)
+            if (scene.meshes[meshes[slot]].triangle_count() > 0) instances.push_back({node, slot, meshes[slot]});
+    }
+    return instances;
+}
+
+std::uint32_t MeshVariants::place(const Instance& instance, Mesh result) {
+    std::vector<std::uint32_t>& made = made_[instance.mesh];
+    std::uint32_t number = none;
+    for (std::size_t i = 0; i < std::min(made.size(), searched) && number == none; ++i)
+        if (same_surface(scene_.meshes[made[i]], result)) number = made[i];
+    if (number == none) {
+        if (made.empty()) {
+            number = instance.mesh;
+            scene_.meshes[number] = std::move(result);
+        } else {
+            number = std::uint32_t(scene_.meshes.size());
+            scene_.meshes.push_back(std::move(result));
+            ++copies_;
+        }
+        made.push_back(number);
+    }
+    share(instance, number);
+    return number;
+}
+
+void MeshVariants::share(const Instance& instance, std::uint32_t number) { scene_.nodes[instance.node].meshes[instance.slot] = number; }
+
+}  // namespace rakelight

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes of instances that came out differently: the first result takes the mesh's place, others get a mesh of their own.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// One placement of one mesh: slot `slot` of node `node` shows mesh `mesh` (as numbered in the scene before the change).
+struct Instance {
+    std::uint32_t node = 0, slot = 0, mesh = 0;
+};
+
+/// All placements of triangle meshes that have triangles, in the order of nodes and slots.
+std::vector<Instance> drawn_instances(const Scene& scene);
+
+/// Puts results for instances into a scene, keeping meshes shared where the results are the same.
+class MeshVariants {
+public:
+    explicit MeshVariants(Scene& scene) : scene_(scene), made_(scene.meshes.size()) {}
+    /// The instance shows `result` from now on: in place of its mesh when it is the first of that mesh, shared with an
+    /// earlier instance where `result` is the same as that one's (see same_surface), else as a new mesh.
+    /// @return the mesh's number
+    std::uint32_t place(const Instance& instance, Mesh result);
+    /// The instance shows the mesh `number` that place() returned for another instance of the same mesh.
+    void share(const Instance& instance, std::uint32_t number);
+    std::uint32_t copies() const { return copies_; }  ///< meshes that had to be added
+
+private:
+    Scene& scene_;
+    std::vector<std::vector<std::uint32_t>> made_;  ///< [meshes] the results of each, the first in its place
+    std::uint32_t copies_ = 0;
+};
+
+/// Same triangles, and normals, tangents and texture coordinates that differ by rounding at most (2e-6 in each number): the
+/// same surface at a rotated place comes back from the world with other last bits. w of tangents must be equal.
+bool same_surface(const Mesh& a, const Mesh& b);
+
+}  // namespace rakelight
