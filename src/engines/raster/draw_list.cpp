@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/draw_list.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "math/linear.h"
+
+namespace rakelight::raster {
+namespace {
+
+void measure(const Mesh& mesh, vec3& low, vec3& high) {
+    const float big = std::numeric_limits<float>::max();
+    low = {big, big, big};
+    high = {-big, -big, -big};
+    for (const vec3& p : mesh.positions) {
+        if (!is_finite(p)) continue;
+        low = min(low, p);
+        high = max(high, p);
+    }
+}
+
+void add_draws(DrawList& list, Context& context) {
+    const Scene& scene = list.scene;
+    std::map<const void*, std::pair<vec3, vec3>> bounds;  // by position block
+    for (std::uint32_t n = 0; n < scene.nodes.size(); ++n)
+        for (const std::uint32_t m : scene.nodes[n].meshes) {
+            const Mesh& mesh = scene.meshes[m];
+            if (mesh.topology != Topology::triangles) {
+                context.report().add(Remark::dropped, scene.source, mesh.name, "lines and points are not drawn by the soft engine");
+                continue;
+            }
+            if (mesh.indices.empty()) continue;
+            Draw draw;
+            draw.node = n;
+            draw.mesh = m;
+            draw.material = mesh.material == none ? std::uint32_t(scene.materials.size()) : mesh.material;
+            draw.to_world = list.node_to_world[n] * translation(mesh.origin);
+            draw.mirrored = determinant(upper_left(draw.to_world)) < 0;
+            const auto [known, is_new] = bounds.try_emplace(mesh.positions.identity());
+            if (is_new) measure(mesh, known->second.first, known->second.second);
+            draw.low = known->second.first;
+            draw.high = known->second.second;
+            if (draw.low.x <= draw.high.x) list.draws.push_back(draw);
+        }
+}
+
+}  // namespace
+
+void fill_materials(DrawList& list, TextureCache& textures, Context& context);  // material_views.cpp
+
+DrawList make_draw_list(const Scene& scene, TextureCache& textures, Context& context) {
+    DrawList list;
+    list.scene = scene;
+    list.node_to_world = world_matrices(scene);
+    add_draws(list, context);
+    fill_materials(list, textures, context);
+    return list;
+}
+
+}  // namespace rakelight::raster

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What prepare() makes of a scene: a flat list of placed meshes, materials with their textures, lights in the world.
+#pragma once
+#include <deque>
+#include <vector>
+
+#include <rakelight/scene.h>
+
+#include "engines/raster/kernel_types.h"
+#include "engines/raster/textures.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight::raster {
+
+/// One mesh at one place.
+struct Draw {
+    std::uint32_t node = none, mesh = none;
+    std::uint32_t material = 0;      ///< into DrawList::materials
+    dmat4 to_world;                  ///< including the mesh's origin
+    bool mirrored = false;           ///< det(to_world) < 0
+    vec3 low, high;                  ///< bounds of the positions, object space
+};
+
+/// A material, and which scene material it is (`none`: the default one).
+struct DrawMaterial {
+    MaterialView view{};
+    std::uint32_t scene_material = none;
+    bool double_sided = false;
+    bool classical = false;          ///< its format says nothing about sides: shown from both, turned towards the viewer
+};
+
+struct DrawList {
+    Scene scene;                     ///< keeps the blocks alive
+    std::vector<dmat4> node_to_world;
+    std::vector<Draw> draws;
+    std::vector<DrawMaterial> materials;
+    std::deque<TextureView> views;   ///< what the slots of the materials point to
+};
+
+/// Flattens a valid, posed scene. Lines and points are left out, said in the report.
+DrawList make_draw_list(const Scene& scene, TextureCache& textures, Context& context);
+
+/// The lights of a scene about an eye.
+std::vector<lighting::LightParameters> make_lights(const Scene& scene, const std::vector<dmat4>& node_to_world, dvec3 eye);
+
+}  // namespace rakelight::raster

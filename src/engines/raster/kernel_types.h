@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plain data between the engine and its kernels. Included by sources that are compiled once per instruction set:
+// C headers only, no functions, so that the linker has nothing to merge.
+#pragma once
+#include <stdint.h>
+
+#include "lighting/light_parameters.h"
+
+namespace rakelight::raster {
+
+inline constexpr int tile_size = 64;         ///< [px] side of a tile; tiles lie on the picture's own grid, not the window's
+inline constexpr int batch_padding = 16;     ///< arrays of a batch may be read and written this far past their count
+inline constexpr int max_mip_levels = 16;    ///< 32768 texels a side
+
+/// One texture as the kernel reads it: all levels in one array, rows tightly packed, row 0 on top.
+struct TextureView {
+    const uint32_t* rgba8;    ///< code values, R in the low byte; or null
+    const float* rgba32f;     ///< four linear floats a texel; or null
+    const float* decode;      ///< [256] code value -> linear for R, G, B (sRGB or /255); null for rgba32f
+    int32_t levels;           ///< 1..max_mip_levels
+    int32_t offset[max_mip_levels], width[max_mip_levels], height[max_mip_levels];  ///< [texels] of each level
+    int32_t wrap_u, wrap_v;   ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
+    int32_t magnify_linear, minify_linear;
+    int32_t mip;              ///< 0 none, 1 nearest, 2 linear
+};
+
+/// Use of a texture: view (null: none), coordinate set, and the affine transform of u, v.
+struct TextureSlot {
+    const TextureView* view;
+    int32_t texcoord_set;                  ///< 0 or 1
+    float uu, uv, vu, vv, u0, v0;          ///< u' = uu u + uv v + u0, v' = vu u + vv v + v0
+};
+
+struct MaterialView {
+    int32_t unlit, metallic_roughness;     ///< both 0: classical
+    int32_t use_vertex_color;
+    float base_color[4], emission[3], ambient[3], specular[3], shininess;
+    float metallic, roughness, dielectric_f0[3];
+    float normal_scale, occlusion_strength;
+    float alpha_cutoff;                    ///< < 0: no mask
+    int32_t blend;                         ///< 0: alpha is 1
+    TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map, metallic_roughness_map;
+};
+
+/// What a pixel needs of its triangle, about the tile's first pixel centre. Barycentrics by homogeneous edge functions
+/// (Olano & Greer 1997): e_i = ex[i] x + ey[i] y + e0[i], b_i = e_i / (e_0 + e_1 + e_2); x, y in pixels from the tile's corner.
+/// Attributes: value at vertex 0 and the differences to vertices 1 and 2. Floats only: kernels gather by number.
+struct ShadeTriangle {
+    float ex[3], ey[3], e0[3];
+    float position[3][3];   ///< relative to the eye, world axes: a0, a1 - a0, a2 - a0
+    float normal[3][3];
+    float tangent[3][3];
+    float texcoord0[3][2], texcoord1[3][2];
+    float color[3][4];
+    float handedness;       ///< +1 or -1 of the tangent frame in the world
+    float facing;           ///< -1: the shading normal is to be turned round
+};
+inline constexpr int shade_triangle_floats = int(sizeof(ShadeTriangle) / sizeof(float));
+
+/// Pixels of one material in one tile.
+struct ShadeJob {
+    int32_t count;
+    const int32_t* x;                      ///< [count] pixel in the tile, 0..tile_size-1
+    const int32_t* y;
+    const int32_t* triangle;               ///< [count] into `triangles`
+    const ShadeTriangle* triangles;
+    const MaterialView* material;
+    const lighting::LightParameters* lights;
+    int32_t light_count;
+    int32_t reflection_model;              ///< RL_LAMBERT, RL_PHONG, RL_BLINN_PHONG of lighting/light_sum.glsl: 0, 1, 2
+    int32_t reflection_form;               ///< RL_TEXTBOOK, RL_NORMALIZED: 0, 1
+    int32_t specular_horizon;
+    int32_t bump;                          ///< 0: normal maps are ignored
+    int32_t unlit;                         ///< own colour: no lighting
+    int32_t orthographic;
+    float view_direction[3];               ///< towards the viewer, for orthographic views
+    float* red;                            ///< [count] out, linear
+    float* green;
+    float* blue;
+    float* alpha;
+    float* normal_x;                       ///< [count] out, shading normal in the world; null: not wanted
+    float* normal_y;
+    float* normal_z;
+};
+
+/// The functions that exist once per instruction set.
+struct Kernels {
+    int32_t lanes;
+    void (*shade)(const ShadeJob* job);
+    void (*alpha)(const ShadeJob* job);    ///< only `alpha` is written: for masks
+};
+
+namespace scalar { const Kernels* kernels(); }
+namespace sse2 { const Kernels* kernels(); }
+namespace avx2 { const Kernels* kernels(); }
+namespace avx512 { const Kernels* kernels(); }
+
+}  // namespace rakelight::raster

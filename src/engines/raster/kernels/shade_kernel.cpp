@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shading of a run of pixels of one material, `lanes` at a time. Compiled once per instruction set: includes only plain data,
+// math/wide.h and what stands on it.
+#include <stddef.h>
+
+#include "engines/raster/kernels/sample.h"
+#include "lighting/lighting.h"
+
+namespace rakelight::raster::RL_ISA {
+namespace lit = rakelight::lighting::RL_ISA;
+
+/// One vector of pixels on its way.
+struct Pixels {
+    Records records;
+    Barycentrics b;
+    TexCoords texcoords[2];
+
+    Pixels(const ShadeJob& job, int32_t first)
+        : records(job.triangles, load_i(job.triangle + first)),
+          b(barycentrics(records, to_real(load_i(job.x + first)), to_real(load_i(job.y + first)))) {}
+};
+
+inline vec3 splat(const float (&v)[3]) { return vec3(real(v[0]), real(v[1]), real(v[2])); }
+inline vec3 rgb(vec4 v) { return vec3(v.x, v.y, v.z); }
+inline vec4 texel(const TextureSlot& slot, const Pixels& p) { return sample(slot, p.texcoords[slot.texcoord_set == 0 ? 0 : 1]); }
+
+inline void find_texcoords(const MaterialView& m, Pixels& p) {
+    bool used[2] = {false, false};
+    const TextureSlot* const slots[] = {&m.base_color_map, &m.normal_map,   &m.emission_map,          &m.occlusion_map,
+                                        &m.opacity_map,    &m.specular_map, &m.metallic_roughness_map};
+    for (const TextureSlot* slot : slots)
+        if (slot->view != nullptr) used[slot->texcoord_set == 0 ? 0 : 1] = true;
+    for (int set = 0; set < 2; ++set)
+        if (used[set]) p.texcoords[set] = texcoords(p.records, p.b, set);
+}
+
+/// Base colour: factor, vertex colour, texture; alpha with the opacity map.
+inline vec4 base_color(const MaterialView& m, const Pixels& p) {
+    const vec4 vertex = interpolate_color(p.records, p.b);
+    vec4 color = vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * vertex;
+    if (m.base_color_map.view != nullptr) color = color * texel(m.base_color_map, p);
+    if (m.opacity_map.view != nullptr) color.w = color.w * texel(m.opacity_map, p).x;
+    return color;
+}
+
+/// Interpolated normal, bumped by the map, on the side that is lit.
+inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
+    const MaterialView& m = *job.material;
+    vec3 n = safe_normalize(interpolate3(p.records, p.b, offsetof(ShadeTriangle, normal)));
+    if (job.bump != 0 && m.normal_map.view != nullptr) {
+        const vec3 t = lit::orthogonal_tangent(n, interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent)));
+        const vec3 mapped = lit::decode_normal(rgb(texel(m.normal_map, p)), real(m.normal_scale));
+        n = lit::perturb_normal(n, t, p.records(offsetof(ShadeTriangle, handedness)), mapped);
+    }
+    return n * p.records(offsetof(ShadeTriangle, facing));
+}
+
+inline void set_classical(const MaterialView& m, const Pixels& p, vec3 texture_color, lit::Surface& s) {
+    s.ambient = splat(m.ambient) * texture_color;
+    s.specular = splat(m.specular);
+    if (m.specular_map.view != nullptr) s.specular = s.specular * rgb(texel(m.specular_map, p));
+    s.exponent = real(m.shininess);
+}
+
+/// Metallic-roughness as the parameters of a normalized lobe: what classical_from_metallic_roughness() says, per pixel.
+inline void set_metallic_roughness(const MaterialView& m, const Pixels& p, vec3 base, lit::Surface& s) {
+    real metallic = real(m.metallic), roughness = real(m.roughness);
+    if (m.metallic_roughness_map.view != nullptr) {
+        const vec4 t = texel(m.metallic_roughness_map, p);
+        roughness = roughness * t.y;
+        metallic = metallic * t.z;
+    }
+    s.ambient = base;
+    s.diffuse = base * (real(1.0f) - metallic);
+    s.specular = mix(splat(m.dielectric_f0), base, metallic);
+    const real alpha = max(roughness * roughness, real(1e-3f));
+    s.exponent = clamp(real(2.0f) / (alpha * alpha) - real(2.0f), real(1.0f), real(10000.0f));
+}
+
+inline lit::Surface surface_of(const ShadeJob& job, const Pixels& p, vec4 color, vec3 position) {
+    const MaterialView& m = *job.material;
+    lit::Surface s;
+    s.n = shading_normal(job, p);
+    s.v = job.orthographic != 0 ? splat(job.view_direction) : safe_normalize(-position);
+    s.diffuse = rgb(color);
+    if (m.metallic_roughness != 0) {
+        set_metallic_roughness(m, p, rgb(color), s);
+    } else {
+        vec3 texture_color = rgb(interpolate_color(p.records, p.b));
+        if (m.base_color_map.view != nullptr) texture_color = texture_color * rgb(texel(m.base_color_map, p));
+        set_classical(m, p, texture_color, s);
+    }
+    if (m.occlusion_map.view != nullptr)
+        s.ambient = s.ambient * (real(1.0f) + real(m.occlusion_strength) * (texel(m.occlusion_map, p).x - real(1.0f)));
+    return s;
+}
+
+inline vec3 lit_color(const ShadeJob& job, const Pixels& p, vec4 color, const lit::Surface& surface, vec3 position) {
+    const MaterialView& m = *job.material;
+    vec3 sum = splat(m.emission);
+    if (m.emission_map.view != nullptr) sum = sum * rgb(texel(m.emission_map, p));
+    if (job.unlit != 0) return lit::unlit(rgb(color), sum);
+    lit::Reflection reflection;
+    reflection.model = job.reflection_model;
+    reflection.form = job.reflection_form;
+    reflection.horizon = job.specular_horizon;
+    for (int32_t i = 0; i < job.light_count; ++i)
+        sum = lit::add_light(sum, surface, lit::sample_light(job.lights[i], position), reflection);
+    return sum;
+}
+
+inline void shade_vector(const ShadeJob& job, int32_t first) {
+    Pixels p(job, first);
+    find_texcoords(*job.material, p);
+    const vec4 color = base_color(*job.material, p);
+    const vec3 position = interpolate3(p.records, p.b, offsetof(ShadeTriangle, position));
+    const lit::Surface surface = surface_of(job, p, color, position);
+    const vec3 radiance = lit_color(job, p, color, surface, position);
+    store(job.red + first, radiance.x);
+    store(job.green + first, radiance.y);
+    store(job.blue + first, radiance.z);
+    store(job.alpha + first, color.w);
+    if (job.normal_x == nullptr) return;
+    store(job.normal_x + first, surface.n.x);
+    store(job.normal_y + first, surface.n.y);
+    store(job.normal_z + first, surface.n.z);
+}
+
+static void shade(const ShadeJob* job) {
+    for (int32_t i = 0; i < job->count; i += lanes) shade_vector(*job, i);
+}
+
+static void alpha(const ShadeJob* job) {
+    for (int32_t i = 0; i < job->count; i += lanes) {
+        Pixels p(*job, i);
+        find_texcoords(*job->material, p);
+        store(job->alpha + i, base_color(*job->material, p).w);
+    }
+}
+
+const Kernels* kernels() {
+    static constexpr Kernels table = {lanes, shade, alpha};
+    return &table;
+}
+
+}  // namespace rakelight::raster::RL_ISA

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scene lights -> what the lighting equations read: placed about the eye, angles as cosines.
+#include <cmath>
+
+#include "engines/raster/draw_list.h"
+#include "math/functions.h"
+#include "math/linear.h"
+
+namespace rakelight::raster {
+namespace {
+
+using lighting::LightKind;
+using lighting::LightParameters;
+
+LightKind kind_of(LightType type) {
+    switch (type) {
+        case LightType::ambient: return LightKind::ambient;
+        case LightType::directional: return LightKind::directional;
+        case LightType::point: return LightKind::point;
+        case LightType::spot: return LightKind::spot;
+    }
+    return LightKind::point;
+}
+
+void copy(float (&to)[3], vec3 from) {
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
+
+void set_classical(LightParameters& p, const Light& light) {
+    copy(p.ambient, light.ambient);
+    copy(p.diffuse, light.diffuse);
+    copy(p.specular, light.specular);
+    p.constant_term = light.constant;
+    p.linear_term = light.linear;
+    p.quadratic_term = light.quadratic;
+    p.cos_cutoff = float(math::cos(light.cutoff_rad));
+    p.exponent = light.exponent;
+}
+
+void set_photometric(LightParameters& p, const Light& light) {
+    p.is_photometric = true;
+    copy(p.intensity, light.color * light.intensity);
+    p.inverse_range = std::isfinite(light.range) && light.range > 0 ? 1.0f / light.range : 0.0f;
+    lighting::set_cone(p, float(math::cos(light.inner_cone_rad)), float(math::cos(light.outer_cone_rad)));
+}
+
+}  // namespace
+
+std::vector<LightParameters> make_lights(const Scene& scene, const std::vector<dmat4>& node_to_world, dvec3 eye) {
+    std::vector<LightParameters> lights;
+    for (const Light& light : scene.lights) {
+        dvec3 position = light.position, direction = light.direction;
+        if (light.node != none) {
+            const dmat4& m = node_to_world[light.node];
+            position = m[3].xyz();
+            direction = -m[2].xyz();
+        }
+        LightParameters p;
+        p.kind = kind_of(light.type);
+        copy(p.position, cast<float>(position - eye));
+        copy(p.direction, cast<float>(normalize_or(direction, {0, 0, -1})));
+        if (light.units == LightUnits::photometric)
+            set_photometric(p, light);
+        else
+            set_classical(p, light);
+        lights.push_back(p);
+    }
+    return lights;
+}
+
+}  // namespace rakelight::raster

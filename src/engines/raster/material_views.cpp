@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scene materials -> what the kernels read: factors, texture slots, colour spaces by role.
+#include "engines/raster/draw_list.h"
+#include "math/functions.h"
+#include "math/linear.h"
+
+namespace rakelight::raster {
+namespace {
+
+constexpr auto color = ColorSpace::srgb;
+constexpr auto data = ColorSpace::linear;
+
+/// The textures of a material with the colour space that each role implies.
+struct RoleUse {
+    const TextureUse* use;
+    ColorSpace space;
+    TextureSlot MaterialView::*slot;
+};
+
+std::vector<RoleUse> roles_of(const Material& m) {
+    std::vector<RoleUse> roles = {{&m.base_color_texture, color, &MaterialView::base_color_map}};
+    if (m.alpha_mode != AlphaMode::opaque) roles.push_back({&m.opacity_texture, data, &MaterialView::opacity_map});
+    if (m.model == MaterialModel::unlit) return roles;
+    roles.push_back({&m.normal_texture, data, &MaterialView::normal_map});
+    roles.push_back({&m.emission_texture, color, &MaterialView::emission_map});
+    roles.push_back({&m.occlusion_texture, data, &MaterialView::occlusion_map});
+    if (m.model == MaterialModel::classical)
+        roles.push_back({&m.classical.specular_texture, color, &MaterialView::specular_map});
+    else
+        roles.push_back({&m.metallic_roughness.texture, data, &MaterialView::metallic_roughness_map});
+    return roles;
+}
+
+void copy(float (&to)[3], vec3 from) {
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
+
+/// Reflectance of a dielectric at normal incidence, glTF 2.0 with KHR_materials_ior and KHR_materials_specular.
+vec3 dielectric_f0(const MetallicRoughnessParameters& p) {
+    const float r = (p.ior - 1) / (p.ior + 1);
+    const float f = p.ior == 0 ? 1 : r * r;  // ior 0: the specular-glossiness compatibility case of the extension
+    const vec3 f0 = p.specular_color * (f * p.specular);
+    return {f0.x < 1 ? f0.x : 1, f0.y < 1 ? f0.y : 1, f0.z < 1 ? f0.z : 1};
+}
+
+MaterialView factors(const Material& m) {
+    MaterialView v{};
+    v.unlit = m.model == MaterialModel::unlit;
+    v.metallic_roughness = m.model == MaterialModel::metallic_roughness;
+    const vec4 c = m.base_color;
+    v.base_color[0] = c.x, v.base_color[1] = c.y, v.base_color[2] = c.z, v.base_color[3] = c.w;
+    copy(v.emission, m.emission);
+    copy(v.ambient, m.classical.ambient);
+    copy(v.specular, m.classical.specular);
+    v.shininess = m.classical.shininess < 1 ? 1 : m.classical.shininess;
+    v.metallic = m.metallic_roughness.metallic;
+    v.roughness = m.metallic_roughness.roughness;
+    copy(v.dielectric_f0, dielectric_f0(m.metallic_roughness));
+    v.normal_scale = m.normal_scale;
+    v.occlusion_strength = m.occlusion_strength;
+    v.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : -1;
+    v.blend = m.alpha_mode == AlphaMode::blend;
+    return v;
+}
+
+/// KHR_texture_transform as the two rows of an affine matrix.
+TextureSlot slot_for(const TextureUse& use, const TextureView& view) {
+    const double c = math::cos(use.transform.rotation_rad), s = math::sin(use.transform.rotation_rad);
+    const vec2 scale = use.transform.scale, offset = use.transform.offset;
+    return {&view, std::int32_t(use.texcoord_set), float(c * scale.x), float(s * scale.y), float(-s * scale.x), float(c * scale.y),
+            offset.x, offset.y};
+}
+
+}  // namespace
+
+void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
+    std::vector<Material> materials = list.scene.materials;
+    materials.emplace_back();  // the default one, for meshes without
+    std::vector<std::pair<ImageHandle, ColorSpace>> uses;
+    std::vector<bool> is_drawn(materials.size(), false);
+    for (const Draw& d : list.draws) is_drawn[d.material] = true;
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        if (is_drawn[i])
+            for (const RoleUse& r : roles_of(materials[i]))
+                if (*r.use) uses.emplace_back(list.scene.textures[r.use->texture].image, r.space);
+    textures.update(uses, context);
+
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        const Material& m = materials[i];
+        DrawMaterial out;
+        out.view = factors(m);
+        out.scene_material = i + 1 < materials.size() ? std::uint32_t(i) : none;
+        out.double_sided = m.double_sided;
+        out.classical = m.model == MaterialModel::classical;
+        if (is_drawn[i])
+            for (const RoleUse& r : roles_of(m)) {
+                if (!*r.use) continue;
+                const Texture& texture = list.scene.textures[r.use->texture];
+                const TextureData* pixels = textures.find(texture.image, r.space);
+                if (!pixels) continue;
+                list.views.push_back(with_sampler(*pixels, texture.sampler));
+                out.view.*r.slot = slot_for(*r.use, list.views.back());
+            }
+        list.materials.push_back(out);
+    }
+}
+
+}  // namespace rakelight::raster

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "engines/raster/coverage.h"
+#include "engines/raster/tile.h"
+
+namespace rakelight::raster {
+namespace {
+
+/// Colours of a finished batch into the tile; `over` blends (Porter & Duff 1984, straight alpha over an opaque ground).
+void store_batch(std::size_t count, bool over, TileScratch& s) {
+    const auto finite = [](float v) { return std::isfinite(v) ? v : 0.0f; };
+    for (std::size_t i = 0; i < count; ++i) {
+        vec4& to = s.color[std::size_t(s.y[i] * tile_size + s.x[i])];
+        const vec4 c = {finite(s.red[i]), finite(s.green[i]), finite(s.blue[i]), over ? finite(s.alpha[i]) : 1.0f};
+        const float under = to.w * (1 - c.w), alpha = c.w + under;
+        if (!over || !(alpha > 0))
+            to = over ? to : c;
+        else
+            to = {(c.x * c.w + to.x * under) / alpha, (c.y * c.w + to.y * under) / alpha, (c.z * c.w + to.z * under) / alpha, alpha};
+    }
+    s.shaded += count;
+}
+
+/// Position in the list -> record, made on first use.
+std::int32_t record_of(const TileJob& job, std::size_t tile, std::int32_t position, TileScratch& s) {
+    std::int32_t& record = s.record[std::size_t(position)];
+    if (record < 0) {
+        record = std::int32_t(s.triangles.size());
+        s.triangles.emplace_back();
+        make_shade_triangle(job.front, job.binned.at(job.binned.items[job.binned.offsets[tile] + std::uint32_t(position)]),
+                            job.grid.origin_x(tile), job.grid.origin_y(tile), s.triangles.back());
+    }
+    return record;
+}
+
+void shade_run(const TileJob& job, std::size_t tile, std::uint32_t material, const std::uint32_t* pixels, std::size_t count,
+               TileScratch& s) {
+    for (std::size_t i = 0; i < count; ++i) {
+        s.x[i] = std::int32_t(pixels[i] % tile_size);
+        s.y[i] = std::int32_t(pixels[i] / tile_size);
+        s.triangle[i] = record_of(job, tile, s.visible[pixels[i]], s);
+    }
+    ShadeJob batch = make_job(job, material, count, s);
+    if (job.front.settings.channels & channel_normal) {
+        batch.normal_x = s.normal_x.data();
+        batch.normal_y = s.normal_y.data();
+        batch.normal_z = s.normal_z.data();
+    }
+    job.kernels.shade(&batch);
+    if (batch.normal_x)
+        for (std::size_t i = 0; i < count; ++i) s.normal[pixels[i]] = {s.normal_x[i], s.normal_y[i], s.normal_z[i]};
+    store_batch(count, false, s);
+}
+
+}  // namespace
+
+ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count, TileScratch& s) {
+    const RenderSettings& settings = job.front.settings;
+    ShadeJob out{};
+    out.count = std::int32_t(count);
+    for (std::size_t i = 0; i < batch_padding; ++i) {  // dead lanes repeat the last pixel
+        s.x[count + i] = s.x[count - 1];
+        s.y[count + i] = s.y[count - 1];
+        s.triangle[count + i] = s.triangle[count - 1];
+    }
+    out.x = s.x.data();
+    out.y = s.y.data();
+    out.triangle = s.triangle.data();
+    out.triangles = s.triangles.data();
+    const MaterialView& view = job.front.list.materials[material].view;
+    out.material = &view;
+    out.lights = job.lights.data();
+    out.light_count = std::int32_t(job.lights.size());
+    out.reflection_model = settings.lighting == Lighting::lambert ? 0 : settings.lighting == Lighting::phong ? 1 : 2;
+    out.reflection_form = settings.specular_form == SpecularForm::automatic ? view.metallic_roughness
+                                                                       : settings.specular_form == SpecularForm::normalized;
+    out.specular_horizon = settings.specular_horizon;
+    out.bump = settings.bump != Bump::none;
+    out.unlit = view.unlit || settings.shading == Shading::unlit;
+    out.orthographic = job.front.view.orthographic;
+    const dvec3 back = job.front.view.camera_to_world[2].xyz();
+    out.view_direction[0] = float(back.x), out.view_direction[1] = float(back.y), out.view_direction[2] = float(back.z);
+    out.red = s.red.data();
+    out.green = s.green.data();
+    out.blue = s.blue.data();
+    out.alpha = s.alpha.data();
+    return out;
+}
+
+void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
+    const RenderSettings& settings = job.front.settings;
+    std::fill(s.color.begin(), s.color.end(), settings.background);
+    std::fill(s.normal.begin(), s.normal.end(), vec3{});
+    std::fill(s.object.begin(), s.object.end(), none);
+    std::fill(s.material.begin(), s.material.end(), none);
+    const std::uint32_t first = job.binned.offsets[tile];
+    s.record.assign(job.binned.offsets[tile + 1] - first, -1);
+    s.triangles.clear();
+    s.pixels.clear();
+    const auto material_of = [&](std::uint32_t pixel) {
+        const ScreenTriangle& t = job.binned.at(job.binned.items[first + std::uint32_t(s.visible[pixel])]);
+        return job.front.list.draws[t.draw].material;
+    };
+    for (std::uint32_t p = 0; p < tile_pixels; ++p) {
+        if (s.visible[p] < 0) continue;
+        s.pixels.push_back(p);
+        const ScreenTriangle& t = job.binned.at(job.binned.items[first + std::uint32_t(s.visible[p])]);
+        const Draw& draw = job.front.list.draws[t.draw];
+        s.object[p] = draw.node;
+        s.material[p] = draw.material;
+    }
+    s.covered += s.pixels.size();
+    std::stable_sort(s.pixels.begin(), s.pixels.end(), [&](std::uint32_t a, std::uint32_t b) { return s.material[a] < s.material[b]; });
+    for (std::size_t i = 0; i < s.pixels.size();) {
+        const std::uint32_t material = material_of(s.pixels[i]);
+        std::size_t end = i + 1;
+        while (end < s.pixels.size() && s.material[s.pixels[end]] == material) ++end;
+        shade_run(job, tile, material, s.pixels.data() + i, end - i, s);
+        i = end;
+    }
+    for (const std::uint32_t p : s.pixels) s.material[p] = job.front.list.materials[s.material[p]].scene_material;
+}
+
+void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
+    struct Layer { float depth; std::uint32_t item; };
+    std::vector<Layer> layers;
+    for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1]; ++i) {
+        const ScreenTriangle& t = job.binned.at(job.binned.items[i]);
+        if (job.front.list.materials[job.front.list.draws[t.draw].material].view.blend)
+            layers.push_back({t.depth_low + t.depth_high, i});
+    }
+    if (layers.empty()) return;
+    std::stable_sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.depth < b.depth; });
+    const Window area = job.grid.pixels(tile);
+    const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
+    for (const Layer& layer : layers) {
+        const ScreenTriangle& t = job.binned.at(job.binned.items[layer.item]);
+        std::size_t count = 0;
+        cover(t, area, ox, oy, [&](int x, int y, float depth) {
+            if (!(depth > s.depth[std::size_t(y * tile_size + x)])) return;
+            s.x[count] = x;
+            s.y[count] = y;
+            s.triangle[count++] = 0;
+        });
+        if (count == 0) continue;
+        s.triangles.resize(1);
+        make_shade_triangle(job.front, t, ox, oy, s.triangles[0]);
+        const ShadeJob batch = make_job(job, job.front.list.draws[t.draw].material, count, s);
+        job.kernels.shade(&batch);
+        store_batch(count, true, s);
+    }
+}
+
+}  // namespace rakelight::raster

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/textures.h"
+
+#include <algorithm>
+#include <array>
+
+#include "math/color.h"
+
+namespace rakelight::raster {
+namespace {
+
+/// Code value -> linear, for colours and for data.
+const float* decode_table(bool srgb) {
+    static const std::array<std::array<float, 256>, 2> tables = [] {
+        std::array<std::array<float, 256>, 2> t;
+        for (int i = 0; i < 256; ++i) {
+            t[0][std::size_t(i)] = float(i) / 255.0f;
+            t[1][std::size_t(i)] = linear_from_srgb8(std::uint8_t(i));
+        }
+        return t;
+    }();
+    return tables[srgb ? 1 : 0].data();
+}
+
+std::shared_ptr<const TextureData> pack(const MipChain& chain) {
+    auto data = std::make_shared<TextureData>();
+    TextureView& view = data->view;
+    view = {};
+    view.levels = int(std::min<std::size_t>(chain.levels.size(), max_mip_levels));
+    std::size_t texels = 0;
+    for (int l = 0; l < view.levels; ++l) texels += std::size_t(chain.levels[std::size_t(l)].width) * std::size_t(chain.levels[std::size_t(l)].height);
+    if (chain.is_float)
+        data->rgba32f.reserve(texels * 4);
+    else
+        data->rgba8.reserve(texels);
+    std::size_t offset = 0;
+    for (int l = 0; l < max_mip_levels; ++l) {
+        const MipLevel& level = chain.levels[std::size_t(std::min(l, view.levels - 1))];
+        view.width[l] = level.width;
+        view.height[l] = level.height;
+        view.offset[l] = l < view.levels ? std::int32_t(offset) : view.offset[view.levels - 1];
+        if (l >= view.levels) continue;
+        offset += std::size_t(level.width) * std::size_t(level.height);
+        data->rgba8.insert(data->rgba8.end(), level.rgba8.begin(), level.rgba8.end());
+        for (const vec4& t : level.rgba32f) data->rgba32f.insert(data->rgba32f.end(), {t.x, t.y, t.z, t.w});
+    }
+    view.rgba8 = chain.is_float ? nullptr : data->rgba8.data();
+    view.rgba32f = chain.is_float ? data->rgba32f.data() : nullptr;
+    view.decode = chain.is_float ? nullptr : decode_table(chain.is_srgb);
+    return data;
+}
+
+}  // namespace
+
+void TextureCache::update(const std::vector<std::pair<ImageHandle, ColorSpace>>& uses, Context& context) {
+    std::map<Key, std::shared_ptr<const TextureData>> kept;
+    for (const Key& key : uses) {
+        const auto known = textures_.find(key);
+        kept.emplace(key, known == textures_.end() ? nullptr : known->second);
+    }
+    std::vector<decltype(kept)::value_type*> missing;
+    for (auto& entry : kept)
+        if (!entry.second) missing.push_back(&entry);
+    context.parallel_for(missing.size(), [&](std::size_t i) {
+        const EncodedImage& image = *missing[i]->first.first;
+        try {
+            const Pixels pixels = image.decode(image, context);
+            missing[i]->second = pack(make_mip_chain(pixels, missing[i]->first.second, context));
+        } catch (const Error& error) {
+            context.report().add(Remark::warning, image.file, image.name, "texture left out: " + error.reason());
+        }
+    });
+    textures_ = std::move(kept);
+}
+
+const TextureData* TextureCache::find(const ImageHandle& image, ColorSpace space) const {
+    const auto it = textures_.find({image, space});
+    return it == textures_.end() ? nullptr : it->second.get();
+}
+
+TextureView with_sampler(const TextureData& data, const Sampler& sampler) {
+    TextureView view = data.view;
+    view.wrap_u = int(sampler.wrap_u);
+    view.wrap_v = int(sampler.wrap_v);
+    view.magnify_linear = sampler.magnify == Filter::linear;
+    view.minify_linear = sampler.minify == Filter::linear;
+    view.mip = int(sampler.mip);
+    return view;
+}
+
+}  // namespace rakelight::raster

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// One tile of the picture: visibility first, so that each pixel is shaded once whatever the overdraw, then shading.
+#pragma once
+#include <vector>
+
+#include "engines/raster/front_end.h"
+
+namespace rakelight::raster {
+
+inline constexpr int tile_pixels = tile_size * tile_size;
+
+/// Everything that stays the same for all tiles of a picture.
+struct TileJob {
+    const FrontEnd& front;
+    const Binned& binned;
+    const TileGrid& grid;
+    const std::vector<lighting::LightParameters>& lights;
+    const Kernels& kernels;
+};
+
+/// Working memory of one tile; used again by the next one.
+struct TileScratch {
+    // Visibility: depth key and position in the tile's list of the nearest triangle, -1 for none. [tile_pixels], row by row.
+    std::vector<float> depth = std::vector<float>(tile_pixels);
+    std::vector<std::int32_t> visible = std::vector<std::int32_t>(tile_pixels);
+    // A batch for the kernel. [tile_pixels + batch_padding]
+    std::vector<std::int32_t> x = batch<std::int32_t>(), y = batch<std::int32_t>(), triangle = batch<std::int32_t>();
+    std::vector<float> red = batch<float>(), green = batch<float>(), blue = batch<float>(), alpha = batch<float>();
+    std::vector<float> normal_x = batch<float>(), normal_y = batch<float>(), normal_z = batch<float>();
+    std::vector<float> batch_depth = batch<float>();
+    std::vector<ShadeTriangle> triangles;
+    std::vector<std::int32_t> record;    ///< [list] position in the list -> in `triangles`, -1: not yet made
+    std::vector<std::uint32_t> pixels;   ///< covered pixels, sorted by material
+    // The result, [tile_pixels], row by row of the whole tile.
+    std::vector<vec4> color = std::vector<vec4>(tile_pixels);
+    std::vector<vec3> normal = std::vector<vec3>(tile_pixels);
+    std::vector<std::uint32_t> object = std::vector<std::uint32_t>(tile_pixels), material = std::vector<std::uint32_t>(tile_pixels);
+    std::uint64_t covered = 0, shaded = 0;
+
+    template <class T>
+    static std::vector<T> batch() { return std::vector<T>(tile_pixels + batch_padding); }
+};
+
+/// Nearest opaque (or masked, where its texture is opaque) triangle of every pixel.
+void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch);
+/// Colours of the visible pixels.
+void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& scratch);
+/// Blended triangles over them, far to near.
+void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& scratch);
+
+/// The kernel's record of one triangle, about the tile's first pixel centre.
+void make_shade_triangle(const FrontEnd& front, const ScreenTriangle& s, int tile_x, int tile_y, ShadeTriangle& out);
+/// A job for `count` pixels of the batch arrays, all of one material; pads the arrays.
+ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count, TileScratch& scratch);
+
+}  // namespace rakelight::raster

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/view.h"
+
+#include "math/functions.h"
+
+namespace rakelight::raster {
+namespace {
+
+[[noreturn]] void refuse(const std::string& reason) { throw Error(ErrorCode::usage, reason); }
+
+void check_settings(const RenderSettings& s) {
+    if (s.width < 1 || s.height < 1 || s.width > 65536 || s.height > 65536) refuse("the resolution must be 1 to 65536 pixels a side");
+    const Window w = s.window;
+    if (w.width == 0) return;
+    if (w.x < 0 || w.y < 0 || w.width < 1 || w.height < 1 || w.x > s.width - w.width || w.y > s.height - w.height)
+        refuse("the window must lie inside the picture");
+}
+
+void check_camera(const Camera& c) {
+    const bool depths_fit = std::isfinite(c.near) && c.far > c.near && (c.projection == Projection::orthographic || c.near > 0);
+    if (!depths_fit) refuse("the camera's near distance must be positive and less than its far distance");
+    if (c.projection == Projection::perspective && !(c.vertical_fov_rad > 0 && c.vertical_fov_rad < pi))
+        refuse("the camera's field of view must be more than 0 and less than 180 degrees");
+    if (c.projection == Projection::orthographic && !(c.half_height > 0 && std::isfinite(c.half_height)))
+        refuse("the orthographic camera's height must be positive");
+    if (c.projection == Projection::orthographic && !std::isfinite(c.far)) refuse("an orthographic camera needs a finite far distance");
+}
+
+}  // namespace
+
+View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings) {
+    check_settings(settings);
+    check_camera(camera);
+    View view;
+    view.camera_to_world = camera_to_world;
+    if (!inverse_affine(camera_to_world, view.world_to_camera)) refuse("the camera's placement is singular or not finite");
+    const dvec3 eye = camera_to_world[3].xyz();
+    view.world_to_eye = translation(-eye);
+    view.orthographic = camera.projection == Projection::orthographic;
+    view.width = settings.width;
+    view.height = settings.height;
+    view.near = camera.near;
+    view.far = camera.far;
+    const double aspect = double(settings.width) / double(settings.height);
+    const double half_height = view.orthographic ? camera.half_height : math::tan(camera.vertical_fov_rad * 0.5);
+    view.scale_y = 1.0 / half_height;
+    view.scale_x = view.scale_y / aspect;
+    return view;
+}
+
+}  // namespace rakelight::raster

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+// The soft engine on small scenes whose pictures are known.
+#include "engines/raster/raster_engine.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+#include "math/isa.h"
+#include "support/scene_builder.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+
+namespace {
+
+constexpr RenderSettings small{.width = 64, .height = 64, .background = {0, 0, 0, 0}};
+
+Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings = small, int threads = 1,
+             RenderStats* stats = nullptr) {
+    Context context({.threads = threads});
+    auto engine = raster::make_engine();
+    engine->prepare(scene, context);
+    Frame frame;
+    const RenderStats s = engine->render(camera, settings, frame, context);
+    if (stats) *stats = s;
+    return frame;
+}
+
+Scene lit_square(Material material = matte()) {
+    Scene scene;
+    scene.materials.push_back(std::move(material));
+    add_object(scene, square_mesh(0));
+    scene.lights.push_back(directional({0, 0, -1}));
+    return scene;
+}
+
+vec4 pixel(const Frame& f, int x, int y) { return f.color[std::size_t(y * f.window.width + x)]; }
+
+std::size_t covered(const Frame& f) {
+    std::size_t n = 0;
+    for (const vec4& c : f.color) n += c.w > 0;
+    return n;
+}
+
+bool same_bits(const Frame& a, const Frame& b) {
+    return a.color.size() == b.color.size() && std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(vec4)) == 0;
+}
+
+/// Many triangles in every attitude, some through the eye plane, textured and lit by three kinds of light.
+Scene busy_scene() {
+    Scene scene;
+    Material shiny = matte({0.8f, 0.6f, 0.4f});
+    shiny.classical.specular = {0.5f, 0.5f, 0.5f};
+    const auto checks = [](int x, int y) { return std::array<int, 3>{(x ^ y) & 4 ? 255 : 40, x * 8 % 256, y * 8 % 256}; };
+    shiny.base_color_texture = add_texture(scene, picture(rgb_pixels(32, 32, checks)));
+    Material masked = matte();
+    masked.alpha_mode = AlphaMode::blend;
+    masked.base_color.w = 0.5f;
+    scene.materials = {shiny, masked};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> at(-3, 3);
+    for (int n = 0; n < 60; ++n) {
+        Mesh mesh = square_mesh(n % 7 == 0 ? 1 : 0);
+        std::vector<vec3> positions;
+        for (int k = 0; k < 4; ++k) positions.push_back({at(random), at(random), at(random)});
+        mesh.positions = positions;
+        add_object(scene, std::move(mesh), scaling(dvec3{n % 2 ? -1.0 : 1.0, 1, 1}));
+    }
+    scene.lights = {directional({1, -1, -2}, {0.5f, 0.5f, 0.6f})};
+    Light point;
+    point.position = {1, 2, 3};
+    point.linear = 0.1f;
+    Light spot = point;
+    spot.type = LightType::spot;
+    spot.position = {-2, 0, 4};
+    spot.cutoff_rad = 0.6f;
+    spot.exponent = 8;
+    scene.lights.push_back(point);
+    scene.lights.push_back(spot);
+    return scene;
+}
+
+Camera inside_camera() {
+    Camera camera;
+    camera.vertical_fov_rad = radians(80);
+    camera.near = 0.05;
+    camera.to_world = look_at({0.3, 0.2, 1}, {0, 0, -1}, {0, 1, 0});
+    return camera;
+}
+
+struct IsaGuard {
+    explicit IsaGuard(Isa isa) { setenv("RAKELIGHT_ISA", name(isa), 1); }
+    ~IsaGuard() { unsetenv("RAKELIGHT_ISA"); }
+};
+
+}  // namespace
+
+TEST(SoftEngine, AWhiteLambertSurfaceFacingALightOfColorOneHasRadianceOne) {
+    const Frame f = render(lit_square(), flat_camera());
+    EXPECT_EQ(covered(f), 64u * 64u);
+    for (const vec4& c : f.color) EXPECT_NEAR(c.x, 1.0f, 1e-6f);
+}
+
+TEST(SoftEngine, LambertsCosine) {
+    Scene scene = lit_square();
+    scene.lights = {directional({0, std::sin(radians(60)), -std::cos(radians(60))})};
+    EXPECT_NEAR(pixel(render(scene, flat_camera()), 32, 32).y, 0.5f, 1e-6f);
+}
+
+TEST(SoftEngine, TheSceneWithoutObjectsIsTheBackground) {
+    RenderSettings s = small;
+    s.background = {0.25f, 0.5f, 0.75f, 1};
+    for (const vec4& c : render(Scene{}, flat_camera(), s).color) EXPECT_EQ(c, s.background);
+}
+
+TEST(SoftEngine, WithoutLightsOnlyEmissionShows) {
+    Material glowing = matte();
+    glowing.emission = {0.25f, 0, 2};
+    Scene scene = lit_square(glowing);
+    scene.lights.clear();
+    const vec4 c = pixel(render(scene, flat_camera()), 3, 60);
+    EXPECT_EQ(c.x, 0.25f);
+    EXPECT_EQ(c.y, 0);
+    EXPECT_EQ(c.z, 2);
+}
+
+TEST(SoftEngine, BackFacesOfSingleSidedSurfacesAreNotDrawnAndOfDoubleSidedOnesAreLit) {
+    Material gltf = matte();
+    gltf.model = MaterialModel::metallic_roughness;
+    gltf.metallic_roughness.metallic = 0;
+    Scene scene = lit_square(gltf);
+    scene.nodes[0].local.matrix = scaling(dvec3{1, 1, -1}) * scaling(dvec3{-1, 1, 1});  // half a turn: its back is seen
+    scene.lights = {directional({0, 0, -1})};
+    EXPECT_EQ(covered(render(scene, flat_camera())), 0u);
+    scene.materials[0].double_sided = true;
+    const Frame f = render(scene, flat_camera());
+    EXPECT_EQ(covered(f), 64u * 64u);
+    EXPECT_GT(pixel(f, 20, 20).x, 0.8f) << "lit from the side that is seen";
+}
+
+TEST(SoftEngine, AMirroredPlacementKeepsItsOutside) {
+    Material gltf = matte();
+    gltf.model = MaterialModel::metallic_roughness;
+    Scene scene = lit_square(gltf);
+    const Frame plain = render(scene, flat_camera());
+    scene.nodes[0].local.matrix = scaling(dvec3{-1, 1, 1});
+    const Frame mirrored = render(scene, flat_camera());
+    EXPECT_EQ(covered(mirrored), 64u * 64u);
+    EXPECT_NEAR(pixel(plain, 9, 9).x, pixel(mirrored, 9, 9).x, 1e-6f);
+}
+
+TEST(SoftEngine, AModelAThousandKilometresAwayRendersLikeItself) {
+    Scene scene = busy_scene();
+    const Frame here = render(scene, inside_camera());
+    const dvec3 far = {1e6, -3e5, 7e5};
+    for (Node& n : scene.nodes) n.local.matrix = translation(far) * *n.local.matrix;
+    for (Light& l : scene.lights) l.position = l.position + far;
+    Camera camera = inside_camera();
+    camera.to_world = translation(far) * camera.to_world;
+    const Frame there = render(scene, camera);
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < here.color.size(); ++i) off += std::fabs(here.color[i].x - there.color[i].x) > 2.0f / 255;
+    EXPECT_LE(off, here.color.size() / 500);
+}
+
+TEST(SoftEngine, AFloorThroughTheEyePlaneDoesNotWrapRound) {
+    Scene scene = lit_square();
+    Mesh floor = square_mesh(0);
+    floor.positions = std::vector<vec3>{{-1000, -1, 1000}, {1000, -1, 1000}, {1000, -1, -1000}, {-1000, -1, -1000}};
+    scene.meshes[0] = floor;
+    Camera camera;
+    camera.vertical_fov_rad = radians(90);
+    camera.near = 0.1;
+    camera.far = 1e5;
+    const Frame f = render(scene, camera);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) EXPECT_EQ(pixel(f, x, y).w > 0, y >= 32) << x << ", " << y;
+}
+
+TEST(SoftEngine, TheNearerSurfaceHidesTheFartherWhateverTheOrder) {
+    for (const bool swapped : {false, true}) {
+        Scene scene;
+        scene.materials = {matte({1, 0, 0}), matte({0, 1, 0})};
+        add_object(scene, square_mesh(swapped ? 1 : 0), translation(dvec3{0, 0, swapped ? -1.0 : 0.0}));
+        add_object(scene, square_mesh(swapped ? 0 : 1), translation(dvec3{0, 0, swapped ? 0.0 : -1.0}));
+        scene.lights = {directional({0, 0, -1})};
+        const vec4 c = pixel(render(scene, flat_camera()), 32, 32);
+        EXPECT_GT(c.x, 0.9f);
+        EXPECT_EQ(c.y, 0);
+    }
+}
+
+TEST(SoftEngine, MaskedTexelsAreHolesAndBlendedSurfacesMix) {
+    Scene scene;
+    Material mask = matte({1, 0, 0});
+    mask.alpha_mode = AlphaMode::mask;
+    Pixels half = rgb_pixels(2, 1, [](int x, int) { return std::array<int, 4>{255, 255, 255, x == 0 ? 255 : 0}; });
+    half.channels = 4;
+    mask.base_color_texture = add_texture(scene, picture(half), {.magnify = Filter::nearest, .minify = Filter::nearest});
+    Material glass = matte({0, 0, 1});
+    glass.alpha_mode = AlphaMode::blend;
+    glass.base_color.w = 0.25f;
+    scene.materials = {mask, matte({0, 1, 0}), glass};
+    add_object(scene, square_mesh(2), translation(dvec3{0, 0, 1}));
+    add_object(scene, square_mesh(0));
+    add_object(scene, square_mesh(1), translation(dvec3{0, 0, -1}));
+    scene.lights = {directional({0, 0, -1})};
+    const Frame f = render(scene, flat_camera());
+    const vec4 left = pixel(f, 10, 32), right = pixel(f, 50, 32);
+    EXPECT_NEAR(left.x, 0.75f, 1e-5f);
+    EXPECT_NEAR(left.y, 0, 1e-5f);
+    EXPECT_NEAR(left.z, 0.25f, 1e-5f);
+    EXPECT_NEAR(right.x, 0, 1e-5f) << "through the hole the green square shows";
+    EXPECT_NEAR(right.y, 0.75f, 1e-5f);
+}
+
+TEST(SoftEngine, ANormalMapTurnsTheNormalTowardsGreenUp) {
+    Scene scene;
+    Material bumpy = matte();
+    const auto up = [](int, int) { return std::array<int, 3>{128, 218, 218}; };  // (0, 0.71, 0.71): leans to the picture's top
+    bumpy.normal_texture = add_texture(scene, picture(rgb_pixels(4, 4, up)));
+    scene.materials = {bumpy};
+    add_object(scene, square_mesh(0));
+    scene.lights = {directional({0, -1, -1})};  // from above, 45 degrees
+    EXPECT_NEAR(pixel(render(scene, flat_camera()), 32, 32).x, 1.0f, 0.01f);
+    RenderSettings flat = small;
+    flat.bump = Bump::none;
+    EXPECT_NEAR(pixel(render(scene, flat_camera(), flat), 32, 32).x, 0.7071f, 0.01f);
+}
+
+TEST(SoftEngine, AWindowHasTheBitsOfTheWhole) {
+    const Scene scene = busy_scene();
+    RenderSettings settings = small;
+    settings.width = 200;
+    settings.height = 150;
+    const Frame whole = render(scene, inside_camera(), settings);
+    settings.window = {37, 21, 90, 77};
+    const Frame part = render(scene, inside_camera(), settings);
+    for (int y = 0; y < 77; ++y)
+        EXPECT_EQ(std::memcmp(&part.color[std::size_t(y * 90)], &whole.color[std::size_t((y + 21) * 200 + 37)], 90 * sizeof(vec4)), 0);
+}
+
+TEST(SoftEngine, TheSameBitsForAnyNumberOfThreadsAndEachInstructionSet) {
+    const Scene scene = busy_scene();
+    RenderSettings settings = small;
+    settings.width = 300;
+    settings.height = 200;
+    const Frame reference = [&] {
+        const IsaGuard guard(Isa::scalar);
+        return render(scene, inside_camera(), settings);
+    }();
+    EXPECT_GT(covered(reference), 10000u);
+    for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
+        if (!is_available(isa)) continue;
+        const IsaGuard guard(isa);
+        for (const int threads : {1, 2, 4}) EXPECT_TRUE(same_bits(reference, render(scene, inside_camera(), settings, threads))) << name(isa) << threads;
+    }
+}
+
+TEST(SoftEngine, AnUnknownInstructionSetIsRefused) {
+    setenv("RAKELIGHT_ISA", "avx1024", 1);
+    EXPECT_THROW(raster::make_engine(), Error);
+    unsetenv("RAKELIGHT_ISA");
+}
+
+TEST(SoftEngine, ChannelsHoldDepthNormalObjectAndMaterial) {
+    RenderSettings settings = small;
+    settings.channels = channel_depth | channel_normal | channel_object | channel_material;
+    Camera camera = flat_camera();
+    camera.half_height = 2;
+    const Frame f = render(lit_square(), camera, settings);
+    const auto middle = std::size_t(32 * 64 + 32);
+    EXPECT_NEAR(f.depth[middle], 5.0f, 1e-4f);
+    EXPECT_NEAR(f.normal[middle].z, 1.0f, 1e-6f);
+    EXPECT_EQ(f.object[middle], 0u);
+    EXPECT_EQ(f.material[middle], 0u);
+    EXPECT_EQ(f.depth[0], std::numeric_limits<float>::infinity());
+    EXPECT_EQ(f.object[0], none);
+}
+
+TEST(SoftEngine, CountsWhatHappensToTriangles) {
+    RenderStats stats;
+    render(lit_square(), flat_camera(), small, 1, &stats);
+    EXPECT_EQ(stats.triangles_in, 2u);
+    EXPECT_EQ(stats.drawn, 2u);
+    EXPECT_EQ(stats.pixels_covered, 64u * 64u);
+    Camera away = flat_camera();
+    away.to_world = translation(dvec3{100, 0, 5});
+    render(lit_square(), away, small, 1, &stats);
+    EXPECT_EQ(stats.culled_outside, 2u);
+    EXPECT_EQ(stats.drawn, 0u);
+}
+
+TEST(SoftEngine, ImpossibleCamerasAndSettingsAreRefused) {
+    Camera camera = flat_camera();
+    camera.far = camera.near;
+    EXPECT_THROW(render(lit_square(), camera), Error);
+    RenderSettings s = small;
+    s.width = 0;
+    EXPECT_THROW(render(lit_square(), flat_camera(), s), Error);
+    s = small;
+    s.window = {60, 0, 10, 10};
+    EXPECT_THROW(render(lit_square(), flat_camera(), s), Error);
+    s = small;
+    s.shading = Shading::gouraud;
+    EXPECT_THROW(render(lit_square(), flat_camera(), s), Error);
+}
+
+TEST(SoftEngine, NothingIsNotANumberForDegenerateAndExtremeInput) {
+    for (const float size : {1e-30f, 1e-12f, 1e12f, 1e30f}) {
+        Scene scene = lit_square();
+        std::vector<vec3> scaled;
+        for (const vec3& p : scene.meshes[0].positions) scaled.push_back(p * size);
+        scene.meshes[0].positions = scaled;
+        scene.meshes[0].normals = std::vector<vec3>(4, vec3{0, 0, 0});
+        Camera camera;
+        camera.near = double(size) * 0.01;
+        camera.far = double(size) * 100;
+        camera.to_world = translation(dvec3{0, 0, 4.0 * double(size)});
+        const Frame f = render(scene, camera);
+        for (const vec4& c : f.color) EXPECT_TRUE(std::isfinite(c.x) && std::isfinite(c.w)) << size;
+        EXPECT_GT(covered(f), 500u) << size;
+    }
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texture sampling through the engine: what a square that fills the picture shows of its texture.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engines/raster/raster_engine.h"
+#include "math/color.h"
+#include "support/scene_builder.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+
+namespace {
+
+/// Own colour of a square that fills a 64 x 64 picture, textured, with texture coordinates scaled and shifted.
+Frame show(const Pixels& pixels, Sampler sampler, vec2 scale = {1, 1}, vec2 offset = {0, 0}, float rotation = 0) {
+    Scene scene;
+    Material m = matte();
+    m.base_color_texture = add_texture(scene, picture(pixels), sampler);
+    m.base_color_texture.transform = {offset, scale, rotation};
+    scene.materials = {m};
+    add_object(scene, square_mesh(0));
+    Context context({.threads = 1});
+    auto engine = raster::make_engine();
+    engine->prepare(scene, context);
+    Frame frame;
+    engine->render(flat_camera(), {.width = 64, .height = 64, .shading = Shading::unlit}, frame, context);
+    return frame;
+}
+
+float red(const Frame& f, int x, int y) { return f.color[std::size_t(y * 64 + x)].x; }
+
+/// 4 x 4 texels, red value by position.
+Pixels steps() {
+    return rgb_pixels(4, 4, [](int x, int y) { return std::array<int, 3>{16 * (4 * y + x), 0, 0}; });
+}
+float texel(int x, int y) { return linear_from_srgb8(std::uint8_t(16 * (4 * y + x))); }
+
+constexpr Sampler nearest{.magnify = Filter::nearest, .minify = Filter::nearest, .mip = MipFilter::none};
+
+}  // namespace
+
+TEST(Sampling, NearestShowsEachTexelInItsPlaceWithTheFirstRowOnTop) {
+    const Frame f = show(steps(), nearest);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) EXPECT_EQ(red(f, x, y), texel(x / 16, y / 16)) << x << ", " << y;
+}
+
+TEST(Sampling, BilinearInterpolatesLinearLightBetweenTexelCentres) {
+    const Frame f = show(steps(), {});
+    // Pixel centres lie at (x + 0.5) / 16 texels; texel centres at n + 0.5.
+    for (int x = 8; x < 56; ++x) {
+        const double at = (x + 0.5) / 16 - 0.5, t = at - std::floor(at);
+        const int i = int(std::floor(at));
+        const double expected = texel(i, 0) * (1 - t) + texel(i + 1, 0) * t;
+        const double y_at = (8 + 0.5) / 16 - 0.5, row = y_at - std::floor(y_at);
+        const double below = texel(i, 1) * (1 - t) + texel(i + 1, 1) * t;
+        EXPECT_NEAR(red(f, x, 8), expected * (1 - row) + below * row, 1e-5) << x;
+    }
+}
+
+TEST(Sampling, WrapModesContinueTheTextureAsTheirNamesSay) {
+    const auto across = [](Wrap wrap) {
+        Sampler s = nearest;
+        s.wrap_u = s.wrap_v = wrap;
+        return show(steps(), s, {3, 1}, {-1, 0});  // u from -1 to 2
+    };
+    const Frame repeat = across(Wrap::repeat), mirrored = across(Wrap::mirrored_repeat), clamped = across(Wrap::clamp_to_edge);
+    for (int x = 0; x < 64; ++x) {
+        const double u = -1 + 3 * (x + 0.5) / 64;
+        const double folded = std::fabs(u - 2 * std::floor(u / 2 + 0.5));
+        EXPECT_EQ(red(repeat, x, 2), texel(int((u - std::floor(u)) * 4), 0)) << x;
+        EXPECT_EQ(red(mirrored, x, 2), texel(std::min(3, int(folded * 4)), 0)) << x;
+        EXPECT_EQ(red(clamped, x, 2), texel(int(std::fmin(std::fmax(u, 0), 0.999) * 4), 0)) << x;
+    }
+}
+
+TEST(Sampling, ARepeatedTextureHasNoSeamAtItsBorder) {
+    const Pixels even = rgb_pixels(4, 4, [](int, int) { return std::array<int, 3>{200, 0, 0}; });
+    const Frame f = show(even, {}, {2, 2}, {0.37f, 0.81f});
+    for (const vec4& c : f.color) EXPECT_NEAR(c.x, linear_from_srgb8(200), 1e-6f);
+}
+
+TEST(Sampling, AMinifiedCheckerboardIsItsMeanInLinearLight) {
+    const Pixels checks = rgb_pixels(256, 256, [](int x, int y) { const int v = (x + y) & 1 ? 255 : 0; return std::array<int, 3>{v, v, v}; });
+    const Frame f = show(checks, {}, {4, 4});  // 16 texels a pixel
+    for (const vec4& c : f.color) EXPECT_NEAR(c.x, 0.5f, 0.01f);
+}
+
+TEST(Sampling, TheLevelOfDetailIsTheLogarithmOfTexelsAPixel) {
+    // A texture that is bright only in its even columns of 2^k texels turns grey exactly when levels above k are read.
+    const Pixels stripes = rgb_pixels(256, 256, [](int x, int) { const int v = (x / 4) & 1 ? 255 : 0; return std::array<int, 3>{v, v, v}; });
+    Sampler level_nearest{.magnify = Filter::nearest, .minify = Filter::nearest, .mip = MipFilter::nearest};
+    const auto is_grey = [](const Frame& f) {
+        for (const vec4& c : f.color)
+            if (c.x > 0.1f && c.x < 0.9f) return true;
+        return false;
+    };
+    EXPECT_FALSE(is_grey(show(stripes, level_nearest, {0.25f, 0.25f}))) << "one texel a pixel: level 0";
+    EXPECT_FALSE(is_grey(show(stripes, level_nearest, {0.5f, 0.5f}))) << "two texels a pixel: level 1, stripes of 2";
+    EXPECT_FALSE(is_grey(show(stripes, level_nearest, {1, 1}))) << "four: level 2, stripes of 1";
+    EXPECT_TRUE(is_grey(show(stripes, level_nearest, {2, 2}))) << "eight: level 3, stripes are gone";
+}
+
+TEST(Sampling, TextureTransformsScaleTurnAndShiftAsTheExtensionSays) {
+    // A quarter turn: u' = v, v' = -u (plus 1 to come back into 0..1).
+    const Frame f = show(steps(), nearest, {1, 1}, {0, 1}, float(pi / 2));
+    for (const auto& [x, y] : {std::pair(5, 5), std::pair(60, 10), std::pair(20, 50)}) {
+        const double u = (x + 0.5) / 64, v = (y + 0.5) / 64;
+        EXPECT_EQ(red(f, x, y), texel(int(v * 4), int((1 - u) * 4))) << x << ", " << y;
+    }
+}
+
+TEST(Sampling, NotFiniteAndHugeCoordinatesGiveAFinitePicture) {
+    for (const float offset : {1e20f, -1e20f, 3e38f})
+        for (const vec4& c : show(steps(), {}, {1, 1}, {offset, offset}).color) EXPECT_TRUE(std::isfinite(c.x));
+}
+
+TEST(Sampling, APictureThatCannotBeDecodedBecomesAWarning) {
+    Scene scene;
+    Material m = matte();
+    auto broken = std::make_shared<EncodedImage>();
+    broken->name = "broken.png";
+    broken->decode = [](const EncodedImage&, Context&) -> Pixels { throw Error(ErrorCode::bad_file, "not a picture"); };
+    m.base_color_texture = add_texture(scene, broken);
+    scene.materials = {m};
+    add_object(scene, square_mesh(0));
+    Context context({.threads = 1});
+    raster::make_engine()->prepare(scene, context);
+    ASSERT_EQ(context.report().entries().size(), 1u);
+    EXPECT_EQ(context.report().entries()[0].message, "texture left out: not a picture");
+}
