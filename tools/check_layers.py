@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Checks every #include against the tables below: modules include only downwards, a library appears in one module only,
+public headers name no library, sources that are compiled per instruction set include only what those may, and the shared
+lighting text uses no word that GLSL reserves. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+# Module -> the modules it may include directly (with everything below them).
+BELOW = {
+    "base": [],
+    "math": ["base"],
+    "image": ["math"],
+    "geometry": ["image"],
+    "scene": ["image"],
+    "prepare": ["scene", "geometry"],
+    "lighting": ["math"],
+    "io": ["scene"],
+    "engines": ["scene", "geometry"],
+    "engines/raster": ["engines", "lighting", "scene", "geometry"],
+    "engines/opengl": ["engines", "lighting", "scene", "geometry"],
+    "engines/raytrace": ["engines", "lighting", "scene", "geometry"],
+    "render": ["engines/raster", "engines/opengl", "engines/raytrace", "io", "prepare"],
+    "tools": ["render"],
+}
+
+# Public header -> the module that implements it (and whose layer it belongs to).
+PUBLIC = {
+    "error": "base", "report": "base", "context": "base",
+    "vector": "math",
+    "block": "image", "image": "image",
+    "attributes": "geometry",
+    "scene": "scene",
+    "prepare": "prepare",
+    "engine": "engines",
+    "render": "render",
+    "picture": "render", "version": "render",
+    "inspect": "tools", "rakelight": "tools",
+}
+
+# Third-party include (regular expression) -> the modules that may use it.
+LIBRARIES = {
+    r"(tbb|oneapi)/": ["base"],
+    r"xsimd/": ["math"],
+    r"sleef\.h": ["math"],
+    r"spng\.h|jpeglib\.h|webp/|Imath|OpenEXR|Imf|stb": ["io"],
+    r"draco/|meshoptimizer\.h": ["io"],
+    r"nlohmann/": ["io", "tools", "render", "apps/cli"],
+    r"fmt/": ["tools", "render", "apps/cli"],
+    r"assimp/": ["apps/import"],
+    r"CLI/": ["apps/cli"],
+    r"embree": ["engines/raytrace"],
+    r"epoxy/|EGL/|GL/": ["engines/opengl"],
+    r"toml": ["io"],
+}
+
+# Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
+ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|lighting/(lighting|prelude|light_parameters)\.h|lighting/\w+\.glsl|"
+                         r"engines/raster/kernel_types\.h|engines/raster/kernels/\w+\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
+ISA_FILES = ["src/engines/raster/kernels", "src/lighting/lighting.h", "src/lighting/prelude.h"]
+
+GLSL_RESERVED = set("active half input output filter common partition smooth flat shared fixed sample patch buffer resource "
+                    "precise template this using noise superp cast namespace".split())
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
+
+
+def closure(module):
+    seen, todo = {module}, [module]
+    while todo:
+        for below in BELOW[todo.pop()]:
+            if below not in seen:
+                seen.add(below)
+                todo.append(below)
+    return seen
+
+
+def module_of(path):
+    """The module of a path below src/, by the longest name in the table."""
+    parts = pathlib.PurePath(path).parts
+    for n in (2, 1):
+        if "/".join(parts[:n]) in BELOW:
+            return "/".join(parts[:n])
+    return None
+
+
+def sources(*folders):
+    for folder in folders:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix in (".h", ".cpp", ".glsl"):
+                yield path.relative_to(ROOT)
+
+
+def check_public_include(where, module, name, wrong):
+    topic = pathlib.PurePath(name).stem
+    if topic not in PUBLIC:
+        wrong.append(f"{where}: <{name}> is not in the table of public headers (tools/check_layers.py)")
+    elif module and PUBLIC[topic] not in closure(module):
+        wrong.append(f"{where}: {module} may not include <{name}>, which belongs to {PUBLIC[topic]}")
+
+
+def check_library(where, module, name, wrong):
+    for pattern, modules in LIBRARIES.items():
+        if re.match(pattern, name) and module not in modules:
+            wrong.append(f"{where}: <{name}> may be used by {', '.join(modules)} only")
+
+
+def check_file(path, wrong):
+    text = (ROOT / path).read_text()
+    relative = str(path)
+    is_public = relative.startswith("include/")
+    in_src = relative.startswith("src/")
+    module = module_of(path.relative_to("src")) if in_src else PUBLIC.get(path.stem) if is_public else "/".join(path.parts[:2])
+    if module is None:
+        wrong.append(f"{relative}: in no module of the table")
+        return
+    for bracket, name in INCLUDE.findall(text):
+        where = f"{relative}"
+        if name.startswith("rakelight/"):
+            check_public_include(where, module if module in BELOW else None, name, wrong)
+        elif bracket == "<":
+            check_library(where, module, name, wrong)
+            if is_public and ("/" in name or name.endswith(".h")):
+                wrong.append(f"{where}: public headers name no library, found <{name}>")
+        elif in_src:
+            other = module_of(name)
+            if not (ROOT / "src" / name).exists() and not name.endswith(".inc"):
+                wrong.append(f"{where}: \"{name}\" does not exist; includes count from src/")
+            elif other and other not in closure(module):
+                wrong.append(f"{where}: {module} may not include \"{name}\"")
+        elif is_public:
+            wrong.append(f"{where}: public headers include only public headers, found \"{name}\"")
+        if any(relative.startswith(f) for f in ISA_FILES) and not ISA_ALLOWED.fullmatch(name):
+            wrong.append(f"{where}: is compiled per instruction set and may not include \"{name}\"")
+
+
+def check_glsl(path, wrong):
+    code = re.sub(r"//[^\n]*", "", (ROOT / path).read_text())
+    for word in sorted(set(re.findall(r"\b[a-z]\w*\b", code)) & GLSL_RESERVED):
+        wrong.append(f"{path}: '{word}' is a reserved word of GLSL")
+
+
+def compile_alone(path):
+    per_isa = "wide" in path.name or any(str(path).startswith(f) for f in ISA_FILES)
+    if path.name in ("wide_scalar.h", "wide_xsimd.h", "wide_functions.h", "wide_vector.h", "prelude.h"):
+        return None  # parts of wide.h and lighting.h
+    command = ["g++", "-std=c++20", "-fsyntax-only", "-x", "c++", "-I", "src", "-I", "include", "-Wall", "-Wno-pragma-once-outside-header"]
+    command += ["-I", "build/release/include"] if (ROOT / "build/release/include").exists() else []
+    command += ["-DRL_ISA=scalar", "-DRL_ISA_scalar=1"] if per_isa else []
+    run = subprocess.run(command + [str(path)], cwd=ROOT, capture_output=True, text=True)
+    return None if run.returncode == 0 else f"{path}: does not compile alone: {run.stderr.strip().splitlines()[0]}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--compile", action="store_true", help="also compile every header alone")
+    options = parser.parse_args()
+    wrong = []
+    for path in sources("src", "include", "apps", "examples"):
+        check_file(path, wrong)
+        if path.suffix == ".glsl":
+            check_glsl(path, wrong)
+    if options.compile:
+        headers = [p for p in sources("src", "include") if p.suffix == ".h"]
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            wrong += [w for w in pool.map(compile_alone, headers) if w]
+    print("\n".join(wrong) or "layers: every include goes down")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
