@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The helper executable as a child process: found, started, listened to under a deadline, and always gone afterwards.
+#pragma once
+#include <chrono>
+#include <string>
+
+#include <rakelight/context.h>
+
+#include "io/import/stream_reader.h"
+
+namespace rakelight::io {
+
+/// RAKELIGHT_IMPORT, else `rakelight-import` beside the running program, else in ../libexec/rakelight of it.
+/// @throws Error failed with advice when there is none.
+std::string find_import_helper();
+
+struct HelperLimits {
+    double seconds = 8;               ///< wall clock and processor time, > 0
+    std::uint64_t memory_bytes = 0;   ///< address space
+    bool allow_outside = false;
+};
+
+/// Starts the helper on `model`; read() hands out what it writes. Destruction kills what still runs and leaves no zombie.
+class HelperProcess final : public import_stream::Source {
+public:
+    HelperProcess(const std::string& helper, const std::string& model, const HelperLimits& limits, Context& context);
+    ~HelperProcess() override;
+    HelperProcess(const HelperProcess&) = delete;
+    HelperProcess& operator=(const HelperProcess&) = delete;
+    /// @throws Error bad_file: crashed, out of time, ended too early; failed: cancelled.
+    void read(std::span<std::byte> to) override;
+
+private:
+    void wait_for_bytes();
+    [[noreturn]] void ended_early();
+    void kill_and_reap() noexcept;
+    Context& context_;
+    HelperLimits limits_;
+    std::chrono::steady_clock::time_point deadline_;
+    int pipe_ = -1;
+    int child_ = -1;
+};
+
+}  // namespace rakelight::io

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "io/import/scene_from_import.h"
+#include "math/color.h"
+#include "math/linear.h"
+
+namespace rakelight::io {
+namespace {
+
+using import_stream::Part;
+
+/// Unit to within rounding stays as it is; zero and non-finite ones are left for prepare, which replaces and reports them.
+std::vector<vec3> unit_normals(std::vector<vec3>&& normals) {
+    for (vec3& n : normals) {
+        const float squared = dot(n, n);
+        if (!(std::fabs(squared - 1) <= 1e-4f)) n = normalize_or(n, n);
+    }
+    return std::move(normals);
+}
+
+/// All tangents, or none when one of them is no direction: a broken set is made anew.
+std::vector<vec4> unit_tangents(std::vector<vec4>&& tangents) {
+    for (vec4& t : tangents) {
+        const vec3 unit = normalize_or(t.xyz(), vec3{});
+        if (dot(unit, unit) == 0 || !(t.w == 1 || t.w == -1)) return {};
+        t = {unit.x, unit.y, unit.z, t.w};
+    }
+    return std::move(tangents);
+}
+
+std::vector<vec4> linear_colors(std::vector<vec4>&& colors) {
+    for (vec4& c : colors) {
+        const vec3 rgb = linear_from_srgb(c.xyz());
+        c = {rgb.x, rgb.y, rgb.z, c.w >= 0 && c.w <= 1 ? c.w : 1.0f};
+    }
+    return std::move(colors);
+}
+
+std::vector<vec2> v_down(std::vector<vec2>&& set) {
+    for (vec2& uv : set) uv.y = 1 - uv.y;
+    return std::move(set);
+}
+
+std::vector<JointInfluence> influences_of(const Part& part) {
+    std::vector<JointInfluence> result;
+    result.reserve(part.influences.size());
+    for (const auto& f : part.influences) result.push_back({f.joints, f.weights});
+    return result;
+}
+
+}  // namespace
+
+void detail::add_meshes(import_stream::Import& import, const std::string& path, Scene& scene, Context& context) {
+    for (Part& part : import.parts) {
+        Mesh& mesh = scene.meshes.emplace_back();
+        mesh.name = std::move(part.name);
+        mesh.topology = Topology(part.topology);
+        mesh.material = part.surface;
+        const bool had_tangents = !part.tangents.empty();
+        mesh.influences = influences_of(part);
+        mesh.positions = std::move(part.positions);
+        mesh.indices = std::move(part.indices);
+        mesh.normals = unit_normals(std::move(part.normals));
+        mesh.tangents = unit_tangents(std::move(part.tangents));
+        if (had_tangents && mesh.tangents.empty())
+            context.report().add(Remark::dropped, path, "mesh '" + one_line(mesh.name, 60) + "'", "the file's tangents hold zeros and are made anew");
+        mesh.smoothing_hint = std::move(part.smoothing_hint);
+        for (auto& set : part.texcoords) mesh.texcoords.emplace_back(v_down(std::move(set)));
+        mesh.colors = linear_colors(std::move(part.colors));
+        for (auto& s : part.shapes) mesh.targets.push_back({std::move(s.name), std::move(s.positions), std::move(s.normals), {}});
+    }
+    import.parts.clear();
+}
+
+}  // namespace rakelight::io

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// A look at a file before the import helper gets it: cut short, sizes that cannot be, entities. Assimp accepts many such files
+// in silence, or asks for gigabytes first.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include <rakelight/context.h>
+
+namespace rakelight::io {
+
+/// What the checks need. `path` is for remarks. All functions: O(size), no allocation that the content decides.
+/// @throws Error bad_file, without the file's name.
+struct Suspect {
+    std::span<const std::byte> bytes;
+    const std::string& path;
+    Report& report;
+};
+
+void check_stl(const Suspect& s);
+void check_ply(const Suspect& s);
+void check_off(const Suspect& s);
+void check_3ds(const Suspect& s);
+void check_ase(const Suspect& s);
+void check_blend(const Suspect& s);
+void check_collada(const Suspect& s);
+void check_fbx(const Suspect& s);
+void check_x(const Suspect& s);
+
+/// The check of the format that `ending` (lower case, no dot) names. @throws Error bad_file for an unknown one too.
+void check_before_import(const std::string& ending, const Suspect& s);
+
+/// Size of a block-structured text: how deep braces stand open at the end, those in quotes not counted; -1 when one is closed
+/// that was never opened. Works for UTF-16 too.
+long long open_braces(std::span<const std::byte> text);
+
+}  // namespace rakelight::io

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/import/texture_finder.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/file.h"
+#include "io/image_io.h"
+
+namespace rakelight::io {
+namespace {
+
+using import_stream::nothing;
+using import_stream::Picture;
+using import_stream::TextureLink;
+using import_stream::WrapMode;
+
+constexpr std::size_t most_entries = 20000;  // of a folder that is searched
+
+std::string lower(std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return text;
+}
+
+std::string bare_name(const std::string& reference) {
+    const std::size_t slash = reference.find_last_of("/\\");
+    return slash == std::string::npos ? reference : reference.substr(slash + 1);
+}
+
+std::optional<std::string> existing(const std::string& model, const std::string& reference, bool allow_outside) {
+    try {
+        std::string path = resolve_reference(model, reference, allow_outside);
+        if (is_regular_file(path)) return path;
+    } catch (const Error&) {  // it would leave the folder: as if it were not there
+    }
+    return std::nullopt;
+}
+
+/// The entry of the model's folder that equals `name` but for the case of its letters; the first in order of bytes.
+std::optional<std::string> in_any_case(const std::string& model, const std::string& name) {
+    namespace fs = std::filesystem;
+    std::error_code problem;
+    const fs::path folder = fs::path(model).has_parent_path() ? fs::path(model).parent_path() : fs::path(".");
+    std::vector<std::string> found;
+    std::size_t seen = 0;
+    for (fs::directory_iterator it(folder, problem), end; !problem && it != end && seen < most_entries; it.increment(problem), ++seen) {
+        std::string entry = it->path().filename().string();
+        if (lower(entry) == lower(name)) found.push_back(std::move(entry));
+    }
+    if (found.empty()) return std::nullopt;
+    return *std::min_element(found.begin(), found.end());
+}
+
+std::string mime_of(const Picture& p) {
+    const std::string hint = lower(p.hint);
+    if (hint == "png") return "image/png";
+    if (hint == "jpg" || hint == "jpeg") return "image/jpeg";
+    if (hint == "webp") return "image/webp";
+    return {};
+}
+
+Wrap wrap_of(std::uint32_t mode) {
+    return mode == std::uint32_t(WrapMode::clamp) ? Wrap::clamp_to_edge : mode == std::uint32_t(WrapMode::mirror) ? Wrap::mirrored_repeat : Wrap::repeat;
+}
+
+/// A picture that the model holds as plain pixels: nothing to decode but a copy.
+ImageHandle raw_image(std::string name, const std::string& model, Picture& p) {
+    auto image = std::make_shared<EncodedImage>();
+    image->name = std::move(name);
+    image->file = model;
+    std::vector<std::byte> bytes(p.bytes.size());
+    std::transform(p.bytes.begin(), p.bytes.end(), bytes.begin(), [](std::uint8_t b) { return std::byte(b); });
+    image->bytes = std::make_shared<const std::vector<std::byte>>(std::move(bytes));
+    image->decode = [width = int(p.width), height = int(p.height)](const EncodedImage& self, Context& context) {
+        context.memory().charge(self.bytes->size(), "a picture");
+        return Pixels{width, height, 4, Component::u8, false, *self.bytes};
+    };
+    return image;
+}
+
+}  // namespace
+
+std::optional<std::string> find_texture_file(const std::string& model, const std::string& reference, bool allow_outside) {
+    if (reference.empty()) return std::nullopt;
+    if (auto path = existing(model, reference, allow_outside)) return path;
+    const std::string name = bare_name(reference);
+    if (name.empty() || name == "." || name == "..") return std::nullopt;
+    if (auto path = existing(model, name, allow_outside)) return path;
+    const auto entry = in_any_case(model, name);
+    return entry ? existing(model, *entry, allow_outside) : std::nullopt;
+}
+
+ImageHandle TextureTable::embedded(std::uint32_t number) {
+    Picture& p = pictures_[number];
+    const std::string name = "image " + std::to_string(number) + (p.name.empty() ? "" : " '" + one_line(p.name, 80) + "'") + " (embedded)";
+    if (p.bytes.empty() || p.width > 32768 || p.height > 32768) {
+        context_.report().add(Remark::warning, model_, name, "an embedded picture is empty or too large and is left out");
+        return nullptr;
+    }
+    if (p.width != 0) return raw_image(name, model_, p);
+    std::vector<std::byte> bytes(p.bytes.size());
+    std::transform(p.bytes.begin(), p.bytes.end(), bytes.begin(), [](std::uint8_t b) { return std::byte(b); });
+    return image_from_bytes(name, model_, std::make_shared<const std::vector<std::byte>>(std::move(bytes)), mime_of(p));
+}
+
+ImageHandle TextureTable::image(const TextureLink& link) {
+    if (link.picture != nothing) return embedded(link.picture);
+    if (const auto path = find_texture_file(model_, link.path, allow_outside_)) return image_from_file(bare_name(*path), model_, *path);
+    context_.report().add(Remark::warning, model_, {}, "texture '" + one_line(bare_name(link.path), 120) + "' was not found in the model's folder");
+    return nullptr;
+}
+
+std::uint32_t TextureTable::number(const TextureLink& link) {
+    const auto key = std::pair(link.picture, link.picture == nothing ? link.path : std::string());
+    auto known = images_.find(key);
+    if (known == images_.end()) known = images_.emplace(key, image(link)).first;
+    if (!known->second) return none;
+    const auto place = numbers_.emplace(std::tuple(known->second, link.wrap_u, link.wrap_v), std::uint32_t(scene_.textures.size()));
+    if (place.second) {
+        Sampler sampler;
+        sampler.wrap_u = wrap_of(link.wrap_u);
+        sampler.wrap_v = wrap_of(link.wrap_v);
+        scene_.textures.push_back({known->second->name, known->second, sampler});
+    }
+    return place.first->second;
+}
+
+}  // namespace rakelight::io
