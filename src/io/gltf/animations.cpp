@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/animations.h"
+
+#include <cmath>
+#include <map>
+
+namespace rakelight::io::gltf {
+namespace {
+
+class AnimationReader {
+public:
+    AnimationReader(Accessors& accessors, const Nodes& nodes, Scene& scene) : accessors_(accessors), nodes_(nodes), scene_(scene) {}
+
+    void read(const Value& source, std::uint32_t index) {
+        Animation animation;
+        animation.name = Document::name_of(source, animation_kind, index);
+        const Value channels = source.list("channels");
+        for (std::size_t c = 0; c < channels.size(); ++c)
+            read_or_drop(document(), "an animation channel", [&] {
+                const Value channel = channels.element(c, source.place() + ", channel " + std::to_string(c));
+                if (auto read = read_channel(source, channel)) animation.channels.push_back(std::move(*read));
+            });
+        if (!animation.channels.empty()) scene_.animations.push_back(std::move(animation));
+    }
+
+private:
+    const Document& document() const { return accessors_.document(); }
+
+    std::optional<AnimationChannel> read_channel(const Value& animation, const Value& channel) {
+        const Value target = channel.object("target");
+        AnimationChannel result;
+        result.node = nodes_.scene_index(target.index("node"));
+        if (result.node == none) return std::nullopt;
+        result.path = path_of(target);
+        const Value samplers = animation.list("samplers");
+        const std::uint32_t index = channel.required_index("sampler");
+        if (index >= samplers.size()) channel.fail("sampler " + std::to_string(index) + " does not exist");
+        const Value sampler = samplers.element(index, channel.place());
+        result.interpolation = interpolation_of(sampler);
+        result.times = numbers(times_, sampler.required_index("input"), {"key times", components(1), float_only}, sampler);
+        check_times(result.times, sampler);
+        const std::uint32_t width = result.path == AnimationPath::rotation ? 4 : result.path == AnimationPath::morph_weights ? 1 : 3;
+        result.values = numbers(values_, sampler.required_index("output"), {"key values", components(width), float_or_small}, sampler);
+        check_size(result, sampler);
+        return result;
+    }
+
+    static AnimationPath path_of(const Value& target) {
+        const std::string path = target.text("path");
+        if (path == "translation") return AnimationPath::translation;
+        if (path == "rotation") return AnimationPath::rotation;
+        if (path == "scale") return AnimationPath::scale;
+        if (path == "weights") return AnimationPath::morph_weights;
+        target.fail("its path '" + one_line(path, 30) + "' is not supported");
+    }
+
+    static Interpolation interpolation_of(const Value& sampler) {
+        const std::string word = sampler.text("interpolation", "LINEAR");
+        if (word == "LINEAR") return Interpolation::linear;
+        if (word == "STEP") return Interpolation::step;
+        if (word == "CUBICSPLINE") return Interpolation::cubic_spline;
+        sampler.fail("its interpolation '" + one_line(word, 30) + "' is unknown");
+    }
+
+    /// Accessors of animations are shared by many channels, so each becomes one block.
+    Block<float> numbers(std::map<std::uint32_t, Block<float>>& cache, std::uint32_t accessor, const Expected& expected, const Value& from) {
+        const Elements shape = accessors_.description(accessor, expected, from);
+        if (const auto known = cache.find(accessor); known != cache.end()) return known->second;
+        const Elements elements = accessors_.elements(accessor, expected, from);
+        document().context().memory().charge(elements.count * shape.components * sizeof(float), "animations");
+        return cache.emplace(accessor, to_scalars(elements)).first->second;
+    }
+
+    static void check_times(const Block<float>& times, const Value& sampler) {
+        if (times.empty()) sampler.fail("it has no keys");
+        for (std::size_t k = 0; k < times.size(); ++k)
+            if (!std::isfinite(times[k]) || (k > 0 && times[k] < times[k - 1])) sampler.fail("its key times do not ascend at key " + std::to_string(k));
+    }
+
+    void check_size(const AnimationChannel& channel, const Value& sampler) const {
+        const std::size_t targets = scene_.nodes[channel.node].morph_weights.size();
+        const std::size_t width = channel.path == AnimationPath::rotation ? 4 : channel.path == AnimationPath::morph_weights ? targets : 3;
+        const std::size_t per_key = width * (channel.interpolation == Interpolation::cubic_spline ? 3 : 1);
+        if (per_key == 0 || channel.values.size() / per_key != channel.times.size() || channel.values.size() % per_key != 0)
+            sampler.fail("it has " + std::to_string(channel.times.size()) + " keys of " + std::to_string(per_key) + " numbers, but " + std::to_string(channel.values.size()) + " numbers");
+        for (const float value : channel.values)
+            if (!std::isfinite(value)) sampler.fail("a key value is not finite");
+    }
+
+    Accessors& accessors_;
+    const Nodes& nodes_;
+    Scene& scene_;
+    std::map<std::uint32_t, Block<float>> times_, values_;
+};
+
+}  // namespace
+
+void read_animations(Accessors& accessors, const Nodes& nodes, Scene& scene) {
+    const Document& document = accessors.document();
+    AnimationReader reader(accessors, nodes, scene);
+    for (std::uint32_t a = 0; a < document.count(animation_kind); ++a)
+        read_or_drop(document, "animation " + std::to_string(a), [&] { reader.read(document.element(animation_kind, a, document.root()), a); });
+}
+
+}  // namespace rakelight::io::gltf

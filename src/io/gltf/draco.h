@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// KHR_draco_mesh_compression: one primitive's indices and attributes out of a Draco buffer (bitstream 2.2).
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "io/gltf/elements.h"
+#include "io/gltf/value.h"
+
+namespace rakelight::io::gltf {
+
+/// A decoded Draco mesh. The library stays behind this door.
+class DracoMesh {
+public:
+    /// @param data  the compressed bytes  @param from  the primitive, for messages
+    /// @throws Error bad_file: not a Draco mesh of bitstream 2.2, sizes that the data cannot hold, broken data.
+    DracoMesh(std::span<const std::byte> data, const Value& from, Context& context);
+    ~DracoMesh();
+    DracoMesh(const DracoMesh&) = delete;
+    DracoMesh& operator=(const DracoMesh&) = delete;
+
+    std::uint64_t vertex_count() const;
+    std::vector<std::uint32_t> indices() const;  ///< [3T] each < vertex_count()
+    /// Attribute `id` as one element a vertex. Whether integers are normalized is the accessor's word, in `description`.
+    /// @throws Error: no such attribute, another number of components.
+    Elements attribute(std::uint32_t id, const Elements& description, const Value& from, Context& context) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rakelight::io::gltf

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The head of a Draco buffer, read before the library sees it: the library allocates by the counts that stand there.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace rakelight::io::gltf {
+
+struct DracoHeader {
+    std::uint8_t major = 0, minor = 0;
+    bool is_mesh = false;
+    std::uint64_t faces = 0;   ///< triangles that the connectivity announces
+    std::uint64_t points = 0;  ///< vertices; edge-breaker meshes may get more from attribute seams, at most 3 a face
+};
+
+/// Draco bitstream specification 2.2, sections "Draco Decode", "Metadata", "Sequential connectivity" and "EdgeBreaker".
+/// nullopt: cut short or not Draco.
+std::optional<DracoHeader> read_draco_header(std::span<const std::byte> data);
+
+}  // namespace rakelight::io::gltf

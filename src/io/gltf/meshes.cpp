@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/meshes.h"
+
+#include <algorithm>
+
+#include "io/gltf/influences.h"
+#include "io/gltf/plausibility.h"
+#include "io/gltf/topology.h"
+
+namespace rakelight::io::gltf {
+namespace {
+
+constexpr std::uint32_t max_texcoord_sets = 8;
+/// What later stages (normals, tangents, engines) ask for a vertex or a corner. Charged for every mesh, so that many
+/// primitives over one large array cannot make them ask for more than the budget.
+constexpr std::uint64_t later_bytes_per_vertex = 48, later_bytes_per_corner = 8;
+
+PrimitiveMode mode_of(const Value& primitive) {
+    const std::uint64_t mode = primitive.count("mode", 4);
+    if (mode > 6) primitive.fail("mode " + std::to_string(mode) + " is unknown");
+    return PrimitiveMode(mode);
+}
+
+void check_targets_alike(const std::vector<Mesh>& meshes, const LoadedMesh& loaded, const Value& mesh) {
+    for (const std::uint32_t m : loaded.meshes)
+        if (meshes[m].targets.size() != meshes[loaded.meshes[0]].targets.size()) mesh.fail("its primitives have different numbers of morph targets");
+}
+
+}  // namespace
+
+const LoadedMesh& Meshes::load(std::uint32_t index, const Value& from) {
+    if (const auto known = loaded_.find(index); known != loaded_.end()) return known->second;
+    document().context().throw_if_cancelled();
+    const Value mesh = document().element(mesh_kind, index, from);
+    const Value primitives = mesh.list("primitives");
+    LoadedMesh loaded;
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+        const Value primitive = primitives.element(p, mesh.place() + ", primitive " + std::to_string(p));
+        Mesh result;
+        result.name = Document::name_of(mesh, mesh_kind, index);
+        result.source_mesh = index;
+        result.source_primitive = std::uint32_t(p);
+        read_primitive(mesh, primitive, result);
+        if (result.indices.empty()) continue;
+        loaded.joints_used = std::max(loaded.joints_used, joints_used(result.influences));
+        loaded.meshes.push_back(std::uint32_t(scene_.meshes.size()));
+        scene_.meshes.push_back(std::move(result));
+    }
+    check_targets_alike(scene_.meshes, loaded, mesh);
+    const std::size_t targets = loaded.meshes.empty() ? 0 : scene_.meshes[loaded.meshes[0]].targets.size();
+    loaded.default_weights = mesh.reals("weights");
+    if (loaded.default_weights.size() != targets && !loaded.default_weights.empty())
+        document().remark(Remark::dropped, mesh.place(), "its number of morph weights is not that of its targets; they are taken as 0");
+    if (loaded.default_weights.size() != targets) loaded.default_weights.assign(targets, 0.0f);
+    return loaded_.emplace(index, std::move(loaded)).first->second;
+}
+
+void Meshes::read_primitive(const Value& mesh, const Value& primitive, Mesh& result) {
+    const PrimitiveMode mode = mode_of(primitive);
+    result.topology = topology_of(mode);
+    result.material = materials_.load(primitive.index("material"), primitive);
+    if (!primitive.object("attributes").has("POSITION")) {
+        document().remark(Remark::dropped, primitive.place(), "a primitive without POSITION is left out");
+        return;
+    }
+    // 1. vertices
+    VertexData vertices(accessors_, cache_, primitive);
+    result.positions = vertices.vec3s("POSITION");
+    if (result.positions.empty()) {
+        document().remark(Remark::dropped, primitive.place(), "a primitive without vertices is left out");
+        return;
+    }
+    result.normals = vertices.vec3s("NORMAL");
+    result.tangents = vertices.tangents();
+    result.colors = vertices.colors();
+    read_texcoords(vertices, primitive, result);
+    result.influences = read_influences(vertices, document(), primitive);
+    read_targets(vertices, mesh, primitive, result);
+
+    // 2. indices
+    std::vector<std::uint32_t> corners = vertices.corners();
+    MemoryBudget& memory = document().context().memory();
+    memory.charge(expanded_size(mode, corners.size()) * (sizeof(std::uint32_t) + later_bytes_per_corner), "indices");
+    memory.charge(vertices.vertex_count() * later_bytes_per_vertex, "vertex data");
+    Expanded expanded = expand(mode, std::move(corners));
+    if (expanded.left_over)
+        document().remark(Remark::dropped, primitive.place(), std::to_string(expanded.left_over) + " indices are too few for one more primitive");
+    result.indices = std::move(expanded.indices);
+    if (result.indices.empty()) document().remark(Remark::dropped, primitive.place(), "a primitive without corners is left out");
+
+    // 3. remarks
+    remark_on_quantization(document(), accessors_, primitive);
+    remark_on_mesh(document(), result, primitive.place());
+}
+
+void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& result) {
+    for (const std::string& name : primitive.object("attributes").names()) {
+        const bool known = name == "POSITION" || name == "NORMAL" || name == "TANGENT" || name == "COLOR_0" ||
+                           name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
+        if (known) continue;
+        std::uint32_t set = max_texcoord_sets;
+        if (name.size() == 10 && name.starts_with("TEXCOORD_") && name[9] >= '0' && name[9] <= '9') set = std::uint32_t(name[9] - '0');
+        if (set >= max_texcoord_sets) {
+            document().remark(Remark::note, primitive.place(), "the vertex attribute " + one_line(name, 40) + " is not used");
+            continue;
+        }
+        if (result.texcoords.size() <= set) result.texcoords.resize(set + 1);
+        result.texcoords[set] = vertices.vec2s(name);
+    }
+    for (std::size_t set = 0; set < result.texcoords.size(); ++set) {
+        if (!result.texcoords[set].empty()) continue;
+        document().remark(Remark::guessed, primitive.place(), "TEXCOORD_" + std::to_string(set) + " is missing below a higher set; taken as 0");
+        document().context().memory().charge(vertices.vertex_count() * sizeof(vec2), "vertex data");
+        result.texcoords[set] = std::vector<vec2>(std::size_t(vertices.vertex_count()));
+    }
+}
+
+void Meshes::read_targets(VertexData& vertices, const Value& mesh, const Value& primitive, Mesh& result) {
+    const Value targets = primitive.list("targets");
+    const Value extras = mesh.has("extras") && targets ? mesh.part("extras") : Value();
+    const Value names = extras.is_object() && extras.part("targetNames").is_list() ? extras.list("targetNames") : Value();
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        const Value target = targets.element(t, primitive.place() + ", target " + std::to_string(t));
+        MorphTarget morph;
+        morph.name = t < names.size() && names.is_text_at(t) ? names.text_at(t) : "target " + std::to_string(t);
+        morph.positions = vertices.offsets(target, "POSITION");
+        morph.normals = vertices.offsets(target, "NORMAL");
+        morph.tangents = vertices.offsets(target, "TANGENT");
+        for (const std::string& name : target.names())
+            if (name != "POSITION" && name != "NORMAL" && name != "TANGENT")
+                document().remark(Remark::dropped, target.place(), "morph targets of " + one_line(name, 40) + " are not supported");
+        result.targets.push_back(std::move(morph));
+    }
+}
+
+}  // namespace rakelight::io::gltf

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/nodes.h"
+
+#include <algorithm>
+
+#include "io/gltf/transform.h"
+
+namespace rakelight::io::gltf {
+namespace {
+
+/// What an engine keeps for one mesh at one place, rounded up: bounds the product of nodes and primitives.
+constexpr std::uint64_t bytes_per_placement = 256;
+
+std::vector<std::uint32_t> indices_of(const Value& list) {
+    std::vector<std::uint32_t> result(list.size());
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = list.index_at(i);
+    return result;
+}
+
+}  // namespace
+
+std::vector<Nodes::Waiting> Nodes::roots() const {
+    const Value& root = document().root();
+    std::vector<Waiting> result;
+    if (document().count(scene_kind) > 0 || root.has("scene")) {
+        const std::uint32_t chosen = root.index("scene");
+        const Value scene = document().element(scene_kind, chosen == none ? 0 : chosen, root);
+        for (const std::uint32_t node : indices_of(scene.list("nodes"))) result.push_back({node, none, scene});
+        return result;
+    }
+    const std::size_t count = document().count(node_kind);
+    std::vector<bool> is_child(count, false);
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const Value node = document().element(node_kind, n, root);
+        for (const std::uint32_t child : indices_of(node.list("children")))
+            if (child < count) is_child[child] = true;
+    }
+    for (std::uint32_t n = 0; n < count; ++n)
+        if (!is_child[n]) result.push_back({n, none, root});
+    if (count > 0) document().remark(Remark::guessed, {}, "the file has no scene; all its root nodes are shown");
+    return result;
+}
+
+void Nodes::read() {
+    scene_of_.assign(document().count(node_kind), none);
+    std::vector<Waiting> stack = roots();
+    std::reverse(stack.begin(), stack.end());
+    while (!stack.empty()) {
+        const Waiting next = std::move(stack.back());
+        stack.pop_back();
+        place(next, stack);
+    }
+}
+
+void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {
+    const Value source = document().element(node_kind, waiting.file, waiting.from);
+    if (scene_of_[waiting.file] != none)
+        throw Error(ErrorCode::bad_file, "it is placed twice: the node hierarchy has a cycle or a node with two parents", source.place());
+    document().context().memory().charge(sizeof(Node), "nodes");
+    const auto index = std::uint32_t(scene_.nodes.size());
+    scene_of_[waiting.file] = index;
+    placed_.push_back({waiting.file, index});
+    Node node;
+    node.name = Document::name_of(source, node_kind, waiting.file);
+    node.parent = waiting.parent;
+    node.local = read_transform(document(), source);
+    node.source_node = waiting.file;
+    scene_.nodes.push_back(std::move(node));
+    attach_mesh(source, index);
+    const std::vector<std::uint32_t> children = indices_of(source.list("children"));
+    for (auto child = children.rbegin(); child != children.rend(); ++child) stack.push_back({*child, index, source});
+}
+
+void Nodes::attach_mesh(const Value& source, std::uint32_t node) {
+    const std::uint32_t mesh = source.index("mesh");
+    if (mesh == none) return;
+    const LoadedMesh& loaded = meshes_.load(mesh, source);
+    std::vector<float> weights = source.reals("weights");
+    const std::size_t targets = loaded.default_weights.size();
+    if (weights.size() != targets) {
+        if (!weights.empty()) document().remark(Remark::dropped, source.place(), "its number of morph weights is not that of its mesh's targets");
+        weights = loaded.default_weights;
+    }
+    document().context().memory().charge(loaded.meshes.size() * bytes_per_placement + targets * sizeof(float), "placed meshes");
+    scene_.nodes[node].meshes = loaded.meshes;
+    scene_.nodes[node].morph_weights = std::move(weights);
+    if (const Value instancing = source.extension("EXT_mesh_gpu_instancing")) add_instances(source, instancing, node);
+}
+
+/// EXT_mesh_gpu_instancing: each instance becomes a child that shares the meshes; the node itself then holds none.
+void Nodes::add_instances(const Value& source, const Value& extension, std::uint32_t node) {
+    const Value attributes = extension.object("attributes");
+    std::optional<std::uint64_t> count;
+    const auto read = [&](const char* name, std::uint32_t width) {
+        std::vector<float> values;
+        const std::uint32_t accessor = attributes.index(name);
+        if (accessor == none) return values;
+        const Elements elements = accessors_.elements(accessor, {name, components(width), float_or_small}, source);
+        if (count.value_or(elements.count) != elements.count) source.fail("its instance attributes have different counts");
+        count = elements.count;
+        document().context().memory().charge(elements.count * width * sizeof(float), "instances");
+        return to_scalars(elements);
+    };
+    const std::vector<float> t = read("TRANSLATION", 3), r = read("ROTATION", 4), s = read("SCALE", 3);
+    if (!count) return;
+    const Node group = scene_.nodes[node];
+    scene_.nodes[node].meshes.clear();
+    scene_.nodes[node].morph_weights.clear();
+    const std::uint64_t each = sizeof(Node) + 64 + group.meshes.size() * bytes_per_placement + group.morph_weights.size() * sizeof(float);
+    if (*count > (1ull << 40) / each) source.fail(std::to_string(*count) + " instances are too many");
+    document().context().memory().charge(*count * each, "instances");
+    for (std::size_t i = 0; i < *count; ++i) {
+        Node instance;
+        instance.name = group.name + " instance " + std::to_string(i);
+        instance.parent = node;
+        instance.meshes = group.meshes;
+        instance.morph_weights = group.morph_weights;
+        instance.source_node = group.source_node;
+        if (!t.empty()) instance.local.translation = {t[3 * i], t[3 * i + 1], t[3 * i + 2]};
+        if (!r.empty()) instance.local.rotation = {r[4 * i], r[4 * i + 1], r[4 * i + 2], r[4 * i + 3]};
+        if (!s.empty()) instance.local.scale = {s[3 * i], s[3 * i + 1], s[3 * i + 2]};
+        for (const float value : {float(instance.local.translation.x), float(instance.local.translation.y), float(instance.local.translation.z)})
+            if (!(value - value == 0)) source.fail("instance " + std::to_string(i) + " has a translation that is not finite");
+        scene_.nodes.push_back(std::move(instance));
+    }
+}
+
+}  // namespace rakelight::io::gltf

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// glTF 2.0: the way of the data from the file to a scene. Everything is read from the nodes of the default scene downwards,
+// so that what is not drawn is not looked at.
+#include <algorithm>
+#include <new>
+
+#include "io/gltf/animations.h"
+#include "io/gltf/lights_cameras.h"
+#include "io/gltf/nodes.h"
+
+namespace rakelight::io {
+namespace {
+
+bool draws_something(const Scene& scene) {
+    return std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const Node& node) { return !node.meshes.empty(); });
+}
+
+Scene read_document(const std::string& path, const ReadOptions& options, Context& context) {
+    const gltf::Document document(path, options, context);
+    Scene scene;
+    scene.source = path;
+    scene.missing_normals_are_flat = true;  // glTF 2.0 specification, section 3.7.2.1
+    gltf::Buffers buffers(document);
+    gltf::Accessors accessors(document, buffers);
+    gltf::Textures textures(document, buffers, scene);
+    gltf::Materials materials(document, textures, scene);
+    gltf::Meshes meshes(accessors, materials, scene);
+    gltf::Nodes nodes(accessors, meshes, scene);
+    context.progress("load", 0.2);
+    nodes.read();
+    if (!draws_something(scene)) throw Error(ErrorCode::bad_file, "nothing to draw: no node of its scene holds a triangle, line or point");
+    context.progress("load", 0.9);
+    gltf::read_skins(accessors, meshes, nodes, scene);
+    gltf::read_animations(accessors, nodes, scene);
+    gltf::read_cameras(document, nodes, scene);
+    gltf::read_lights(document, nodes, scene);
+    context.progress("load", 1);
+    return scene;
+}
+
+}  // namespace
+
+Scene read_gltf(const std::string& path, const ReadOptions& options, Context& context) {
+    try {
+        return read_document(path, options, context);
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::failed, "out of memory").with_file(path);
+    }
+}
+
+}  // namespace rakelight::io

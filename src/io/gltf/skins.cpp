@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/skins.h"
+
+#include <cmath>
+#include <map>
+
+#include "io/gltf/nodes.h"
+
+namespace rakelight::io::gltf {
+namespace {
+
+constexpr std::uint32_t matrix_components = 16;
+
+std::vector<dmat4> inverse_bind_matrices(Accessors& accessors, const Value& skin, std::size_t joints) {
+    std::vector<dmat4> result(joints);  // the default is the identity
+    const std::uint32_t accessor = skin.index("inverseBindMatrices");
+    if (accessor == none) return result;
+    const Elements elements = accessors.elements(accessor, {"inverseBindMatrices", components(matrix_components), float_only}, skin);
+    if (elements.count < joints) skin.fail("it has " + std::to_string(joints) + " joints but " + std::to_string(elements.count) + " inverse bind matrices");
+    accessors.document().context().memory().charge(elements.count * matrix_components * sizeof(float), "inverse bind matrices");
+    const std::vector<float> values = to_scalars(elements);
+    for (std::size_t j = 0; j < joints; ++j)
+        for (std::size_t k = 0; k < matrix_components; ++k) {
+            const float value = values[matrix_components * j + k];
+            if (!std::isfinite(value)) skin.fail("inverse bind matrix " + std::to_string(j) + " is not finite");
+            result[j][k / 4][k % 4] = value;
+        }
+    return result;
+}
+
+Skin read_skin(Accessors& accessors, const Nodes& nodes, const Value& source, std::uint32_t index) {
+    Skin skin;
+    skin.name = Document::name_of(source, skin_kind, index);
+    const Value joints = source.list("joints");
+    accessors.document().context().memory().charge(joints.size() * (sizeof(dmat4) + sizeof(std::uint32_t)), "skins");
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const std::uint32_t node = nodes.scene_index(joints.index_at(j));
+        if (node == none) source.fail("its joint " + std::to_string(joints.index_at(j)) + " is no node of the scene");
+        skin.joints.push_back(node);
+    }
+    skin.inverse_bind = inverse_bind_matrices(accessors, source, skin.joints.size());
+    return skin;
+}
+
+}  // namespace
+
+void read_skins(Accessors& accessors, Meshes& meshes, const Nodes& nodes, Scene& scene) {
+    const Document& document = accessors.document();
+    std::map<std::uint32_t, std::uint32_t> loaded;  // of the file -> of the scene, or none
+    for (const PlacedNode& placed : nodes.placed()) {
+        const Value node = document.element(node_kind, placed.file, document.root());
+        const std::uint32_t index = node.index("skin"), mesh = node.index("mesh");
+        if (index == none || mesh == none) continue;
+        const std::uint32_t joints_used = meshes.load(mesh, node).joints_used;
+        if (joints_used == 0) continue;
+        if (!loaded.contains(index)) {
+            loaded[index] = none;
+            read_or_drop(document, "skin " + std::to_string(index), [&] {
+                Skin skin = read_skin(accessors, nodes, document.element(skin_kind, index, node), index);
+                scene.skins.push_back(std::move(skin));
+                loaded[index] = std::uint32_t(scene.skins.size() - 1);
+            });
+        }
+        const std::uint32_t skin = loaded[index];
+        if (skin == none || scene.nodes[placed.scene].meshes.empty()) continue;
+        if (joints_used > scene.skins[skin].joints.size())
+            node.fail("its mesh follows joint " + std::to_string(joints_used - 1) + ", but its skin has " + std::to_string(scene.skins[skin].joints.size()));
+        scene.nodes[placed.scene].skin = skin;
+    }
+}
+
+}  // namespace rakelight::io::gltf

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/vertex_data.h"
+
+#include <numeric>
+
+namespace rakelight::io::gltf {
+namespace {
+
+/// The largest value of a type is forbidden: some systems take it as the end of a strip.
+std::uint32_t restart_value(ComponentType type) {
+    return type == ComponentType::u8 ? 0xFFu : type == ComponentType::u16 ? 0xFFFFu : 0xFFFFFFFFu;
+}
+
+void check_corners(const std::vector<std::uint32_t>& corners, std::uint64_t vertices, std::uint32_t restart, const Value& primitive) {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if (corners[i] >= vertices)
+            primitive.fail(corners[i] == restart ? "index " + std::to_string(restart) + " at corner " + std::to_string(i) + " is the primitive restart value, which glTF forbids"
+                                                 : "index " + std::to_string(corners[i]) + " at corner " + std::to_string(i) + " exceeds " + std::to_string(vertices) + " vertices");
+}
+
+}  // namespace
+
+VertexData::VertexData(Accessors& accessors, BlockCache& cache, const Value& primitive)
+    : accessors_(accessors), cache_(cache), primitive_(primitive), attributes_(primitive.object("attributes")) {
+    const Value packed = primitive.extension("KHR_draco_mesh_compression");
+    if (!packed) return;
+    packed_attributes_ = packed.object("attributes");
+    const Region region = accessors_.buffers().view(packed.required_index("bufferView"), primitive_);
+    draco_ = std::make_unique<DracoMesh>(region.bytes, primitive_, document().context());
+    count_ = draco_->vertex_count();
+}
+
+void VertexData::check_count(std::uint64_t count, const std::string& semantic) {
+    if (!count_) count_ = count;
+    if (*count_ != count)
+        primitive_.fail(semantic + " has " + std::to_string(count) + " elements, but the primitive has " + std::to_string(*count_) + " vertices");
+    if (count >= none) primitive_.fail(std::to_string(count) + " vertices are more than indices can reach");
+}
+
+std::optional<Elements> VertexData::find(const Value& owner, const std::string& semantic, const Expected& expected) {
+    if (!owner.has(semantic.c_str())) return std::nullopt;
+    const std::uint32_t accessor = owner.required_index(semantic.c_str());
+    const bool is_packed = draco_ && packed_attributes_.has(semantic.c_str());
+    const Elements found =
+        is_packed ? draco_->attribute(packed_attributes_.required_index(semantic.c_str()),
+                                      accessors_.description(accessor, expected, primitive_), primitive_, document().context())
+                  : accessors_.elements(accessor, expected, primitive_);
+    check_count(found.count, semantic);
+    return found;
+}
+
+std::optional<Elements> VertexData::elements(const std::string& semantic, std::uint32_t component_counts, std::uint32_t types) {
+    return find(attributes_, semantic, {semantic.c_str(), component_counts, types});
+}
+
+template <class T, class Make>
+Block<T> VertexData::block(std::map<std::uint32_t, Block<T>>& cache, const Value& owner, const std::string& semantic, std::uint32_t component_counts, Make make) {
+    if (!owner.has(semantic.c_str())) return {};
+    const std::uint32_t accessor = owner.required_index(semantic.c_str());
+    if (!draco_)
+        if (const auto known = cache.find(accessor); known != cache.end()) {
+            check_count(known->second.size(), semantic);
+            return known->second;
+        }
+    const auto found = find(owner, semantic, {semantic.c_str(), component_counts, float_or_small});
+    document().context().memory().charge(found->count * sizeof(T), "vertex data");
+    Block<T> made(make(*found));
+    if (!draco_) cache.emplace(accessor, made);
+    return made;
+}
+
+Block<vec2> VertexData::vec2s(const std::string& semantic) { return block(cache_.vec2s, attributes_, semantic, components(2), to_vec2); }
+Block<vec3> VertexData::vec3s(const std::string& semantic) { return block(cache_.vec3s, attributes_, semantic, components(3), to_vec3); }
+
+Block<vec4> VertexData::tangents() {
+    return block(cache_.tangents, attributes_, "TANGENT", components(4), [](const Elements& e) { return to_vec4(e, 1); });
+}
+
+Block<vec4> VertexData::colors() {
+    return block(cache_.colors, attributes_, "COLOR_0", components(3) | components(4), [this](Elements e) {
+        if (e.type != ComponentType::f32 && !e.normalized) {
+            e.normalized = true;
+            document().remark(Remark::guessed, primitive_.place(), "vertex colors of integers that are not said to be normalized are taken as 0..1");
+        }
+        return to_vec4(e, 1);
+    });
+}
+
+Block<vec3> VertexData::offsets(const Value& target, const std::string& semantic) {
+    if (!target.has(semantic.c_str())) return {};
+    const std::uint32_t accessor = target.required_index(semantic.c_str());
+    if (const auto known = cache_.vec3s.find(accessor); known != cache_.vec3s.end()) {
+        check_count(known->second.size(), semantic);
+        return known->second;
+    }
+    const Elements found = accessors_.elements(accessor, {"a morph target", components(3), float_or_small}, primitive_);
+    check_count(found.count, "the morph target's " + semantic);
+    document().context().memory().charge(found.count * sizeof(vec3), "morph targets");
+    return cache_.vec3s.emplace(accessor, to_vec3(found)).first->second;
+}
+
+std::vector<std::uint32_t> VertexData::corners() {
+    MemoryBudget& memory = document().context().memory();
+    if (draco_) {
+        std::vector<std::uint32_t> unpacked = draco_->indices();
+        memory.charge(unpacked.size() * sizeof(std::uint32_t), "indices");
+        return unpacked;
+    }
+    if (!primitive_.has("indices")) {
+        memory.charge(vertex_count() * sizeof(std::uint32_t), "indices");
+        std::vector<std::uint32_t> each_once(std::size_t{vertex_count()});
+        std::iota(each_once.begin(), each_once.end(), 0u);
+        return each_once;
+    }
+    const Elements elements = accessors_.elements(primitive_.required_index("indices"), {"indices", components(1), unsigned_types}, primitive_);
+    memory.charge(elements.count * sizeof(std::uint32_t), "indices");
+    std::vector<std::uint32_t> read = to_integers(elements);
+    check_corners(read, vertex_count(), restart_value(elements.type), primitive_);
+    return read;
+}
+
+}  // namespace rakelight::io::gltf
