@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/obj/obj_lines.h"
+
+#include <cstring>
+
+namespace rakelight::io::obj {
+namespace {
+
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f' || is_line_end(c); }
+
+std::size_t find(std::string_view file, std::size_t from, char c) {
+    const void* hit = from < file.size() ? std::memchr(file.data() + from, c, file.size() - from) : nullptr;
+    return hit ? std::size_t(static_cast<const char*>(hit) - file.data()) : file.size();
+}
+
+/// A blank, or the backslash that joins two lines.
+bool is_gap(std::string_view file, std::size_t i, std::size_t end) {
+    return is_blank(file[i]) || (file[i] == '\\' && i + 1 < end && is_line_end(file[i + 1]));
+}
+
+}  // namespace
+
+bool Tokens::next(Token& token) {
+    while (at_ < end_ && is_gap(file_, at_, end_)) ++at_;
+    if (at_ >= end_ || file_[at_] == '#') {
+        at_ = end_;
+        return false;
+    }
+    const std::size_t begin = at_;
+    while (at_ < end_ && !is_gap(file_, at_, end_)) ++at_;
+    token = {file_.substr(begin, at_ - begin), begin};
+    return true;
+}
+
+LineReader::LineReader(std::string_view file) : file_(file) {
+    if (file_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
+}
+
+// Both positions are remembered: a file of CR lines would otherwise be searched for LF to its end at every line.
+std::size_t LineReader::line_end(std::size_t from) {
+    if (!lf_known_ || next_lf_ < from) next_lf_ = find(file_, from, '\n');
+    if (!cr_known_ || next_cr_ < from) next_cr_ = find(file_, from, '\r');
+    lf_known_ = cr_known_ = true;
+    return next_lf_ < next_cr_ ? next_lf_ : next_cr_;
+}
+
+bool LineReader::next(Line& line) {
+    if (at_ >= file_.size()) return false;
+    line.number = number_;
+    line.begin = at_;
+    line.keyword = {};
+    bool is_comment = false, is_joined = true;
+    for (bool is_first = true; is_joined; is_first = false) {
+        const std::size_t start = at_;
+        line.end = line_end(start);
+        if (is_first) {
+            std::size_t i = start;
+            while (i < line.end && is_blank(file_[i])) ++i;
+            is_comment = i < line.end && file_[i] == '#';
+        }
+        at_ = line.end;
+        if (at_ < file_.size()) {
+            const bool is_crlf = file_[at_] == '\r' && at_ + 1 < file_.size() && file_[at_ + 1] == '\n';
+            if (file_[at_] == '\r' && !is_crlf) saw_lone_cr_ = true;
+            at_ += is_crlf ? 2 : 1;
+        }
+        ++number_;
+        is_joined = !is_comment && line.end > start && file_[line.end - 1] == '\\' && at_ < file_.size();
+    }
+    line.next = at_;
+    Tokens words(file_, line.begin, line.end);
+    if (is_comment || !words.next(line.keyword)) line.keyword = {file_.substr(line.end, 0), line.end};
+    return true;
+}
+
+std::string name_text(std::string_view file, std::size_t begin, std::size_t end) {
+    while (begin < end && is_gap(file, begin, end)) ++begin;
+    while (end > begin && is_blank(file[end - 1])) --end;
+    std::string name;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (file[i] == '\\' && i + 1 < end && is_line_end(file[i + 1])) {
+            if (file[i + 1] == '\r' && i + 2 < end && file[i + 2] == '\n') ++i;
+            ++i;
+            name += ' ';
+        } else {
+            name += file[i] == '\0' ? ' ' : file[i];
+        }
+    }
+    return name;
+}
+
+std::string ascii_lower(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return lower;
+}
+
+}  // namespace rakelight::io::obj
