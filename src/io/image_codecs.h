@@ -21,8 +21,21 @@ Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Comp
 /// The readers. Each is given bytes that begin like its format. @throws Error bad_file
 Pixels read_png(std::span<const std::byte> bytes, Context& context);
 Pixels read_jpeg(std::span<const std::byte> bytes, Context& context);
+Pixels read_webp(std::span<const std::byte> bytes, Context& context);
+Pixels read_exr(std::span<const std::byte> bytes, Context& context);
+Pixels read_hdr(std::span<const std::byte> bytes, Context& context);
+Pixels read_bmp(std::span<const std::byte> bytes, Context& context);
+Pixels read_tga(std::span<const std::byte> bytes, Context& context);
+/// Refuses an EXR file whose headers would make the library ask for more memory than the file explains.
+void check_exr(std::span<const std::byte> bytes, Context& context);
+/// TGA has no magic number: true where the header could be one.
+bool may_be_tga(std::span<const std::byte> bytes);
 
 /// The writers. Sizes are 1..65536, channels 1..4, the component is component_for(path) or u16 for PNG.
 std::unique_ptr<ImageWriter> write_png(const std::string& path, int width, int height, int channels, Component component);
+std::unique_ptr<ImageWriter> write_jpeg(const std::string& path, int width, int height, int channels, Component component);
+std::unique_ptr<ImageWriter> write_webp(const std::string& path, int width, int height, int channels, Component component);
+std::unique_ptr<ImageWriter> write_exr(const std::string& path, int width, int height, int channels, Component component);
+std::unique_ptr<ImageWriter> write_hdr(const std::string& path, int width, int height, int channels, Component component);
 
 }  // namespace rakelight::io::codec

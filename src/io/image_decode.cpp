@@ -56,7 +56,12 @@ void refuse_known_formats(std::span<const std::byte> bytes) {
 Reader reader_for(std::span<const std::byte> bytes) {
     if (begins_with(bytes, "\x89PNG\r\n\x1a\n")) return codec::read_png;
     if (begins_with(bytes, "\xff\xd8\xff")) return codec::read_jpeg;
+    if (begins_with(bytes, "RIFF") && bytes.size() >= 12 && begins_with(bytes.subspan(8), "WEBP")) return codec::read_webp;
+    if (begins_with(bytes, "\x76\x2f\x31\x01")) return codec::read_exr;
+    if (begins_with(bytes, "#?")) return codec::read_hdr;
+    if (begins_with(bytes, "BM")) return codec::read_bmp;
     refuse_known_formats(bytes);
+    if (codec::may_be_tga(bytes)) return codec::read_tga;
     codec::bad_picture("is not a picture of a known format");
 }
 

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// OpenEXR: grey or RGB, with or without alpha, as floats in linear light. EXR holds colours multiplied by alpha ("Technical
+// Introduction to OpenEXR", section "Alpha"); Pixels hold them apart, so they are divided here and multiplied on writing.
+// Written are floats, not halves: what the engine computed, and depth needs them.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfPartType.h>
+#include <ImfRgbaFile.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+#include <system_error>
+
+#include "io/file.h"
+#include "io/image_codecs.h"
+
+namespace rakelight::io::codec {
+namespace {
+
+class MemoryInput final : public Imf::IStream {
+public:
+    explicit MemoryInput(std::span<const std::byte> bytes) : IStream("picture"), bytes_(bytes) {}
+    bool read(char to[], int count) override {
+        if (count < 0 || at_ > bytes_.size() || bytes_.size() - at_ < std::size_t(count)) throw std::runtime_error("it ends too early");
+        std::memcpy(to, bytes_.data() + at_, std::size_t(count));
+        at_ += std::size_t(count);
+        return at_ < bytes_.size();
+    }
+    std::uint64_t tellg() override { return at_; }
+    void seekg(std::uint64_t position) override { at_ = position; }
+
+private:
+    std::span<const std::byte> bytes_;
+    std::uint64_t at_ = 0;
+};
+
+class FileOutput final : public Imf::OStream {
+public:
+    explicit FileOutput(std::FILE* file) : OStream("picture"), file_(file) {}
+    void write(const char from[], int count) override {
+        if (std::fwrite(from, 1, std::size_t(count), file_) != std::size_t(count)) fail();
+    }
+    std::uint64_t tellp() override { return std::uint64_t(std::ftell(file_)); }
+    void seekp(std::uint64_t position) override {
+        if (std::fseek(file_, long(position), SEEK_SET) != 0) fail();
+    }
+
+private:
+    [[noreturn]] static void fail() { throw std::system_error(errno, std::generic_category()); }
+    std::FILE* file_;
+};
+
+struct Layout {
+    std::array<const char*, 4> names{};  // in the order of Pixels
+    int channels = 0;
+};
+
+/// The unnamed layer's colour. Missing ones of R, G, B count as zero.
+Layout layout_of(const Imf::ChannelList& list) {
+    const bool rgb = list.findChannel("R") || list.findChannel("G") || list.findChannel("B"), alpha = list.findChannel("A") != nullptr;
+    if (!rgb && !list.findChannel("Y")) bad_picture("an EXR picture without the channels R, G, B or Y");
+    Layout layout = rgb ? Layout{{"R", "G", "B", nullptr}, 3} : Layout{{"Y", nullptr, nullptr, nullptr}, 1};
+    if (alpha) layout.names[std::size_t(layout.channels++)] = "A";
+    for (int c = 0; c < layout.channels; ++c) {
+        const Imf::Channel* channel = list.findChannel(layout.names[std::size_t(c)]);
+        if (channel && (channel->xSampling != 1 || channel->ySampling != 1)) bad_picture("EXR colours with fewer samples than pixels are not supported");
+    }
+    return layout;
+}
+
+void divide_by_alpha(Pixels& pixels) {
+    if (pixels.channels != 2 && pixels.channels != 4) return;
+    std::vector<float> row(std::size_t(pixels.width) * std::size_t(pixels.channels));
+    for (int y = 0; y < pixels.height; ++y) {
+        std::memcpy(row.data(), pixels.row(y), pixels.row_bytes());
+        for (float* p = row.data(); p != row.data() + row.size(); p += pixels.channels) {
+            const float alpha = p[pixels.channels - 1];
+            if (alpha > 0 && alpha != 1)
+                for (int c = 0; c + 1 < pixels.channels; ++c) p[c] /= alpha;
+        }
+        std::memcpy(pixels.row(y), row.data(), pixels.row_bytes());
+    }
+}
+
+std::uint64_t side(int low, int high) { return std::uint64_t(std::int64_t(high) - low + 1); }
+
+/// Luminance with two chroma channels of half the size; the library's own class turns it into RGB.
+Pixels read_luminance_chroma(std::span<const std::byte> bytes, Context& context) {
+    MemoryInput input(bytes);
+    Imf::RgbaInputFile file(input, 0);
+    const Imath::Box2i window = file.dataWindow();
+    const bool alpha = (file.channels() & Imf::WRITE_A) != 0;
+    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), alpha ? 4 : 3, Component::f32, context);
+    std::vector<Imf::Rgba> row{std::size_t(pixels.width)};
+    std::vector<float> floats(row.size() * std::size_t(pixels.channels));
+    for (int y = 0; y < pixels.height; ++y) {
+        const std::int64_t line = std::int64_t(window.min.y) + y;  // the library adds base, x and y strides: row 0 is at -min
+        file.setFrameBuffer(row.data() - window.min.x, 1, 0);
+        file.readPixels(int(line));
+        float* to = floats.data();
+        for (const Imf::Rgba& p : row) {
+            const float values[4] = {p.r, p.g, p.b, p.a};
+            for (int c = 0; c < pixels.channels; ++c) *to++ = values[c];
+        }
+        std::memcpy(pixels.row(y), floats.data(), pixels.row_bytes());
+    }
+    return pixels;
+}
+
+Pixels read_part(Imf::MultiPartInputFile& file, Context& context) {
+    Imf::InputPart part(file, 0);
+    const Imath::Box2i window = part.header().dataWindow();
+    const Layout layout = layout_of(part.header().channels());
+    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), layout.channels, Component::f32, context);
+    Imf::FrameBuffer buffer;
+    for (int c = 0; c < layout.channels; ++c)
+        buffer.insert(layout.names[std::size_t(c)],
+                      Imf::Slice::Make(Imf::FLOAT, pixels.bytes.data() + 4 * c, window, std::size_t(4 * layout.channels), pixels.row_bytes()));
+    part.setFrameBuffer(buffer);
+    part.readPixels(window.min.y, window.max.y);
+    return pixels;
+}
+
+Pixels read_any(std::span<const std::byte> bytes, Context& context) {
+    MemoryInput input(bytes);
+    Imf::MultiPartInputFile file(input, 0, false);
+    const Imf::Header& header = file.header(0);
+    if (header.hasType() && Imf::isDeepData(header.type())) bad_picture("deep EXR pictures are not supported");
+    const Imf::ChannelList& list = header.channels();
+    if (list.findChannel("RY") && list.findChannel("BY") && !list.findChannel("R")) return read_luminance_chroma(bytes, context);
+    return read_part(file, context);
+}
+
+class ExrWriter final : public ImageWriter {
+public:
+    ExrWriter(const std::string& path, int width, int height, int channels)
+        : path_(path), channels_(std::size_t(channels)), rows_left_(height), file_(path), output_(file_.handle()),
+          row_(std::size_t(width) * channels_) {
+        Imf::Header header(width, height);
+        header.compression() = Imf::ZIP_COMPRESSION;
+        const Layout layout = channels < 3 ? Layout{{"Y", "A", nullptr, nullptr}, channels} : Layout{{"R", "G", "B", "A"}, channels};
+        for (int c = 0; c < channels; ++c) header.channels().insert(layout.names[std::size_t(c)], Imf::Channel(Imf::FLOAT));
+        call([&] { exr_ = std::make_unique<Imf::OutputFile>(output_, header, 0); });
+        Imf::FrameBuffer buffer;  // a row stride of 0: every row is handed over in the same place
+        for (std::size_t c = 0; c < channels_; ++c)
+            buffer.insert(layout.names[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row_.data() + c), 4 * channels_, 0));
+        call([&] { exr_->setFrameBuffer(buffer); });
+    }
+
+    void write_row(const void* row) override {
+        std::memcpy(row_.data(), row, row_.size() * sizeof(float));
+        if (channels_ % 2 == 0)
+            for (std::size_t i = 0; i < row_.size(); i += channels_)
+                for (std::size_t c = 0; c + 1 < channels_; ++c) row_[i + c] *= row_[i + channels_ - 1];
+        --rows_left_;
+        call([&] { exr_->writePixels(1); });
+    }
+
+    void finish() override {
+        if (rows_left_ != 0) throw Error(ErrorCode::failed, "the picture is not complete").with_file(path_);
+        call([&] { exr_.reset(); });  // writes the table of lines
+        file_.commit();
+    }
+
+private:
+    template <class Call>
+    void call(const Call& body) const {
+        try {
+            body();
+        } catch (const std::exception& error) {
+            throw Error(ErrorCode::failed, std::string("cannot be written: ") + error.what()).with_file(path_);
+        }
+    }
+
+    std::string path_;
+    std::size_t channels_;
+    int rows_left_;
+    OutputFile file_;
+    FileOutput output_;
+    std::vector<float> row_;
+    std::unique_ptr<Imf::OutputFile> exr_;  // goes first: it writes to the others
+};
+
+}  // namespace
+
+Pixels read_exr(std::span<const std::byte> bytes, Context& context) {
+    check_exr(bytes, context);
+    try {
+        Pixels pixels = read_any(bytes, context);
+        pixels.is_linear = true;
+        divide_by_alpha(pixels);
+        return pixels;
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& error) {  // the library's own and bad_alloc
+        bad_picture(std::string("broken EXR: ") + error.what());
+    }
+}
+
+std::unique_ptr<ImageWriter> write_exr(const std::string& path, int width, int height, int channels, Component) {
+    return std::make_unique<ExrWriter>(path, width, height, channels);
+}
+
+}  // namespace rakelight::io::codec
