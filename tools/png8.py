@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""8-bit RGB PNG in and out with the standard library alone, for the small tools beside."""
+import struct
+import zlib
+
+
+def read_rgb(path):
+    """(width, height, bytes of RGB rows) of an 8-bit RGB or RGBA PNG without interlace."""
+    blob, at, data, header = open(path, "rb").read(), 8, b"", None
+    while at < len(blob):
+        size, kind = struct.unpack(">I4s", blob[at:at + 8])
+        chunk = blob[at + 8:at + 8 + size]
+        at += 12 + size
+        if kind == b"IHDR":
+            header = struct.unpack(">IIBBBBB", chunk)
+        elif kind == b"IDAT":
+            data += chunk
+    width, height, depth, color, _, _, interlace = header
+    if depth != 8 or color not in (2, 6) or interlace:
+        raise ValueError(f"{path}: want 8-bit RGB or RGBA without interlace")
+    channels = 3 if color == 2 else 4
+    raw, stride = zlib.decompress(data), width * channels
+    previous, rows = bytearray(stride), []
+    for y in range(height):
+        start = y * (stride + 1)
+        row = bytearray(raw[start + 1:start + 1 + stride])
+        unfilter(raw[start], row, previous, channels)
+        rows.append(bytes(row) if channels == 3 else bytes(b for i, b in enumerate(row) if i % 4 != 3))
+        previous = row
+    return width, height, b"".join(rows)
+
+
+def unfilter(kind, row, previous, step):
+    """Undoes the row filters of the PNG specification (section 9)."""
+    for x in range(len(row)):
+        left = row[x - step] if x >= step else 0
+        up, corner = previous[x], previous[x - step] if x >= step else 0
+        if kind == 1:
+            row[x] = (row[x] + left) & 255
+        elif kind == 2:
+            row[x] = (row[x] + up) & 255
+        elif kind == 3:
+            row[x] = (row[x] + (left + up) // 2) & 255
+        elif kind == 4:
+            guess = left + up - corner
+            a, b, c = abs(guess - left), abs(guess - up), abs(guess - corner)
+            row[x] = (row[x] + (left if a <= b and a <= c else up if b <= c else corner)) & 255
+
+
+def write_rgb(path, width, height, pixels):
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    rows, previous = [], bytes(width * 3)
+    for y in range(height):
+        row = pixels[y * width * 3:(y + 1) * width * 3]
+        rows.append(b"\2" + bytes((a - b) & 255 for a, b in zip(row, previous)))
+        previous = row
+    with open(path, "wb") as out:
+        out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+                  chunk(b"IDAT", zlib.compress(b"".join(rows), 9)) + chunk(b"IEND", b""))
