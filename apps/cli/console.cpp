@@ -11,8 +11,8 @@
 namespace rakelight::cli {
 namespace {
 
-constexpr std::size_t max_lines = 20;   ///< warnings a file
-constexpr std::size_t max_text = 600;   ///< bytes of a message
+constexpr std::size_t max_lines = 20;  ///< warnings a file
+constexpr std::size_t max_text = 600;  ///< bytes of a message
 
 bool has_colors() {
     static const bool answer = [] {
@@ -40,9 +40,7 @@ std::string text_of(const ReportEntry& r) {
     return text;
 }
 
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace
 
@@ -62,7 +60,8 @@ void print_remarks(const std::vector<ReportEntry>& remarks, std::uint64_t left_o
         else
             print_line("warning", "\033[33m", text_of(r));
     }
-    const std::string file = remarks.empty() || remarks.front().file.empty() ? "" : one_line(remarks.front().file) + ": ";
+    const std::string file =
+        remarks.empty() || remarks.front().file.empty() ? "" : one_line(remarks.front().file) + ": ";
     if (more) print_line("warning", "\033[33m", file + "... " + std::to_string(more) + " more, see --json");
 }
 
@@ -73,9 +72,11 @@ void print_note(const std::string& text, Loudness loudness) {
 std::string summary(const PictureResult& r) {
     char text[400];
     std::snprintf(text, sizeof text,
-                  ": %d x %d pixels, %llu objects, %llu triangles; load %.1f, prepare %.1f, render %.1f, write %.1f ms (%s, %s, %d threads)",
-                  r.width, r.height, static_cast<unsigned long long>(r.objects), static_cast<unsigned long long>(r.triangles), r.load_ms,
-                  r.prepare_ms, r.render_ms, r.write_ms, r.engine.c_str(), r.isa.c_str(), r.threads);
+                  ": %d x %d pixels, %llu objects, %llu triangles; load %.1f, prepare %.1f, render %.1f, write %.1f ms "
+                  "(%s, %s, %d threads)",
+                  r.width, r.height, static_cast<unsigned long long>(r.objects),
+                  static_cast<unsigned long long>(r.triangles), r.load_ms, r.prepare_ms, r.render_ms, r.write_ms,
+                  r.engine.c_str(), r.isa.c_str(), r.threads);
     return one_line(r.output) + text;
 }
 

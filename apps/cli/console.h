@@ -30,7 +30,8 @@ std::string summary(const PictureResult& result);
 /// Data on standard output. @throws Error failed when it cannot be written (a full disk, a closed pipe).
 void print_data(const std::string& text);
 
-/// A progress line for a terminal: appears after half a second, is wiped when done. Nothing when standard error is no terminal.
+/// A progress line for a terminal: appears after half a second, is wiped when done. Nothing when standard error is no
+/// terminal.
 class ProgressLine {
 public:
     ProgressLine(const std::string& file, Loudness loudness);

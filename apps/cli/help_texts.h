@@ -42,7 +42,8 @@ Examples:
       --channels depth,normal
       With alpha; depth and normals go to chair.depth.exr and chair.normal.exr.)";
 
-inline constexpr const char* inspect_footer = R"(Borders are world positions that two objects share. Their angle says how far
+inline constexpr const char* inspect_footer =
+    R"(Borders are world positions that two objects share. Their angle says how far
 apart the nearest two normals there are: a seam shows where it is not 0.
 
 Examples:

@@ -18,7 +18,8 @@ int hex_digit(char c) {
 }
 
 bool is_hex(std::string_view text) {
-    return (text.size() == 3 || text.size() == 6) && std::all_of(text.begin(), text.end(), [](char c) { return hex_digit(c) >= 0; });
+    return (text.size() == 3 || text.size() == 6) &&
+           std::all_of(text.begin(), text.end(), [](char c) { return hex_digit(c) >= 0; });
 }
 
 vec3 color(const std::string& option, std::string_view text) {
@@ -55,7 +56,8 @@ void set_property(const std::string& option, Light& light, std::string_view part
         light.direction = vector3(what, value);
     } else if (name == "cutoff" && light.type == LightType::spot) {
         const double cutoff = number(what, value);
-        if (!(cutoff > 0 && cutoff <= 90)) throw Error(ErrorCode::usage, what + ": the half angle must be more than 0 and at most 90 degrees");
+        if (!(cutoff > 0 && cutoff <= 90))
+            throw Error(ErrorCode::usage, what + ": the half angle must be more than 0 and at most 90 degrees");
         light.cutoff_rad = float(radians(cutoff));
     } else if (name == "exponent" && light.type == LightType::spot) {
         light.exponent = float(std::max(number(what, value), 0.0));
@@ -82,7 +84,8 @@ vec4 background(const std::string& option, std::string_view text) {
                     "write r,g,b from 0 to 1, '#rrggbb', or transparent");
     }
     for (std::size_t i = 0; i < 3; ++i)
-        if (display[i] < 0 || display[i] > 1) throw Error(ErrorCode::usage, option + ": the colour's parts must be from 0 to 1");
+        if (display[i] < 0 || display[i] > 1)
+            throw Error(ErrorCode::usage, option + ": the colour's parts must be from 0 to 1");
     const vec3 c = linear_from_srgb(vec3{float(display.x), float(display.y), float(display.z)});
     return {c.x, c.y, c.z, 1};
 }
@@ -90,8 +93,11 @@ vec4 background(const std::string& option, std::string_view text) {
 Light light(const std::string& option, std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ':');
     Light light;
-    light.type = word<LightType>(option, parts[0], {{"point", LightType::point}, {"directional", LightType::directional},
-                                                    {"spot", LightType::spot}, {"ambient", LightType::ambient}});
+    light.type = word<LightType>(option, parts[0],
+                                 {{"point", LightType::point},
+                                  {"directional", LightType::directional},
+                                  {"spot", LightType::spot},
+                                  {"ambient", LightType::ambient}});
     if (parts.size() < 2)
         throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 60) + "' lacks its numbers", {},
                     "for example point:0,2,3 or directional:0,-1,-1 or ambient:0.1,0.1,0.1");

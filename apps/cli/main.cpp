@@ -28,7 +28,8 @@ Error error_of(const std::string& file) {
     }
 }
 
-/// Runs the work of one file with a context of its own; fills the remarks and the error of `row`. Returns the exit code.
+/// Runs the work of one file with a context of its own; fills the remarks and the error of `row`. Returns the exit
+/// code.
 template <class Row>
 int run_file(const Options& options, const std::string& file, Row& row, const std::function<void(Context&)>& work) {
     ProgressLine progress(file, options.loudness);
@@ -55,7 +56,8 @@ int run_render(const Options& options) {
     for (const PictureRequest& request : requests) {
         PictureRow& row = rows.emplace_back();
         row.result = {.file = request.input, .output = request.output};
-        const int code = run_file(options, request.input, row, [&](Context& c) { row.result = render_picture(request, c); });
+        const int code =
+            run_file(options, request.input, row, [&](Context& c) { row.result = render_picture(request, c); });
         if (code == 0) print_note(summary(row.result), options.loudness);
         worst = std::max(worst, code);
     }
@@ -81,10 +83,16 @@ int run_inspect(const Options& options) {
 int run(int argc, const char* const* argv) {
     const Options options = parse(argc, argv);
     switch (options.verb) {
-        case Verb::help: print_data(options.help); return 0;
-        case Verb::version: print_data(version_text()); return 0;
-        case Verb::render: return run_render(options);
-        case Verb::inspect: return run_inspect(options);
+        case Verb::help:
+            print_data(options.help);
+            return 0;
+        case Verb::version:
+            print_data(version_text());
+            return 0;
+        case Verb::render:
+            return run_render(options);
+        case Verb::inspect:
+            return run_inspect(options);
     }
     return 0;
 }

@@ -14,7 +14,31 @@
 namespace rakelight::cli {
 namespace {
 
-constexpr std::size_t column_width = 34;
+constexpr std::size_t column_width = 32, page_width = 100;
+
+/// CLI11's layout with descriptions wrapped to the page and single blank lines.
+class HelpLayout final : public CLI::Formatter {
+public:
+    HelpLayout() { column_width(cli::column_width); }
+
+    std::string make_option_desc(const CLI::Option* option) const override {
+        std::string text = Formatter::make_option_desc(option), out;
+        constexpr std::size_t width = page_width - cli::column_width;
+        while (text.size() > width) {
+            const std::size_t blank = text.rfind(' ', width);
+            if (blank == std::string::npos) break;
+            out += text.substr(0, blank) + "\n";
+            text.erase(0, blank + 1);
+        }
+        return out + text;
+    }
+
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+        std::string text = Formatter::make_help(app, name, mode);
+        for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
+        return text;
+    }
+};
 
 /// Options that every verb has.
 struct CommonWords {
@@ -27,61 +51,84 @@ void add_common_options(CLI::App& app, CommonWords& w) {
     app.add_flag("--quiet", w.quiet, "Print no warnings, only errors")->group("Output");
     app.add_flag("--verbose", w.verbose, "Print notes and times too")->group("Output");
     app.add_option("--threads", w.threads, "Worker threads (default: all processors). The result does not depend on it")
-        ->type_name("N")->group("Machine");
+        ->type_name("N")
+        ->group("Machine");
     app.add_option("--max-memory", w.max_memory,
-                   "Memory that a model's data may ask for, for example 4G (default: 2G, or 64 bytes for each byte of its files)")
-        ->type_name("SIZE")->group("Machine");
-    app.add_flag("--allow-outside", w.allow_outside, "Let a model refer to files outside its own folder")->group("Machine");
+                   "Memory that a model's data may ask for, for example 4G (default: 2G, or 64 bytes for each byte of "
+                   "its files)")
+        ->type_name("SIZE")
+        ->group("Machine");
+    app.add_flag("--allow-outside", w.allow_outside, "Let a model refer to files outside its own folder")
+        ->group("Machine");
 }
 
 void add_inputs(CLI::App& app, std::vector<std::string>& inputs, const char* help) {
-    app.add_option("model", inputs, help)->type_name("MODEL...")->required();
+    app.add_option("MODEL", inputs, help)->type_name("")->required();
 }
 
-CLI::Option* add(CLI::App& app, const char* group, const char* name, std::string& word, const char* type, const char* help) {
+CLI::Option* add(CLI::App& app, const char* group, const char* name, std::string& word, const char* type,
+                 const char* help) {
     return app.add_option(name, word, help)->type_name(type)->group(group);
 }
 
 void add_normal_options(CLI::App& app, RenderWords& w) {
     const char* const group = "Normals";
     add(app, group, "--normals", w.normals, "WHICH",
-        "auto (default: the file's, else as its format says, else model), file, flat, object (smooth within each object), "
+        "auto (default: the file's, else as its format says, else model), file, flat, object (smooth within each "
+        "object), "
         "model (smooth over all objects: no seams)");
-    add(app, group, "--crease-angle", w.crease_angle, "DEG", "Edges bent more than this stay sharp, 0 to 180 (default 60)");
-    add(app, group, "--weight", w.weight, "HOW", "How a triangle pulls on a normal: angle (default), uniform, area, angle-area");
+    add(app, group, "--crease-angle", w.crease_angle, "DEG",
+        "Edges bent more than this stay sharp, 0 to 180 (default 60)");
+    add(app, group, "--weight", w.weight, "HOW",
+        "How a triangle pulls on a normal: angle (default), uniform, area, angle-area");
 }
 
 }  // namespace
 
 void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Output", "-o,--output", w.output, "FILE",
-        "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for the model's name")->required();
+        "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for the model's name")
+        ->required();
     add(app, "Output", "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1280,720)");
-    add(app, "Output", "--window", w.window, "X,Y,W,H", "Draw and write only this part of the picture; 0,0 is the top left pixel");
-    add(app, "Output", "--background", w.background, "COLOR", "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent");
+    add(app, "Output", "--window", w.window, "X,Y,W,H",
+        "Draw and write only this part of the picture; 0,0 is the top left pixel");
+    add(app, "Output", "--background", w.background, "COLOR",
+        "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent");
     add(app, "Output", "--channels", w.channels, "LIST",
         "Also write data: depth,normal,object,material, each to its own file NAME.depth.exr, ...");
 
-    add(app, "Shading", "--engine", w.engine, "NAME", "soft (default): own rasterizer, the same picture on every machine");
-    add(app, "Shading", "--shading", w.shading, "HOW", "phong (default: lighting at every pixel) or unlit (own colour only)");
-    add(app, "Shading", "--lighting", w.lighting, "MODEL", "auto (default: what the material says), lambert, phong, blinn-phong");
+    add(app, "Shading", "--engine", w.engine, "NAME",
+        "soft (default): own rasterizer, the same picture on every machine");
+    add(app, "Shading", "--shading", w.shading, "HOW",
+        "phong (default: lighting at every pixel) or unlit (own colour only)");
+    add(app, "Shading", "--lighting", w.lighting, "MODEL",
+        "auto (default: what the material says), lambert, phong, blinn-phong");
     add(app, "Shading", "--specular", w.specular, "FORM", "auto (default), textbook, normalized (conserves energy)");
-    add(app, "Shading", "--specular-horizon", w.specular_horizon, "on|off", "No highlight where the light is below the surface (default on)");
+    add(app, "Shading", "--specular-horizon", w.specular_horizon, "on|off",
+        "No highlight where the light is below the surface (default on)");
     add(app, "Shading", "--bump", w.bump, "HOW", "normal (default: use normal maps) or none");
     add(app, "Shading", "--front-face", w.front_face, "ccw|cw", "Which turn of a triangle is its front (default ccw)");
-    add(app, "Shading", "--cull", w.cull, "WHICH", "Faces left out: auto (default: as the material says), none, back, front");
+    add(app, "Shading", "--cull", w.cull, "WHICH",
+        "Faces left out: auto (default: as the material says), none, back, front");
     add_normal_options(app, w);
-    add(app, "Normals", "--uv", w.uv, "HOW", "Texture coordinates for models without: box, sphere, cylinder (default none)");
+    add(app, "Normals", "--uv", w.uv, "HOW",
+        "Texture coordinates for models without: box, sphere, cylinder (default none)");
 
-    add(app, "Camera", "--view", w.view, "SIDE", "Fit the model, seen from: front, back, left, right, top, bottom, isometric");
-    add(app, "Camera", "--camera-index", w.camera, "N", "Camera of the file, by number from 0 or by name (default: the first, if any)");
+    add(app, "Camera", "--view", w.view, "SIDE",
+        "Fit the model, seen from: front, back, left, right, top, bottom, isometric");
+    add(app, "Camera", "--camera-index", w.camera, "N",
+        "Camera of the file, by number from 0 or by name (default: the first, if any)");
     add(app, "Camera", "--camera-position", w.position, "X,Y,Z", "Where the camera stands [m]");
-    add(app, "Camera", "--camera-focal-point", w.focal_point, "X,Y,Z", "What it looks at (default: the middle of the model)");
+    add(app, "Camera", "--camera-focal-point", w.focal_point, "X,Y,Z",
+        "What it looks at (default: the middle of the model)");
     add(app, "Camera", "--camera-view-up", w.up, "X,Y,Z", "Which way is up (default 0,1,0)");
     add(app, "Camera", "--camera-view-angle", w.view_angle, "DEG", "Vertical angle of view (default 40)");
     app.add_flag("--camera-orthographic", w.orthographic, "Parallel projection")->group("Camera");
-    app.add_option("--light", w.lights, "A light instead of the model's; may be repeated, see below")->type_name("SPEC")
-        ->group("Light")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("--light", w.lights, "A light instead of the model's; may be repeated, see below")
+        ->type_name("SPEC")
+        ->group("Light")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 namespace {
@@ -107,7 +154,7 @@ Error usage_error(const CLI::ParseError& fault, const CLI::App& app) {
 
 std::string help_of(const CLI::App& app) {
     const std::vector<CLI::App*> subs = app.get_subcommands();
-    return subs.empty() ? app.help() : subs.front()->help();
+    return subs.empty() ? app.help() : subs.front()->help(app.get_name());
 }
 
 }  // namespace
@@ -117,7 +164,7 @@ Options parse(int argc, const char* const* argv) {
     RenderWords words;
     CommonWords common;
     CLI::App app("Renders 3D models made of many parts: bumps show, seams do not.", "rakelight");
-    app.get_formatter()->column_width(column_width);
+    app.formatter(std::make_shared<HelpLayout>());  // before the verbs, which inherit it
     app.set_help_flag("-h,--help", "Show this help; rakelight VERB --help shows a verb's");
     app.set_version_flag("--version", std::string("-"), "Say version, formats, engines and instruction sets");
     app.require_subcommand(1);
@@ -158,16 +205,20 @@ std::vector<PictureRequest> picture_requests(const Options& options) {
     for (const std::string& input : options.inputs) {
         PictureRequest request = options.picture;
         request.input = input;
-        const std::string stem = input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
+        const std::string stem =
+            input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
         bool replaced = false;
-        for (std::size_t at = 0; (at = request.output.find(mark, at)) != std::string::npos; at += stem.size(), replaced = true)
+        for (std::size_t at = 0; (at = request.output.find(mark, at)) != std::string::npos;
+             at += stem.size(), replaced = true)
             request.output.replace(at, mark.size(), stem);
         if (options.inputs.size() > 1 && !replaced)
-            throw Error(ErrorCode::usage, "several models need a name for each picture", {}, "write for example -o 'out/{model}.png'");
-        const auto [entry, is_new] = inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
+            throw Error(ErrorCode::usage, "several models need a name for each picture", {},
+                        "write for example -o 'out/{model}.png'");
+        const auto [entry, is_new] =
+            inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
         if (!is_new)
-            throw Error(ErrorCode::usage, "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) + "' would both be written to '" +
-                                              one_line(request.output, 80) + "'");
+            throw Error(ErrorCode::usage, "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) +
+                                              "' would both be written to '" + one_line(request.output, 80) + "'");
         requests.push_back(std::move(request));
     }
     return requests;

@@ -16,9 +16,9 @@ enum class Verb { help, version, render, inspect };
 
 struct Options {
     Verb verb = Verb::help;
-    std::string help;                 ///< text for Verb::help
+    std::string help;  ///< text for Verb::help
     std::vector<std::string> inputs;
-    PictureRequest picture;           ///< output holds the name template
+    PictureRequest picture;  ///< output holds the name template
     InspectOptions inspect;
     int threads = 0;
     std::uint64_t max_memory = 0;

@@ -7,9 +7,11 @@
 namespace rakelight::cli {
 namespace {
 
-void not_yet(const std::string& option, const std::string& word, std::initializer_list<const char*> later, const char* advice) {
+void not_yet(const std::string& option, const std::string& word, std::initializer_list<const char*> later,
+             const char* advice) {
     for (const char* name : later)
-        if (word == name) throw Error(ErrorCode::usage, option + " " + word + " is not there yet in this version", {}, advice);
+        if (word == name)
+            throw Error(ErrorCode::usage, option + " " + word + " is not there yet in this version", {}, advice);
 }
 
 void apply_size(const RenderWords& w, RenderSettings& s) {
@@ -25,42 +27,64 @@ void apply_size(const RenderWords& w, RenderSettings& s) {
     if (!w.background.empty()) s.background = background("--background", w.background);
     if (w.channels.empty()) return;
     for (const std::string_view name : split(w.channels, ','))
-        s.channels |= word<std::uint32_t>("--channels", name, {{"depth", channel_depth}, {"normal", channel_normal},
-                                                               {"object", channel_object}, {"material", channel_material}});
+        s.channels |= word<std::uint32_t>("--channels", name,
+                                          {{"depth", channel_depth},
+                                           {"normal", channel_normal},
+                                           {"object", channel_object},
+                                           {"material", channel_material}});
 }
 
 void apply_lighting(const RenderWords& w, RenderSettings& s) {
     not_yet("--shading", w.shading, {"flat"}, "for flat faces use --normals flat");
     not_yet("--shading", w.shading, {"gouraud"}, "use unlit or phong");
     not_yet("--lighting", w.lighting, {"oren-nayar", "ward", "pbr"}, "use lambert, phong or blinn-phong");
-    not_yet("--bump", w.bump, {"height", "parallax", "parallax-limited", "steep", "occlusion", "displacement"}, "use none or normal");
+    not_yet("--bump", w.bump, {"height", "parallax", "parallax-limited", "steep", "occlusion", "displacement"},
+            "use none or normal");
     if (!w.shading.empty())
         s.shading = word<Shading>("--shading", w.shading, {{"unlit", Shading::unlit}, {"phong", Shading::phong}});
     if (!w.lighting.empty())
-        s.lighting = word<Lighting>("--lighting", w.lighting, {{"auto", Lighting::automatic}, {"lambert", Lighting::lambert},
-                                                               {"phong", Lighting::phong}, {"blinn-phong", Lighting::blinn_phong}});
+        s.lighting = word<Lighting>("--lighting", w.lighting,
+                                    {{"auto", Lighting::automatic},
+                                     {"lambert", Lighting::lambert},
+                                     {"phong", Lighting::phong},
+                                     {"blinn-phong", Lighting::blinn_phong}});
     if (!w.specular.empty())
-        s.specular_form = word<SpecularForm>("--specular", w.specular, {{"auto", SpecularForm::automatic},
-                                             {"textbook", SpecularForm::textbook}, {"normalized", SpecularForm::normalized}});
+        s.specular_form = word<SpecularForm>("--specular", w.specular,
+                                             {{"auto", SpecularForm::automatic},
+                                              {"textbook", SpecularForm::textbook},
+                                              {"normalized", SpecularForm::normalized}});
     if (!w.specular_horizon.empty())
         s.specular_horizon = word<bool>("--specular-horizon", w.specular_horizon, {{"on", true}, {"off", false}});
     if (!w.bump.empty()) s.bump = word<Bump>("--bump", w.bump, {{"none", Bump::none}, {"normal", Bump::normal}});
     if (!w.front_face.empty())
-        s.front_face = word<FrontFace>("--front-face", w.front_face, {{"ccw", FrontFace::counter_clockwise}, {"cw", FrontFace::clockwise}});
+        s.front_face = word<FrontFace>("--front-face", w.front_face,
+                                       {{"ccw", FrontFace::counter_clockwise}, {"cw", FrontFace::clockwise}});
     if (!w.cull.empty())
-        s.cull = word<Cull>("--cull", w.cull, {{"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}});
+        s.cull =
+            word<Cull>("--cull", w.cull,
+                       {{"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}});
 }
 
 void apply_normals(const RenderWords& w, PrepareOptions& p) {
     if (!w.normals.empty())
-        p.normals = word<NormalSource>("--normals", w.normals, {{"auto", NormalSource::automatic}, {"file", NormalSource::file},
-                                       {"flat", NormalSource::flat}, {"object", NormalSource::object}, {"model", NormalSource::model}});
+        p.normals = word<NormalSource>("--normals", w.normals,
+                                       {{"auto", NormalSource::automatic},
+                                        {"file", NormalSource::file},
+                                        {"flat", NormalSource::flat},
+                                        {"object", NormalSource::object},
+                                        {"model", NormalSource::model}});
     if (!w.weight.empty())
-        p.weight = word<CornerWeight>("--weight", w.weight, {{"uniform", CornerWeight::uniform}, {"area", CornerWeight::area},
-                                      {"angle", CornerWeight::angle}, {"angle-area", CornerWeight::angle_area}});
+        p.weight = word<CornerWeight>("--weight", w.weight,
+                                      {{"uniform", CornerWeight::uniform},
+                                       {"area", CornerWeight::area},
+                                       {"angle", CornerWeight::angle},
+                                       {"angle-area", CornerWeight::angle_area}});
     if (!w.uv.empty())
-        p.uv = word<UvProjection>("--uv", w.uv, {{"none", UvProjection::none}, {"box", UvProjection::box},
-                                                 {"sphere", UvProjection::sphere}, {"cylinder", UvProjection::cylinder}});
+        p.uv = word<UvProjection>("--uv", w.uv,
+                                  {{"none", UvProjection::none},
+                                   {"box", UvProjection::box},
+                                   {"sphere", UvProjection::sphere},
+                                   {"cylinder", UvProjection::cylinder}});
     if (w.crease_angle.empty()) return;
     const double angle = number("--crease-angle", w.crease_angle);
     if (!(angle >= 0 && angle <= 180)) throw Error(ErrorCode::usage, "--crease-angle: must be 0 to 180 degrees");
@@ -72,15 +96,23 @@ void apply_view(const RenderWords& w, ViewRequest& v) {
     v.camera = w.camera;
     v.orthographic = w.orthographic;
     if (!w.view.empty())
-        word<bool>("--view", w.view, {{"front", true}, {"back", true}, {"left", true}, {"right", true}, {"top", true},
-                                      {"bottom", true}, {"isometric", true}});
-    if (!w.view.empty() && !w.camera.empty()) throw Error(ErrorCode::usage, "--view and --camera-index exclude each other");
+        word<bool>("--view", w.view,
+                   {{"front", true},
+                    {"back", true},
+                    {"left", true},
+                    {"right", true},
+                    {"top", true},
+                    {"bottom", true},
+                    {"isometric", true}});
+    if (!w.view.empty() && !w.camera.empty())
+        throw Error(ErrorCode::usage, "--view and --camera-index exclude each other");
     if (!w.position.empty()) v.position = vector3("--camera-position", w.position);
     if (!w.focal_point.empty()) v.focal_point = vector3("--camera-focal-point", w.focal_point);
     if (!w.up.empty()) v.up = vector3("--camera-view-up", w.up);
     if (w.view_angle.empty()) return;
     const double angle = number("--camera-view-angle", w.view_angle);
-    if (!(angle > 0 && angle < 180)) throw Error(ErrorCode::usage, "--camera-view-angle: must be more than 0 and less than 180 degrees");
+    if (!(angle > 0 && angle < 180))
+        throw Error(ErrorCode::usage, "--camera-view-angle: must be more than 0 and less than 180 degrees");
     v.vertical_fov_rad = radians(angle);
 }
 

@@ -70,8 +70,10 @@ std::uint64_t byte_size(const std::string& option, std::string_view text) {
     const char* const expected = "a size such as 500M or 4G";
     std::string_view digits = text;
     int shift = 0;
-    if (digits.ends_with("iB")) digits.remove_suffix(2);
-    else if (digits.ends_with('B')) digits.remove_suffix(1);
+    if (digits.ends_with("iB"))
+        digits.remove_suffix(2);
+    else if (digits.ends_with('B'))
+        digits.remove_suffix(1);
     if (!digits.empty()) {
         const char last = digits.back() >= 'a' ? char(digits.back() - 'a' + 'A') : digits.back();
         if (const std::size_t unit = units.find(last); unit != std::string_view::npos) {

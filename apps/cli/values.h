@@ -40,7 +40,8 @@ T word(const std::string& option, std::string_view text, std::initializer_list<s
         if (text == name) return value;
         all += (all.empty() ? "" : ", ") + std::string(name);
     }
-    throw Error(ErrorCode::usage, option + ": unknown word '" + one_line(std::string(text), 40) + "'", {}, "use one of: " + all);
+    throw Error(ErrorCode::usage, option + ": unknown word '" + one_line(std::string(text), 40) + "'", {},
+                "use one of: " + all);
 }
 
 /// Parts between separators; "a,,b" has an empty one.

@@ -16,13 +16,10 @@ std::string list(const std::vector<std::string>& words) {
 
 std::string version_text() {
     const BuildInfo info = build_info();
-    return "rakelight " + info.version + "\n" +
-           "engines:          " + list(info.engines) + "\n" +
-           "model formats:    " + info.model_formats + "\n" +
-           "textures read:    " + info.image_formats_read + "\n" +
-           "pictures written: " + info.image_formats_written + "\n" +
-           "instruction set:  " + info.isa + " (available: " + list(info.isas) + ")\n" +
-           "threads:          " + std::to_string(info.threads) + "\n";
+    return "rakelight " + info.version + "\n" + "engines:          " + list(info.engines) + "\n" +
+           "model formats:    " + info.model_formats + "\n" + "textures read:    " + info.image_formats_read + "\n" +
+           "pictures written: " + info.image_formats_written + "\n" + "instruction set:  " + info.isa +
+           " (available: " + list(info.isas) + ")\n" + "threads:          " + std::to_string(info.threads) + "\n";
 }
 
 }  // namespace rakelight::cli

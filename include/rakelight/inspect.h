@@ -35,11 +35,11 @@ struct Inspection {
     std::string file;
     std::uint64_t triangles = 0;  ///< instances counted each time
     std::vector<ObjectSummary> objects;
-    dvec3 low, high;              ///< world bounding box [m]; meaningful when triangles, lines or points are drawn
+    dvec3 low, high;  ///< world bounding box [m]; meaningful when triangles, lines or points are drawn
     std::uint64_t shared_positions = 0;  ///< world positions that two or more objects draw
     std::vector<BorderSummary> borders;  ///< the largest angle first; at most 1000
     std::uint64_t borders_left_out = 0;
-    Scene scene;                  ///< as loaded, but without its meshes: materials, textures, lights, cameras, animations
+    Scene scene;  ///< as loaded, but without its meshes: materials, textures, lights, cameras, animations
 };
 
 struct InspectOptions {

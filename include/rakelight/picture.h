@@ -13,23 +13,24 @@
 
 namespace rakelight {
 
-/// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used, and
-/// where the file has none a camera fitted to the model's bounding box.
+/// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
+/// and where the file has none a camera fitted to the model's bounding box.
 struct ViewRequest {
-    std::string side;                        ///< "front", "back", "left", "right", "top", "bottom", "isometric", or empty
-    std::string camera;                      ///< number (from 0) or name of a camera of the file, or empty
-    std::optional<dvec3> position;           ///< [m] world
-    std::optional<dvec3> focal_point;        ///< [m] world; what the camera looks at
-    std::optional<dvec3> up;                 ///< any length; default +Y
+    std::string side;                  ///< "front", "back", "left", "right", "top", "bottom", "isometric", or empty
+    std::string camera;                ///< number (from 0) or name of a camera of the file, or empty
+    std::optional<dvec3> position;     ///< [m] world
+    std::optional<dvec3> focal_point;  ///< [m] world; what the camera looks at
+    std::optional<dvec3> up;           ///< any length; default +Y
     std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
-    bool orthographic = false;               ///< parallel projection that shows what the perspective one shows at the focal point
+    bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
 
     bool is_placed() const { return position || focal_point || up || vertical_fov_rad || orthographic; }
 };
 
-/// The camera for a picture of `aspect` = width / height: placed in the world, no node, no aspect of its own (a camera of
-/// the file that wants another aspect is widened until all it wants to show is in the picture), near and far about the model.
-/// A camera of the file that cannot see any of the model's bounding box is replaced by the fitted one, with a warning.
+/// The camera for a picture of `aspect` = width / height: placed in the world, no node, no aspect of its own (a camera
+/// of the file that wants another aspect is widened until all it wants to show is in the picture), near and far about
+/// the model. A camera of the file that cannot see any of the model's bounding box is replaced by the fitted one, with
+/// a warning.
 /// @throws Error usage: no such side or camera, impossible angle or position; bad_file "nothing to draw".
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
 
@@ -42,8 +43,9 @@ struct PictureRequest {
     PrepareOptions prepare;
     ViewRequest view;
     std::optional<std::vector<Light>> lights;  ///< replace all lights; else the file's, else the default rig
-    RenderSettings settings;  ///< channels go into files beside the output: NAME.depth.exr, NAME.normal.exr, ...; a window
-                              ///< makes the picture as large as the window; alpha is written when background.w < 1
+    RenderSettings
+        settings;  ///< channels go into files beside the output: NAME.depth.exr, NAME.normal.exr, ...; a window
+                   ///< makes the picture as large as the window; alpha is written when background.w < 1
 };
 
 /// What was made of one PictureRequest.
@@ -52,7 +54,7 @@ struct PictureResult {
     std::vector<std::string> channel_files;  ///< in the order of the Channel bits
     int width = 0, height = 0;               ///< [px] of the file
     std::uint64_t triangles = 0, objects = 0;
-    std::string engine, isa;                 ///< the instruction set is empty for engines that do not choose one
+    std::string engine, isa;  ///< the instruction set is empty for engines that do not choose one
     int threads = 0;
     double load_ms = 0, prepare_ms = 0, render_ms = 0, write_ms = 0;
     RenderStats stats;
@@ -73,7 +75,7 @@ void check_request(const PictureRequest& request);
 
 /// A line of the program's JSON: a result with its remarks, or the error instead of the result.
 struct PictureRow {
-    PictureResult result;                ///< at least `file` and `output`
+    PictureResult result;  ///< at least `file` and `output`
     std::vector<ReportEntry> remarks;
     std::uint64_t remarks_left_out = 0;
     std::optional<Error> error;

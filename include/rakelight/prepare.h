@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is made ready before an engine sees a scene: normals and tangents, and texture coordinates where a model has none.
+// What is made ready before an engine sees a scene: normals and tangents, and texture coordinates where a model has
+// none.
 #pragma once
 #include <cstdint>
 
@@ -8,8 +9,8 @@
 
 namespace rakelight {
 
-/// Whose normals count. `automatic`: the file's where it has them; else flat for formats that say so (glTF); else smoothing
-/// groups where the file has any; else over the model with the crease angle.
+/// Whose normals count. `automatic`: the file's where it has them; else flat for formats that say so (glTF); else
+/// smoothing groups where the file has any; else over the model with the crease angle.
 enum class NormalSource : std::uint8_t { automatic, file, flat, object, model };
 
 enum class UvProjection : std::uint8_t { none, box, sphere, cylinder };
@@ -21,8 +22,8 @@ struct PrepareOptions {
     UvProjection uv = UvProjection::none;  ///< for meshes without texture coordinates
 };
 
-/// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height map
-/// needs them. Says in the report what it replaced (zero or non-finite normals of the file, w = 0 tangents, ...).
+/// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height
+/// map needs them. Says in the report what it replaced (zero or non-finite normals of the file, w = 0 tangents, ...).
 Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& context);
 
 }  // namespace rakelight

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole library in one include. Reading order: render.h (the facade), scene.h (the data), engine.h (settings, frame).
+// The whole library in one include. Reading order: render.h (the facade), scene.h (the data), engine.h (settings,
+// frame).
 #pragma once
 #include <rakelight/attributes.h>
 #include <rakelight/block.h>

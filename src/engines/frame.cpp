@@ -16,7 +16,8 @@ void copy_rows(std::span<const T> from, const Window& area, std::vector<T>& to, 
     const std::size_t width = std::size_t(area.width);
     RL_ASSERT(from.size() == width * std::size_t(area.height), "an array of a tile has not its area's size");
     for (int row = 0; row < area.height; ++row) {
-        const std::size_t at = std::size_t(area.y - window.y + row) * std::size_t(window.width) + std::size_t(area.x - window.x);
+        const std::size_t at =
+            std::size_t(area.y - window.y + row) * std::size_t(window.width) + std::size_t(area.x - window.x);
         std::copy_n(from.begin() + std::ptrdiff_t(std::size_t(row) * width), width, to.begin() + std::ptrdiff_t(at));
     }
 }

@@ -3,20 +3,16 @@
 #include <rakelight/version.h>
 
 #include "io/reader.h"
+#include "math/isa.h"
 #include "render/engines.h"
 
 namespace rakelight {
 namespace {
 
-/// The instruction sets of cmake/RakelightModule.cmake (RL_ISAS) that this processor has.
 std::vector<std::string> usable_isas() {
-    __builtin_cpu_init();
-    std::vector<std::string> names{"scalar"};
-    if (__builtin_cpu_supports("sse2")) names.push_back("sse2");
-    if (__builtin_cpu_supports("avx2")) names.push_back("avx2");
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512cd"))
-        names.push_back("avx512");
+    std::vector<std::string> names;
+    for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512})
+        if (is_available(isa)) names.push_back(name(isa));
     return names;
 }
 

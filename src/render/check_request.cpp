@@ -18,8 +18,8 @@ void check_size(const RenderSettings& s) {
     const Window& w = s.window;
     if (w == Window{}) return;
     if (w.x < 0 || w.y < 0 || w.width < 1 || w.height < 1 || w.x > s.width - w.width || w.y > s.height - w.height)
-        throw Error(ErrorCode::usage, "the window does not lie inside the picture of " + std::to_string(s.width) + " x " +
-                                          std::to_string(s.height) + " pixels");
+        throw Error(ErrorCode::usage, "the window does not lie inside the picture of " + std::to_string(s.width) +
+                                          " x " + std::to_string(s.height) + " pixels");
 }
 
 void check_output(const PictureRequest& request) {
@@ -27,7 +27,8 @@ void check_output(const PictureRequest& request) {
     std::string ending = std::filesystem::path(request.output).extension().string();
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
     if (format.channels == 4 && (ending == ".jpg" || ending == ".jpeg" || ending == ".hdr"))
-        throw Error(ErrorCode::usage, "this format has no alpha for a transparent background", {}, "use .png, .webp or .exr");
+        throw Error(ErrorCode::usage, "this format has no alpha for a transparent background", {},
+                    "use .png, .webp or .exr");
     std::error_code ignored;
     const std::filesystem::path path(request.output);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");

@@ -13,7 +13,8 @@ constexpr const char* builtin_prefix = "builtin:";
 Scene load(const std::string& path, const LoadOptions& options, Context& context) {
     if (path.starts_with(builtin_prefix)) {
         if (path != "builtin:teapot")
-            throw Error(ErrorCode::not_found, "there is no such built-in model", {}, "builtin:teapot is one").with_file(path);
+            throw Error(ErrorCode::not_found, "there is no such built-in model", {}, "builtin:teapot is one")
+                .with_file(path);
         Scene scene = make_teapot();
         scene.source = path;
         return scene;

@@ -29,7 +29,8 @@ void add(RenderStats& sum, const RenderStats& s) {
 }
 
 std::uint64_t count_objects(const Scene& scene) {
-    return std::uint64_t(std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
+    return std::uint64_t(
+        std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
 }
 
 /// The scene with the lights that the picture is lit by.
@@ -43,15 +44,19 @@ Scene with_lights(Scene scene, const std::optional<std::vector<Light>>& wanted, 
 
 }  // namespace
 
-Window whole_window(const RenderSettings& s) { return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window; }
+Window whole_window(const RenderSettings& s) {
+    return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
+}
 
-void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result, Context& context) {
+void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result,
+                   Context& context) {
     const RenderSettings& settings = request.settings;
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
     PictureFiles files(request.output, window.width, window.height, format, settings.channels);
     PictureSink sink(format);
-    const std::int64_t rows = std::max<std::int64_t>(band_pixels / window.width / band_granularity, 1) * band_granularity;
+    const std::int64_t rows =
+        std::max<std::int64_t>(band_pixels / window.width / band_granularity, 1) * band_granularity;
     for (int y = 0; y < window.height;) {
         const int height = int(std::min<std::int64_t>(rows, window.height - y));
         RenderSettings band = settings;

@@ -20,7 +20,8 @@ auto named(const std::string& path, const Step& step) {
 
 PixelFormat format_for(const std::string& output, bool transparent) {
     return named(output, [&] {
-        return PixelFormat{io::component_for(output) == Component::f32 ? Component::f32 : Component::u8, transparent ? 4 : 3};
+        return PixelFormat{io::component_for(output) == Component::f32 ? Component::f32 : Component::u8,
+                           transparent ? 4 : 3};
     });
 }
 
@@ -31,12 +32,15 @@ std::string channel_file(const std::string& output, const std::string& channel) 
 }
 
 PictureFiles::PictureFiles(const std::string& output, int width, int height, PixelFormat format, std::uint32_t channels)
-    : color_{output, named(output, [&] { return io::make_image_writer(output, width, height, format.channels, format.component); })} {
+    : color_{output, named(output, [&] {
+                 return io::make_image_writer(output, width, height, format.channels, format.component);
+             })} {
     for (std::uint32_t bit = 1; bit != 0 && bit <= channels; bit <<= 1) {
         if (!(channels & bit)) continue;
         const std::string path = channel_file(output, name_of_channel(bit));
         channels_.push_back({path, named(path, [&] {
-                                 return io::make_image_writer(path, width, height, components_of_channel(bit), Component::f32);
+                                 return io::make_image_writer(path, width, height, components_of_channel(bit),
+                                                              Component::f32);
                              })});
     }
 }

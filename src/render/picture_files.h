@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of one picture: its colour and, beside it, one file a data channel. Rows go in band by band; all files appear
-// together at the end or not at all.
+// The files of one picture: its colour and, beside it, one file a data channel. Rows go in band by band; all files
+// appear together at the end or not at all.
 #pragma once
 #include <memory>
 #include <string>

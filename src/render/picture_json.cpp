@@ -8,10 +8,14 @@ namespace rakelight {
 namespace {
 
 Json stats_json(const RenderStats& s) {
-    return {{"triangles_in", s.triangles_in},           {"culled_back", s.culled_back},
-            {"culled_degenerate", s.culled_degenerate}, {"culled_outside", s.culled_outside},
-            {"clipped", s.clipped},                     {"drawn", s.drawn},
-            {"pixels_covered", s.pixels_covered},       {"pixels_shaded", s.pixels_shaded}};
+    return {{"triangles_in", s.triangles_in},
+            {"culled_back", s.culled_back},
+            {"culled_degenerate", s.culled_degenerate},
+            {"culled_outside", s.culled_outside},
+            {"clipped", s.clipped},
+            {"drawn", s.drawn},
+            {"pixels_covered", s.pixels_covered},
+            {"pixels_shaded", s.pixels_shaded}};
 }
 
 void add_result(Json& row, const PictureResult& r) {

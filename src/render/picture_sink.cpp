@@ -14,10 +14,14 @@ float as_float(std::uint32_t number) { return number == none ? -1.0f : float(num
 
 const char* name_of_channel(std::uint32_t channel) {
     switch (channel) {
-        case channel_depth: return "depth";
-        case channel_normal: return "normal";
-        case channel_object: return "object";
-        case channel_material: return "material";
+        case channel_depth:
+            return "depth";
+        case channel_normal:
+            return "normal";
+        case channel_object:
+            return "object";
+        case channel_material:
+            return "material";
     }
     return "channel";
 }
@@ -47,17 +51,23 @@ void PictureSink::tile(const Tile& tile) {
     const std::size_t count = std::size_t(a.width);
     for (int row = 0; row < a.height; ++row) {
         const std::size_t from = std::size_t(row) * count;
-        const std::size_t to = std::size_t(a.y - window_.y + row) * std::size_t(window_.width) + std::size_t(a.x - window_.x);
+        const std::size_t to =
+            std::size_t(a.y - window_.y + row) * std::size_t(window_.width) + std::size_t(a.x - window_.x);
         convert_row(tile.color.data() + from, count, format_, color_.data() + to * format_.bytes());
         for (ChannelPlane& plane : planes_) store(plane, tile, from, to, count);
     }
 }
 
-void PictureSink::store(ChannelPlane& plane, const Tile& tile, std::size_t from, std::size_t to, std::size_t count) const {
+void PictureSink::store(ChannelPlane& plane, const Tile& tile, std::size_t from, std::size_t to,
+                        std::size_t count) const {
     float* out = plane.values.data() + to * std::size_t(plane.components);
     switch (plane.channel) {
-        case channel_depth: std::memcpy(out, tile.depth.data() + from, count * sizeof(float)); break;
-        case channel_normal: std::memcpy(out, tile.normal.data() + from, count * sizeof(vec3)); break;
+        case channel_depth:
+            std::memcpy(out, tile.depth.data() + from, count * sizeof(float));
+            break;
+        case channel_normal:
+            std::memcpy(out, tile.normal.data() + from, count * sizeof(vec3));
+            break;
         case channel_object:
             for (std::size_t i = 0; i < count; ++i) out[i] = as_float(tile.object[from + i]);
             break;

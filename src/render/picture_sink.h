@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sink of a picture that goes to a file: tiles become display values at once, so a plain picture needs no float frame.
+// The sink of a picture that goes to a file: tiles become display values at once, so a plain picture needs no float
+// frame.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -31,7 +32,9 @@ public:
     void end_pass(int) override {}
 
     /// Rows of the window, the first is 0.
-    const std::byte* color_row(int y) const { return color_.data() + std::size_t(y) * std::size_t(window_.width) * format_.bytes(); }
+    const std::byte* color_row(int y) const {
+        return color_.data() + std::size_t(y) * std::size_t(window_.width) * format_.bytes();
+    }
     const float* channel_row(std::size_t plane, int y) const;
     const std::vector<ChannelPlane>& planes() const { return planes_; }
 

@@ -9,7 +9,8 @@ namespace rakelight {
 Window whole_window(const RenderSettings& settings);
 
 /// Draws what a prepared engine holds and writes the files, in bands.
-void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result, Context& context);
+void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result,
+                   Context& context);
 
 /// Everything but the choice of the engine and the checks.
 PictureResult draw_picture(const PictureRequest& request, Engine& engine, Context& context);

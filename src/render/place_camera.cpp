@@ -61,7 +61,8 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     double distance = dot(base_eye - bounds.center(), base_z);
     if (!(distance > 0)) distance = radius_of(bounds);
     const dvec3 base_focal = is_fitted ? bounds.center() : base_eye - base_z * distance;
-    if (is_fitted && view.vertical_fov_rad) distance = radius_of(bounds) * fitting_distance(camera.vertical_fov_rad, aspect);
+    if (is_fitted && view.vertical_fov_rad)
+        distance = radius_of(bounds) * fitting_distance(camera.vertical_fov_rad, aspect);
 
     // 2. Eye and focal point: what is not given keeps its place relative to the other.
     const dvec3 focal = view.focal_point.value_or(base_focal);

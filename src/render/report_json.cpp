@@ -6,11 +6,16 @@ namespace {
 
 const char* name_of(ErrorCode code) {
     switch (code) {
-        case ErrorCode::failed: return "failed";
-        case ErrorCode::usage: return "usage";
-        case ErrorCode::not_found: return "not_found";
-        case ErrorCode::bad_file: return "bad_file";
-        case ErrorCode::check_failed: return "check_failed";
+        case ErrorCode::failed:
+            return "failed";
+        case ErrorCode::usage:
+            return "usage";
+        case ErrorCode::not_found:
+            return "not_found";
+        case ErrorCode::bad_file:
+            return "bad_file";
+        case ErrorCode::check_failed:
+            return "check_failed";
     }
     return "failed";
 }
@@ -20,14 +25,18 @@ const char* name_of(ErrorCode code) {
 Json remarks_json(const std::vector<ReportEntry>& remarks) {
     Json list = Json::array();
     for (const ReportEntry& r : remarks)
-        list.push_back({{"remark", rakelight::name_of(r.remark)}, {"file", r.file}, {"place", r.place}, {"message", r.message},
+        list.push_back({{"remark", rakelight::name_of(r.remark)},
+                        {"file", r.file},
+                        {"place", r.place},
+                        {"message", r.message},
                         {"count", r.count}});
     return list;
 }
 
 Json error_json(const Error& error) {
-    return {{"code", name_of(error.code())}, {"exit_code", exit_code(error.code())}, {"message", error.reason()},
-            {"file", error.file()}, {"place", error.place()}, {"advice", error.advice()}};
+    return {{"code", name_of(error.code())}, {"exit_code", exit_code(error.code())},
+            {"message", error.reason()},     {"file", error.file()},
+            {"place", error.place()},        {"advice", error.advice()}};
 }
 
 std::string document(const char* schema, Json rows) {

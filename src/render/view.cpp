@@ -13,7 +13,8 @@ namespace {
 
 bool is_drawable(const Camera& c) {
     if (!std::isfinite(c.near) || !(c.far > c.near)) return false;
-    if (c.projection == Projection::orthographic) return c.half_height > 0 && std::isfinite(c.half_height) && std::isfinite(c.far);
+    if (c.projection == Projection::orthographic)
+        return c.half_height > 0 && std::isfinite(c.half_height) && std::isfinite(c.far);
     return c.near > 0 && c.vertical_fov_rad > 0 && c.vertical_fov_rad < pi;
 }
 
@@ -43,7 +44,8 @@ Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
 }
 
 /// A camera of the file, or the fitted one with a remark where the file's cannot show the model.
-Camera checked_camera_of_file(const Scene& scene, std::size_t index, double aspect, const Bounds& bounds, Context& context) {
+Camera checked_camera_of_file(const Scene& scene, std::size_t index, double aspect, const Bounds& bounds,
+                              Context& context) {
     const Camera camera = camera_of_file(scene, index, aspect);
     const std::string place = "camera " + std::to_string(index) + (camera.name.empty() ? "" : " '" + camera.name + "'");
     if (is_drawable(camera) && may_see(camera, aspect, bounds)) return camera;
@@ -77,12 +79,14 @@ bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
     unsigned outside_all = 0x3F;  // one bit a plane: left, right, bottom, top, near, far
     for (int corner = 0; corner < 8; ++corner) {
         const dvec3 p = dvec3{corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
-                              corner & 4 ? bounds.high.z : bounds.low.z} - eye;
+                              corner & 4 ? bounds.high.z : bounds.low.z} -
+                        eye;
         const double x = dot(p, camera.to_world[0].xyz()), y = dot(p, camera.to_world[1].xyz());
         const double distance = -dot(p, camera.to_world[2].xyz());
         const double limit_y = half_height * (perspective ? distance : 1), limit_x = limit_y * aspect;
         outside_all &= unsigned(x < -limit_x) | unsigned(x > limit_x) << 1 | unsigned(y < -limit_y) << 2 |
-                       unsigned(y > limit_y) << 3 | unsigned(distance < camera.near) << 4 | unsigned(distance > camera.far) << 5;
+                       unsigned(y > limit_y) << 3 | unsigned(distance < camera.near) << 4 |
+                       unsigned(distance > camera.far) << 5;
     }
     return outside_all == 0;
 }

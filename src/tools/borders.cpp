@@ -12,8 +12,8 @@
 namespace rakelight {
 namespace {
 
-/// Objects that meet at one position are paired with each other up to this many; more (a fan of hundreds of parts in one
-/// point) would make a quadratic number of pairs.
+/// Objects that meet at one position are paired with each other up to this many; more (a fan of hundreds of parts in
+/// one point) would make a quadratic number of pairs.
 constexpr std::size_t max_objects_at_position = 8;
 
 /// One use of a mesh by an object, placed in the world.
@@ -42,8 +42,8 @@ std::uint64_t mix(std::uint64_t h) {  // the finalizer of MurmurHash3, Appleby 2
 
 std::uint64_t hash_of(dvec3 p) {
     // + 0.0 makes -0 to +0
-    return mix(std::bit_cast<std::uint64_t>(p.x + 0.0) + mix(std::bit_cast<std::uint64_t>(p.y + 0.0) +
-               mix(std::bit_cast<std::uint64_t>(p.z + 0.0))));
+    return mix(std::bit_cast<std::uint64_t>(p.x + 0.0) +
+               mix(std::bit_cast<std::uint64_t>(p.y + 0.0) + mix(std::bit_cast<std::uint64_t>(p.z + 0.0))));
 }
 
 class BorderFinder {
@@ -55,7 +55,9 @@ public:
 
     SharedPositions run() {
         std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-            return a.hash != b.hash ? a.hash < b.hash : a.placement != b.placement ? a.placement < b.placement : a.vertex < b.vertex;
+            return a.hash != b.hash             ? a.hash < b.hash
+                   : a.placement != b.placement ? a.placement < b.placement
+                                                : a.vertex < b.vertex;
         });
         for (std::size_t i = 0; i < entries_.size();) {
             std::size_t end = i + 1;
@@ -80,7 +82,9 @@ private:
                 const dmat4& m = world[objects[object]];
                 dmat3 c = cofactor(upper_left(m));
                 if (determinant(upper_left(m)) < 0) c = {{-c[0], -c[1], -c[2]}};
-                placements_.push_back({object, mesh, m * translation(scene_.meshes[mesh].origin),
+                placements_.push_back({object,
+                                       mesh,
+                                       m * translation(scene_.meshes[mesh].origin),
                                        {{cast<float>(c[0]), cast<float>(c[1]), cast<float>(c[2])}}});
             }
     }

@@ -16,17 +16,32 @@ Json json_of(vec3 v) { return {v.x, v.y, v.z}; }
 Json index_or_null(std::uint32_t index) { return index == none ? Json() : Json(index); }
 
 Json json_of(const ObjectSummary& o) {
-    return {{"name", o.name}, {"node", o.node}, {"meshes", o.meshes}, {"triangles", o.triangles}, {"vertices", o.vertices},
-            {"lines", o.lines}, {"points", o.points}, {"normals", word(o.normals)}, {"tangents", word(o.tangents)},
-            {"texcoords", word(o.texcoords)}, {"colors", word(o.colors)}, {"smoothing_groups", word(o.smoothing_groups)},
-            {"skin", word(o.skin)}, {"morph_targets", word(o.morph_targets)}, {"materials", o.materials}};
+    return {{"name", o.name},
+            {"node", o.node},
+            {"meshes", o.meshes},
+            {"triangles", o.triangles},
+            {"vertices", o.vertices},
+            {"lines", o.lines},
+            {"points", o.points},
+            {"normals", word(o.normals)},
+            {"tangents", word(o.tangents)},
+            {"texcoords", word(o.texcoords)},
+            {"colors", word(o.colors)},
+            {"smoothing_groups", word(o.smoothing_groups)},
+            {"skin", word(o.skin)},
+            {"morph_targets", word(o.morph_targets)},
+            {"materials", o.materials}};
 }
 
 Json json_of(const Material& m) {
     Json textures = Json::object();
     for (const auto& [role, use] : texture_uses(m)) textures[role] = use.texture;
-    return {{"name", m.name}, {"model", name_of(m.model)}, {"base_color", {m.base_color.x, m.base_color.y, m.base_color.z, m.base_color.w}},
-            {"alpha_mode", name_of(m.alpha_mode)}, {"double_sided", m.double_sided}, {"textures", textures}};
+    return {{"name", m.name},
+            {"model", name_of(m.model)},
+            {"base_color", {m.base_color.x, m.base_color.y, m.base_color.z, m.base_color.w}},
+            {"alpha_mode", name_of(m.alpha_mode)},
+            {"double_sided", m.double_sided},
+            {"textures", textures}};
 }
 
 Json json_of(const Texture& t) {
@@ -68,7 +83,10 @@ Json json_of(const Camera& c) {
 }
 
 Json json_of(const BorderSummary& b) {
-    return {{"object_a", b.object_a}, {"object_b", b.object_b}, {"positions", b.positions}, {"median_deg", b.median_deg},
+    return {{"object_a", b.object_a},
+            {"object_b", b.object_b},
+            {"positions", b.positions},
+            {"median_deg", b.median_deg},
             {"largest_deg", b.largest_deg}};
 }
 

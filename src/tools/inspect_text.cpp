@@ -43,22 +43,29 @@ std::string joined(const std::vector<std::string>& names) {
     return text.empty() ? "-" : text;
 }
 
+std::string counted(std::uint64_t count, const char* thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
 /// A table under its title, cut to max_rows; nothing when the list is empty.
 template <class List, class AddRow>
-std::string section(const char* title, std::vector<std::string> head, const List& list, const AddRow& add_row, std::size_t left_out = 0) {
+std::string section(const char* title, std::vector<std::string> head, const List& list, const AddRow& add_row,
+                    std::size_t left_out = 0) {
     if (list.empty()) return {};
     TextTable table(std::move(head));
     const std::size_t shown = list.size() < max_rows ? list.size() : max_rows;
     for (std::size_t i = 0; i < shown; ++i) table.add(add_row(list[i], i));
     const std::size_t more = list.size() - shown + left_out;
-    return std::string(title) + "\n" + table.text("  ") + (more ? "  ... " + std::to_string(more) + " more, see --json\n" : "");
+    return std::string(title) + "\n" + table.text("  ") +
+           (more ? "  ... " + std::to_string(more) + " more, see --json\n" : "");
 }
 
 std::string objects_text(const Inspection& i) {
-    return section("objects", {">#", "name", ">meshes", ">triangles", ">vertices", "attributes", "materials"}, i.objects,
-                   [](const ObjectSummary& o, std::size_t n) {
-                       return std::vector<std::string>{std::to_string(n), name_or(o.name, "node", o.node), std::to_string(o.meshes),
-                                                       std::to_string(o.triangles), std::to_string(o.vertices), attributes_of(o),
+    return section("objects", {">#", "name", ">meshes", ">triangles", ">vertices", "attributes", "materials"},
+                   i.objects, [](const ObjectSummary& o, std::size_t n) {
+                       return std::vector<std::string>{std::to_string(n),          name_or(o.name, "node", o.node),
+                                                       std::to_string(o.meshes),   std::to_string(o.triangles),
+                                                       std::to_string(o.vertices), attributes_of(o),
                                                        joined(o.materials)};
                    });
 }
@@ -69,8 +76,9 @@ std::string materials_text(const Scene& scene) {
                        std::string textures;
                        for (const auto& [role, use] : texture_uses(m))
                            textures += (textures.empty() ? "" : ", ") + (role + (" " + std::to_string(use.texture)));
-                       return std::vector<std::string>{std::to_string(n), name_or(m.name, "material", n), name_of(m.model),
-                                                       name_of(m.alpha_mode), m.double_sided ? "2" : "1", textures.empty() ? "-" : textures};
+                       return std::vector<std::string>{std::to_string(n),          name_or(m.name, "material", n),
+                                                       name_of(m.model),           name_of(m.alpha_mode),
+                                                       m.double_sided ? "2" : "1", textures.empty() ? "-" : textures};
                    });
 }
 
@@ -93,19 +101,21 @@ std::string cameras_text(const Scene& scene) {
     return section("cameras", {">#", "name", "projection"}, scene.cameras, [](const Camera& c, std::size_t n) {
         const bool perspective = c.projection == Projection::perspective;
         return std::vector<std::string>{std::to_string(n), name_or(c.name, "camera", n),
-                                        perspective ? "perspective, " + number(degrees(c.vertical_fov_rad), "%.1f") + " degrees"
-                                                    : "orthographic, height " + number(2 * c.half_height)};
+                                        perspective
+                                            ? "perspective, " + number(degrees(c.vertical_fov_rad), "%.1f") + " degrees"
+                                            : "orthographic, height " + number(2 * c.half_height)};
     });
 }
 
 std::string borders_text(const Inspection& i) {
     const auto object = [&](std::uint32_t n) { return name_or(i.objects[n].name, "node", i.objects[n].node); };
-    return section("borders", {"object", "object", ">positions", ">median deg", ">largest deg"}, i.borders,
-                   [&](const BorderSummary& b, std::size_t) {
-                       return std::vector<std::string>{object(b.object_a), object(b.object_b), std::to_string(b.positions),
-                                                       number(b.median_deg, "%.2f"), number(b.largest_deg, "%.2f")};
-                   },
-                   i.borders_left_out);
+    return section(
+        "borders", {"object", "object", ">positions", ">median deg", ">largest deg"}, i.borders,
+        [&](const BorderSummary& b, std::size_t) {
+            return std::vector<std::string>{object(b.object_a), object(b.object_b), std::to_string(b.positions),
+                                            number(b.median_deg, "%.2f"), number(b.largest_deg, "%.2f")};
+        },
+        i.borders_left_out);
 }
 
 }  // namespace
@@ -113,14 +123,15 @@ std::string borders_text(const Inspection& i) {
 std::string to_text(const Inspection& i) {
     const dvec3 size{i.high.x - i.low.x, i.high.y - i.low.y, i.high.z - i.low.z};
     std::string text = one_line(i.file) + "\n";
-    text += "  " + std::to_string(i.objects.size()) + " objects, " + std::to_string(i.triangles) + " triangles, " +
-            std::to_string(i.scene.materials.size()) + " materials, " + std::to_string(i.scene.textures.size()) + " textures, " +
-            std::to_string(i.scene.animations.size()) + " animations\n";
-    text += "  bounds " + number(i.low.x) + " " + number(i.low.y) + " " + number(i.low.z) + " to " + number(i.high.x) + " " +
-            number(i.high.y) + " " + number(i.high.z) + ", size " + number(size.x) + " x " + number(size.y) + " x " + number(size.z) + " m\n";
-    text += "  " + std::to_string(i.shared_positions) + " positions shared by objects\n";
-    return text + objects_text(i) + materials_text(i.scene) + textures_text(i.scene) + lights_text(i.scene) + cameras_text(i.scene) +
-           borders_text(i);
+    text += "  " + counted(i.objects.size(), "object") + ", " + counted(i.triangles, "triangle") + ", " +
+            counted(i.scene.materials.size(), "material") + ", " + counted(i.scene.textures.size(), "texture") + ", " +
+            counted(i.scene.animations.size(), "animation") + "\n";
+    text += "  bounds " + number(i.low.x) + " " + number(i.low.y) + " " + number(i.low.z) + " to " + number(i.high.x) +
+            " " + number(i.high.y) + " " + number(i.high.z) + ", size " + number(size.x) + " x " + number(size.y) +
+            " x " + number(size.z) + " m\n";
+    text += "  " + counted(i.shared_positions, "position") + " shared by objects\n";
+    return text + objects_text(i) + materials_text(i.scene) + textures_text(i.scene) + lights_text(i.scene) +
+           cameras_text(i.scene) + borders_text(i);
 }
 
 }  // namespace rakelight

@@ -10,7 +10,8 @@ namespace rakelight {
 class TextTable {
 public:
     explicit TextTable(std::vector<std::string> head);
-    void add(std::vector<std::string> cells);  ///< as many as the head has; foreign text must have gone through one_line()
+    void add(
+        std::vector<std::string> cells);  ///< as many as the head has; foreign text must have gone through one_line()
     bool empty() const { return rows_.size() == 1; }
     std::string text(const std::string& indent) const;
 

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/picture.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+#include "io/file.h"
+#include "io/image_io.h"
+#include "math/color.h"
+#include "render/picture_files.h"
+#include "render/picture_sink.h"
+#include "render/picture_steps.h"
+#include "unit/render/fake_engine.h"
+#include "unit/render/test_scene.h"
+
+namespace rakelight {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Picture : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() /
+                  ("rakelight_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    Pixels decode(const std::string& name) { return io::decode_image(*io::read_file(file(name), context_), context_); }
+    std::size_t count_files() const {
+        return std::size_t(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+    PictureResult draw(PictureRequest request) {
+        PictureResult result;
+        draw_to_files(engine_, {}, request, result, context_);
+        return result;
+    }
+
+    fs::path folder_;
+    Context context_{{.threads = 2}};
+    test::FakeEngine engine_;
+};
+
+/// The pixel of the fake engine as an 8-bit file holds it.
+std::array<std::uint8_t, 3> expected_pixel(int x, int y) {
+    const vec4 c = test::FakeEngine::color_at(x, y);
+    return {srgb8_from_linear(c.x), srgb8_from_linear(c.y), srgb8_from_linear(c.z)};
+}
+
+std::array<std::uint8_t, 3> pixel(const Pixels& p, int x, int y) {
+    const auto* at = reinterpret_cast<const std::uint8_t*>(p.row(y)) + std::size_t(x) * std::size_t(p.channels);
+    return {at[0], at[1], at[2]};
+}
+
+TEST_F(Picture, PngHoldsDisplayValuesOfEveryPixel) {
+    const PictureResult result = draw({.output = file("a.png"), .settings = {.width = 130, .height = 70}});
+    EXPECT_EQ(result.width, 130);
+    const Pixels p = decode("a.png");
+    ASSERT_EQ(p.channels, 3);
+    ASSERT_EQ(p.width, 130);
+    ASSERT_EQ(p.height, 70);
+    for (int y = 0; y < 70; ++y)
+        for (int x = 0; x < 130; ++x) ASSERT_EQ(pixel(p, x, y), expected_pixel(x, y)) << x << ' ' << y;
+    EXPECT_EQ(count_files(), 1u);
+}
+
+TEST_F(Picture, AWindowIsTheSamePixelsAsInTheWholePicture) {
+    const PictureResult result =
+        draw({.output = file("w.png"), .settings = {.width = 400, .height = 300, .window = {33, 71, 90, 65}}});
+    EXPECT_EQ(result.width, 90);
+    EXPECT_EQ(result.height, 65);
+    const Pixels p = decode("w.png");
+    ASSERT_EQ(p.width, 90);
+    for (int y = 0; y < 65; ++y)
+        for (int x = 0; x < 90; ++x) ASSERT_EQ(pixel(p, x, y), expected_pixel(33 + x, 71 + y));
+}
+
+TEST_F(Picture, AVeryLargePictureGoesInBandsWithoutASeam) {
+    // 65536 wide: a band of 16 million pixels is 256 rows
+    const PictureResult result = draw({.output = file("b.png"), .settings = {.width = 65536, .height = 300}});
+    ASSERT_EQ(engine_.windows.size(), 2u);
+    EXPECT_EQ(engine_.windows[0], (Window{0, 0, 65536, 256}));
+    EXPECT_EQ(engine_.windows[1], (Window{0, 256, 65536, 44}));
+    EXPECT_EQ(result.stats.triangles_in, 7u);
+    EXPECT_EQ(result.stats.pixels_covered, 65536u * 300u);
+}
+
+TEST_F(Picture, ATransparentBackgroundGivesAlphaAsTheFormatWantsIt) {
+    PictureSink sink({Component::u8, 4});
+    sink.begin(3, 1, {}, 0);
+    const vec4 row[3] = {{0.25f, 0, 0, 0.5f}, {0, 0, 0, 0}, {1, 1, 1, 1}};
+    sink.tile({.area = {0, 0, 3, 1}, .color = row});
+    const auto* out = reinterpret_cast<const std::uint8_t*>(sink.color_row(0));
+    EXPECT_EQ(out[0], srgb8_from_linear(0.25f));
+    EXPECT_EQ(out[3], 128);
+    EXPECT_EQ(out[7], 0);
+    EXPECT_EQ(out[8], 255);
+    EXPECT_EQ(out[11], 255);
+    PictureSink linear({Component::f32, 4});
+    linear.begin(3, 1, {}, 0);
+    linear.tile({.area = {0, 0, 3, 1}, .color = row});
+    EXPECT_EQ(reinterpret_cast<const float*>(linear.color_row(0))[0], 0.125f);
+    draw({.output = file("t.png"), .settings = {.width = 8, .height = 8, .background = {0, 0, 0, 0}}});
+    EXPECT_EQ(decode("t.png").channels, 4);
+}
+
+TEST_F(Picture, PixelsThatAreNotNumbersBecomeBlackNotGarbage) {
+    PictureSink sink({Component::u8, 4});
+    sink.begin(1, 1, {}, 0);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const vec4 row[1] = {{nan, nan, nan, nan}};
+    sink.tile({.area = {0, 0, 1, 1}, .color = row});
+    const auto* out = reinterpret_cast<const std::uint8_t*>(sink.color_row(0));
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(out[i], 0);
+}
+
+TEST_F(Picture, ChannelsGoToFilesBesideThePicture) {
+    const std::uint32_t all = channel_depth | channel_normal | channel_object;
+    const PictureResult result =
+        draw({.output = file("c.v1.png"), .settings = {.width = 70, .height = 66, .channels = all}});
+    EXPECT_EQ(result.channel_files,
+              (std::vector<std::string>{file("c.v1.depth.exr"), file("c.v1.normal.exr"), file("c.v1.object.exr")}));
+    EXPECT_EQ(count_files(), 4u);
+    const Pixels depth = decode("c.v1.depth.exr");
+    ASSERT_EQ(depth.component, Component::f32);
+    ASSERT_EQ(depth.width, 70);
+    const auto value = [](const Pixels& p, int x, int y) {
+        return reinterpret_cast<const float*>(p.row(y))[std::size_t(x) * std::size_t(p.channels)];
+    };
+    EXPECT_EQ(value(depth, 69, 65), test::FakeEngine::depth_at(69, 65));
+    const Pixels object = decode("c.v1.object.exr");
+    EXPECT_EQ(value(object, 0, 12), -1.0f);
+    EXPECT_EQ(value(object, 5, 12), 12.0f);
+}
+
+TEST_F(Picture, ExrHoldsLinearLight) {
+    draw({.output = file("l.exr"), .settings = {.width = 64, .height = 2}});
+    const Pixels p = decode("l.exr");
+    ASSERT_EQ(p.component, Component::f32);
+    EXPECT_FLOAT_EQ(reinterpret_cast<const float*>(p.row(1))[std::size_t(40) * std::size_t(p.channels)], 40 / 255.0f);
+}
+
+class FailingEngine final : public Engine {
+public:
+    std::string name() const override { return "failing"; }
+    void prepare(const Scene&, Context&) override {}
+    RenderStats render(const Camera&, const RenderSettings&, Sink&, Context&) override {
+        throw Error(ErrorCode::failed, "cancelled");
+    }
+};
+
+TEST_F(Picture, NothingIsLeftBehindWhenAnEngineFails) {
+    FailingEngine failing;
+    PictureResult result;
+    EXPECT_THROW(draw_to_files(failing, {}, {.output = file("x.png"), .settings = {.channels = channel_depth}}, result,
+                               context_),
+                 Error);
+    EXPECT_EQ(count_files(), 0u);
+}
+
+TEST_F(Picture, ChannelFileNamesKeepTheFolder) {
+    EXPECT_EQ(channel_file("out.d/a.png", "depth"), "out.d/a.depth.exr");
+    EXPECT_EQ(channel_file("a", "depth"), "a.depth.exr");
+}
+
+ErrorCode refusal(const PictureRequest& request) {
+    try {
+        check_request(request);
+    } catch (const Error& error) {
+        return error.code();
+    }
+    ADD_FAILURE() << "accepted";
+    return ErrorCode::check_failed;
+}
+
+TEST_F(Picture, RequestsAreCheckedBeforeAnythingIsLoaded) {
+    const std::string good = file("a.png");
+    check_request({.output = good});
+    check_request({.output = file("a.EXR")});
+    EXPECT_EQ(refusal({.output = file("a.txt")}), ErrorCode::usage);
+    EXPECT_EQ(refusal({.output = file("png")}), ErrorCode::usage);
+    EXPECT_EQ(refusal({.output = ""}), ErrorCode::usage);
+    EXPECT_EQ(refusal({.output = file("no/such/folder/a.png")}), ErrorCode::failed);
+    EXPECT_EQ(refusal({.output = good, .engine = "hard"}), ErrorCode::usage);
+    EXPECT_EQ(refusal({.output = good, .settings = {.width = 0}}), ErrorCode::usage);
+    EXPECT_EQ(refusal({.output = good, .settings = {.height = 65537}}), ErrorCode::usage);
+    EXPECT_EQ(refusal({.output = good, .settings = {.window = {0, 0, 1281, 1}}}), ErrorCode::usage);
+    EXPECT_EQ(refusal({.output = good, .settings = {.window = {1, 0, 2147483647, 1}}}), ErrorCode::usage);
+    EXPECT_EQ(refusal({.output = file("a.jpg"), .settings = {.background = {0, 0, 0, 0}}}), ErrorCode::usage);
+    fs::create_directory(folder_ / "folder.png");
+    EXPECT_EQ(refusal({.output = file("folder.png")}), ErrorCode::failed);
+}
+
+TEST_F(Picture, TheWholeWayGivesDefaultLightsAndReportsABlankPicture) {
+    engine_.covered = false;
+    const PictureResult result =
+        draw_picture({.input = "builtin:teapot", .output = file("teapot.png"), .settings = {.width = 40, .height = 30}},
+                     engine_, context_);
+    EXPECT_GT(result.triangles, 1000u);
+    EXPECT_EQ(result.objects, 6u);
+    EXPECT_EQ(engine_.prepared.lights.size(), 3u);
+    bool warned = false;
+    for (const ReportEntry& r : context_.report().entries()) warned |= r.message.find("no pixel") != std::string::npos;
+    EXPECT_TRUE(warned);
+    EXPECT_TRUE(fs::exists(file("teapot.png")));
+}
+
+TEST_F(Picture, AskedForLightsReplaceAllOthers) {
+    PictureRequest request{.input = "builtin:teapot", .output = file("lit.png"), .settings = {.width = 4, .height = 4}};
+    request.lights = std::vector<Light>(2);
+    draw_picture(request, engine_, context_);
+    EXPECT_EQ(engine_.prepared.lights.size(), 2u);
+    request.lights = std::vector<Light>();
+    draw_picture(request, engine_, context_);
+    EXPECT_TRUE(engine_.prepared.lights.empty());
+}
+
+TEST_F(Picture, AnUnknownBuiltinModelIsNotFound) {
+    try {
+        load("builtin:bunny", {}, context_);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::not_found);
+    }
+}
+
+TEST(PictureJson, HoldsResultsErrorsAndForeignBytes) {
+    std::vector<PictureRow> rows(2);
+    rows[0].result = {.file = "a\xFF\n\"b.glb", .output = "a.png", .width = 3, .triangles = 12, .isa = "avx2"};
+    rows[0].remarks = {{Remark::dropped, "a", "node 1", "something", 3}};
+    rows[1].result = {.file = "b.glb", .output = "b.png"};
+    rows[1].error = Error(ErrorCode::bad_file, "broken", "accessor 3").with_file("b.glb");
+    const auto json = nlohmann::json::parse(to_json(rows));
+    EXPECT_EQ(json["schema"], "rakelight.render/1");
+    ASSERT_EQ(json["rows"].size(), 2u);
+    EXPECT_EQ(json["rows"][0]["file"], "a\xEF\xBF\xBD\n\"b.glb");
+    EXPECT_EQ(json["rows"][0]["triangles"], 12);
+    EXPECT_EQ(json["rows"][0]["remarks"][0]["count"], 3);
+    EXPECT_EQ(json["rows"][1]["error"]["exit_code"], 4);
+    EXPECT_EQ(json["rows"][1]["error"]["place"], "accessor 3");
+    EXPECT_FALSE(json["rows"][1].contains("width"));
+    EXPECT_TRUE(nlohmann::json::parse(to_json(std::span<const PictureRow>()))["rows"].empty());
+}
+
+}  // namespace
+}  // namespace rakelight

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/inspect.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/borders.h"
+#include "tools/text_table.h"
+#include "unit/render/test_scene.h"
+
+namespace rakelight {
+namespace {
+
+using test::two_squares;
+using Has = ObjectSummary::Has;
+
+SharedPositions borders_of(const Scene& scene, std::vector<std::uint32_t> objects = {0, 1}) {
+    Context context;
+    return find_borders(scene, objects, context);
+}
+
+TEST(Borders, TwoSquaresShareTheTwoEndsOfTheirEdge) {
+    const SharedPositions shared = borders_of(two_squares());
+    EXPECT_EQ(shared.positions, 2u);
+    ASSERT_EQ(shared.borders.size(), 1u);
+    EXPECT_EQ(shared.borders[0].object_a, 0u);
+    EXPECT_EQ(shared.borders[0].object_b, 1u);
+    EXPECT_EQ(shared.borders[0].positions, 2u);
+    EXPECT_EQ(shared.borders[0].largest_deg, 0);
+}
+
+TEST(Borders, TheSeamAngleIsThatBetweenTheNormalsInTheWorld) {
+    Scene scene = two_squares();
+    scene.meshes[1].normals = std::vector<vec3>(4, vec3{0.6f, 0, 0.8f});
+    EXPECT_NEAR(borders_of(scene).borders[0].largest_deg, 36.8699, 1e-3);
+    scene.nodes[1].local.scale = {1, 1, -1};  // mirrored in its own plane: the normal points to the back in the world
+    EXPECT_NEAR(borders_of(scene).borders[0].largest_deg, 180 - 36.8699, 1e-3);
+}
+
+TEST(Borders, TheNearestTwoNormalsCountWhereAnObjectHasSeveral) {
+    Scene scene = two_squares();
+    Mesh& right = scene.meshes[1];
+    std::vector<vec3> positions(right.positions.begin(), right.positions.end());
+    positions.push_back(positions[0]);
+    right.positions = positions;
+    right.normals = std::vector<vec3>{{1, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    right.indices = std::vector<std::uint32_t>{0, 1, 2, 4, 2, 3};
+    EXPECT_EQ(borders_of(scene).borders[0].largest_deg, 0);
+}
+
+TEST(Borders, PositionsAreComparedInTheWorldAndMinusZeroIsZero) {
+    Scene scene = two_squares();
+    scene.meshes[0].positions = std::vector<vec3>{{-1, -0.0f, 0}, {-0.0f, -0.0f, -0.0f}, {-0.0f, 1, 0}, {-1, 1, 0}};
+    EXPECT_EQ(borders_of(scene).positions, 2u);
+    scene.nodes[1].local.translation = {1e-12, 0, 0};
+    EXPECT_EQ(borders_of(scene).positions, 0u);
+    EXPECT_TRUE(borders_of(scene).borders.empty());
+}
+
+TEST(Borders, VerticesThatNoTriangleUsesDoNotCount) {
+    Scene scene = two_squares();
+    scene.meshes[1].indices = std::vector<std::uint32_t>{1, 2, 2};
+    EXPECT_EQ(borders_of(scene).positions, 0u);
+}
+
+TEST(Borders, NumbersThatAreNotFiniteMeetNobody) {
+    Scene scene = two_squares();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (Mesh& mesh : scene.meshes) mesh.positions = std::vector<vec3>(4, vec3{nan, 0, 0});
+    EXPECT_EQ(borders_of(scene).positions, 0u);
+}
+
+TEST(Borders, ManyObjectsInOnePointDoNotMakeAQuadraticNumberOfPairs) {
+    Scene scene = two_squares();
+    scene.nodes.resize(5000);
+    std::vector<std::uint32_t> objects;
+    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+        scene.nodes[i].meshes = {0};
+        objects.push_back(i);
+    }
+    const SharedPositions shared = borders_of(scene, objects);
+    EXPECT_EQ(shared.positions, 4u);
+    EXPECT_LE(shared.borders.size(), 28u);
+}
+
+TEST(Borders, AnObjectAloneHasNone) {
+    EXPECT_EQ(borders_of(two_squares(), {0}).positions, 0u);
+    EXPECT_EQ(borders_of(Scene{}, {}).positions, 0u);
+}
+
+TEST(Inspect, CountsObjectsMeshesAndAttributes) {
+    Scene scene = two_squares();
+    scene.materials.resize(2);
+    scene.materials[0].name = "skin";
+    scene.meshes[0].material = 0;
+    scene.meshes[1].material = 1;
+    scene.meshes[1].normals = {};
+    scene.nodes[0].meshes = {0, 1};
+    Context context;
+    const Inspection i = inspect(scene, {}, context);
+    ASSERT_EQ(i.objects.size(), 2u);
+    EXPECT_EQ(i.objects[0].meshes, 2u);
+    EXPECT_EQ(i.objects[0].triangles, 4u);
+    EXPECT_EQ(i.objects[0].normals, Has::some);
+    EXPECT_EQ(i.objects[0].tangents, Has::no);
+    EXPECT_EQ(i.objects[0].materials, (std::vector<std::string>{"skin", "material 1"}));
+    EXPECT_EQ(i.objects[1].normals, Has::no);
+    EXPECT_EQ(i.triangles, 6u);
+    EXPECT_EQ(i.low, (dvec3{-1, 0, 0}));
+    EXPECT_EQ(i.high, (dvec3{1, 1, 0}));
+    EXPECT_EQ(i.shared_positions, 4u);
+    EXPECT_TRUE(i.scene.meshes.empty());
+}
+
+TEST(Inspect, AnEmptySceneIsNoReasonToFail) {
+    Context context;
+    const Inspection i = inspect(Scene{.source = "nothing.obj"}, {}, context);
+    EXPECT_TRUE(i.objects.empty());
+    EXPECT_NE(to_text(i).find("0 objects"), std::string::npos);
+}
+
+TEST(Inspect, TextAndJsonSurviveHostileNames) {
+    Scene scene = two_squares();
+    scene.source = "two\n\033[31m.obj";
+    scene.nodes[0].name = std::string(100000, 'x') + "\xFF";
+    scene.cameras.resize(1);
+    scene.cameras[0].far = std::numeric_limits<double>::infinity();
+    scene.lights.resize(2);
+    Context context;
+    std::vector<InspectionRow> rows(2);
+    rows[0].file = scene.source;
+    rows[0].inspection = inspect(scene, {}, context);
+    rows[1].file = "missing";
+    rows[1].error = Error(ErrorCode::not_found, "no such file");
+    const std::string text = to_text(*rows[0].inspection);
+    EXPECT_EQ(text.find('\033'), std::string::npos);
+    EXPECT_LT(text.size(), 4000u);
+    const auto json = nlohmann::json::parse(to_json(rows));
+    EXPECT_EQ(json["schema"], "rakelight.inspect/1");
+    EXPECT_EQ(json["rows"][0]["objects"].size(), 2u);
+    EXPECT_TRUE(json["rows"][0]["cameras"][0]["far"].is_null());
+    EXPECT_EQ(json["rows"][0]["borders"][0]["positions"], 2);
+    EXPECT_EQ(json["rows"][1]["error"]["code"], "not_found");
+}
+
+TEST(TextTable, LinesUpColumnsAndCutsBlanksAtTheEnd) {
+    TextTable table({"name", ">count", "what"});
+    table.add({"a", "1", "x"});
+    table.add({"\xC3\xA4\xC3\xB6", "1000", ""});
+    EXPECT_EQ(table.text("  "), "  name  count  what\n  a         1  x\n  \xC3\xA4\xC3\xB6     1000\n");
+}
+
+}  // namespace
+}  // namespace rakelight
