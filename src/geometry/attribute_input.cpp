@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/attribute_input.h"
+
+#include <cmath>
+#include <string>
+
+namespace rakelight::geometry {
+namespace {
+
+constexpr std::uint64_t most_vertices = 0xffffffffull - 1, most_corners = 0xffffffffull - 2;
+constexpr std::uint32_t none = 0xffffffffu;
+
+[[noreturn]] void fail(std::size_t mesh, const std::string& reason) {
+    throw Error(ErrorCode::bad_file, reason, "mesh " + std::to_string(mesh));
+}
+
+void check_size(std::size_t mesh, const char* what, std::size_t given, std::uint64_t wanted, const char* of) {
+    if (given != 0 && given != wanted)
+        fail(mesh, std::to_string(given) + " " + what + " for " + std::to_string(wanted) + " " + of);
+}
+
+void check_mesh(std::size_t m, const AttributeMesh& mesh) {
+    if (mesh.indices.size() % 3 != 0)
+        fail(m, std::to_string(mesh.indices.size()) + " indices, not a multiple of 3");
+    const std::uint64_t triangles = mesh.indices.size() / 3;
+    check_size(m, "texture coordinates", mesh.texcoords.size(), mesh.positions.size(), "vertices");
+    check_size(m, "normals", mesh.normals.size(), mesh.positions.size(), "vertices");
+    check_size(m, "smoothing groups", mesh.smoothing.size(), triangles, "triangles");
+    check_size(m, "smoothing hints", mesh.smoothing_hint.size(), 3 * triangles, "corners");
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r)
+            if (!std::isfinite(mesh.to_world[c][r])) fail(m, "the matrix to the world is not finite");
+}
+
+Placement place(const dmat4& to_world) {
+    Placement p;
+    p.to_world = to_world;
+    p.linear = upper_left(to_world);
+    double largest = 0;  // the sign of the determinant without overflow or underflow
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) largest = std::fmax(largest, std::fabs(p.linear[c][r]));
+    dmat3 scaled = p.linear;
+    for (int c = 0; c < 3; ++c) scaled[c] = largest > 0 ? scaled[c] / largest : scaled[c];
+    p.flip = determinant(scaled) < 0 ? -1 : 1;
+    p.normal_to_world = cofactor(p.linear);
+    for (int c = 0; c < 3; ++c) p.normal_to_world[c] = p.normal_to_world[c] * p.flip;
+    return p;
+}
+
+// The first bad index of all, whichever thread meets one first.
+void check_indices(const AttributeInput& input, Context& context) {
+    const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
+    std::vector<std::uint32_t> first_bad(chunks.size(), none);
+    context.parallel_for(chunks.size(), [&](std::size_t c) {
+        std::uint32_t bad = none;
+        for_each_range(chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+            const AttributeMesh& mesh = input.meshes[m];
+            for (std::uint32_t i = 3 * first; i != 3 * last && bad == none; ++i)
+                if (mesh.indices[i] >= mesh.positions.size()) bad = 3 * input.triangle_base[m] + i;
+        });
+        first_bad[c] = bad;
+    });
+    const auto found = std::min_element(first_bad.begin(), first_bad.end());
+    if (found == first_bad.end() || *found == none) return;
+    const std::uint32_t m = input.mesh_of_triangle(*found / 3), corner = *found - 3 * input.triangle_base[m];
+    fail(m, "index " + std::to_string(input.meshes[m].indices[corner]) + " at corner " + std::to_string(corner) +
+                " exceeds " + std::to_string(input.meshes[m].positions.size()) + " vertices");
+}
+
+}  // namespace
+
+AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& context) {
+    AttributeInput input;
+    input.meshes = meshes;
+    std::uint64_t vertices = 0, triangles = 0;
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        check_mesh(m, meshes[m]);
+        input.vertex_base.push_back(std::uint32_t(vertices));
+        input.triangle_base.push_back(std::uint32_t(triangles));
+        vertices += meshes[m].positions.size();
+        triangles += meshes[m].indices.size() / 3;
+        // Splitting can add a vertex for each corner, and all are numbered with 32 bits.
+        if (vertices + 3 * triangles > most_vertices || 3 * triangles > most_corners)
+            fail(m, "more than 2^32 vertices and corners in one call");
+        input.placements.push_back(place(meshes[m].to_world));
+    }
+    input.vertex_base.push_back(std::uint32_t(vertices));
+    input.triangle_base.push_back(std::uint32_t(triangles));
+    check_indices(input, context);
+    return input;
+}
+
+void check_options(const AttributeOptions& options) {
+    constexpr double slack = 1e-9;  // degrees turned into radians may land just beyond pi
+    if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi + slack))
+        throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");
+}
+
+std::vector<Chunk> make_chunks(std::span<const std::uint32_t> base, std::uint32_t target) {
+    constexpr std::uint32_t most_pieces = 64;  // the outboxes of the sums are pieces^2
+    constexpr std::uint32_t most_meshes = 4096;
+    std::vector<Chunk> chunks;
+    std::uint32_t open = 0;  // items in the last chunk of whole meshes; 0: none is open
+    for (std::uint32_t m = 0; m + 1 < base.size(); ++m) {
+        const std::uint32_t count = base[m + 1] - base[m];
+        if (count > target) {
+            const std::uint32_t pieces = std::min(most_pieces, count / target + 1);
+            for (std::uint32_t p = 0; p < pieces; ++p) chunks.push_back({m, m + 1, p, pieces});
+            open = 0;
+            continue;
+        }
+        if (open == 0 || open + count > target || m - chunks.back().mesh_begin >= most_meshes) {
+            chunks.push_back({m, m + 1, 0, 1});
+            open = 1;
+        }
+        chunks.back().mesh_end = m + 1;
+        open += count;
+    }
+    return chunks;
+}
+
+}  // namespace rakelight::geometry

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The checked input of the attribute door, in the form that all its stages read: one numbering of vertices and triangles
+// over all meshes, the matrices that normals and tangents go by, and the fixed chunks in which work is handed out.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <rakelight/attributes.h>
+
+#include "math/linear.h"
+
+namespace rakelight::geometry {
+
+/// How one mesh stands in the world.
+struct Placement {
+    dmat4 to_world;
+    dmat3 linear;           ///< directions: object -> world
+    dmat3 normal_to_world;  ///< normals: cofactor matrix times the sign of the determinant, so that outside stays outside
+    double flip = 1;        ///< -1 where the matrix mirrors, else +1
+
+    dvec3 position(vec3 p) const { return transform_point(to_world, cast<double>(p)); }
+};
+
+/// All meshes of a call, numbered through: vertex v of mesh m is vertex_base[m] + v, corner k of triangle t is
+/// 3 * (triangle_base[m] + t) + k. Both totals fit 32 bits (checked).
+struct AttributeInput {
+    std::span<const AttributeMesh> meshes;
+    std::vector<std::uint32_t> vertex_base, triangle_base;  ///< [meshes + 1]
+    std::vector<Placement> placements;                      ///< [meshes]
+
+    std::uint32_t vertex_count() const { return vertex_base.back(); }
+    std::uint32_t triangle_count() const { return triangle_base.back(); }
+    std::uint32_t mesh_of_vertex(std::uint32_t vertex) const { return owner(vertex_base, vertex); }
+    std::uint32_t mesh_of_triangle(std::uint32_t triangle) const { return owner(triangle_base, triangle); }
+    /// The vertex that the file gave to a corner, numbered through.
+    std::uint32_t corner_vertex(std::uint32_t mesh, std::uint32_t corner) const {
+        return vertex_base[mesh] + meshes[mesh].indices[corner - 3 * triangle_base[mesh]];
+    }
+
+private:
+    static std::uint32_t owner(const std::vector<std::uint32_t>& base, std::uint32_t item) {
+        return std::uint32_t(std::upper_bound(base.begin(), base.end(), item) - base.begin()) - 1;
+    }
+};
+
+/// Checks sizes, indices, matrices and options.
+/// @throws Error as the door says: code bad_file, place "mesh N"
+AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& context);
+void check_options(const AttributeOptions& options);
+
+/// A share of the work that depends on the sizes alone, never on the threads: one piece of a large mesh (`pieces` > 1), or
+/// some whole meshes.
+struct Chunk {
+    std::uint32_t mesh_begin = 0, mesh_end = 0;
+    std::uint32_t piece = 0, pieces = 1;
+};
+
+/// First item of a piece when `count` items are cut into equal ones.
+inline std::uint32_t piece_begin(std::uint32_t count, std::uint32_t piece, std::uint32_t pieces) {
+    return std::uint32_t(std::uint64_t(count) * piece / pieces);
+}
+/// The piece that holds an item: the largest p with piece_begin(count, p, pieces) <= item.
+inline std::uint32_t piece_of(std::uint32_t item, std::uint32_t count, std::uint32_t pieces) {
+    return std::uint32_t(((std::uint64_t(item) + 1) * pieces - 1) / count);
+}
+
+/// Chunks of about `target` items over meshes of base[m + 1] - base[m] items; at most 64 pieces a mesh.
+std::vector<Chunk> make_chunks(std::span<const std::uint32_t> base, std::uint32_t target);
+
+/// Calls body(mesh, first, last) for the ranges of items that a chunk covers, counted inside the mesh.
+template <class Body>
+void for_each_range(const Chunk& chunk, std::span<const std::uint32_t> base, const Body& body) {
+    for (std::uint32_t m = chunk.mesh_begin; m != chunk.mesh_end; ++m) {
+        const std::uint32_t count = base[m + 1] - base[m];
+        body(m, piece_begin(count, chunk.piece, chunk.pieces), piece_begin(count, chunk.piece + 1, chunk.pieces));
+    }
+}
+
+constexpr std::uint32_t triangles_per_chunk = 1u << 16;
+constexpr std::uint32_t vertices_per_chunk = 1u << 15;
+
+}  // namespace rakelight::geometry

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the two steps of the attribute door share.
+#pragma once
+#include "geometry/topology.h"
+#include "geometry/vertex_groups.h"
+
+namespace rakelight {
+
+struct AttributePlan::Impl {
+    AttributeOptions options;
+    std::vector<std::uint32_t> vertices, triangles;  ///< [meshes] counts that accumulate() insists on
+    std::vector<std::uint8_t> textured;              ///< [meshes] had texture coordinates
+    geometry::Topology topology;
+    geometry::VertexGroups groups;
+};
+
+}  // namespace rakelight

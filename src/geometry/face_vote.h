@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one triangle says about its corners: its unit normal and tangent in the world and the weight at each corner.
+// All in double, from differences of positions, so that edges of 1e-20 and 1e15 and models far away come out right.
+#pragma once
+#include <cmath>
+#include <cstdint>
+
+#include "geometry/attribute_input.h"
+
+namespace rakelight::geometry {
+
+/// arctan(y / x) for y >= 0, in 0..pi, from + - * / alone. Abramowitz & Stegun 4.4.49: off by at most 2e-8, and relatively
+/// so for small angles, which is far below what a weight needs.
+inline double corner_angle(double y, double x) {
+    const double a = std::fabs(x);
+    const bool steep = y > a;
+    const double t = steep ? a / y : (a > 0 ? y / a : 0.0), s = t * t;
+    const double p = t * (1 + s * (-0.3333314528 + s * (0.1999355085 + s * (-0.1420889944 + s * (0.1065626393 +
+                     s * (-0.0752896400 + s * (0.0429096138 + s * (-0.0161657367 + s * 0.0028662257))))))));
+    const double first = steep ? pi / 2 - p : p;
+    return x < 0 ? pi - first : first;
+}
+
+/// A vector's direction and length; {0, 0} for zero and non-finite ones.
+struct Direction {
+    dvec3 unit;
+    double length = 0;
+};
+inline Direction direction_of(dvec3 v) {
+    const double square = dot(v, v);
+    if (square > 1e-280 && square < 1e280) {
+        const double size = std::sqrt(square);
+        return {v * (1 / size), size};
+    }
+    const dvec3 unit = normalize_or(v, dvec3{});
+    return {unit, dot(unit, v) > 0 ? dot(unit, v) : 0.0};
+}
+
+/// The three corners of one triangle; edges are exact where the positions are of similar size.
+struct FaceCorners {
+    dvec3 e1, e2;  ///< object space, from corner 0 to 1 and to 2
+};
+inline FaceCorners face_corners(const AttributeMesh& mesh, const std::uint32_t* index) {
+    const dvec3 p = cast<double>(mesh.positions[index[0]]);
+    return {cast<double>(mesh.positions[index[1]]) - p, cast<double>(mesh.positions[index[2]]) - p};
+}
+
+/// Unit normal in the world, outwards for counter-clockwise faces also where the matrix mirrors, and twice the area.
+/// Zero area (taken in object space, where collinear corners give exactly 0) or a non-finite corner: {0, 0}, no vote.
+inline Direction face_normal(const Placement& placement, const FaceCorners& face) {
+    return direction_of(placement.normal_to_world * cross(face.e1, face.e2));
+}
+
+/// A normal that the caller gave in object space, in the world; zero for zero and non-finite ones.
+inline dvec3 given_normal(const Placement& placement, vec3 normal) {
+    return direction_of(placement.normal_to_world * cast<double>(normal)).unit;
+}
+
+/// Weights of the three corners of a face whose doubled area in the world is `area2`.
+template <CornerWeight weight>
+inline dvec3 corner_weights(const Placement& placement, const FaceCorners& face, double area2) {
+    if constexpr (weight == CornerWeight::uniform) return {1, 1, 1};
+    if constexpr (weight == CornerWeight::area) return dvec3{1, 1, 1} * (0.5 * area2);
+    const dvec3 a = placement.linear * face.e1, b = placement.linear * face.e2, c = b - a;
+    const dvec3 angles{corner_angle(area2, dot(a, b)), corner_angle(area2, -dot(a, c)), corner_angle(area2, dot(b, c))};
+    return weight == CornerWeight::angle ? angles : angles * (0.5 * area2);
+}
+
+/// Unit tangent dP/du in the world, and the handedness there: +1 where (n, t) turn to -dP/dv, -1 where mirrored.
+/// hand 0: the texture coordinates have no area, no vote.
+struct FaceTangent {
+    dvec3 unit;
+    double hand = 0;
+};
+inline FaceTangent face_tangent(const AttributeMesh& mesh, const std::uint32_t* index, const Placement& placement,
+                                const FaceCorners& face) {
+    const vec2 q0 = mesh.texcoords[index[0]], q1 = mesh.texcoords[index[1]], q2 = mesh.texcoords[index[2]];
+    const double du1 = double(q1.x) - q0.x, dv1 = double(q1.y) - q0.y, du2 = double(q2.x) - q0.x, dv2 = double(q2.y) - q0.y;
+    const double det = du1 * dv2 - du2 * dv1;
+    if (!(det > 0) && !(det < 0)) return {};
+    // dP/du = (dv2 e1 - dv1 e2) / det; only the sign of det is left after normalizing.
+    const double sign = det > 0 ? 1 : -1;
+    const Direction t = direction_of(placement.linear * ((face.e1 * dv2 - face.e2 * dv1) * sign));
+    if (!(t.length > 0)) return {};
+    // cross(n, t) . dP/dv has the sign of det; the bitangent is -dP/dv (v is stored downwards).
+    return {t.unit, -sign * placement.flip};
+}
+
+/// The handedness of a face, seen from a given normal that may point to the face's back.
+inline double hand_from(dvec3 given, const Direction& face, double hand) { return dot(given, face.unit) < 0 ? -hand : hand; }
+
+}  // namespace rakelight::geometry

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// From sums in the world to unit vectors in each object's own space.
+#pragma once
+#include "geometry/vote_sums.h"
+
+namespace rakelight::geometry {
+
+struct Finished {
+    std::vector<MeshAttributes> meshes;
+    std::vector<std::uint32_t> cancelled;  ///< output vertices whose own sum of normals is zero though faces vote
+};
+
+/// Normals go back by the transposed matrix, tangents by the inverse, both then normalized; tangents by Gram-Schmidt against the
+/// normal. Where there is no tangent (no texture area, or along the normal): the coordinate axis that is farthest from
+/// the normal in the world (x before y before z), made perpendicular to it; w = +1.
+Finished finish_vertices(const VoteSums& sums, const Topology& topology, const AttributeInput& input,
+                         const AttributeOptions& options, Context& context);
+
+}  // namespace rakelight::geometry

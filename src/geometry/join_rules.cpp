@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/join_rules.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "geometry/circular_order.h"
+#include "math/functions.h"
+
+namespace rakelight::geometry {
+namespace {
+
+// "At most c, inclusive": a hexagonal prism with c = 60 degrees must not break up by the rounding of its float positions.
+constexpr double crease_slack = 1e-6;
+// Sides of a shell: a neighbor that turns back by more than this (177 degrees) is the other side.
+constexpr double turned_back = -0.9986;
+// Up to here pairs are compared directly.
+constexpr std::size_t few = 16;
+
+bool is_hinted(const AttributeMesh& mesh) { return mesh.smoothing.empty() && !mesh.smoothing_hint.empty(); }
+bool is_grouped(const AttributeMesh& mesh) { return !mesh.smoothing.empty() && mesh.group_kind != GroupKind::none; }
+
+}  // namespace
+
+JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options, JoinRule rule,
+                     const std::vector<dvec3>& normals)
+    : input_(input), topology_(topology), normals_(normals), rule_(rule), groups_across_(options.groups_across) {
+    const double limit = options.crease_angle_rad + crease_slack;
+    joins_all_ = limit >= pi;
+    least_cos_ = joins_all_ ? -2 : math::cos(limit);
+    for (const AttributeMesh& mesh : input.meshes) has_hints_ |= is_hinted(mesh);
+}
+
+std::uint64_t JoinRules::authority_of(std::uint32_t m) const {
+    const AttributeMesh& mesh = input_.meshes[m];
+    if (rule_ != JoinRule::crease) return 0;
+    if (is_hinted(mesh)) return std::uint64_t(mesh.object) << 2 | 3;
+    if (!is_grouped(mesh)) return 0;
+    const std::uint64_t kind = mesh.group_kind == GroupKind::masks ? 1 : 2;
+    return (groups_across_ ? 1ull << 40 : std::uint64_t(mesh.object) << 2) | kind;
+}
+
+void JoinRules::gather(std::span<const std::uint32_t> corners, Fan& fan) const {
+    const std::size_t count = corners.size();
+    fan.corner.assign(corners.begin(), corners.end());
+    fan.normal.resize(count);
+    fan.authority.resize(count);
+    fan.group.assign(count, 0);
+    fan.kind.assign(count, GroupKind::none);
+    fan.hint.resize(has_hints_ ? count : 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t triangle = corners[i] / 3, m = input_.mesh_of_triangle(triangle);
+        const AttributeMesh& mesh = input_.meshes[m];
+        fan.normal[i] = normals_[triangle];
+        fan.authority[i] = authority_of(m);
+        if (fan.authority[i] == 0) continue;
+        if (is_hinted(mesh)) {
+            fan.hint[i] = mesh.smoothing_hint[corners[i] - 3 * input_.triangle_base[m]] + vec3{};
+        } else {
+            fan.group[i] = mesh.smoothing[triangle - input_.triangle_base[m]];
+            fan.kind[i] = mesh.group_kind;
+        }
+    }
+}
+
+void JoinRules::join(Fan& fan, UnionFind& sets) const {
+    sets.reset(fan.size());
+    if (rule_ == JoinRule::apart || fan.size() < 2) return;
+    if (rule_ == JoinRule::crease && joins_all_) join_everything(fan, sets);
+    std::vector<Spoke>& spokes = fan.spokes;
+    spokes.clear();
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+        if (!fan.votes(i)) continue;
+        const std::uint32_t triangle = fan.corner[i] / 3, k = fan.corner[i] % 3, m = input_.mesh_of_triangle(triangle);
+        const auto place = [&](std::uint32_t corner) {
+            return topology_.position_class[input_.corner_vertex(m, 3 * triangle + corner)];
+        };
+        spokes.push_back({place((k + 1) % 3), std::uint32_t(i), true});
+        spokes.push_back({place((k + 2) % 3), std::uint32_t(i), false});
+    }
+    std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+        return std::tuple(a.place, a.index, a.outgoing) < std::tuple(b.place, b.index, b.outgoing);
+    });
+    for (std::size_t first = 0; first < spokes.size();) {
+        std::size_t last = first + 1;
+        while (last < spokes.size() && spokes[last].place == spokes[first].place) ++last;
+        if (last - first > 1) join_edge(fan, std::span(spokes).subspan(first, last - first), sets);
+        first = last;
+    }
+    if (has_hints_ && rule_ == JoinRule::crease) join_hints(fan, sets);
+}
+
+bool JoinRules::joined(const Fan& fan, const Spoke& a, const Spoke& b) const {
+    const std::uint32_t i = a.index, j = b.index;
+    const double cosine = dot(fan.normal[i], fan.normal[j]);
+    if (rule_ == JoinRule::side) return a.outgoing != b.outgoing && cosine > turned_back;
+    if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[j]) return cosine >= least_cos_;
+    if (fan.kind[i] == GroupKind::masks) return (fan.group[i] & fan.group[j]) != 0;
+    return fan.kind[i] == GroupKind::numbers && fan.group[i] != 0 && fan.group[i] == fan.group[j];
+}
+
+void JoinRules::join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
+    if (spokes.size() <= few) {
+        for (std::size_t a = 0; a < spokes.size(); ++a)
+            for (std::size_t b = a + 1; b < spokes.size(); ++b)
+                if (joined(fan, spokes[a], spokes[b])) sets.join(spokes[a].index, spokes[b].index);
+        return;
+    }
+    join_many_by_angle(fan, spokes, sets);
+    if (rule_ == JoinRule::crease) join_many_by_group(fan, spokes, sets);
+}
+
+// All normals at an edge lie in the plane across it. Faces that obey the angle among one another are those of different
+// authority, or of none; linking each to the next one of these on the circle links all that the angle joins.
+void JoinRules::join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
+    std::vector<dvec3> normals;
+    for (const Spoke& s : spokes) normals.push_back(fan.normal[s.index]);
+    const std::vector<std::uint32_t> order = circular_order(normals);
+    const std::size_t count = order.size();
+    const auto at = [&](std::size_t i) -> const Spoke& { return spokes[order[i % count]]; };
+    const auto obeys_angle = [&](const Spoke& a, const Spoke& b) {
+        return fan.authority[a.index] == 0 || fan.authority[a.index] != fan.authority[b.index];
+    };
+    // next[i]: the first position after i that i's face compares with; one sweep backwards over two turns of the circle.
+    for (const bool backwards : {false, true}) {
+        std::vector<std::size_t> next(2 * count + 1, 2 * count);
+        const auto turn = [&](std::size_t i) -> const Spoke& { return at(backwards ? 2 * count - 1 - i : i); };
+        for (std::size_t i = 2 * count - 1; i-- > 0;) next[i] = obeys_angle(turn(i), turn(i + 1)) ? i + 1 : next[i + 1];
+        for (std::size_t i = 0; i < count; ++i)
+            if (next[i] < 2 * count && joined(fan, turn(i), turn(next[i]))) sets.join(turn(i).index, turn(next[i]).index);
+    }
+}
+
+void JoinRules::join_many_by_group(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
+    std::vector<Spoke> sorted(spokes.begin(), spokes.end());
+    const auto key = [&](const Spoke& s) { return std::tuple(fan.authority[s.index], fan.group[s.index]); };
+    std::sort(sorted.begin(), sorted.end(), [&](const Spoke& a, const Spoke& b) {
+        return key(a) != key(b) ? key(a) < key(b) : a.index < b.index;
+    });
+    std::uint64_t authority = 0;
+    std::uint32_t first_of_bit[32] = {}, seen = 0;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const std::uint32_t index = sorted[i].index, group = fan.group[index];
+        if (fan.authority[index] != authority) seen = 0;
+        authority = fan.authority[index];
+        if (authority == 0 || group == 0) continue;
+        if (fan.kind[index] == GroupKind::numbers && i > 0 && key(sorted[i - 1]) == key(sorted[i]))
+            sets.join(sorted[i - 1].index, index);
+        if (fan.kind[index] != GroupKind::masks) continue;
+        for (std::uint32_t bit = 0; bit < 32; ++bit) {
+            if ((group >> bit & 1) == 0) continue;
+            if ((seen >> bit & 1) != 0) sets.join(first_of_bit[bit], index);
+            else first_of_bit[bit] = index;
+        }
+        seen |= group;
+    }
+}
+
+// At a crease angle of pi all faces that obey the angle are one group, with or without a common edge: one face of another
+// authority, or of none, joins everything.
+void JoinRules::join_everything(const Fan& fan, UnionFind& sets) const {
+    std::size_t first = fan.size(), other = fan.size();
+    for (std::size_t i = 0; i < fan.size() && other == fan.size(); ++i) {
+        if (!fan.votes(i)) continue;
+        if (first == fan.size()) first = i;
+        else if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[first]) other = i;
+    }
+    if (other == fan.size()) return;
+    for (std::size_t i = 0; i < fan.size(); ++i)
+        if (fan.votes(i)) sets.join(std::uint32_t(first), std::uint32_t(i));
+}
+
+void JoinRules::join_hints(const Fan& fan, UnionFind& sets) const {
+    std::vector<std::uint32_t> hinted;
+    for (std::uint32_t i = 0; i < fan.size(); ++i)
+        if (fan.votes(i) && (fan.authority[i] & 3) == 3 && is_finite(fan.hint[i])) hinted.push_back(i);
+    const auto key = [&](std::uint32_t i) {
+        return std::tuple(fan.authority[i], fan.hint[i].x, fan.hint[i].y, fan.hint[i].z);
+    };
+    std::sort(hinted.begin(), hinted.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+    for (std::size_t i = 1; i < hinted.size(); ++i)
+        if (key(hinted[i - 1]) == key(hinted[i])) sets.join(hinted[i - 1], hinted[i]);
+}
+
+}  // namespace rakelight::geometry

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of the faces around one place are joined into one smooth group.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/topology.h"
+#include "geometry/union_find.h"
+
+namespace rakelight::geometry {
+
+/// What a stage of grouping is after.
+enum class JoinRule : std::uint8_t {
+    crease,  ///< creases, smoothing groups and hints (the user's choice)
+    side,    ///< the two sides of coincident shells whose normals cancel: neighbors that run on, not those that turn back
+    apart,   ///< nothing is joined: each face for itself
+};
+
+/// One edge of a face, at the place from which it is looked at.
+struct Spoke {
+    std::uint32_t place, index;  ///< other end of the edge (its position class); which corner of the fan
+    bool outgoing;               ///< the face runs along the edge away from the fan's place
+};
+
+/// The faces at one place, as seen by the rules; index i is the i-th corner of the place.
+struct Fan {
+    std::vector<std::uint32_t> corner;       ///< numbered through, ascending
+    std::vector<dvec3> normal;               ///< of its face; zero: no vote
+    std::vector<std::uint64_t> authority;    ///< faces of equal non-zero authority obey their groups, all others the angle
+    std::vector<std::uint32_t> group;        ///< smoothing group or mask
+    std::vector<GroupKind> kind;             ///< none with an authority: the hint rules
+    std::vector<vec3> hint;
+    std::vector<Spoke> spokes;               ///< scratch of JoinRules
+
+    std::size_t size() const { return corner.size(); }
+    bool votes(std::size_t i) const { return normal[i] != dvec3{}; }
+};
+
+class JoinRules {
+public:
+    JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options, JoinRule rule,
+              const std::vector<dvec3>& normals);
+
+    /// Reads what the rules need about the corners of one place.
+    void gather(std::span<const std::uint32_t> corners, Fan& fan) const;
+    /// Joins faces that vote; the others stay alone.
+    void join(Fan& fan, UnionFind& sets) const;
+
+private:
+    bool joined(const Fan& fan, const Spoke& a, const Spoke& b) const;
+    void join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
+    void join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
+    void join_many_by_group(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
+    void join_everything(const Fan& fan, UnionFind& sets) const;
+    void join_hints(const Fan& fan, UnionFind& sets) const;
+    std::uint64_t authority_of(std::uint32_t mesh) const;
+
+    const AttributeInput& input_;
+    const Topology& topology_;
+    const std::vector<dvec3>& normals_;
+    JoinRule rule_;
+    bool groups_across_;
+    bool joins_all_;    ///< crease angle pi
+    double least_cos_;  ///< of the crease angle
+    bool has_hints_ = false;
+};
+
+}  // namespace rakelight::geometry

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// One radix partition by hash, then a hash table per partition that stays in the cache. Records are stable, so the first
+// vertex met at a place is the smallest; positions are computed again and compared only where hashes agree.
+#include "geometry/position_weld.h"
+
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/face_vote.h"
+
+namespace rakelight::geometry {
+namespace {
+
+struct Record {
+    std::uint32_t hash, vertex;
+};
+
+struct Place {
+    dvec3 position;
+    vec3 normal;
+    std::uint32_t object = 0;
+    bool operator==(const Place&) const = default;
+};
+
+constexpr std::uint32_t records_per_partition = 1u << 14;
+constexpr std::uint32_t most_partitions = 1u << 12;
+constexpr std::uint32_t empty = 0xffffffffu;
+
+// Canonical zero: -0 + 0 is +0.
+Place place_of(const AttributeInput& input, WeldKey key, std::uint32_t mesh, std::uint32_t vertex) {
+    const AttributeMesh& m = input.meshes[mesh];
+    Place place;
+    place.position = input.placements[mesh].position(m.positions[vertex]) + dvec3{};
+    if (key.object) place.object = m.object;
+    if (key.normal && !m.normals.empty())
+        place.normal = cast<float>(given_normal(input.placements[mesh], m.normals[vertex])) + vec3{};
+    return place;
+}
+
+// Mixed so that both the high bits (partition) and the low ones (table) depend on every coordinate; floats widened to
+// double have 29 low zero bits.
+std::uint64_t hash_of(const Place& place) {
+    const auto mix = [](std::uint64_t h, std::uint64_t bits) {
+        h = (h ^ bits ^ (bits >> 32)) * 0x9e3779b97f4a7c15ull;
+        return h ^ (h >> 29);
+    };
+    std::uint64_t h = mix(place.object, std::bit_cast<std::uint64_t>(place.position.x));
+    h = mix(h, std::bit_cast<std::uint64_t>(place.position.y));
+    h = mix(h, std::bit_cast<std::uint64_t>(place.position.z));
+    if (place.normal != vec3{}) {
+        h = mix(h, std::bit_cast<std::uint32_t>(place.normal.x));
+        h = mix(h, std::bit_cast<std::uint32_t>(place.normal.y));
+        h = mix(h, std::bit_cast<std::uint32_t>(place.normal.z));
+    }
+    h *= 0xbf58476d1ce4e5b9ull;
+    return h ^ (h >> 32);
+}
+
+class Weld {
+public:
+    Weld(const AttributeInput& input, WeldKey key, Context& context)
+        : input_(input), key_(key), context_(context), chunks_(make_chunks(input.vertex_base, vertices_per_chunk)) {
+        const std::uint32_t wanted = input.vertex_count() / records_per_partition + 1;
+        shift_ = 64 - std::uint32_t(std::bit_width(std::min(std::bit_ceil(wanted), most_partitions)) - 1);
+        partitions_ = 1u << (64 - shift_);
+    }
+
+    std::vector<std::uint32_t> run() {
+        partition();
+        std::vector<std::uint32_t> representative(input_.vertex_count());
+        context_.parallel_for(chunks_.size(), [&](std::size_t c) {
+            for_each_range(chunks_[c], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                const auto begin = representative.begin() + input_.vertex_base[m];
+                std::iota(begin + first, begin + last, input_.vertex_base[m] + first);
+            });
+        });
+        context_.parallel_for(partitions_, [&](std::size_t p) { match(std::uint32_t(p), representative); });
+        return representative;
+    }
+
+private:
+    std::uint32_t partition_of(std::uint64_t hash) const { return partitions_ == 1 ? 0 : std::uint32_t(hash >> shift_); }
+
+    template <class Body>
+    void for_each_place(std::size_t chunk, const Body& body) const {
+        for_each_range(chunks_[chunk], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+            for (std::uint32_t v = first; v != last; ++v) {
+                const Place place = place_of(input_, key_, m, v);
+                if (is_finite(place.position)) body(input_.vertex_base[m] + v, hash_of(place));
+            }
+        });
+    }
+
+    void partition() {
+        std::vector<std::uint32_t> cursor(chunks_.size() * partitions_, 0);
+        context_.parallel_for(chunks_.size(), [&](std::size_t c) {
+            std::vector<std::uint32_t> counts(partitions_, 0);
+            for_each_place(c, [&](std::uint32_t, std::uint64_t hash) { ++counts[partition_of(hash)]; });
+            std::copy(counts.begin(), counts.end(), cursor.begin() + std::ptrdiff_t(c * partitions_));
+        });
+        begin_.resize(partitions_ + 1);
+        std::uint32_t sum = 0;
+        for (std::uint32_t p = 0; p < partitions_; ++p) {
+            begin_[p] = sum;
+            for (std::size_t c = 0; c < chunks_.size(); ++c) {
+                const std::uint32_t count = cursor[c * partitions_ + p];
+                cursor[c * partitions_ + p] = sum;
+                sum += count;
+            }
+        }
+        begin_[partitions_] = sum;
+        records_.resize(sum);
+        context_.parallel_for(chunks_.size(), [&](std::size_t c) {
+            std::vector<std::uint32_t> at(cursor.begin() + std::ptrdiff_t(c * partitions_),
+                                          cursor.begin() + std::ptrdiff_t((c + 1) * partitions_));
+            Record* records = records_.data();
+            for_each_place(c, [&](std::uint32_t vertex, std::uint64_t hash) {
+                records[at[partition_of(hash)]++] = {std::uint32_t(hash), vertex};
+            });
+        });
+    }
+
+    Place place_again(std::uint32_t vertex) const {
+        const std::uint32_t m = input_.mesh_of_vertex(vertex);
+        return place_of(input_, key_, m, vertex - input_.vertex_base[m]);
+    }
+
+    void match(std::uint32_t p, std::vector<std::uint32_t>& representative) const {
+        const std::uint32_t begin = begin_[p], end = begin_[p + 1];
+        const std::uint32_t mask = std::uint32_t(std::bit_ceil(std::uint64_t(end - begin) * 2 + 1) - 1);
+        std::vector<std::uint32_t> table(std::size_t(mask) + 1, empty);
+        for (std::uint32_t r = begin; r != end; ++r) {
+            const Record record = records_[r];
+            std::uint32_t slot = record.hash & mask;
+            for (; table[slot] != empty; slot = (slot + 1) & mask) {
+                const Record other = records_[table[slot]];
+                if (other.hash != record.hash || !(place_again(other.vertex) == place_again(record.vertex))) continue;
+                representative[record.vertex] = other.vertex;
+                break;
+            }
+            if (table[slot] == empty) table[slot] = r;
+        }
+    }
+
+    const AttributeInput& input_;
+    WeldKey key_;
+    Context& context_;
+    std::vector<Chunk> chunks_;
+    std::uint32_t shift_ = 64, partitions_ = 1;
+    std::vector<std::uint32_t> begin_;
+    std::vector<Record> records_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> weld_positions(const AttributeInput& input, WeldKey key, Context& context) {
+    return Weld(input, key, context).run();
+}
+
+}  // namespace rakelight::geometry

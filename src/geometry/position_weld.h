@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Border classes: which vertices stand at exactly the same place in the world.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geometry/attribute_input.h"
+
+namespace rakelight::geometry {
+
+/// What besides the position must be equal for two vertices to be one.
+struct WeldKey {
+    bool object = false;  ///< the object number (scope `object`)
+    bool normal = false;  ///< the given normal, in the world, as float (where given normals are kept)
+};
+
+/// representative[v] = the smallest vertex at v's place; v itself where nothing else is there or its position is not finite.
+/// World positions are compared in double, -0 equal to +0. Expected O(n); the same for any number of threads.
+std::vector<std::uint32_t> weld_positions(const AttributeInput& input, WeldKey key, Context& context);
+
+}  // namespace rakelight::geometry

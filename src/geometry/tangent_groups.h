@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tangents of vertices that share a normal: averaged only where their texture charts lie alike.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/union_find.h"
+#include "geometry/vote_sums.h"
+
+namespace rakelight::geometry {
+
+class TangentGroups {
+public:
+    /// @param normal   unit, world; zero: nothing is done
+    /// @param members  rows that share it; sets of one handedness, connected by pairs within 45 degrees, get their common sum.
+    ///                 A sum shorter than a thousandth of its weights (the pole of a sphere) leaves each its own.
+    void average(dvec3 normal, std::span<const std::uint32_t> members, VoteRow* rows);
+
+private:
+    void join(std::span<const std::uint32_t> members, const VoteRow* rows, bool right);
+    UnionFind sets_;
+    std::vector<dvec3> direction_, sum_;
+    std::vector<double> hand_;
+    std::vector<std::uint32_t> list_;
+};
+
+}  // namespace rakelight::geometry

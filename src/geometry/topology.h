@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which corner uses which output vertex, and which output vertices share one normal: what the grouping stages refine,
+// one after the other (weld, creases and smoothing groups, mirrored texture coordinates, cancelling shells).
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geometry/attribute_input.h"
+
+namespace rakelight::geometry {
+
+/// Output vertices are numbered through: the input's first (AttributeInput's numbers), then the appended ones.
+struct Topology {
+    std::vector<std::uint32_t> position_class;  ///< [input vertices] smallest input vertex at the same place
+    std::vector<std::uint32_t> group;           ///< [output vertices] one of the vertices that share its normal; group[g] == g
+    std::vector<std::uint32_t> source;          ///< [appended] the input vertex that each copies
+    std::vector<std::uint32_t> corner_vertex;   ///< [3 * triangles] output vertex; empty: nothing was split
+
+    std::uint32_t vertex_of(const AttributeInput& input, std::uint32_t mesh, std::uint32_t corner) const {
+        return corner_vertex.empty() ? input.corner_vertex(mesh, corner) : corner_vertex[corner];
+    }
+    std::uint32_t source_of(const AttributeInput& input, std::uint32_t vertex) const {
+        return vertex < input.vertex_count() ? vertex : source[vertex - input.vertex_count()];
+    }
+};
+
+/// Fills corner_vertex from the input's indices where it is still empty.
+void materialize_corners(Topology& topology, const AttributeInput& input, Context& context);
+
+/// Numbers the appended vertices anew, by source: those of one mesh become contiguous and lie in memory as their sources do.
+void sort_appended(Topology& topology, const AttributeInput& input, Context& context);
+
+/// The corners at each group of vertices.
+struct CornerBins {
+    std::vector<std::uint32_t> begin;    ///< [output vertices + 1] bin g holds corners[begin[g] .. begin[g + 1])
+    std::vector<std::uint32_t> corners;  ///< ascending inside a bin
+};
+
+/// @param selected  [output vertices] only groups g with selected[g] != 0 get a bin; empty: all
+CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
+                       Context& context);
+
+/// Unit normal of each face in the world; zero where it has no vote. [triangles]
+std::vector<dvec3> face_normals(const AttributeInput& input, Context& context);
+
+}  // namespace rakelight::geometry

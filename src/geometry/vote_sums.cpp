@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/vote_sums.h"
+
+#include <atomic>
+
+#include "geometry/face_vote.h"
+#include "geometry/tangent_groups.h"
+
+namespace rakelight::geometry {
+namespace {
+
+struct Parcel {
+    std::uint32_t row;
+    VoteRow vote;
+};
+
+void add(VoteRow& to, const VoteRow& vote) {
+    to.normal += vote.normal;
+    to.weight += vote.weight;
+    to.tangent += vote.tangent;
+    to.hand += vote.hand;
+}
+
+class Scatter {
+public:
+    Scatter(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
+            Context& context)
+        : sums_(sums), topology_(topology), input_(input), options_(options), context_(context),
+          appended_base_(appended_base(topology, input)), chunks_(make_chunks(input.triangle_base, triangles_per_chunk)),
+          outbox_(chunks_.size()) {}
+
+    void run() {
+        context_.parallel_for(chunks_.size(), [&](std::size_t c) { scatter(c); });
+        context_.parallel_for(chunks_.size(), [&](std::size_t c) { drain(c); });
+    }
+
+private:
+    // The rows that a chunk owns: a range of the input's vertices and one of the appended ones.
+    struct Owned {
+        std::uint32_t begin, end, appended_begin, appended_end;
+        bool holds(std::uint32_t row) const {
+            return (row >= begin && row < end) || (row >= appended_begin && row < appended_end);
+        }
+    };
+    Owned owned_by(const Chunk& chunk, std::uint32_t m) const {
+        const auto part = [&](const std::vector<std::uint32_t>& base, std::uint32_t piece) {
+            return base[m] + piece_begin(base[m + 1] - base[m], piece, chunk.pieces);
+        };
+        const std::uint32_t fixed = input_.vertex_count();
+        return {part(input_.vertex_base, chunk.piece), part(input_.vertex_base, chunk.piece + 1),
+                fixed + part(appended_base_, chunk.piece), fixed + part(appended_base_, chunk.piece + 1)};
+    }
+    std::uint32_t owner_of(std::uint32_t row, std::uint32_t m, std::uint32_t pieces) const {
+        const std::uint32_t fixed = input_.vertex_count();
+        const auto& base = row < fixed ? input_.vertex_base : appended_base_;
+        return piece_of((row < fixed ? row : row - fixed) - base[m], base[m + 1] - base[m], pieces);
+    }
+
+    void scatter(std::size_t c) {
+        const Chunk chunk = chunks_[c];
+        if (chunk.pieces > 1) outbox_[c].resize(chunk.pieces);
+        for_each_range(chunk, input_.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+            const Owned own = owned_by(chunk, m);
+            VoteRow* rows = sums_.rows.get();
+            std::fill(rows + own.begin, rows + own.end, VoteRow{});
+            std::fill(rows + own.appended_begin, rows + own.appended_end, VoteRow{});
+            switch (options_.weight) {
+                case CornerWeight::uniform: return scatter_range<CornerWeight::uniform>(c, m, first, last, own);
+                case CornerWeight::area: return scatter_range<CornerWeight::area>(c, m, first, last, own);
+                case CornerWeight::angle: return scatter_range<CornerWeight::angle>(c, m, first, last, own);
+                case CornerWeight::angle_area: return scatter_range<CornerWeight::angle_area>(c, m, first, last, own);
+            }
+        });
+    }
+
+    template <CornerWeight weight>
+    void scatter_range(std::size_t c, std::uint32_t m, std::uint32_t first, std::uint32_t last, const Owned own) {
+        const AttributeMesh mesh = input_.meshes[m];
+        const Placement placement = input_.placements[m];
+        const std::uint32_t pieces = chunks_[c].pieces, vertex_base = input_.vertex_base[m];
+        const std::uint32_t* split = topology_.corner_vertex.empty()
+                                         ? nullptr
+                                         : topology_.corner_vertex.data() + 3 * std::size_t(input_.triangle_base[m]);
+        const bool tangents = options_.tangents && !mesh.texcoords.empty(), keep_normals = !options_.normals;
+        VoteRow* rows = sums_.rows.get();
+        std::uint32_t degenerate = 0;
+        for (std::uint32_t t = first; t != last; ++t) {
+            const std::uint32_t* index = &mesh.indices[3 * std::size_t(t)];
+            const FaceCorners face = face_corners(mesh, index);
+            const Direction normal = face_normal(placement, face);
+            if (!(normal.length > 0)) {
+                ++degenerate;
+                continue;
+            }
+            const dvec3 weights = corner_weights<weight>(placement, face, normal.length);
+            FaceTangent tangent;
+            if (tangents) tangent = face_tangent(mesh, index, placement, face);
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const double w = weights[k];
+                double hand = tangent.hand;
+                if (keep_normals && tangents) hand = hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
+                const VoteRow vote{normal.unit * w, w, tangent.unit * w, hand * w};
+                const std::uint32_t row = split ? split[3 * std::size_t(t) + k] : vertex_base + index[k];
+                if (own.holds(row)) add(rows[row], vote);
+                else outbox_[c][owner_of(row, m, pieces)].push_back({row, vote});
+            }
+        }
+        if (degenerate != 0) std::atomic_ref(sums_.degenerate_faces[m]).fetch_add(degenerate, std::memory_order_relaxed);
+    }
+
+    void drain(std::size_t c) {
+        const Chunk chunk = chunks_[c];
+        VoteRow* rows = sums_.rows.get();
+        for (std::uint32_t p = 0; p < chunk.pieces && chunk.pieces > 1; ++p)
+            for (const Parcel& parcel : outbox_[c - chunk.piece + p][chunk.piece]) add(rows[parcel.row], parcel.vote);
+        for (std::uint32_t m = chunk.mesh_begin; m != chunk.mesh_end; ++m) {
+            const Owned own = owned_by(chunk, m);
+            std::uint32_t isolated = 0;
+            for (std::uint32_t row = own.begin; row != own.end; ++row) isolated += rows[row].weight > 0 ? 0 : 1;
+            if (isolated != 0) std::atomic_ref(sums_.isolated_vertices[m]).fetch_add(isolated, std::memory_order_relaxed);
+        }
+    }
+
+    VoteSums& sums_;
+    const Topology& topology_;
+    const AttributeInput& input_;
+    const AttributeOptions& options_;
+    Context& context_;
+    std::vector<std::uint32_t> appended_base_;
+    std::vector<Chunk> chunks_;
+    std::vector<std::vector<std::vector<Parcel>>> outbox_;  // [chunks][receiving piece of the same mesh]
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> appended_base(const Topology& topology, const AttributeInput& input) {
+    std::vector<std::uint32_t> base;
+    for (const std::uint32_t first : input.vertex_base)
+        base.push_back(std::uint32_t(std::lower_bound(topology.source.begin(), topology.source.end(), first) -
+                                     topology.source.begin()));
+    return base;
+}
+
+VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context) {
+    VoteSums sums;
+    sums.rows = std::make_unique_for_overwrite<VoteRow[]>(topology.group.size());
+    sums.degenerate_faces.assign(input.meshes.size(), 0);
+    sums.isolated_vertices.assign(input.meshes.size(), 0);
+    Scatter(sums, topology, input, options, context).run();
+    return sums;
+}
+
+void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
+                const AttributeOptions& options, Context& context) {
+    constexpr std::size_t step = 1u << 13;
+    const std::size_t chunks = (groups.size() + step - 1) / step;
+    std::vector<std::vector<std::uint32_t>> cancelled(chunks);
+    context.parallel_for(chunks, [&](std::size_t c) {
+        TangentGroups tangents;
+        for (std::size_t g = c * step; g < std::min(groups.size(), (c + 1) * step); ++g) {
+            const std::span<const std::uint32_t> members(groups.members.data() + groups.begin[g],
+                                                         groups.begin[g + 1] - groups.begin[g]);
+            dvec3 normal;
+            double weight = 0;
+            for (const std::uint32_t v : members) {
+                normal += sums.rows[v].normal;
+                weight += sums.rows[v].weight;
+            }
+            if (!(weight > 0)) continue;
+            if (!options.normals) {
+                const std::uint32_t v = topology.source_of(input, members[0]), m = input.mesh_of_vertex(v);
+                normal = given_normal(input.placements[m], input.meshes[m].normals[v - input.vertex_base[m]]);
+            } else if (has_cancelled({normal, weight, {}, 0})) {
+                cancelled[c].push_back(std::uint32_t(g));
+                continue;
+            } else {
+                for (const std::uint32_t v : members) {
+                    sums.rows[v].normal = normal;
+                    sums.rows[v].weight = weight;
+                }
+            }
+            if (options.tangents) tangents.average(direction_of(normal).unit, members, sums.rows.get());
+        }
+    });
+    for (const auto& part : cancelled) sums.cancelled_groups.insert(sums.cancelled_groups.end(), part.begin(), part.end());
+}
+
+}  // namespace rakelight::geometry
