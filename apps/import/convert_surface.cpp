@@ -74,7 +74,7 @@ std::uint32_t color(const aiMaterial& m, const char* key, unsigned type, unsigne
     return bit;
 }
 
-Surface to_surface(const aiMaterial& m) {
+Surface to_surface(const aiMaterial& m, const Format& format) {
     Surface s;
     aiString name;
     m.Get(AI_MATKEY_NAME, name);
@@ -96,7 +96,9 @@ Surface to_surface(const aiMaterial& m) {
     s.two_sided = two_sided != 0;
     s.unlit = shading == aiShadingMode_NoShading;
     const bool lambert = shading == aiShadingMode_Gouraud || shading == aiShadingMode_Flat;  // what Assimp calls materials without highlight
-    if (lambert) s.specular = {0, 0, 0};
+    const bool invented = format.ending == "stl" || format.ending == "off";  // formats without materials: only a color is the file's
+    if (lambert || invented) s.specular = {0, 0, 0};
+    if (invented) s.has &= Surface::has_diffuse;
     return s;
 }
 
@@ -126,7 +128,7 @@ Picture to_picture(const aiTexture& texture) {
 void convert_surfaces(const aiScene& scene, const Format& format, Document& out) {
     for (unsigned i = 0; i < scene.mNumTextures; ++i) out.pictures.push_back(to_picture(*scene.mTextures[i]));
     for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
-        Surface surface = to_surface(*scene.mMaterials[i]);
+        Surface surface = to_surface(*scene.mMaterials[i], format);
         convert_links(scene, *scene.mMaterials[i], format, surface, out);
         out.surfaces.push_back(std::move(surface));
     }

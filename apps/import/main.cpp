@@ -105,6 +105,7 @@ void send_scene(const aiScene& scene, const Format& format, Writer& writer) {
     Document document;
     document.part_count = std::uint32_t(parts.size());
     if (format.ending == "fbx") document.axes = axes_of(scene);
+    if (format.ending == "blend") document.axes = {2, 1, 1, -1, 0, 1, 1};  // Z up, seen from -Y; Assimp 5.2 leaves it so
     const NodeTable nodes(scene, parts_of_mesh, document);
     JointTable joints(nodes, document);
     joints.collect(scene);

@@ -31,10 +31,9 @@ std::uint32_t add_node(const std::string& name, std::uint32_t parent, dvec3 posi
     return std::uint32_t(scene.nodes.size() - 1);
 }
 
-/// Metres for one unit of length in a node's space.
-double unit_at(const std::vector<dmat4>& world, std::uint32_t node) {
-    if (node >= world.size()) return 1;
-    const double unit = length(world[node][2].xyz());
+/// Metres for one unit of length of the file: that of the root, since a light's or camera's own scale does not stretch its range.
+double unit_of(const std::vector<dmat4>& world) {
+    const double unit = length(world[0][2].xyz());
     return unit > 0 && std::isfinite(unit) ? unit : 1;
 }
 
@@ -49,6 +48,8 @@ Light light_of(const Lamp& l, double unit_m) {
     light.constant = factor(l.constant, 1);
     light.linear = factor(l.linear, unit_m);  // the file counts in its own unit
     light.quadratic = factor(l.quadratic, unit_m * unit_m);
+    // FBX: full strength up to a distance, then falling; Assimp's constant of 0 would make near surfaces infinitely bright.
+    if (light.constant == 0 && light.linear + light.quadratic > 0) light.constant = 1;
     if (light.constant + light.linear + light.quadratic <= 0 || !std::isfinite(light.linear + light.quadratic)) {
         light.constant = 1;
         light.linear = light.quadratic = 0;
@@ -61,6 +62,8 @@ Light light_of(const Lamp& l, double unit_m) {
     return light;
 }
 
+constexpr double narrowest_rad = 0.02;  // Assimp 5.2 hands out 0.0137 for Collada cameras, whose angles it does not read
+
 Camera camera_of(const View& v, double unit_m) {
     Camera camera;
     camera.name = v.name;
@@ -70,7 +73,7 @@ Camera camera_of(const View& v, double unit_m) {
     if (v.half_width > 0 && std::isfinite(v.half_width)) {
         camera.projection = Projection::orthographic;
         camera.half_height = v.half_width / aspect * unit_m;
-    } else if (v.horizontal_fov_rad > 0.001 && v.horizontal_fov_rad < pi - 0.001) {
+    } else if (v.horizontal_fov_rad > narrowest_rad && v.horizontal_fov_rad < pi - 0.001) {
         const double half = v.horizontal_fov_rad / 2;
         camera.vertical_fov_rad = 2 * math::atan2(math::sin(half), math::cos(half) * aspect);
     }
@@ -83,10 +86,11 @@ Camera camera_of(const View& v, double unit_m) {
 }  // namespace
 
 void detail::add_lights_and_cameras(const import_stream::Document& d, const std::vector<dmat4>& world, const std::string& path, Scene& scene, Context& context) {
-    if (d.places.empty()) return;
+    if (d.places.empty() || world.empty()) return;
+    const double unit = unit_of(world);
     for (const Lamp& l : d.lamps) {
         const std::uint32_t parent = l.node == import_stream::nothing ? 0 : l.node;
-        const Light light = light_of(l, unit_at(world, parent));
+        const Light light = light_of(l, unit);
         const vec3 sum = light.ambient + light.diffuse + light.specular;
         if (!(sum.x + sum.y + sum.z > 0)) {
             context.report().add(Remark::dropped, path, "light '" + one_line(l.name, 60) + "'", "a black light is left out");
@@ -97,7 +101,9 @@ void detail::add_lights_and_cameras(const import_stream::Document& d, const std:
     }
     for (const View& v : d.views) {
         const std::uint32_t parent = v.node == import_stream::nothing ? 0 : v.node;
-        scene.cameras.push_back(camera_of(v, unit_at(world, parent)));
+        if (!(v.half_width > 0) && !(v.horizontal_fov_rad > narrowest_rad))
+            context.report().add(Remark::guessed, path, "camera '" + one_line(v.name, 60) + "'", "its field of view was not read; 40 degrees are taken");
+        scene.cameras.push_back(camera_of(v, unit));
         scene.cameras.back().node = add_node(v.name, parent, v.position, v.direction, v.up, scene);
     }
 }

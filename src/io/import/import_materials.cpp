@@ -74,7 +74,12 @@ private:
         m.classical.specular = linear_color(s.specular);
         if ((s.has & Surface::has_shininess) == 0) return set_emission(s, m);
         if (!(s.shininess > 0)) m.classical.specular = {0, 0, 0};
-        m.classical.shininess = s.shininess >= 1 ? std::min(s.shininess, largest_shininess) : 1.0f;
+        float exponent = s.shininess;
+        if (ending_ == "dae" && exponent > 0 && exponent < 1) {  // several exporters write 0..1
+            exponent *= 128;
+            report_.add(Remark::guessed, path_, "material '" + one_line(s.name, 60) + "'", "a shininess below 1 was taken as a share of 128");
+        }
+        m.classical.shininess = exponent >= 1 ? std::min(exponent, largest_shininess) : 1.0f;
         set_emission(s, m);
     }
 

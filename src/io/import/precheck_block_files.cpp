@@ -91,6 +91,51 @@ std::uint64_t inside_of_3ds(std::span<const std::byte> bytes, std::uint16_t id, 
     return at + 1;
 }
 
+/// What the faces of one 3DS mesh say twice: vertex numbers against the number of vertices, and the faces that the material
+/// lists name against one another.
+class Faces3ds {
+public:
+    explicit Faces3ds(const Suspect& s) : s_(s) {}
+    void vertices(std::uint64_t begin, std::uint64_t end) {
+        if (end - begin >= 2) vertex_count_ = little<std::uint16_t>(s_.bytes, begin);
+        if (2 + vertex_count_ * 12 > end - begin) cut_short("a list of vertices runs past its block", begin);
+    }
+    /// @return where the blocks behind the list begin
+    std::uint64_t faces(std::uint64_t begin, std::uint64_t end) {
+        const std::uint64_t count = end - begin >= 2 ? little<std::uint16_t>(s_.bytes, begin) : 0;
+        if (2 + count * 8 > end - begin) cut_short("a list of faces runs past its block", begin);
+        listed_.assign(count, false);
+        for (std::uint64_t f = 0; f < count; ++f)
+            for (std::uint64_t k = 0; k < 3; ++k)
+                if (little<std::uint16_t>(s_.bytes, begin + 2 + f * 8 + k * 2) >= vertex_count_) wrong("faces have vertex numbers out of range");
+        return begin + 2 + count * 8;
+    }
+    void material(std::uint64_t begin, std::uint64_t end) {
+        while (begin < end && s_.bytes[begin] != std::byte(0)) ++begin;
+        if (end - begin < 3) return;
+        const std::uint64_t count = little<std::uint16_t>(s_.bytes, begin + 1);
+        if (3 + count * 2 > end - begin) cut_short("a list of faces of a material runs past its block", begin);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const auto face = little<std::uint16_t>(s_.bytes, begin + 3 + i * 2);
+            if (face >= listed_.size() || listed_[face]) wrong("materials name faces that are not there or have one already");
+            else listed_[face] = true;
+        }
+    }
+
+private:
+    void wrong(const char* what) { s_.report.add(Remark::warning, s_.path, {}, std::string(what) + "; the file is probably damaged"); }
+    const Suspect& s_;
+    std::uint64_t vertex_count_ = 0;
+    std::vector<bool> listed_;
+};
+
+/// Looks at a block; returns where the blocks inside it begin, 0 when it holds none.
+std::uint64_t enter_3ds(const Suspect& s, Faces3ds& faces, std::uint16_t id, std::uint64_t begin, std::uint64_t end) {
+    if (id == 0x4110) faces.vertices(begin, end);
+    if (id == 0x4130) faces.material(begin, end);
+    return id == 0x4120 ? faces.faces(begin, end) : inside_of_3ds(s.bytes, id, begin, end);
+}
+
 }  // namespace
 
 void check_fbx(const Suspect& s) {
@@ -114,6 +159,7 @@ void check_3ds(const Suspect& s) {
     const auto whole = little<std::uint32_t>(s.bytes, 2);
     if (whole > size) throw Error(ErrorCode::bad_file, "it promises " + std::to_string(whole) + " bytes, but " + std::to_string(size) + " are there; the file is cut short");
     if (whole < size) s.report.add(Remark::warning, s.path, {}, "bytes follow the last block");
+    Faces3ds faces(s);
     std::vector<Open> open{{0, whole}};
     while (!open.empty()) {
         Open& o = open.back();
@@ -126,7 +172,7 @@ void check_3ds(const Suspect& s) {
         const auto bytes = little<std::uint32_t>(s.bytes, begin + 2);
         if (bytes < 6 || bytes > o.end - begin) cut_short("a block runs past the end of the one around it", begin);
         o.at += bytes;
-        if (const std::uint64_t inside = inside_of_3ds(s.bytes, id, begin + 6, begin + bytes)) open.push_back({inside, begin + bytes});
+        if (const std::uint64_t inside = enter_3ds(s, faces, id, begin + 6, begin + bytes)) open.push_back({inside, begin + bytes});
         if (open.size() > 64) cut_short("blocks are nested too deeply", begin);
     }
 }

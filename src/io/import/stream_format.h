@@ -31,7 +31,7 @@ struct Head {
     std::uint32_t kind = 0;
 };
 
-/// Where the file's axes and its length unit stand (FBX only; other readers turn the root node themselves).
+/// Where the file's axes and its length unit stand (FBX, Blend; Assimp's other readers turn and scale the root node themselves).
 /// Axis numbers are 0 x, 1 y, 2 z; signs +1 or -1; unit in metres.
 struct AxisSystem {
     std::int32_t up = 1, up_sign = 1, front = 2, front_sign = 1, side = 0, side_sign = 1;
