@@ -1,12 +1,16 @@
-# rl_add_nehalem_test(TARGET): runs a test program on an emulated processor without AVX and FMA (of 2008), where all bits
+# rl_add_nehalem_test(TARGET [FILTER]): runs a test program (of GoogleTest) on an emulated processor without AVX and FMA (of 2008), where all bits
 # must be the same. Loudly skipped without qemu-user; sanitizers do not run there.
 function(rl_add_nehalem_test target)
   if(RAKELIGHT_SANITIZE)
     return()
   endif()
+  set(filter "*")
+  if(ARGC GREATER 1)
+    set(filter ${ARGV1})
+  endif()
   find_program(RL_QEMU qemu-x86_64)
   if(RL_QEMU)
-    add_test(NAME ${target}_under_nehalem COMMAND ${RL_QEMU} -cpu Nehalem $<TARGET_FILE:${target}>)
+    add_test(NAME ${target}_under_nehalem COMMAND ${RL_QEMU} -cpu Nehalem $<TARGET_FILE:${target}> --gtest_filter=${filter})
   else()
     add_test(NAME ${target}_under_nehalem COMMAND ${CMAKE_COMMAND} -E echo "SKIPPED: qemu-x86_64 (qemu-user) is not installed")
     set_tests_properties(${target}_under_nehalem PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED:")

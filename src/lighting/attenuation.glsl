@@ -12,7 +12,7 @@ RL_FN real classical_attenuation(real distance_squared, real constant_term, real
 // A cut-off of 90 degrees is cos_cutoff = 0: the rear half stays dark.
 RL_FN real classical_spot(real cos_angle, real cos_cutoff, real exponent)
 {
-    return select(cos_angle >= cos_cutoff, pow_positive(min(cos_angle, 1.0f), exponent), 0.0f);
+    return select(cos_angle >= cos_cutoff, pow_positive(min(1.0f, cos_angle), exponent), 0.0f);
 }
 
 // [1/m^2] inverse square with the range's window max(min(1 - (d / range)^4, 1), 0); inverse_range 0: no range.

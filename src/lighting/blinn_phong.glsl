@@ -2,25 +2,26 @@
 // Source: Blinn 1977, "Models of Light Reflection for Computer Synthesized Pictures": (n.h)^exponent, h halfway between l, v.
 // Normalized: Giesen 2009, "Phong and Blinn-Phong Normalization Factors": the exact integral at normal incidence.
 
-// n.h; 0 where l = -v (no halfway direction) and for directions that are not numbers.
+// n.h, -1..1; 0 where l = -v: no halfway direction.
 RL_FN real blinn_phong_n_dot_h(vec3 n, vec3 l, vec3 v)
 {
     vec3 twice_h = l + v;
     real squared = dot(twice_h, twice_h);
     mask has_direction = squared >= 1e-12f;
-    return select(has_direction, dot(n, twice_h) * reciprocal(sqrt(select(has_direction, squared, 1.0f))), 0.0f);
+    real n_dot_h = dot(n, twice_h) * reciprocal(sqrt(select(has_direction, squared, 1.0f)));
+    return select(has_direction, clamp(n_dot_h, -1.0f, 1.0f), 0.0f);
 }
 
 // [1], 0..1; exponent >= 1. Textbook form: times k_s and the light's color, no cosine, no energy factor.
 RL_FN real blinn_phong_lobe(real n_dot_h, real exponent)
 {
-    return pow_positive(min(n_dot_h, 1.0f), exponent);  // 0 for n.h <= 0 on every engine
+    return pow_positive(min(1.0f, n_dot_h), exponent);  // 0 for n.h <= 0 on every engine
 }
 
 // (e + 2)(e + 4) / (8 pi (2^(-e/2) + e)): with it the albedo is k_s at normal incidence and at most k_s elsewhere.
 RL_FN real blinn_phong_normalization(real exponent)
 {
-    real e = max(exponent, 0.0f);
+    real e = clamp(exponent, 0.0f, 1e18f);  // so that its square is finite
     return (e + 2.0f) * (e + 4.0f) * (0.125f * RL_INVERSE_PI) / (exp2(-0.5f * e) + e);
 }
 

@@ -6,5 +6,5 @@
 // [1/sr] per unit of albedo. Times irradiance and n.l it gives radiance.
 RL_FN real lambert_brdf() { return RL_INVERSE_PI; }
 
-// The cosine of the sum over lights: max(0, n.l); 0 below the horizon and for NaN.
-RL_FN real lambert_cosine(real n_dot_l) { return max(n_dot_l, 0.0f); }
+// The cosine of the sum over lights: n.l, 0 below the horizon and for NaN, at most 1 for vectors a rounding too long.
+RL_FN real lambert_cosine(real n_dot_l) { return clamp(n_dot_l, 0.0f, 1.0f); }

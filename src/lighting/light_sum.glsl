@@ -117,8 +117,8 @@ RL_FN LightSample sample_photometric(PhotometricLight light, vec3 position)
     return scaled_sample(l, none, color, color, factor);
 }
 
-// What k_s and the light's color are multiplied by.
-RL_FN real specular_factor(vec3 n, vec3 l, vec3 v, real n_dot_l, real exponent, Reflection reflection)
+// What k_s and the light's color are multiplied by; cosine is max(0, n.l).
+RL_FN real specular_factor(vec3 n, vec3 l, vec3 v, real cosine, real exponent, Reflection reflection)
 {
     real response = 0.0f;
     real normalization = 0.0f;
@@ -131,10 +131,7 @@ RL_FN real specular_factor(vec3 n, vec3 l, vec3 v, real n_dot_l, real exponent, 
         normalization = blinn_phong_normalization(exponent);
     }
     if (reflection.form == RL_NORMALIZED) {
-        response = response * (RL_PI * normalization * lambert_cosine(n_dot_l));
-    }
-    if (reflection.horizon != 0) {
-        response = select(n_dot_l > 0.0f, response, 0.0f);
+        response = response * (RL_PI * normalization * cosine);
     }
     return response;
 }
@@ -147,13 +144,16 @@ RL_FN LightTerms light_terms(Surface surface, LightSample light, Reflection refl
     terms.specular = vec3(0.0f);
     real n_dot_l = dot(surface.n, light.l);
     mask is_lit = n_dot_l > 0.0f;
-    if (no_lane(is_lit) && (reflection.horizon != 0 || reflection.form == RL_NORMALIZED)) {
+    bool ends_at_horizon = reflection.horizon != 0 || reflection.form == RL_NORMALIZED;
+    if (ends_at_horizon && no_lane(is_lit)) {
         return terms;
     }
-    terms.diffuse = select(is_lit, surface.diffuse * light.diffuse * n_dot_l, terms.diffuse);
+    real cosine = lambert_cosine(n_dot_l);
+    terms.diffuse = select(is_lit, surface.diffuse * light.diffuse * cosine, terms.diffuse);
     if (reflection.model != RL_LAMBERT) {
-        real factor = specular_factor(surface.n, light.l, surface.v, n_dot_l, surface.exponent, reflection);
-        terms.specular = surface.specular * light.specular * factor;
+        real factor = specular_factor(surface.n, light.l, surface.v, cosine, surface.exponent, reflection);
+        vec3 specular = surface.specular * light.specular * factor;
+        terms.specular = select(is_lit || !ends_at_horizon, specular, terms.specular);
     }
     return terms;
 }

@@ -11,13 +11,13 @@ RL_FN real phong_r_dot_v(vec3 n, vec3 l, vec3 v)
 // [1], 0..1; exponent >= 1. Textbook form: times k_s and the light's color, no cosine, no energy factor.
 RL_FN real phong_lobe(real r_dot_v, real exponent)
 {
-    return pow_positive(min(r_dot_v, 1.0f), exponent);  // 0 for r.v <= 0 on every engine
+    return pow_positive(min(1.0f, r_dot_v), exponent);  // 0 for r.v <= 0 on every engine
 }
 
 // (e + 2) / (2 pi): with it the albedo is k_s at normal incidence and less elsewhere.
 RL_FN real phong_normalization(real exponent)
 {
-    return (exponent + 2.0f) * (0.5f * RL_INVERSE_PI);
+    return (min(exponent, 1e18f) + 2.0f) * (0.5f * RL_INVERSE_PI);
 }
 
 // [1/sr] per unit of k_s. Times irradiance and n.l it gives radiance.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one flavour of the test kernel offers. `count` is a multiple of 16.
+#pragma once
+#include <stdint.h>
+
+#include "lighting/light_parameters.h"
+
+namespace rakelight::lighting_test {
+
+/// Structure of arrays: n, l, v, ka, kd, ks, p (three floats each), then e, s, t.
+struct Inputs {
+    const float* column[24];
+    int count;
+};
+
+struct Operation {
+    const char* name;
+    int width;  ///< 1 or 3 columns
+    void (*run)(const Inputs& in, float* const* out);
+};
+
+struct Choice {
+    int model, form, horizon;
+};
+
+struct Kernel {
+    int lanes;
+    const Operation* operations;
+    int operation_count;
+    /// light_terms at n, v with ka, kd, ks, e: ambient, diffuse, specular in out[0..8]. With a light: sampled at p;
+    /// without: one from direction l with all colors 1.
+    void (*terms)(const Inputs& in, const lighting::LightParameters* light, Choice choice, float* const* out);
+    /// add_light over all lights, from 0: out[0..2].
+    void (*sum)(const Inputs& in, const lighting::LightParameters* lights, int light_count, Choice choice, float* const* out);
+};
+
+namespace scalar { extern const Kernel kernel; }
+namespace sse2 { extern const Kernel kernel; }
+namespace avx2 { extern const Kernel kernel; }
+namespace avx512 { extern const Kernel kernel; }
+
+}  // namespace rakelight::lighting_test

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lighting text gives the bits of the scalar flavour in every flavour, and no NaN, whatever goes in.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <limits>
+
+#include "lighting_items.h"
+#include "math/flush_denormals.h"
+
+namespace rakelight::lighting_test {
+namespace {
+
+struct Flavour {
+    Isa isa;
+    const Kernel* kernel;
+};
+
+std::vector<Flavour> flavours() {
+    std::vector<Flavour> all;
+    for (const Flavour f : {Flavour{Isa::scalar, &scalar::kernel}, Flavour{Isa::sse2, &sse2::kernel}, Flavour{Isa::avx2, &avx2::kernel},
+                            Flavour{Isa::avx512, &avx512::kernel}})
+        if (is_available(f.isa)) all.push_back(f);
+    return all;
+}
+
+Item random_item(Random& random) {
+    Item item;
+    item.n = random.direction(), item.l = random.direction(), item.v = random.direction();
+    item.ka = random.color(), item.kd = random.color(), item.ks = random.color();
+    item.p = random.vector(4);
+    item.e = random.unit() < 0.5f ? random.within(1, 10) : random.within(1, 1000);
+    item.s = random.within(-1, 1), item.t = random.within(-1, 1);
+    return item;
+}
+
+/// 100 000 items; in the second half 32 neighbors at a time share n and l, so that whole registers lie in shadow.
+Items random_items() {
+    Random random;
+    Items items;
+    Item shared;
+    for (int i = 0; i < 100000; ++i) {
+        Item item = random_item(random);
+        if (i >= 50000) {
+            if (i % 32 == 16) shared = item;
+            item.n = shared.n, item.l = shared.l, item.p = shared.p;
+        }
+        items.push(item);
+    }
+    return items;
+}
+
+/// 10 000 items with zero, tiny, huge, opposite and equal vectors among the random ones.
+Items degenerate_items() {
+    Random random;
+    Items items;
+    const vec3 odd[] = {{0, 0, 0}, {-0.0f, 0, 0}, {1e-30f, 0, 0}, {1e-20f, 1e-20f, 0}, {1e30f, 0, 0}, {3e38f, 3e38f, 3e38f}, {0, 0, 1}, {0, 0, -1}, {1, 0, 0}};
+    const float odd_numbers[] = {0, -0.0f, 1, -1, 1e-40f, 1e30f, 3e38f, 1.0000001f, 0.5f, 1000};
+    for (int i = 0; i < 10000; ++i) {
+        Item item = random_item(random);
+        const auto choose = [&](vec3& x) { if (random.bits() % 2 == 0) x = odd[random.bits() % 9]; };
+        choose(item.n), choose(item.l), choose(item.v), choose(item.p);
+        if (random.bits() % 4 == 0) item.l = -item.v;
+        for (float* x : {&item.e, &item.s, &item.t})
+            if (random.bits() % 2 == 0) *x = odd_numbers[random.bits() % 10];
+        if (random.bits() % 2 == 0) item.ka = {0, 0, 0};
+        items.push(item);
+    }
+    return items;
+}
+
+std::uint32_t bits(float x) { return std::isnan(x) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(x); }
+
+void expect_equal(const Results& got, const Results& expected, const std::string& what) {
+    for (std::size_t c = 0; c < got.width(); ++c)
+        for (std::size_t i = 0; i < got[c].size(); ++i)
+            if (bits(got[c][i]) != bits(expected[c][i])) {
+                ADD_FAILURE() << what << " column " << c << " item " << i << ": " << got[c][i] << ", scalar " << expected[c][i];
+                return;
+            }
+}
+
+void expect_all_flavours_equal(Items& items) {
+    const auto lights = one_light_of_each_kind();
+    for (const Flavour& f : flavours()) {
+        for (int o = 0; o < scalar::kernel.operation_count; ++o) {
+            const std::string operation = scalar::kernel.operations[o].name;
+            expect_equal(run(*f.kernel, operation, items), run(scalar::kernel, operation, items), operation + " in " + name(f.isa));
+        }
+        for (const Choice choice : all_choices) {
+            const std::string what = "model " + std::to_string(choice.model) + " form " + std::to_string(choice.form) + " in " + name(f.isa);
+            expect_equal(terms(*f.kernel, items, choice), terms(scalar::kernel, items, choice), what);
+            for (const auto& light : lights)
+                expect_equal(terms(*f.kernel, items, choice, &light), terms(scalar::kernel, items, choice, &light), what);
+        }
+    }
+}
+
+TEST(WideLighting, EveryFunctionGivesTheBitsOfTheScalarFlavour) {
+    Items items = random_items();
+    expect_all_flavours_equal(items);
+}
+
+TEST(WideLighting, DegenerateInputGivesTheBitsOfTheScalarFlavourWithDenormalsFlushed) {
+    const FlushDenormals guard;
+    Items items = degenerate_items();
+    expect_all_flavours_equal(items);
+}
+
+TEST(WideLighting, SumsOverLightsHashToTheNumberOfEveryOtherMachine) {
+    // A changed number means changed pictures: say so in the changelog.
+    Items items = random_items();
+    const auto lights = one_light_of_each_kind();
+    const Inputs in = items.inputs();
+    std::uint64_t hash = 1469598103934665603ull;
+    for (const Choice choice : all_choices) {
+        Results results(3, in.count);
+        scalar::kernel.sum(in, lights.data(), int(lights.size()), choice, results.out());
+        for (std::size_t c = 0; c < 3; ++c)
+            for (const float x : results[c]) hash = (hash ^ bits(x)) * 1099511628211ull;
+    }
+    EXPECT_EQ(hash, 15409778456204146969u);
+}
+
+TEST(WideLighting, NothingThatGoesInGivesNaN) {
+    Items items = degenerate_items();
+    const auto lights = one_light_of_each_kind();
+    for (const Choice choice : all_choices)
+        for (std::size_t light = 0; light < lights.size(); ++light) {
+            const Results results = terms(scalar::kernel, items, choice, &lights[light]);
+            for (std::size_t c = 0; c < 9; ++c)
+                for (std::size_t i = 0; i < items.size(); ++i)
+                    ASSERT_FALSE(std::isnan(results[c][i])) << "light " << light << " model " << choice.model << " column " << c << " item " << i;
+        }
+    for (const char* operation : {"orthogonal_tangent", "perturb_normal", "blinn_phong_n_dot_h", "phong_lobe", "blinn_phong_lobe",
+                                  "classical_attenuation", "classical_spot", "photometric_attenuation", "photometric_spot"}) {
+        const Results results = run(scalar::kernel, operation, items);
+        for (std::size_t c = 0; c < results.width(); ++c)
+            for (std::size_t i = 0; i < items.size(); ++i) ASSERT_FALSE(std::isnan(results[c][i])) << operation << " item " << i;
+    }
+}
+
+}  // namespace
+}  // namespace rakelight::lighting_test
