@@ -8,6 +8,7 @@
 #include "io/obj/mtl_materials.h"
 #include "io/obj/obj_faces.h"
 #include "io/obj/obj_vertices.h"
+#include "io/obj/read_obj.h"
 #include "io/reader.h"
 
 namespace rakelight::io {
@@ -33,7 +34,7 @@ void add_objects(Scene& scene, Elements& elements, const VertexData& data, bool 
         if (m.key.has_normals && without_normals.count({m.key.object, m.key.material})) remarks.add(Issue::normals_missing, 0);
 }
 
-Scene scene_of(const std::string& path, std::string_view text, const ReadOptions& options, Remarks& remarks, Context& context) {
+Scene scene_of(std::string_view text, const std::string& path, const ReadOptions& options, Remarks& remarks, Context& context) {
     const Contents contents = count_contents(text, remarks, context);
     if (contents.elements == 0)
         throw Error(ErrorCode::bad_file, "nothing to draw: the file has no faces, lines or points");
@@ -54,18 +55,25 @@ Scene scene_of(const std::string& path, std::string_view text, const ReadOptions
 
 }  // namespace
 
-Scene read_obj(const std::string& path, const ReadOptions& options, Context& context) {
+namespace obj {
+
+Scene read_obj_text(std::string_view text, const std::string& path, const ReadOptions& options, Context& context) {
     Remarks remarks(path);
     try {
-        const Bytes bytes = read_file(path, context);
-        const std::string_view text{reinterpret_cast<const char*>(bytes->data()), bytes->size()};
-        Scene scene = scene_of(path, text, options, remarks, context);
+        Scene scene = scene_of(text, path, options, remarks, context);
         remarks.flush(context.report());
         return scene;
     } catch (const Error& e) {
         remarks.flush(context.report());
         throw e.with_file(path);
     }
+}
+
+}  // namespace obj
+
+Scene read_obj(const std::string& path, const ReadOptions& options, Context& context) {
+    const Bytes bytes = read_file(path, context);
+    return read_obj_text({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path, options, context);
 }
 
 }  // namespace rakelight::io

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// An OBJ file that is in memory already. read_obj() of io/reader.h is this after read_file().
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "io/reader.h"
+
+namespace rakelight::io::obj {
+
+/// @param text  the whole file
+/// @param path  of the file, for messages and for the folder in which material files and textures are looked for
+/// @throws Error as read_obj(), with the file's name
+Scene read_obj_text(std::string_view text, const std::string& path, const ReadOptions& options, Context& context);
+
+}  // namespace rakelight::io::obj

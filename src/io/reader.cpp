@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which reader a file goes to: the ending says the format, the first bytes are held against it.
+#include "io/reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <span>
+#include <string_view>
+
+#include "io/content_kind.h"
+#include "io/file.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight::io {
+namespace {
+
+enum class Reader : std::uint8_t { gltf, obj, import_helper };
+
+struct Format {
+    std::string_view ending, name;
+    Reader reader;
+};
+
+constexpr Format formats[] = {
+    {"gltf", "glTF 2.0", Reader::gltf}, {"glb", "GLB", Reader::gltf},           {"obj", "OBJ", Reader::obj},
+#if RL_IMPORT
+    {"fbx", "FBX", Reader::import_helper}, {"dae", "DAE", Reader::import_helper}, {"3ds", "3DS", Reader::import_helper},
+    {"ase", "ASE", Reader::import_helper}, {"blend", "Blend", Reader::import_helper}, {"stl", "STL", Reader::import_helper},
+    {"ply", "PLY", Reader::import_helper}, {"off", "OFF", Reader::import_helper}, {"x", "X", Reader::import_helper},
+#endif
+};
+
+const Format* format_of(std::string_view ending) {
+    for (const Format& f : formats)
+        if (f.ending == ending) return &f;
+    return nullptr;
+}
+
+/// The part after the last dot of the file name, ASCII letters in lower case.
+std::string ending_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    if (!ending.empty()) ending.erase(0, 1);
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return ending;
+}
+
+/// The first bytes. What is no regular, readable file is refused in read_file()'s words.
+std::vector<std::byte> head_of(const std::string& path, Context& context) {
+    std::array<std::byte, 64> head{};
+    std::size_t got = 0;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(is_regular_file(path) ? std::fopen(path.c_str(), "rb") : nullptr,
+                                                               [](std::FILE* f) { return f ? std::fclose(f) : 0; });
+    if (file) got = std::fread(head.data(), 1, head.size(), file.get());
+    else read_file(path, context);
+    return {head.begin(), head.begin() + std::ptrdiff_t(got)};
+}
+
+[[noreturn]] void refuse_max() {
+    throw Error(ErrorCode::bad_file, "3ds Max scene files (.max) can only be read by 3ds Max itself", {},
+                "export FBX or glTF from 3ds Max instead");
+}
+
+/// Endings whose files another signature may begin: glTF may be binary or not; .blend may be compressed (no signature here).
+bool may_hold(const Format& format, const ContentKind& kind) {
+    return kind.ending == format.ending || (format.reader == Reader::gltf && (kind.ending == "glb" || kind.ending == "gltf"));
+}
+
+const Format& choose_format(const std::string& path, Context& context) {
+    const std::vector<std::byte> head = head_of(path, context);
+    const std::string ending = ending_of(path);
+    const ContentKind kind = content_kind(head);
+    if (ending == "max") refuse_max();
+    if (head.empty()) throw Error(ErrorCode::bad_file, "the file is empty");
+    const Format* format = format_of(ending);
+    if (format) {
+        if (!kind.is_certain || may_hold(*format, kind)) return *format;
+        throw Error(ErrorCode::bad_file,
+                    "the content is a " + std::string(kind.name) + ", not " + std::string(format->name), {},
+                    format_of(kind.ending) ? "give it the ending ." + std::string(kind.ending) : std::string());
+    }
+    if (kind.ending == "max") refuse_max();
+    format = format_of(kind.ending);
+    if (!format)
+        throw Error(ErrorCode::bad_file,
+                    ending.empty() ? "the file has no ending that says its format"
+                                   : "files with the ending ." + ending + " are not supported",
+                    {}, "supported: " + supported_formats());
+    context.report().add(Remark::guessed, path, {}, "read as " + std::string(format->name) + " by its content");
+    return *format;
+}
+
+Scene read_as(const Format& format, const std::string& path, const ReadOptions& options, Context& context) {
+    switch (format.reader) {
+        case Reader::gltf: return read_gltf(path, options, context);
+        case Reader::obj: return read_obj(path, options, context);
+        case Reader::import_helper: return read_with_import_helper(path, options, context);
+    }
+    return {};
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path, const ReadOptions& options, Context& context) {
+    try {
+        Scene scene = read_as(choose_format(path, context), path, options, context);
+        validate(scene);
+        return scene;
+    } catch (const Error& e) {
+        throw e.with_file(path);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::failed, "not enough memory to load it").with_file(path);
+    }
+}
+
+std::string supported_formats() {
+    std::string names;
+    for (const Format& f : formats) names += (names.empty() ? "" : ", ") + std::string(f.name);
+    return names;
+}
+
+}  // namespace rakelight::io
