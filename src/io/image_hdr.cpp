@@ -131,7 +131,8 @@ void rgbe_of(const float* rgb, std::uint8_t* rgbe) {
     int exponent = 0;
     std::frexp(largest, &exponent);
     if (std::ldexp(largest, 8 - exponent) >= 255.5f) ++exponent;  // the mantissa would be rounded up to 256
-    for (int c = 0; c < 3; ++c) rgbe[c] = std::uint8_t(std::ldexp(v[c], 8 - exponent) + 0.5f);
+    const double scale = std::ldexp(1.0, 8 - exponent);  // up to 2^135, more than a float holds
+    for (int c = 0; c < 3; ++c) rgbe[c] = std::uint8_t(double(v[c]) * scale + 0.5);
     rgbe[3] = std::uint8_t(exponent + 128);
 }
 
