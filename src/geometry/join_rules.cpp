@@ -12,7 +12,7 @@ namespace rakelight::geometry {
 namespace {
 
 // "At most c, inclusive": a hexagonal prism with c = 60 degrees must not break up by the rounding of its float positions.
-constexpr double crease_slack = 1e-6;
+constexpr double crease_slack = 1e-5;
 // Sides of a shell: a neighbor that turns back by more than this (177 degrees) is the other side.
 constexpr double turned_back = -0.9986;
 // Up to here pairs are compared directly.

@@ -84,15 +84,23 @@ private:
         for (std::uint32_t i = 0; i < count; ++i) lead_[begin + i] = corners[s.root[i]];
     }
 
-    // Corners without a vote go with the first voting corner of their vertex, else of the bin.
-    static void follow(BinScratch& s, std::uint32_t first_vote) {
+    // Corners without a vote go with the first voting corner of their vertex, else of their mesh, else of the bin.
+    void follow(BinScratch& s, std::uint32_t first_vote) const {
+        const auto mesh_of = [&](std::uint32_t at) { return input_.mesh_of_triangle(s.fan.corner[at] / 3); };
         std::sort(s.order.begin(), s.order.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::tuple(s.vertex[a], !s.fan.votes(a), a) < std::tuple(s.vertex[b], !s.fan.votes(b), b);
         });
+        std::vector<std::uint32_t> home_of_mesh(s.order.size(), first_vote);  // corners ascend, so those of a mesh lie together
+        for (std::uint32_t first = 0, last = 0; first < home_of_mesh.size(); first = last) {
+            std::uint32_t home = none;
+            for (; last < home_of_mesh.size() && mesh_of(last) == mesh_of(first); ++last)
+                if (home == none && s.fan.votes(last)) home = last;
+            if (home != none) std::fill(home_of_mesh.begin() + first, home_of_mesh.begin() + last, home);
+        }
         std::uint32_t home = first_vote;
         for (std::size_t i = 0; i < s.order.size(); ++i) {
             const std::uint32_t at = s.order[i];
-            if (i == 0 || s.vertex[at] != s.vertex[s.order[i - 1]]) home = s.fan.votes(at) ? at : first_vote;
+            if (i == 0 || s.vertex[at] != s.vertex[s.order[i - 1]]) home = s.fan.votes(at) ? at : home_of_mesh[at];
             if (!s.fan.votes(at)) s.root[at] = s.root[home];
         }
     }

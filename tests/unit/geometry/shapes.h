@@ -161,6 +161,12 @@ inline dvec3 centroid(const Shape& s, std::size_t t) {
     return sum / 3.0;
 }
 
+/// Cross product of a triangle's edges; exactly 0 for zero area.
+inline dvec3 edge_product(const Shape& s, std::size_t t) {
+    const auto at = [&](std::size_t k) { return cast<double>(s.positions[s.indices[3 * t + k]]); };
+    return cross(at(1) - at(0), at(2) - at(0));
+}
+
 /// By slabs across x.
 inline std::vector<Shape> cut_by_planes(const Shape& whole, std::uint32_t parts) {
     double low = 1e30, high = -1e30;

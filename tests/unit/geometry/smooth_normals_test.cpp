@@ -13,11 +13,6 @@ namespace {
 
 bool outward_flips(const dmat4& m) { return determinant(upper_left(m)) < 0; }
 
-dvec3 edge_product(const Shape& s, std::size_t t) {
-    const auto at = [&](std::size_t k) { return cast<double>(s.positions[s.indices[3 * t + k]]); };
-    return cross(at(1) - at(0), at(2) - at(0));
-}
-
 // Every vertex of every object against every face of every object: the sum of unit face normals over all faces that have a
 // corner at an equal world position. In the world; a face with two corners there counts once. Zero area is judged before the
 // matrix, whose rounding gives collinear corners an area of noise.

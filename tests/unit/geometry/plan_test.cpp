@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The two steps apart: a plan serves other positions of the same meshes.
+#include <gtest/gtest.h>
+
+#include "unit/geometry/shapes.h"
+
+namespace rakelight::test {
+namespace {
+
+TEST(AttributePlan, TwoStepsEqualTheOne) {
+    for (const double crease : {30.0, 60.0, 180.0}) {
+        auto parts = cut_at_random(make_torus(20, 10), 3, 1);
+        parts.push_back(make_cube());
+        AttributeOptions options;
+        options.crease_angle_rad = radians(crease);
+        Context context({.threads = 2});
+        const auto meshes = views(parts);
+        const auto two = accumulate(group(meshes, options, context), meshes, context), one = compute(parts, options);
+        for (std::size_t m = 0; m < parts.size(); ++m) {
+            EXPECT_EQ(one[m].normals, two[m].normals);
+            EXPECT_EQ(one[m].tangents, two[m].tangents);
+            EXPECT_EQ(one[m].indices, two[m].indices);
+            EXPECT_EQ(one[m].source_vertex, two[m].source_vertex);
+        }
+    }
+}
+
+TEST(AttributePlan, GroupsOfThePoseThatWasGroupedHoldForOthers) {
+    // Flat when grouped; bent by 90 degrees after: the common edge stays smooth though it exceeds the crease angle.
+    auto parts = make_hinge(0);
+    AttributeOptions options;
+    options.crease_angle_rad = radians(30);
+    Context context({.threads = 2});
+    const AttributePlan plan = group(views(parts), options, context);
+    parts[1].positions = make_hinge(radians(90))[1].positions;
+    const auto out = accumulate(plan, views(parts), context);
+    EXPECT_EQ(out[0].normals[0], out[1].normals[0]);
+    EXPECT_NEAR(degrees(angle_between(out[0].normals[0], vec3{0, 1, 0})), 45, 1e-3);
+    EXPECT_NE(compute(parts, options)[0].normals[0], compute(parts, options)[1].normals[0]);
+}
+
+TEST(AttributePlan, MovedVerticesThatCancelKeepTheirOwnSide) {
+    auto parts = make_hinge(0);
+    Context context({.threads = 1});
+    const AttributePlan plan = group(views(parts), published(), context);
+    parts[1].positions = make_hinge(pi)[1].positions;
+    parts[1].positions[2] = parts[0].positions[2];
+    parts[1].positions[3] = parts[0].positions[3];
+    const auto out = accumulate(plan, views(parts), context);
+    EXPECT_EQ(out[0].normals[0], (vec3{0, 1, 0}));
+    EXPECT_EQ(out[1].normals[0], (vec3{0, -1, 0}));
+}
+
+TEST(AttributePlan, OtherMeshesAreRefused) {
+    Context context({.threads = 1});
+    const std::vector<Shape> cube{make_cube()}, sphere{make_sphere(4, 3)};
+    const AttributePlan plan = group(views(cube), {}, context);
+    EXPECT_THROW(accumulate(plan, views(sphere), context), Error);
+    EXPECT_THROW(accumulate(plan, views({make_cube(), make_cube()}), context), Error);
+    Shape textured = make_cube();
+    textured.texcoords.resize(8);
+    EXPECT_THROW(accumulate(plan, views({textured}), context), Error);
+}
+
+}  // namespace
+}  // namespace rakelight::test
