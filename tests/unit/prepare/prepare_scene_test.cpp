@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whose normals count, and who gets tangents.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include <rakelight/error.h>
+
+#include "prepare/prepare.h"
+#include "scene/scene_tools.h"
+#include "unit/prepare/meshes.h"
+
+namespace rakelight {
+namespace {
+
+using test::folded_mesh;
+using test::quad_mesh;
+using test::remarks;
+using test::scene_of;
+
+Scene prepared(const Scene& scene, PrepareOptions options = {}) {
+    Context context;
+    Scene out = prepare_scene(scene, options, context);
+    validate(out);
+    for (const Node& node : out.nodes)
+        for (const std::uint32_t mesh : node.meshes) test::expect_unit(out.meshes[mesh].normals, out.meshes[mesh].positions.size());
+    return out;
+}
+
+PrepareOptions by(NormalSource source) {
+    PrepareOptions options;
+    options.normals = source;
+    return options;
+}
+
+/// One side of a fold in a mesh of its own, so that two objects meet at x = 1.
+std::vector<Mesh> two_halves(double angle_rad) {
+    Mesh left = folded_mesh(angle_rad), right = left;
+    left.indices = std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3};
+    right.indices = std::vector<std::uint32_t>{1, 4, 5, 1, 5, 2};
+    return {left, right};
+}
+
+TEST(PrepareScene, SharesEverythingWhenNothingNeedsDoing) {
+    Mesh mesh = quad_mesh();
+    mesh.normals = std::vector<vec3>(4, {0, 0, 1});
+    mesh.texcoords.emplace_back(std::vector<vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    const Mesh after = prepared(scene_of({mesh})).meshes[0];
+    EXPECT_TRUE(after.positions == mesh.positions && after.indices == mesh.indices && after.normals == mesh.normals);
+    EXPECT_TRUE(after.texcoords[0] == mesh.texcoords[0]);
+    EXPECT_TRUE(after.tangents.empty()) << "nothing uses them";
+}
+
+TEST(PrepareScene, AutomaticKeepsTheFilesNormalsEvenIfTheyAreOdd) {
+    Mesh mesh = quad_mesh();
+    mesh.normals = std::vector<vec3>(4, {1, 0, 0});
+    EXPECT_EQ(prepared(scene_of({mesh})).meshes[0].normals[0], (vec3{1, 0, 0}));
+}
+
+TEST(PrepareScene, AutomaticIsFlatForFormatsThatSaySo) {
+    Scene scene = scene_of({folded_mesh(radians(30))});
+    scene.missing_normals_are_flat = true;
+    const Mesh after = prepared(scene).meshes[0];
+    EXPECT_GE(after.positions.size(), 8u) << "the two vertices of the fold are split";
+    for (std::size_t c = 0; c < 6; ++c) EXPECT_EQ(after.normals[after.indices[c]], (vec3{0, 0, 1}));
+    for (std::size_t c = 6; c < 12; ++c) EXPECT_NEAR(after.normals[after.indices[c]].x, std::sin(radians(30)), 1e-6);
+}
+
+TEST(PrepareScene, AutomaticSmoothsOverTheModelUpToTheCreaseAngle) {
+    const Mesh soft = prepared(scene_of({folded_mesh(radians(30))})).meshes[0];
+    EXPECT_EQ(soft.positions.size(), 6u);
+    EXPECT_GT(soft.normals[1].x, 0.2f);
+    EXPECT_EQ(prepared(scene_of({folded_mesh(radians(80))})).meshes[0].positions.size(), 8u);
+    PrepareOptions wide;
+    wide.crease_angle_rad = radians(90);
+    EXPECT_EQ(prepared(scene_of({folded_mesh(radians(80))}), wide).meshes[0].positions.size(), 6u);
+}
+
+TEST(PrepareScene, ModelHasNoSeamBetweenObjectsAndObjectHasOne) {
+    const Scene scene = scene_of(two_halves(radians(30)));
+    const Scene model = prepared(scene, by(NormalSource::model));
+    EXPECT_EQ(model.meshes[0].normals[1], model.meshes[1].normals[1]);
+    const Scene object = prepared(scene, by(NormalSource::object));
+    EXPECT_EQ(object.meshes[0].normals[1], (vec3{0, 0, 1}));
+    EXPECT_NE(object.meshes[1].normals[1], (vec3{0, 0, 1}));
+}
+
+TEST(PrepareScene, ObjectSmoothsOverTheMeshesOfOneNode) {
+    Scene scene = scene_of(two_halves(radians(30)));
+    scene.nodes.resize(1);
+    scene.nodes[0].meshes = {0, 1};
+    const Scene object = prepared(scene, by(NormalSource::object));
+    EXPECT_EQ(object.meshes[0].normals[1], object.meshes[1].normals[1]);
+    EXPECT_GT(object.meshes[0].normals[1].x, 0.2f);
+}
+
+TEST(PrepareScene, SmoothingGroupsRuleInsideAnObject) {
+    Mesh sharp = folded_mesh(radians(30)), soft = folded_mesh(radians(80));
+    sharp.smoothing_kind = soft.smoothing_kind = SmoothingKind::numbers;
+    sharp.smoothing = std::vector<std::uint32_t>{1, 1, 2, 2};
+    soft.smoothing = std::vector<std::uint32_t>{5, 5, 5, 5};
+    EXPECT_EQ(prepared(scene_of({sharp})).meshes[0].positions.size(), 8u);
+    EXPECT_EQ(prepared(scene_of({soft})).meshes[0].positions.size(), 6u) << "a group joins over any angle";
+    EXPECT_EQ(prepared(scene_of({sharp}), by(NormalSource::model)).meshes[0].positions.size(), 6u) << "an explicit wish overrules groups";
+}
+
+TEST(PrepareScene, MasksJoinWhereTheyShareABit) {
+    Mesh mesh = folded_mesh(radians(80));
+    mesh.smoothing_kind = SmoothingKind::masks;
+    mesh.smoothing = std::vector<std::uint32_t>{3, 3, 6, 6};
+    EXPECT_EQ(prepared(scene_of({mesh})).meshes[0].positions.size(), 6u);
+    mesh.smoothing = std::vector<std::uint32_t>{1, 1, 6, 6};
+    EXPECT_EQ(prepared(scene_of({mesh})).meshes[0].positions.size(), 8u);
+}
+
+TEST(PrepareScene, FileAndFlatDoWhatTheySay) {
+    Mesh with = quad_mesh(), without = folded_mesh(radians(30));
+    with.normals = std::vector<vec3>(4, {1, 0, 0});
+    const Scene scene = scene_of({with, without});
+    const Scene file = prepared(scene, by(NormalSource::file));
+    EXPECT_EQ(file.meshes[0].normals[0], (vec3{1, 0, 0}));
+    EXPECT_GE(file.meshes[1].positions.size(), 8u) << "flat where the file has none";
+    const Scene flat = prepared(scene, by(NormalSource::flat));
+    EXPECT_EQ(flat.meshes[0].normals[0], (vec3{0, 0, 1}));
+    EXPECT_GE(flat.meshes[1].positions.size(), 8u);
+}
+
+TEST(PrepareScene, RefusesImpossibleCreaseAngles) {
+    Context context;
+    for (const double angle : {-0.1, 3.2, std::numeric_limits<double>::quiet_NaN()}) {
+        PrepareOptions options;
+        options.crease_angle_rad = angle;
+        EXPECT_THROW(prepare_scene(scene_of({quad_mesh()}), options, context), Error);
+    }
+}
+
+TEST(PrepareScene, ChecksTheSceneAtItsDoor) {
+    Context context;
+    Mesh mesh = quad_mesh();
+    mesh.indices = std::vector<std::uint32_t>{0, 1, 99};
+    EXPECT_THROW(prepare_scene(scene_of({mesh}), {}, context), Error);
+}
+
+// --- tangents --------------------------------------------------------------------------------------------------------------
+
+Mesh textured_quad() {
+    Mesh mesh = quad_mesh();
+    mesh.texcoords.emplace_back(std::vector<vec2>{{0, 1}, {1, 1}, {1, 0}, {0, 0}});  // upright: v down, y up
+    mesh.texcoords.emplace_back(std::vector<vec2>{{1, 1}, {1, 0}, {0, 0}, {0, 1}});  // turned by a quarter
+    return mesh;
+}
+
+void expect_tangents(const Mesh& mesh, vec4 tangent) {
+    ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
+    for (const vec4& t : mesh.tangents) {
+        EXPECT_NEAR(t.x, tangent.x, 1e-6);
+        EXPECT_NEAR(t.y, tangent.y, 1e-6);
+        EXPECT_NEAR(t.z, tangent.z, 1e-6);
+        EXPECT_EQ(t.w, tangent.w);
+    }
+}
+
+TEST(PrepareScene, MakesTangentsForTheNormalTexturesOwnCoordinates) {
+    for (const bool file_normals : {true, false}) {
+        Mesh mesh = textured_quad();
+        if (file_normals) mesh.normals = std::vector<vec3>(4, {0, 0, 1});
+        Scene scene = scene_of({mesh});
+        TextureUse& use = test::give_texture(scene, &Material::normal_texture);
+        expect_tangents(prepared(scene).meshes[0], {1, 0, 0, 1});
+        use.texcoord_set = 1;
+        expect_tangents(prepared(scene).meshes[0], {0, -1, 0, 1});
+        if (file_normals) {
+            EXPECT_TRUE(prepared(scene).meshes[0].normals == mesh.normals) << "normals stay shared";
+        }
+    }
+}
+
+TEST(PrepareScene, MakesTangentsForAHeightTextureToo) {
+    Scene scene = scene_of({textured_quad()});
+    test::give_texture(scene, &Material::height_texture);
+    expect_tangents(prepared(scene).meshes[0], {1, 0, 0, 1});
+}
+
+TEST(PrepareScene, KeepsTheFilesTangentsWithItsNormalsOnly) {
+    Mesh mesh = textured_quad();
+    mesh.normals = std::vector<vec3>(4, {0, 0, 1});
+    mesh.tangents = std::vector<vec4>(4, {0, 1, 0, -1});
+    Scene scene = scene_of({mesh});
+    test::give_texture(scene, &Material::normal_texture);
+    EXPECT_TRUE(prepared(scene).meshes[0].tangents == mesh.tangents);
+    expect_tangents(prepared(scene, by(NormalSource::model)).meshes[0], {1, 0, 0, 1});
+}
+
+TEST(PrepareScene, ComputesTangentsWhereTheFilesAreBroken) {
+    Mesh mesh = textured_quad();
+    mesh.normals = std::vector<vec3>(4, {0, 0, 1});
+    mesh.tangents = std::vector<vec4>(4, {0, 1, 0, 0});
+    Scene scene = scene_of({mesh});
+    test::give_texture(scene, &Material::normal_texture);
+    expect_tangents(prepared(scene).meshes[0], {1, 0, 0, 1});
+}
+
+TEST(PrepareScene, WarnsWhereANormalMapCannotBeUsed) {
+    Scene scene = scene_of({quad_mesh()});
+    TextureUse& use = test::give_texture(scene, &Material::normal_texture);
+    Context context;
+    EXPECT_TRUE(prepare_scene(scene, {}, context).meshes[0].tangents.empty());
+    EXPECT_EQ(remarks(context, Remark::warning, "no texture coordinates"), 1u);
+    scene.meshes[0] = textured_quad();
+    scene.meshes[0].material = 0;
+    use.texcoord_set = 7;
+    Context beyond;
+    EXPECT_TRUE(prepare_scene(scene, {}, beyond).meshes[0].tangents.empty());
+    EXPECT_EQ(remarks(beyond, Remark::warning, "no texture coordinates"), 1u);
+}
+
+TEST(PrepareScene, GivesFiniteTangentsAndAWarningWhereTheTextureHasNoArea) {
+    Mesh mesh = quad_mesh();
+    mesh.texcoords.emplace_back(std::vector<vec2>{{0, 0}, {1, 0}, {2, 0}, {3, 0}});
+    Scene scene = scene_of({mesh});
+    test::give_texture(scene, &Material::normal_texture);
+    Context context;
+    const Scene out = prepare_scene(scene, {}, context);
+    EXPECT_EQ(remarks(context, Remark::warning, "no triangle has an area"), 1u);
+    for (const vec4& t : out.meshes[0].tangents) {
+        EXPECT_NEAR(length(t.xyz()), 1, 1e-6);
+        EXPECT_EQ(std::fabs(t.w), 1);
+    }
+}
+
+TEST(PrepareScene, SplitsMirroredVerticesInAllArrays) {
+    // Two squares whose texture is mirrored at the common edge: the edge's vertices need both signs.
+    Mesh mesh = folded_mesh(0);
+    mesh.normals = std::vector<vec3>(6, {0, 0, 1});
+    mesh.texcoords.emplace_back(std::vector<vec2>{{0, 1}, {1, 1}, {1, 0}, {0, 0}, {0, 1}, {0, 0}});
+    mesh.colors = std::vector<vec4>{{0, 0, 0, 1}, {1, 0, 0, 1}, {2, 0, 0, 1}, {3, 0, 0, 1}, {4, 0, 0, 1}, {5, 0, 0, 1}};
+    Scene scene = scene_of({mesh});
+    test::give_texture(scene, &Material::normal_texture);
+    const Mesh after = prepared(scene).meshes[0];
+    EXPECT_EQ(after.positions.size(), 8u);
+    EXPECT_EQ(after.colors.size(), 8u);
+    EXPECT_EQ(after.texcoords[0].size(), 8u);
+    EXPECT_EQ(after.tangents.size(), 8u);
+    for (std::size_t c = 0; c < 6; ++c) EXPECT_GT(after.tangents[after.indices[c]].w, 0);
+    for (std::size_t c = 6; c < 12; ++c) EXPECT_LT(after.tangents[after.indices[c]].w, 0);
+    for (std::size_t c = 0; c < 12; ++c) EXPECT_EQ(after.colors[after.indices[c]], mesh.colors[mesh.indices[c]]);
+}
+
+TEST(PrepareScene, GivesTheSameBitsForAnyNumberOfThreads) {
+    const Scene teapot = make_teapot(12);
+    Context one({.threads = 1}), four({.threads = 4});
+    const Scene a = prepare_scene(teapot, {}, one), b = prepare_scene(teapot, {}, four);
+    for (std::size_t m = 0; m < a.meshes.size(); ++m)
+        EXPECT_TRUE(std::equal(a.meshes[m].normals.begin(), a.meshes[m].normals.end(), b.meshes[m].normals.begin()));
+}
+
+TEST(PrepareScene, MakesProjectedCoordinatesAndTheirTangents) {
+    Scene scene = scene_of({test::cube_mesh()});
+    test::give_texture(scene, &Material::normal_texture);
+    PrepareOptions options = by(NormalSource::flat);
+    options.uv = UvProjection::box;
+    const Mesh after = prepared(scene, options).meshes[0];
+    EXPECT_GE(after.positions.size(), 24u);
+    ASSERT_EQ(after.tangents.size(), after.positions.size());
+    for (const vec4& t : after.tangents) EXPECT_EQ(t.w, 1) << "no side of the box is mirrored";
+}
+
+}  // namespace
+}  // namespace rakelight
