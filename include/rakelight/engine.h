@@ -87,6 +87,7 @@ public:
 struct RenderStats {
     std::uint64_t triangles_in = 0, culled_back = 0, culled_degenerate = 0, culled_outside = 0, clipped = 0, drawn = 0;
     std::uint64_t pixels_covered = 0, pixels_shaded = 0;
+    std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
 };
 
 /// One way of making pictures. prepare() takes a scene up (again after an edit: only new blocks cost), render() draws it

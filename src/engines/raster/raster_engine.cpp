@@ -99,25 +99,29 @@ public:
 
 private:
     void draw_tiles(const TileJob& job, Sink& sink, Context& context, RenderStats& stats) {
-        std::atomic<std::uint64_t> covered{0}, shaded{0};
+        std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0};
         std::atomic<std::size_t> done{0};
         context.parallel_for(job.grid.count(), [&](std::size_t tile) {
             const FlushDenormals guard;
             if (context.cancelled()) return;
             auto scratch = pool_.take();
-            scratch->covered = scratch->shaded = 0;
+            scratch->covered = scratch->shaded = scratch->not_finite = 0;
             find_visible(job, tile, *scratch);
             shade_opaque(job, tile, *scratch);
             blend_transparent(job, tile, *scratch);
             deliver(job, tile, *scratch, sink);
             covered += scratch->covered;
             shaded += scratch->shaded;
+            not_finite += scratch->not_finite;
             pool_.give_back(std::move(scratch));
             context.progress("render", double(++done) / double(job.grid.count()));
         });
         context.throw_if_cancelled();
         stats.pixels_covered = covered;
         stats.pixels_shaded = shaded;
+        stats.pixels_not_finite = not_finite;
+        if (not_finite > 0)
+            context.report().add(Remark::warning, list_.scene.source, {}, std::to_string(not_finite) + " colour values came out not finite and are shown black");
     }
 
     const Kernels* kernels_;

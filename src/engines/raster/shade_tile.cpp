@@ -10,7 +10,11 @@ namespace {
 
 /// Colours of a finished batch into the tile; `over` blends (Porter & Duff 1984, straight alpha over an opaque ground).
 void store_batch(std::size_t count, bool over, TileScratch& s) {
-    const auto finite = [](float v) { return std::isfinite(v) ? v : 0.0f; };
+    const auto finite = [&s](float v) {
+        if (std::isfinite(v)) return v;
+        ++s.not_finite;
+        return 0.0f;
+    };
     for (std::size_t i = 0; i < count; ++i) {
         vec4& to = s.color[std::size_t(s.y[i] * tile_size + s.x[i])];
         const vec4 c = {finite(s.red[i]), finite(s.green[i]), finite(s.blue[i]), over ? finite(s.alpha[i]) : 1.0f};

@@ -35,7 +35,7 @@ struct TileScratch {
     std::vector<vec4> color = std::vector<vec4>(tile_pixels);
     std::vector<vec3> normal = std::vector<vec3>(tile_pixels);
     std::vector<std::uint32_t> object = std::vector<std::uint32_t>(tile_pixels), material = std::vector<std::uint32_t>(tile_pixels);
-    std::uint64_t covered = 0, shaded = 0;
+    std::uint64_t covered = 0, shaded = 0, not_finite = 0;
 
     template <class T>
     static std::vector<T> batch() { return std::vector<T>(tile_pixels + batch_padding); }

@@ -1,0 +1,206 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The program from outside, over whole sets of files. Standard library only.
+
+  acceptance.py models  PROGRAM DIR   every model renders: exit 0, a picture that is not blank, nothing not finite, nothing left behind
+  acceptance.py hostile PROGRAM DIR   every broken file of DIR/cases.json keeps its rule
+  acceptance.py parts   PROGRAM DIR   models cut into parts render like the whole when smoothed over the model, and unlike it per object
+  acceptance.py bits    PROGRAM FILE... the same picture for each number of threads and instruction set, and under qemu as a Nehalem
+
+Exit code 0 when all holds, 1 with a line for each thing that does not, 77 when DIR is not there (the test is skipped)."""
+import concurrent.futures
+import itertools
+import json
+import os
+import pathlib
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent.parent / "tools"))
+from png8 import read_rgb  # noqa: E402
+
+FORMATS = {".glb", ".gltf", ".obj", ".fbx", ".stl", ".ply", ".dae", ".3ds", ".ase", ".blend", ".off", ".x"}
+SECONDS, GIB = 10, 2
+SANITIZED = os.environ.get("RAKELIGHT_SANITIZED") == "1"  # slower and hungrier: only the limits are lifted
+
+
+def run(command, seconds=60, folder=None, **environment):
+    """(exit code, -999 when out of time; standard error; peak memory of all children so far in MiB)"""
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=seconds * (6 if SANITIZED else 1),
+                              stdin=subprocess.DEVNULL, cwd=folder, env={**os.environ, **environment})
+    except subprocess.TimeoutExpired:
+        return -999, "", 0
+    return done.returncode, done.stderr, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+
+
+def last_line(text):
+    return (text.strip().splitlines() or ["(no message)"])[-1][:200]
+
+
+def sanitizer_spoke(text):
+    return "Sanitizer" in text or "runtime error:" in text
+
+
+def in_parallel(work, items):
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return [line for line in pool.map(work, items) if line]
+
+
+def models_under(folder):
+    return sorted(p for p in folder.rglob("*") if p.suffix.lower() in FORMATS)
+
+
+def check_models(program, folder):
+    known = json.loads((HERE / "refused_models.json").read_text())
+    models = models_under(folder)
+
+    def one(model):
+        name = str(model.relative_to(folder))
+        with tempfile.TemporaryDirectory() as temporary:
+            picture = pathlib.Path(temporary) / "picture.png"
+            code, errors, _ = run([program, "render", str(model), "-o", str(picture), "--resolution", "192,144"], folder=temporary)
+            left = [p.name for p in pathlib.Path(temporary).iterdir() if p != picture]
+            if sanitizer_spoke(errors):
+                return f"{name}: sanitizer: {last_line(errors)}"
+            if name in known:
+                return None if code == 4 and known[name] in errors else f"{name}: expected a refusal with '{known[name]}', got exit {code}: {last_line(errors)}"
+            if code != 0 or not picture.exists():
+                return f"{name}: exit {code}: {last_line(errors)}"
+            if "not finite and" in errors and "colour values" in errors:
+                return f"{name}: {last_line(errors)}"
+            _, _, pixels = read_rgb(picture)
+            shown = sum(pixels[i:i + 3] != pixels[:3] for i in range(0, len(pixels), 3)) / (192 * 144)
+            return f"{name}: leaves {left} behind" if left else f"{name}: a blank picture" if shown < 0.002 else None
+
+    wrong = in_parallel(one, models)
+    print(f"{len(models) - len(wrong)} of {len(models)} models as expected, {len(known)} of them refused by name")
+    return wrong if models else ["no models found"]
+
+
+def keeps_rule(verdict, code, errors, has_picture, names):
+    """None, or what is wrong: the rule of the hostile set's index."""
+    if code < 0:
+        return f"signal or out of time ({code})"
+    if sanitizer_spoke(errors):
+        return "sanitizer: " + last_line(errors)
+    if (code == 0) != has_picture:
+        return f"exit {code} and {'a' if has_picture else 'no'} picture"
+    if code not in (0, 1, 3, 4):
+        return f"exit {code}: {last_line(errors)}"
+    if code and not any(n in errors for n in names):
+        return "the message does not name the file: " + last_line(errors)
+    if code and len([x for x in errors.splitlines() if ": error: " in x]) != 1:
+        return "not exactly one error line"
+    if verdict == "refuse" and code == 0:
+        return "accepted"
+    if verdict == "render" and code:
+        return "refused though valid: " + last_line(errors)
+    if verdict == "load" and code and not (code == 4 and "nothing to draw" in errors):
+        return "refused though valid: " + last_line(errors)
+    if verdict == "warn+render" and (code or not errors.strip()):
+        return f"want a warning and a picture, got exit {code}: {last_line(errors)}"
+    return None
+
+
+def quad_with_material(source, folder):
+    """An OBJ of one square that uses the material file."""
+    shutil.copy(source, folder)
+    names = [line.split()[1] for line in source.read_text(errors="replace").splitlines() if line.startswith("newmtl") and len(line.split()) > 1]
+    model = folder / "quad.obj"
+    model.write_text(f"mtllib {source.name}\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                     f"usemtl {names[0] if names else 'm'}\nf 1/1 2/2 3/3 4/4\n")
+    return model
+
+
+def check_hostile(program, folder):
+    cases = [(folder / name, verdict) for name, _, verdict in json.loads((folder / "cases.json").read_text())
+             if verdict != "-" and (folder / name).exists()]
+    peak = [0.0]
+
+    def one(case):
+        source, verdict = case
+        with tempfile.TemporaryDirectory() as temporary, tempfile.TemporaryDirectory() as beside:
+            model = quad_with_material(source, pathlib.Path(beside)) if verdict == "via-obj" else source
+            picture = pathlib.Path(temporary) / "picture.png"
+            code, errors, memory = run([program, "render", str(model), "-o", str(picture), "--resolution", "64,64"], SECONDS, temporary)
+            peak[0] = max(peak[0], memory)
+            left = [p.name for p in pathlib.Path(temporary).iterdir() if p != picture]
+            wrong = keeps_rule(verdict, code, errors, picture.exists(), (source.name, model.name)) or (f"leaves {left} behind" if left else None)
+            return f"{source.relative_to(folder)} ({verdict}): {wrong}" if wrong else None
+
+    wrong = in_parallel(one, cases)
+    if peak[0] > GIB * 1024 and not SANITIZED:
+        wrong.append(f"a run took {peak[0]:.0f} MiB")
+    print(f"{len(cases) - len(wrong)} of {len(cases)} hostile files keep the rule, most memory {peak[0]:.0f} MiB")
+    return wrong if cases else ["no cases found"]
+
+
+def check_parts(program, folder):
+    wrong, pairs = [], 0
+    with tempfile.TemporaryDirectory() as temporary:
+        def picture(model, scope):
+            out = pathlib.Path(temporary) / "picture.png"
+            code, errors, _ = run([program, "render", str(model), "-o", str(out), "--resolution", "480,480", "--normals", scope, "--crease-angle", "180"])
+            if code:
+                raise SystemExit(f"{model.name} {scope}: exit {code}: {last_line(errors)}")
+            return read_rgb(out)[2]
+        for whole in (p for p in models_under(folder) if "_whole." in p.name):
+            reference = picture(whole, "model")
+            for cut in sorted(whole.parent.glob(whole.name.split("_whole")[0] + "_*" + whole.suffix)):
+                if cut == whole:
+                    continue
+                pairs += 1
+                off = {s: sum(abs(a - b) > 1 for a, b in zip(reference, picture(cut, s))) / len(reference) for s in ("model", "object")}
+                print(f"{cut.name}: values off by more than 1/255: model {off['model']:.4%}, object {off['object']:.4%}")
+                if off["model"] > 5e-4:
+                    wrong.append(f"{cut.name}: a seam shows though smoothed over the model")
+                if off["object"] < 1e-3:
+                    wrong.append(f"{cut.name}: no seam though smoothed per object: the comparison proves nothing")
+    return wrong if pairs else ["no cut models found"]
+
+
+def check_bits(program, *models):
+    flags = set(pathlib.Path("/proc/cpuinfo").read_text().split())
+    sets = ["scalar", "sse2"] + ["avx2"] * ("avx2" in flags) + ["avx512"] * ({"avx512f", "avx512bw", "avx512dq", "avx512vl", "avx512cd"} <= flags)
+    qemu = shutil.which("qemu-x86_64")
+    wrong = [] if qemu else ["qemu-x86_64 is not installed (Debian: qemu-user)"]
+    with tempfile.TemporaryDirectory() as temporary:
+        def picture(model, before, threads, **environment):
+            out = pathlib.Path(temporary) / "picture.png"
+            out.unlink(missing_ok=True)
+            code, errors, _ = run(before + [program, "render", str(model), "-o", str(out), "--resolution", "320,240", "--threads", str(threads)], 300, **environment)
+            return out.read_bytes() if code == 0 else f"exit {code}: {last_line(errors)}"
+        for model in map(pathlib.Path, models):
+            reference = picture(model, [], 1, RAKELIGHT_ISA="scalar")
+            if isinstance(reference, str):
+                wrong.append(f"{model.name}: {reference}")
+                continue
+            for isa, threads in itertools.product(sets, (1, 2, 4)):
+                if picture(model, [], threads, RAKELIGHT_ISA=isa) != reference:
+                    wrong.append(f"{model.name}: {isa} with {threads} threads differs from scalar with one")
+            if qemu and picture(model, [qemu, "-cpu", "Nehalem"], 2) != reference:
+                wrong.append(f"{model.name}: differs under qemu -cpu Nehalem")
+    print(f"{len(models)} models, {', '.join(sets)}, 1 / 2 / 4 threads, qemu -cpu Nehalem")
+    return wrong
+
+
+def main():
+    checks = {"models": check_models, "hostile": check_hostile, "parts": check_parts, "bits": check_bits}
+    if len(sys.argv) < 4 or sys.argv[1] not in checks:
+        sys.exit(__doc__)
+    program, paths = str(pathlib.Path(sys.argv[2]).resolve()), [pathlib.Path(p) for p in sys.argv[3:]]
+    if not all(p.exists() for p in paths):
+        print(f"{paths[0]} is not there: skipped")
+        sys.exit(77)
+    wrong = checks[sys.argv[1]](program, *paths)
+    print("\n".join(wrong))
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
