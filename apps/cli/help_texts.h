@@ -12,14 +12,14 @@ inline constexpr const char* main_footer = R"(Examples:
 Exit codes: 0 done, 1 failed, 2 wrong usage, 3 input not found, 4 file broken,
 format not supported or nothing to draw.
 Environment: RAKELIGHT_ISA=scalar|sse2|avx2|avx512 forces an instruction set
-(the picture stays the same), NO_COLOR switches colours of messages off.)";
+(the picture stays the same), NO_COLOR switches colors of messages off.)";
 
 inline constexpr const char* render_footer = R"(Lights:
   Without --light the model's own lights are used, or a key light, a fill light
-  and ambient light where it has none. Colours are linear, 1 is white.
+  and ambient light where it has none. Colors are linear, 1 is white.
     point:X,Y,Z         a lamp at a place; then any of
-      :color=R,G,B      its colour (default 1,1,1)
-      :specular=R,G,B   the colour of its highlights (default: as color)
+      :color=R,G,B      its color (default 1,1,1)
+      :specular=R,G,B   the color of its highlights (default: as color)
       :attenuation=C,L,Q  1 / (C + L d + Q d^2) at d metres (default 1,0,0)
     spot:X,Y,Z          like point, and
       :direction=X,Y,Z  the way its light goes (default 0,0,-1)

@@ -24,7 +24,7 @@ bool is_hex(std::string_view text) {
 
 vec3 color(const std::string& option, std::string_view text) {
     const dvec3 c = vector3(option, text);
-    if (c.x < 0 || c.y < 0 || c.z < 0) throw Error(ErrorCode::usage, option + ": a colour must not be negative");
+    if (c.x < 0 || c.y < 0 || c.z < 0) throw Error(ErrorCode::usage, option + ": a color must not be negative");
     return {float(c.x), float(c.y), float(c.z)};
 }
 
@@ -80,12 +80,12 @@ vec4 background(const std::string& option, std::string_view text) {
     } else if (text.find(',') != std::string_view::npos) {
         display = vector3(option, text);
     } else {
-        throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 40) + "' is not a colour", {},
+        throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 40) + "' is not a color", {},
                     "write r,g,b from 0 to 1, '#rrggbb', or transparent");
     }
     for (std::size_t i = 0; i < 3; ++i)
         if (display[i] < 0 || display[i] > 1)
-            throw Error(ErrorCode::usage, option + ": the colour's parts must be from 0 to 1");
+            throw Error(ErrorCode::usage, option + ": the color's parts must be from 0 to 1");
     const vec3 c = linear_from_srgb(vec3{float(display.x), float(display.y), float(display.z)});
     return {c.x, c.y, c.z, 1};
 }

@@ -100,7 +100,7 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Shading", "--engine", w.engine, "NAME",
         "soft (default): own rasterizer, the same picture on every machine");
     add(app, "Shading", "--shading", w.shading, "HOW",
-        "phong (default: lighting at every pixel) or unlit (own colour only)");
+        "phong (default: lighting at every pixel) or unlit (own color only)");
     add(app, "Shading", "--lighting", w.lighting, "MODEL",
         "auto (default: what the material says), lambert, phong, blinn-phong");
     add(app, "Shading", "--specular", w.specular, "FORM", "auto (default), textbook, normalized (conserves energy)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Option values as people write them: numbers, lists, sizes, colours, lights. All throw Error usage that says what was
+// Option values as people write them: numbers, lists, sizes, colors, lights. All throw Error usage that says what was
 // expected; numbers go by std::from_chars, so no locale changes them.
 #pragma once
 #include <cstdint>
@@ -26,7 +26,7 @@ std::vector<int> integers(const std::string& option, std::string_view text, std:
 /// "500M", "4G", "1073741824": bytes, powers of 1024.
 std::uint64_t byte_size(const std::string& option, std::string_view text);
 
-/// Display colour "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", or "transparent": linear RGB and alpha.
+/// Display color "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", or "transparent": linear RGB and alpha.
 vec4 background(const std::string& option, std::string_view text);
 
 /// "point:0,2,3:color=1,0.9,0.8:attenuation=1,0,0.1", "directional:0,-1,-1", "spot:...", "ambient:0.1,0.1,0.1".

@@ -65,7 +65,7 @@ struct PictureResult {
 /// @throws Error usage, not_found, bad_file, failed; those about the model carry its name.
 PictureResult render_picture(const PictureRequest& request, Context& context);
 
-/// Linear light of a display value (sRGB, 0..1), for backgrounds and light colours that people write as they see them.
+/// Linear light of a display value (sRGB, 0..1), for backgrounds and light colors that people write as they see them.
 vec3 linear_from_srgb(vec3 s);
 
 /// Says what is wrong with a request before anything is loaded: ending, size, window, engine, missing output folder.

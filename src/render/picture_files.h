@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of one picture: its colour and, beside it, one file a data channel. Rows go in band by band; all files
+// The files of one picture: its color and, beside it, one file a data channel. Rows go in band by band; all files
 // appear together at the end or not at all.
 #pragma once
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace rakelight {
 
-/// Format of the colour file for an output name: @throws Error usage for an unknown ending.
+/// Format of the color file for an output name: @throws Error usage for an unknown ending.
 PixelFormat format_for(const std::string& output, bool transparent);
 
 /// "out/a.png", "depth" -> "out/a.depth.exr"

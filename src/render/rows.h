@@ -16,7 +16,7 @@ struct PixelFormat {
     std::size_t bytes() const { return size_of(component) * std::size_t(channels); }
 };
 
-/// Converts `count` pixels; `out` takes count * format.bytes(). Engines deliver colours that are not premultiplied by
+/// Converts `count` pixels; `out` takes count * format.bytes(). Engines deliver colors that are not premultiplied by
 /// alpha: 8-bit formats store them so, EXR by its convention multiplied.
 void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& format, std::byte* out);
 

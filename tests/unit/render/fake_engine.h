@@ -31,7 +31,7 @@ public:
         return stats;
     }
 
-    /// Linear colour of a pixel: red grows with x, green with y, blue is the sum's last bit.
+    /// Linear color of a pixel: red grows with x, green with y, blue is the sum's last bit.
     static vec4 color_at(int x, int y) {
         return {float(x % 256) / 255.0f, float(y % 256) / 255.0f, float((x + y) % 2), 1};
     }
