@@ -35,10 +35,9 @@ public:
 
     bool key(string_t& name) override {
         charge(member_bytes + name.size());
-        Json& object = *stack_.back();
-        if (object.contains(name))
-            context_.report().add(Remark::warning, file_, {}, "the JSON name '" + one_line(name, 60) + "' stands twice in one object; the last counts");
-        member_ = &object[name];
+        const auto [member, is_new] = stack_.back()->get_ref<Json::object_t&>().try_emplace(name);
+        if (!is_new) context_.report().add(Remark::warning, file_, {}, "the JSON name '" + one_line(name, 60) + "' stands twice in one object; the last counts");
+        member_ = &member->second;
         return true;
     }
 

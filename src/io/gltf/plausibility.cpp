@@ -73,25 +73,25 @@ void on_directions(const Remarks& remarks, const Mesh& mesh) {
     remarks.count(count_if(mesh.tangents, [](const vec4& t) { return t.w == 0; }), "tangents have no handedness (w = 0)");
 }
 
-void on_texcoords(const Remarks& remarks, const Mesh& mesh) {
+void on_texcoords(const Remarks& remarks, const Mesh& mesh, bool is_textured) {
     for (const Block<vec2>& set : mesh.texcoords) {
         const auto is_bad = [](const vec2& t) { return !std::isfinite(t.x) || !std::isfinite(t.y); };
         remarks.count(count_if(set, is_bad), "texture coordinates are not finite");
         const auto is_huge = [&](const vec2& t) { return !is_bad(t) && std::max(std::fabs(t.x), std::fabs(t.y)) > texcoord_limit; };
         remarks.count(count_if(set, is_huge), "texture coordinates are so large that nothing can be sampled there");
         const auto differs = [&](const vec2& t) { return !(t == set[0]); };
-        if (set.size() > 1 && mesh.topology == Topology::triangles && std::none_of(set.begin(), set.end(), differs))
+        if (is_textured && set.size() > 1 && mesh.topology == Topology::triangles && std::none_of(set.begin(), set.end(), differs))
             remarks.say("all its texture coordinates are equal");
     }
 }
 
 }  // namespace
 
-void remark_on_mesh(const Document& document, const Mesh& mesh, const std::string& place) {
+void remark_on_mesh(const Document& document, const Mesh& mesh, const Material* material, const std::string& place) {
     const Remarks remarks(document, place);
     on_positions(remarks, mesh);
     on_directions(remarks, mesh);
-    on_texcoords(remarks, mesh);
+    on_texcoords(remarks, mesh, material && (material->base_color_texture || material->normal_texture));
 }
 
 void remark_on_quantization(const Document& document, const Accessors& accessors, const Value& primitive) {
