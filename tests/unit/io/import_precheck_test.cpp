@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the look before the import refuses, and what it lets pass.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "io/import/precheck.h"
+
+namespace rakelight::io {
+namespace {
+
+struct Verdict {
+    std::string error;
+    std::size_t warnings = 0;
+};
+
+Verdict check(const std::string& ending, const std::string& bytes) {
+    Report report;
+    Verdict verdict;
+    try {
+        check_before_import(ending, {std::as_bytes(std::span(bytes)), "file", report});
+    } catch (const Error& e) {
+        EXPECT_EQ(e.code(), ErrorCode::bad_file);
+        verdict.error = e.what();
+    }
+    for (const ReportEntry& e : report.entries()) verdict.warnings += e.remark == Remark::warning;
+    return verdict;
+}
+
+template <class T> std::string raw(T value) {
+    std::string bytes(sizeof value, '\0');
+    std::memcpy(bytes.data(), &value, sizeof value);
+    return bytes;
+}
+
+std::string binary_stl(std::uint32_t promised, std::size_t present, std::string header = "") {
+    header.resize(80, ' ');
+    return header + raw(promised) + std::string(present * 50, '\0');
+}
+
+TEST(ImportPrecheck, EmptyFilesAndUnknownEndingsAreRefused) {
+    for (const char* ending : {"stl", "ply", "off", "3ds", "ase", "blend", "dae", "fbx", "x"}) EXPECT_NE(check(ending, "").error, "") << ending;
+    EXPECT_NE(check("txt", "text").error, "");
+}
+
+TEST(ImportPrecheck, EveryPrefixOfGarbageIsRefusedWithoutACrash) {
+    std::string noise;
+    std::uint32_t state = 1;
+    for (int i = 0; i < 300; ++i) noise += char((state = state * 1664525u + 1013904223u) >> 24);
+    for (const char* ending : {"stl", "ply", "off", "3ds", "ase", "blend", "dae", "fbx", "x"})
+        for (std::size_t size = 0; size <= noise.size(); ++size) EXPECT_NE(check(ending, noise.substr(0, size)).error, "") << ending << " " << size;
+}
+
+TEST(ImportPrecheck, BinaryStlIsHeldAgainstItsSize) {
+    EXPECT_EQ(check("stl", binary_stl(2, 2)).error, "");
+    EXPECT_NE(check("stl", binary_stl(3, 2)).error, "");
+    EXPECT_NE(check("stl", binary_stl(0xFFFFFFFF, 1)).error, "");
+    EXPECT_NE(check("stl", binary_stl(1, 2)).error, "");
+    EXPECT_NE(check("stl", binary_stl(0, 0)).error, "");
+    EXPECT_EQ(check("stl", binary_stl(2, 2, "solid but binary")).warnings, 1u);
+}
+
+TEST(ImportPrecheck, AsciiStlFacetsHaveThreeVertices) {
+    const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    EXPECT_EQ(check("stl", "solid a\n" + facet + "endsolid a\n").error, "");
+    EXPECT_EQ(check("stl", "solid a\n" + facet + "endsolid a\n").warnings, 0u);
+    EXPECT_EQ(check("stl", "solid a\n" + facet).warnings, 1u);
+    EXPECT_NE(check("stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid a\n").error, "");
+    EXPECT_NE(check("stl", "solid nothing\nendsolid nothing\n").error, "");
+}
+
+TEST(ImportPrecheck, PlyCountsAreHeldAgainstTheData) {
+    const std::string ascii = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    EXPECT_EQ(check("ply", ascii + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").error, "");
+    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n0\n").error, "");
+    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex -1\nproperty float x\nend_header\n0\n").error, "");
+    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n0\n").error, "");
+    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quark x\nend_header\n0\n").error, "");
+}
+
+TEST(ImportPrecheck, BinaryPlyIsWalkedToItsEnd) {
+    const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string vertices(12, '\0'), face = raw(std::uint8_t(3)) + raw(0) + raw(1) + raw(2);
+    EXPECT_EQ(check("ply", header + vertices + face).error, "");
+    EXPECT_EQ(check("ply", header + vertices + face).warnings, 0u);
+    EXPECT_NE(check("ply", header + vertices + face.substr(0, 9)).error, "");
+    EXPECT_EQ(check("ply", header + vertices + face + "more").warnings, 1u);
+    EXPECT_NE(check("ply", header + vertices + raw(std::uint8_t(3)) + raw(0) + raw(1) + raw(3)).error, "");
+}
+
+TEST(ImportPrecheck, OffCountsAreHeldAgainstTheSize) {
+    EXPECT_EQ(check("off", "OFF # comment\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").error, "");
+    EXPECT_NE(check("off", "OFF\n1000000000 1 0\n0 0 0\n").error, "");
+    EXPECT_NE(check("off", "OFF\n3 -1 0\n0 0 0\n1 0 0\n0 1 0\n").error, "");
+    EXPECT_NE(check("off", "OFF\n3 99999999999999999999 0\n0 0 0\n1 0 0\n0 1 0\n").error, "");
+    EXPECT_NE(check("off", "OFF BINARY\n").error, "");
+}
+
+TEST(ImportPrecheck, BlocksOf3dsStayInsideOneAnother) {
+    const auto block = [](std::uint16_t id, const std::string& inside) { return raw(id) + raw(std::uint32_t(6 + inside.size())) + inside; };
+    const std::string mesh = block(0x4100, block(0x4110, raw(std::uint16_t(1)) + std::string(12, '\0')));
+    const std::string whole = block(0x4D4D, block(0x3D3D, block(0x4000, std::string("cube\0", 5) + mesh)));
+    EXPECT_EQ(check("3ds", whole).error, "");
+    EXPECT_NE(check("3ds", whole.substr(0, whole.size() - 1)).error, "");
+    EXPECT_EQ(check("3ds", whole + "x").warnings, 1u);
+    EXPECT_NE(check("3ds", block(0x4D4D, raw(std::uint16_t(0x3D3D)) + raw(std::uint32_t(100)))).error, "");
+    EXPECT_NE(check("3ds", block(0x4D4D, raw(std::uint16_t(0x3D3D)) + raw(std::uint32_t(0)))).error, "");
+    EXPECT_NE(check("3ds", block(0x4D4D, block(0x3D3D, block(0x4000, "no end of name")))).error, "");
+}
+
+TEST(ImportPrecheck, BlendFilesReachTheirLastBlock) {
+    const auto block = [](const char* code, std::uint32_t bytes) { return std::string(code, 4) + raw(bytes) + std::string(12, '\0') + std::string(bytes, 'x'); };
+    const std::string head = "BLENDER_v248", whole = head + block("DNA1", 8) + block("ENDB", 0);
+    EXPECT_EQ(check("blend", whole).error, "");
+    EXPECT_NE(check("blend", head + block("DNA1", 8)).error, "");
+    EXPECT_NE(check("blend", head + block("ENDB", 0)).error, "");
+    EXPECT_NE(check("blend", whole.substr(0, 30)).error, "");
+    EXPECT_NE(check("blend", std::string("\x28\xb5\x2f\xfd", 4) + std::string(40, 'x')).error, "");
+}
+
+TEST(ImportPrecheck, ColladaHasNoEntitiesAndEndsWhereItBegan) {
+    const std::string good = "<?xml version=\"1.0\"?>\n<COLLADA a=\"1 > 0\"><!-- <x> --><asset/></COLLADA>\n";
+    EXPECT_EQ(check("dae", good).error, "");
+    EXPECT_NE(check("dae", "<!DOCTYPE foo [<!ENTITY x SYSTEM \"file:///etc/hostname\">]>" + good).error, "");
+    EXPECT_NE(check("dae", good.substr(0, good.size() - 4)).error, "");
+    EXPECT_NE(check("dae", "<COLLADA><a></b></COLLADA>").error, "");
+    EXPECT_NE(check("dae", "<COLLADA>\xC3\x28</COLLADA>").error, "");
+    EXPECT_NE(check("dae", "<COLLADA>\x01</COLLADA>").error, "");
+    EXPECT_NE(check("dae", "no markup at all").error, "");
+    std::string deep;
+    for (int i = 0; i < 100000; ++i) deep += "<a>";
+    EXPECT_NE(check("dae", deep).error, "");
+}
+
+TEST(ImportPrecheck, FbxNodesStayInsideOneAnother) {
+    const std::string magic("Kaydara FBX Binary  \0\x1a\0", 23), end(13, '\0');
+    const auto node = [](std::uint32_t node_end, std::uint32_t bytes) { return raw(node_end) + raw(std::uint32_t(0)) + raw(bytes) + raw(std::uint8_t(1)) + "N" + std::string(bytes, 'p'); };
+    const std::string whole = magic + raw(7400u) + node(27 + 13 + 1 + 5, 5) + end;
+    EXPECT_EQ(check("fbx", whole).error, "");
+    EXPECT_NE(check("fbx", whole.substr(0, whole.size() - 1)).error, "");
+    EXPECT_NE(check("fbx", magic + raw(7400u) + node(10000, 5) + end).error, "");
+    EXPECT_NE(check("fbx", magic + raw(7400u) + node(1, 5) + end).error, "");
+    EXPECT_NE(check("fbx", magic + raw(6100u) + node(46, 5) + end).error.find("6100"), std::string::npos);
+    EXPECT_NE(check("fbx", "; FBX 7.3.0 project file\nObjects: {\n").error, "");
+    EXPECT_EQ(check("fbx", "; FBX 7.3.0 project file\nObjects: {\n name: \"}\"\n}\n").error, "");
+}
+
+TEST(ImportPrecheck, OpenBracesAreCounted) {
+    const auto open = [](std::string_view text) { return open_braces(std::as_bytes(std::span(text))); };
+    EXPECT_EQ(open(""), 0);
+    EXPECT_EQ(open("{ { }"), 1);
+    EXPECT_EQ(open("{ \"}\" }"), 0);
+    EXPECT_EQ(open("}{"), -1);
+    EXPECT_EQ(open("\"unclosed {\n}"), -1);
+    EXPECT_EQ(open(std::string_view("{\0}\0", 4)), 0);
+}
+
+}  // namespace
+}  // namespace rakelight::io

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// A helper that crashes, hangs, lies or is not there: each becomes one clear error. Small scripts play the helper.
+#include <sys/stat.h>
+
+#include <chrono>
+#include <cstring>
+
+#include "import_support.h"
+#include "io/import/stream_format.h"
+
+namespace rakelight::io::test {
+namespace {
+
+constexpr const char* triangle = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
+
+class ImportProcess : public ::testing::Test {
+protected:
+    void SetUp() override {
+        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("rl_process_") + info->name() + "_" + std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_);
+        model_ = (folder_ / "model.stl").string();
+        std::ofstream(model_) << triangle;
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+    std::string script(const std::string& body) {
+        const std::string path = (folder_ / "helper.sh").string();
+        std::ofstream(path) << "#!/bin/sh\n" << body << "\n";
+        ::chmod(path.c_str(), 0755);
+        return path;
+    }
+    Outcome read_by(const std::string& body, const ReadOptions& options = {}) {
+        const Environment helper("RAKELIGHT_IMPORT", script(body));
+        return read_import(model_, options);
+    }
+    std::filesystem::path folder_;
+    std::string model_;
+};
+
+TEST_F(ImportProcess, ACrashIsABadFileAndNamesTheSignal) {
+    const Outcome outcome = read_by("kill -SEGV $$");
+    ASSERT_TRUE(outcome.error);
+    EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file);
+    EXPECT_NE(outcome.what().find("crashed (signal 11, SIGSEGV)"), std::string::npos) << outcome.what();
+    EXPECT_NE(outcome.what().find("model.stl"), std::string::npos);
+}
+
+TEST_F(ImportProcess, AHangEndsAtTheTimeLimit) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome outcome = read_by("exec sleep 60", {.import_seconds = 0.3});
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    ASSERT_TRUE(outcome.error);
+    EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file);
+    EXPECT_NE(outcome.what().find("longer than 0.3 s"), std::string::npos) << outcome.what();
+    EXPECT_LT(took.count(), 30);
+}
+
+TEST_F(ImportProcess, OutputThatTricklesDoesNotMoveTheDeadline) {
+    const Outcome outcome = read_by("while :; do printf x; sleep 0.05; done", {.import_seconds = 0.4});
+    ASSERT_TRUE(outcome.error);
+    EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file);
+}
+
+TEST_F(ImportProcess, EndingWithoutAWordIsABadFile) {
+    const Outcome outcome = read_by("exit 7");
+    ASSERT_TRUE(outcome.error);
+    EXPECT_NE(outcome.what().find("exit code 7"), std::string::npos) << outcome.what();
+}
+
+TEST_F(ImportProcess, ForeignOutputIsABrokenStream) {
+    const Outcome outcome = read_by("echo This is not the stream that was asked for");
+    ASSERT_TRUE(outcome.error);
+    EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file);
+    EXPECT_NE(outcome.what().find("broken stream"), std::string::npos) << outcome.what();
+}
+
+TEST_F(ImportProcess, AnotherVersionOfTheHelperIsNotTheFilesFault) {
+    import_stream::Head head;
+    head.stream_version = 999;
+    std::string bytes(sizeof head, '\0');
+    std::memcpy(bytes.data(), &head, sizeof head);
+    std::ofstream(folder_ / "head", std::ios::binary) << bytes;
+    const Outcome outcome = read_by("cat '" + (folder_ / "head").string() + "'");
+    ASSERT_TRUE(outcome.error);
+    EXPECT_EQ(outcome.error->code(), ErrorCode::failed);
+    EXPECT_NE(outcome.what().find("999"), std::string::npos) << outcome.what();
+}
+
+TEST_F(ImportProcess, AMissingHelperIsSaidWithAdvice) {
+    const Environment helper("RAKELIGHT_IMPORT", (folder_ / "nowhere").string());
+    const Outcome outcome = read_import(model_);
+    ASSERT_TRUE(outcome.error);
+    EXPECT_EQ(outcome.error->code(), ErrorCode::failed);
+    EXPECT_NE(outcome.what().find("RAKELIGHT_IMPORT"), std::string::npos) << outcome.what();
+}
+
+TEST_F(ImportProcess, TheHelperGetsNoStreamsOfTheProgram) {
+    const Outcome outcome = read_by("cat >/dev/null; echo noise >&2; ls /proc/$$/fd > '" + (folder_ / "fds").string() + "'; exit 1");
+    ASSERT_TRUE(outcome.error);
+    std::ifstream in(folder_ / "fds");
+    std::vector<int> open;
+    for (int fd; in >> fd;) open.push_back(fd);
+    EXPECT_GE(open.size(), 3u);
+    for (int fd : open) EXPECT_TRUE(fd <= 2 || fd >= 10) << fd;  // shells keep their script at 10 or above
+}
+
+TEST_F(ImportProcess, ACancelledRunEndsTheHelper) {
+    const Environment helper("RAKELIGHT_IMPORT", script("exec sleep 60"));
+    Context context;
+    context.cancel();
+    EXPECT_THROW(read_with_import_helper(model_, {}, context), Error);
+}
+
+TEST_F(ImportProcess, AMissingOrEmptyFileNeedsNoHelper) {
+    const Environment helper("RAKELIGHT_IMPORT", script("exit 0"));
+    const Outcome missing = read_import((folder_ / "no.stl").string());
+    ASSERT_TRUE(missing.error);
+    EXPECT_EQ(missing.error->code(), ErrorCode::not_found);
+    std::ofstream(folder_ / "empty.stl").flush();
+    const Outcome empty = read_import((folder_ / "empty.stl").string());
+    ASSERT_TRUE(empty.error);
+    EXPECT_EQ(empty.error->code(), ErrorCode::bad_file);
+    const Outcome unknown = read_import((folder_ / "helper.sh").string());
+    ASSERT_TRUE(unknown.error);
+    EXPECT_EQ(unknown.error->code(), ErrorCode::bad_file);
+}
+
+}  // namespace
+}  // namespace rakelight::io::test

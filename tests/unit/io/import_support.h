@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tests of the import helper share: the built helper, a folder for files, and what reading one gave.
+#pragma once
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/reader.h"
+#include "scene/scene_tools.h"
+#include "support/shared.h"
+
+namespace rakelight::io::test {
+
+/// Sets an environment variable for as long as it lives.
+class Environment {
+public:
+    Environment(const char* name, const std::string& value) : name_(name) {
+        if (const char* old = std::getenv(name)) old_ = old;
+        ::setenv(name, value.c_str(), 1);
+    }
+    ~Environment() {
+        if (old_) ::setenv(name_, old_->c_str(), 1);
+        else ::unsetenv(name_);
+    }
+    Environment(const Environment&) = delete;
+
+private:
+    const char* name_;
+    std::optional<std::string> old_;
+};
+
+struct Outcome {
+    std::optional<Scene> scene;
+    std::optional<Error> error;
+    std::vector<ReportEntry> remarks;
+    bool says(const std::string& part) const {
+        return std::any_of(remarks.begin(), remarks.end(), [&](const ReportEntry& e) { return e.message.find(part) != std::string::npos; });
+    }
+    std::string what() const { return error ? error->what() : "read"; }
+};
+
+inline Outcome read_import(const std::string& path, const ReadOptions& options = {}, ContextOptions run = {.threads = 1}) {
+    Outcome outcome;
+    Context context(run);
+    try {
+        outcome.scene = read_with_import_helper(path, options, context);
+    } catch (const Error& e) {
+        outcome.error = e;
+    }
+    outcome.remarks = context.report().entries();
+    return outcome;
+}
+
+/// Tests that start the helper which this build made; skipped in a build without it.
+class ImportTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+#if defined(RL_IMPORT_HELPER)
+        helper_.emplace("RAKELIGHT_IMPORT", RL_IMPORT_HELPER);
+        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("rl_import_") + info->name() + "_" + std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_);
+#else
+        GTEST_SKIP() << "built without the import helper";
+#endif
+    }
+    void TearDown() override {
+        if (!folder_.empty()) std::filesystem::remove_all(folder_);
+    }
+    std::string write(const std::string& name, const std::string& text) const {
+        const auto path = folder_ / name;
+        std::filesystem::create_directories(path.parent_path());
+        std::ofstream(path, std::ios::binary) << text;
+        return path.string();
+    }
+    std::filesystem::path folder_;
+    std::optional<Environment> helper_;
+};
+
+/// World positions and normals of all triangle corners, in the file's order.
+struct Corner {
+    dvec3 position;
+    dvec3 normal;
+};
+std::vector<Corner> corners_of(const Scene& scene);
+
+}  // namespace rakelight::io::test
