@@ -4,7 +4,7 @@
 # model. The seams between the parts are there in the second and gone in the third. Pictures go to build/demo.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
-program=build/release/rakelight
+program=${RAKELIGHT:-build/release/rakelight}
 out=build/demo
 mkdir -p "$out"
 
@@ -13,9 +13,9 @@ three() {
     local name=$1 model=$2 scope
     shift 2
     for scope in flat object model; do
-        "$program" render "$model" -o "$out/$name-$scope.png" --normals "$scope" --crease-angle 180 --resolution 480,480 "$@"
+        "$program" render "$model" -o "$out/$name-$scope.png" --normals "$scope" --crease-angle 180 --resolution 840,840 "$@"
     done
-    python3 tools/side_by_side.py "$out/$name.png" "$out/$name-flat.png" "$out/$name-object.png" "$out/$name-model.png"
+    python3 tools/side_by_side.py --halve "$out/$name.png" "$out/$name-flat.png" "$out/$name-object.png" "$out/$name-model.png"
     echo "$out/$name.png"
 }
 
@@ -25,11 +25,11 @@ three spot data/spot/spot_slab5.glb --camera-position 1.7,0.9,-2.1 --camera-foca
 # A head scan with a normal map, cut into six objects, under two lamps: tangents show seams too.
 cp data/head/head.mtl data/head/color.jpg data/head/normal_from_bump.png "$out/"
 python3 tools/cut_obj.py data/head/head.obj "$out/head6.obj" --grid 2,3,1
-three head "$out/head6.obj" --view front \
-    --light point:1.2,0.6,1.0:color=1.1,1.0,0.9:attenuation=0.4,0.2,0.2 \
-    --light point:-1.4,0.2,0.5:color=0.25,0.35,0.6:attenuation=0.4,0.2,0.2 --light ambient:0.03,0.03,0.03
+three head "$out/head6.obj" --camera-position 0.1,0.29,0.5 --camera-focal-point 0,0.282,0.1 --camera-view-angle 20 \
+    --light point:0.5,0.5,0.6:color=0.9,0.85,0.8:attenuation=0.6,0.2,0.4 \
+    --light point:-0.7,0.1,0.35:color=0.3,0.45,0.75:attenuation=0.4,0.2,0.4 --light ambient:0.02,0.02,0.02
 
 three knight data/knight/Knight_noNormals.glb --view front --light directional:-1,-0.5,-0.4:color=0.9,0.9,0.9 --light ambient:0.15,0.15,0.15
 
-three teapot builtin:teapot --texture-normal data/bricks/normal.png \
-    --camera-position 3.5,3,6.5 --camera-focal-point 0,0,0 --light point:3,5,5:color=1,1,1 --light ambient:0.08,0.08,0.08
+#three teapot builtin:teapot --texture-normal data/bricks/normal.png \
+#    --camera-position 3.5,3,6.5 --camera-focal-point 0,0,0 --light point:3,5,5:color=1,1,1 --light ambient:0.08,0.08,0.08
