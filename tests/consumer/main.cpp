@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Uses the installed library from every layer: attributes without a scene, the facade, the way of one picture, inspection.
+#include <rakelight/rakelight.h>
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+using namespace rakelight;
+
+int main() {
+    Context context;
+    const std::vector<vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<std::uint32_t> indices{0, 1, 2};
+    const AttributeMesh mesh{.positions = positions, .indices = indices};
+    const std::vector<MeshAttributes> attributes = compute_attributes({&mesh, 1}, {}, context);
+    if (attributes.size() != 1 || std::fabs(attributes[0].normals[0].z - 1) > 1e-6f) return std::puts("wrong normal"), 1;
+
+    const Inspection found = inspect(load("builtin:teapot", {}, context), {}, context);
+    if (found.objects.size() != 6) return std::puts("wrong number of objects"), 1;
+
+    PictureRequest request{.input = "builtin:teapot", .output = "consumer.png"};
+    request.settings.width = 64;
+    request.settings.height = 48;
+    const PictureResult result = render_picture(request, context);
+    if (result.width != 64 || result.stats.pixels_covered == 0) return std::puts("empty picture"), 1;
+    if (build_info().version != RAKELIGHT_VERSION) return std::puts("header and library differ"), 1;
+    std::puts("ok");
+    return 0;
+}
