@@ -34,7 +34,7 @@ bool has_groups(std::span<const AttributeMesh> meshes) {
 // A rough sum of what the stages hold at once: rows and numbers per vertex, lists and normals per corner.
 void check_memory(const AttributeInput& input, bool refines, Context& context) {
     const std::uint64_t vertices = input.vertex_count(), triangles = input.triangle_count();
-    context.memory().check(vertices * (sizeof(VoteRow) + 48) + (refines ? triangles * 100 : 0), "smoothing normals");
+    context.memory().check(vertices * (sizeof(NormalRow) + sizeof(TangentRow) + 48) + (refines ? triangles * 100 : 0), "smoothing normals");
 }
 
 Topology group_positions(const AttributeInput& input, const AttributeOptions& options, Context& context) {

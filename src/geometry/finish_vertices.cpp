@@ -27,7 +27,7 @@ dvec3 to_object(const Placement& placement, dvec3 normal) {
     return normalize_or(times_transposed(placement.normal_to_world, normal), no_normal);
 }
 
-vec4 tangent_of(const Placement& placement, const VoteRow& row, dvec3 normal, dvec3 object_normal) {
+vec4 tangent_of(const Placement& placement, const TangentRow& row, dvec3 normal, dvec3 object_normal) {
     dvec3 t = row.tangent - normal * dot(normal, row.tangent);
     if (!(length(t) > cancelled_share * std::fabs(row.hand))) t = perpendicular(normal);
     dvec3 back = times_transposed(placement.normal_to_world, t);
@@ -79,7 +79,7 @@ private:
 
     void vertex(std::uint32_t m, std::uint32_t row, std::uint32_t to, std::uint32_t source, MeshAttributes& out,
                 std::vector<std::uint32_t>& cancelled) const {
-        const VoteRow& sum = sums_.rows[row];
+        const NormalRow& sum = sums_.normals[row];
         const Placement& placement = input_.placements[m];
         dvec3 normal, object_normal = no_normal;
         if (!options_.normals) {
@@ -98,7 +98,7 @@ private:
             out.normals[to] = cast<float>(object_normal);
         }
         if (!makes_tangents(m)) return;
-        if (normal != dvec3{}) out.tangents[to] = tangent_of(placement, sum, normal, object_normal);
+        if (normal != dvec3{}) out.tangents[to] = tangent_of(placement, sums_.tangents[row], normal, object_normal);
         else out.tangents[to] = {1, 0, 0, 1};
     }
 

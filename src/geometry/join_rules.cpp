@@ -29,7 +29,10 @@ JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, cons
     const double limit = options.crease_angle_rad + crease_slack;
     joins_all_ = limit >= pi;
     least_cos_ = joins_all_ ? -2 : math::cos(limit);
-    for (const AttributeMesh& mesh : input.meshes) has_hints_ |= is_hinted(mesh);
+    for (const AttributeMesh& mesh : input.meshes) {
+        has_hints_ |= is_hinted(mesh);
+        has_groups_ |= is_hinted(mesh) || is_grouped(mesh);
+    }
 }
 
 std::uint64_t JoinRules::authority_of(std::uint32_t m) const {
@@ -44,21 +47,32 @@ std::uint64_t JoinRules::authority_of(std::uint32_t m) const {
 void JoinRules::gather(std::span<const std::uint32_t> corners, Fan& fan) const {
     const std::size_t count = corners.size();
     fan.corner.assign(corners.begin(), corners.end());
+    fan.mesh.resize(count);
     fan.normal.resize(count);
-    fan.authority.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t triangle = corners[i] / 3;
+        const bool as_before = i > 0 && triangle < input_.triangle_base[fan.mesh[i - 1] + 1];  // corners ascend
+        fan.mesh[i] = as_before ? fan.mesh[i - 1] : input_.mesh_of_triangle(triangle);
+        fan.normal[i] = normals_[triangle];
+    }
+    fan.authority.assign(count, 0);
+    if (has_groups_) gather_groups(fan);
+}
+
+void JoinRules::gather_groups(Fan& fan) const {
+    const std::size_t count = fan.size();
     fan.group.assign(count, 0);
     fan.kind.assign(count, GroupKind::none);
     fan.hint.resize(has_hints_ ? count : 0);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t triangle = corners[i] / 3, m = input_.mesh_of_triangle(triangle);
+        const std::uint32_t m = fan.mesh[i], corner = fan.corner[i] - 3 * input_.triangle_base[m];
         const AttributeMesh& mesh = input_.meshes[m];
-        fan.normal[i] = normals_[triangle];
         fan.authority[i] = authority_of(m);
         if (fan.authority[i] == 0) continue;
         if (is_hinted(mesh)) {
-            fan.hint[i] = mesh.smoothing_hint[corners[i] - 3 * input_.triangle_base[m]] + vec3{};
+            fan.hint[i] = mesh.smoothing_hint[corner] + vec3{};
         } else {
-            fan.group[i] = mesh.smoothing[triangle - input_.triangle_base[m]];
+            fan.group[i] = mesh.smoothing[corner / 3];
             fan.kind[i] = mesh.group_kind;
         }
     }
@@ -72,7 +86,7 @@ void JoinRules::join(Fan& fan, UnionFind& sets) const {
     spokes.clear();
     for (std::size_t i = 0; i < fan.size(); ++i) {
         if (!fan.votes(i)) continue;
-        const std::uint32_t triangle = fan.corner[i] / 3, k = fan.corner[i] % 3, m = input_.mesh_of_triangle(triangle);
+        const std::uint32_t triangle = fan.corner[i] / 3, k = fan.corner[i] % 3, m = fan.mesh[i];
         const auto place = [&](std::uint32_t corner) {
             return topology_.position_class[input_.corner_vertex(m, 3 * triangle + corner)];
         };
@@ -108,7 +122,7 @@ void JoinRules::join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFi
         return;
     }
     join_many_by_angle(fan, spokes, sets);
-    if (rule_ == JoinRule::crease) join_many_by_group(fan, spokes, sets);
+    if (rule_ == JoinRule::crease && has_groups_) join_many_by_group(fan, spokes, sets);
 }
 
 // All normals at an edge lie in the plane across it. Faces that obey the angle among one another are those of different

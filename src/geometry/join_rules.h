@@ -26,6 +26,7 @@ struct Spoke {
 /// The faces at one place, as seen by the rules; index i is the i-th corner of the place.
 struct Fan {
     std::vector<std::uint32_t> corner;       ///< numbered through, ascending
+    std::vector<std::uint32_t> mesh;         ///< of the corner
     std::vector<dvec3> normal;               ///< of its face; zero: no vote
     std::vector<std::uint64_t> authority;    ///< faces of equal non-zero authority obey their groups, all others the angle
     std::vector<std::uint32_t> group;        ///< smoothing group or mask
@@ -48,6 +49,7 @@ public:
     void join(Fan& fan, UnionFind& sets) const;
 
 private:
+    void gather_groups(Fan& fan) const;
     bool joined(const Fan& fan, const Spoke& a, const Spoke& b) const;
     void join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
     void join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
@@ -63,7 +65,7 @@ private:
     bool groups_across_;
     bool joins_all_;    ///< crease angle pi
     double least_cos_;  ///< of the crease angle
-    bool has_hints_ = false;
+    bool has_groups_ = false, has_hints_ = false;
 };
 
 }  // namespace rakelight::geometry

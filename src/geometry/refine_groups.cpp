@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 
-// The result for one bin: per corner the first corner of its group, and which appended vertex it goes to.
 struct BinScratch {
     Fan fan;
     UnionFind sets;
@@ -50,6 +49,7 @@ private:
         for (std::size_t g = chunk * vertices_per_chunk; g < last; ++g)
             if (bins_.begin[g] != bins_.begin[g + 1]) body(std::uint32_t(g));
     }
+    bool stays_whole(std::uint32_t g) const { return lead_[bins_.begin[g]] == none; }
     std::uint32_t vertex_of(std::uint32_t corner) const {
         return topology_.vertex_of(input_, input_.mesh_of_triangle(corner / 3), corner);
     }
@@ -71,8 +71,7 @@ private:
         if (first_vote == none) first_vote = 0;
         leader_[g] = corners[first_vote];
         if (one_group) {
-            std::fill_n(lead_.begin() + begin, count, corners[first_vote]);
-            std::fill_n(fresh_.begin() + begin, count, none);
+            lead_[begin] = none;  // the bin stays whole: its leader says all
             return;
         }
         s.vertex.resize(count);
@@ -129,7 +128,7 @@ private:
         const std::uint32_t fixed = input_.vertex_count();
         context_.parallel_for(chunks_, [&](std::size_t c) {
             for_each_bin(c, [&](std::uint32_t g) {
-                for (std::uint32_t i = bins_.begin[g]; i != bins_.begin[g + 1]; ++i) {
+                for (std::uint32_t i = bins_.begin[g]; i != bins_.begin[g + 1] && !stays_whole(g); ++i) {
                     if (fresh_[i] == none) continue;
                     std::uint32_t& vertex = topology_.corner_vertex[bins_.corners[i]];
                     // Corners of one appended vertex come from one vertex, and are met one after the other by this thread.
@@ -153,7 +152,7 @@ private:
         });
         context_.parallel_for(chunks_, [&](std::size_t c) {
             for_each_bin(c, [&](std::uint32_t g) {
-                for (std::uint32_t i = bins_.begin[g]; i != bins_.begin[g + 1]; ++i)
+                for (std::uint32_t i = bins_.begin[g]; i != bins_.begin[g + 1] && !stays_whole(g); ++i)
                     topology_.group[vertex_of(bins_.corners[i])] = vertex_of(lead_[i]);
             });
         });
@@ -165,7 +164,8 @@ private:
     const CornerBins& bins_;
     Context& context_;
     std::size_t groups_, chunks_;
-    std::vector<std::uint32_t> lead_, fresh_;  // [binned corners]
+    std::vector<std::uint32_t> lead_;          // [binned corners] first corner of its group
+    std::vector<std::uint32_t> fresh_;         // [binned corners] appended vertex it goes to, counted in the chunk, or none
     std::vector<std::uint32_t> leader_;        // [groups] first voting corner
     std::vector<std::uint32_t> appended_;      // [chunks + 1]
     std::vector<std::uint32_t> old_group_;

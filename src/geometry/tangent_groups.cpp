@@ -15,7 +15,7 @@ constexpr std::size_t few = 16;
 
 }  // namespace
 
-void TangentGroups::join(std::span<const std::uint32_t> members, const VoteRow* rows, bool right) {
+void TangentGroups::join(std::span<const std::uint32_t> members, const TangentRow* rows, bool right) {
     list_.clear();
     for (std::uint32_t i = 0; i < members.size(); ++i) {
         const double hand = rows[members[i]].hand;
@@ -35,7 +35,7 @@ void TangentGroups::join(std::span<const std::uint32_t> members, const VoteRow* 
     for (std::size_t i = 0; i < order.size(); ++i) join_pair(list_[order[i]], list_[order[(i + 1) % order.size()]]);
 }
 
-void TangentGroups::average(dvec3 normal, std::span<const std::uint32_t> members, VoteRow* rows) {
+void TangentGroups::average(dvec3 normal, std::span<const std::uint32_t> members, TangentRow* rows) {
     if (normal == dvec3{}) return;
     const auto across = [&](dvec3 t) { return t - normal * dot(normal, t); };
     const std::size_t count = members.size();

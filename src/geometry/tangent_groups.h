@@ -15,10 +15,10 @@ public:
     /// @param normal   unit, world; zero: nothing is done
     /// @param members  rows that share it; sets of one handedness, connected by pairs within 45 degrees, get their common sum.
     ///                 A sum shorter than a thousandth of its weights (the pole of a sphere) leaves each its own.
-    void average(dvec3 normal, std::span<const std::uint32_t> members, VoteRow* rows);
+    void average(dvec3 normal, std::span<const std::uint32_t> members, TangentRow* rows);
 
 private:
-    void join(std::span<const std::uint32_t> members, const VoteRow* rows, bool right);
+    void join(std::span<const std::uint32_t> members, const TangentRow* rows, bool right);
     UnionFind sets_;
     std::vector<dvec3> direction_, sum_;
     std::vector<double> hand_;

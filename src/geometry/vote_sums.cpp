@@ -9,16 +9,20 @@
 namespace rakelight::geometry {
 namespace {
 
+// A vote for a vertex that another piece of the mesh owns.
 struct Parcel {
     std::uint32_t row;
-    VoteRow vote;
+    NormalRow normal;
+    TangentRow tangent;
 };
 
-void add(VoteRow& to, const VoteRow& vote) {
-    to.normal += vote.normal;
-    to.weight += vote.weight;
-    to.tangent += vote.tangent;
-    to.hand += vote.hand;
+void add(NormalRow& to, dvec3 normal, double weight) {
+    to.normal += normal;
+    to.weight += weight;
+}
+void add(TangentRow& to, dvec3 tangent, double hand) {
+    to.tangent += tangent;
+    to.hand += hand;
 }
 
 class Scatter {
@@ -61,19 +65,33 @@ private:
         if (chunk.pieces > 1) outbox_[c].resize(chunk.pieces);
         for_each_range(chunk, input_.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
             const Owned own = owned_by(chunk, m);
-            VoteRow* rows = sums_.rows.get();
-            std::fill(rows + own.begin, rows + own.end, VoteRow{});
-            std::fill(rows + own.appended_begin, rows + own.appended_end, VoteRow{});
+            clear(own);
+            const bool tangents = sums_.tangents != nullptr && !input_.meshes[m].texcoords.empty();
             switch (options_.weight) {
-                case CornerWeight::uniform: return scatter_range<CornerWeight::uniform>(c, m, first, last, own);
-                case CornerWeight::area: return scatter_range<CornerWeight::area>(c, m, first, last, own);
-                case CornerWeight::angle: return scatter_range<CornerWeight::angle>(c, m, first, last, own);
-                case CornerWeight::angle_area: return scatter_range<CornerWeight::angle_area>(c, m, first, last, own);
+                case CornerWeight::uniform: return scatter_as<CornerWeight::uniform>(tangents, c, m, first, last, own);
+                case CornerWeight::area: return scatter_as<CornerWeight::area>(tangents, c, m, first, last, own);
+                case CornerWeight::angle: return scatter_as<CornerWeight::angle>(tangents, c, m, first, last, own);
+                case CornerWeight::angle_area: return scatter_as<CornerWeight::angle_area>(tangents, c, m, first, last, own);
             }
         });
     }
 
+    void clear(const Owned& own) {
+        std::fill(sums_.normals.get() + own.begin, sums_.normals.get() + own.end, NormalRow{});
+        std::fill(sums_.normals.get() + own.appended_begin, sums_.normals.get() + own.appended_end, NormalRow{});
+        if (!sums_.tangents) return;
+        std::fill(sums_.tangents.get() + own.begin, sums_.tangents.get() + own.end, TangentRow{});
+        std::fill(sums_.tangents.get() + own.appended_begin, sums_.tangents.get() + own.appended_end, TangentRow{});
+    }
+
     template <CornerWeight weight>
+    void scatter_as(bool tangents, std::size_t c, std::uint32_t m, std::uint32_t first, std::uint32_t last, const Owned& own) {
+        if (tangents) scatter_range<weight, true>(c, m, first, last, own);
+        else scatter_range<weight, false>(c, m, first, last, own);
+    }
+
+    // Everything that the loop reads is copied to its own stack frame first: no thread shares a cache line with it.
+    template <CornerWeight weight, bool tangents>
     void scatter_range(std::size_t c, std::uint32_t m, std::uint32_t first, std::uint32_t last, const Owned own) {
         const AttributeMesh mesh = input_.meshes[m];
         const Placement placement = input_.placements[m];
@@ -81,8 +99,9 @@ private:
         const std::uint32_t* split = topology_.corner_vertex.empty()
                                          ? nullptr
                                          : topology_.corner_vertex.data() + 3 * std::size_t(input_.triangle_base[m]);
-        const bool tangents = options_.tangents && !mesh.texcoords.empty(), keep_normals = !options_.normals;
-        VoteRow* rows = sums_.rows.get();
+        const bool keep_normals = !options_.normals, owns_all = pieces == 1;
+        NormalRow* normals = sums_.normals.get();
+        TangentRow* tangent_rows = sums_.tangents.get();
         std::uint32_t degenerate = 0;
         for (std::uint32_t t = first; t != last; ++t) {
             const std::uint32_t* index = &mesh.indices[3 * std::size_t(t)];
@@ -94,15 +113,19 @@ private:
             }
             const dvec3 weights = corner_weights<weight>(placement, face, normal.length);
             FaceTangent tangent;
-            if (tangents) tangent = face_tangent(mesh, index, placement, face);
+            if constexpr (tangents) tangent = face_tangent(mesh, index, placement, face);
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const double w = weights[k];
-                double hand = tangent.hand;
-                if (keep_normals && tangents) hand = hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
-                const VoteRow vote{normal.unit * w, w, tangent.unit * w, hand * w};
+                double hand = tangent.hand * w;
+                if (tangents && keep_normals) hand = hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
                 const std::uint32_t row = split ? split[3 * std::size_t(t) + k] : vertex_base + index[k];
-                if (own.holds(row)) add(rows[row], vote);
-                else outbox_[c][owner_of(row, m, pieces)].push_back({row, vote});
+                if (owns_all || own.holds(row)) {
+                    add(normals[row], normal.unit * w, w);
+                    if constexpr (tangents) add(tangent_rows[row], tangent.unit * w, hand);
+                } else {
+                    const Parcel parcel{row, {normal.unit * w, w}, {tangent.unit * w, hand}};
+                    outbox_[c][owner_of(row, m, pieces)].push_back(parcel);
+                }
             }
         }
         if (degenerate != 0) std::atomic_ref(sums_.degenerate_faces[m]).fetch_add(degenerate, std::memory_order_relaxed);
@@ -110,13 +133,16 @@ private:
 
     void drain(std::size_t c) {
         const Chunk chunk = chunks_[c];
-        VoteRow* rows = sums_.rows.get();
+        const NormalRow* normals = sums_.normals.get();
         for (std::uint32_t p = 0; p < chunk.pieces && chunk.pieces > 1; ++p)
-            for (const Parcel& parcel : outbox_[c - chunk.piece + p][chunk.piece]) add(rows[parcel.row], parcel.vote);
+            for (const Parcel& parcel : outbox_[c - chunk.piece + p][chunk.piece]) {
+                add(sums_.normals[parcel.row], parcel.normal.normal, parcel.normal.weight);
+                if (sums_.tangents) add(sums_.tangents[parcel.row], parcel.tangent.tangent, parcel.tangent.hand);
+            }
         for (std::uint32_t m = chunk.mesh_begin; m != chunk.mesh_end; ++m) {
             const Owned own = owned_by(chunk, m);
             std::uint32_t isolated = 0;
-            for (std::uint32_t row = own.begin; row != own.end; ++row) isolated += rows[row].weight > 0 ? 0 : 1;
+            for (std::uint32_t row = own.begin; row != own.end; ++row) isolated += normals[row].weight > 0 ? 0 : 1;
             if (isolated != 0) std::atomic_ref(sums_.isolated_vertices[m]).fetch_add(isolated, std::memory_order_relaxed);
         }
     }
@@ -143,7 +169,10 @@ std::vector<std::uint32_t> appended_base(const Topology& topology, const Attribu
 
 VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context) {
     VoteSums sums;
-    sums.rows = std::make_unique_for_overwrite<VoteRow[]>(topology.group.size());
+    sums.normals = std::make_unique_for_overwrite<NormalRow[]>(topology.group.size());
+    const bool textured = std::any_of(input.meshes.begin(), input.meshes.end(),
+                                      [](const AttributeMesh& m) { return !m.texcoords.empty(); });
+    if (options.tangents && textured) sums.tangents = std::make_unique_for_overwrite<TangentRow[]>(topology.group.size());
     sums.degenerate_faces.assign(input.meshes.size(), 0);
     sums.isolated_vertices.assign(input.meshes.size(), 0);
     Scatter(sums, topology, input, options, context).run();
@@ -163,23 +192,23 @@ void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topo
             dvec3 normal;
             double weight = 0;
             for (const std::uint32_t v : members) {
-                normal += sums.rows[v].normal;
-                weight += sums.rows[v].weight;
+                normal += sums.normals[v].normal;
+                weight += sums.normals[v].weight;
             }
             if (!(weight > 0)) continue;
             if (!options.normals) {
                 const std::uint32_t v = topology.source_of(input, members[0]), m = input.mesh_of_vertex(v);
                 normal = given_normal(input.placements[m], input.meshes[m].normals[v - input.vertex_base[m]]);
-            } else if (has_cancelled({normal, weight, {}, 0})) {
+            } else if (has_cancelled({normal, weight})) {
                 cancelled[c].push_back(std::uint32_t(g));
                 continue;
             } else {
                 for (const std::uint32_t v : members) {
-                    sums.rows[v].normal = normal;
-                    sums.rows[v].weight = weight;
+                    sums.normals[v].normal = normal;
+                    sums.normals[v].weight = weight;
                 }
             }
-            if (options.tangents) tangents.average(direction_of(normal).unit, members, sums.rows.get());
+            if (sums.tangents) tangents.average(direction_of(normal).unit, members, sums.tangents.get());
         }
     });
     for (const auto& part : cancelled) sums.cancelled_groups.insert(sums.cancelled_groups.end(), part.begin(), part.end());

@@ -11,23 +11,26 @@
 namespace rakelight::geometry {
 
 /// What the faces of one vertex (later: of its group) say together, in the world.
-struct VoteRow {
+struct NormalRow {
     dvec3 normal;       ///< sum of weight * unit face normal
     double weight;      ///< sum of weights; 0: no face votes here
+};
+struct TangentRow {
     dvec3 tangent;      ///< sum of weight * unit face tangent
     double hand;        ///< sum of weight * handedness; a vertex has faces of one handedness only
 };
 
 /// A sum shorter than this share of its weights has cancelled.
 constexpr double cancelled_share = 1e-6;
-inline bool has_cancelled(const VoteRow& row) {
+inline bool has_cancelled(const NormalRow& row) {
     return !(dot(row.normal, row.normal) > cancelled_share * cancelled_share * row.weight * row.weight);
 }
 
 struct VoteSums {
-    std::unique_ptr<VoteRow[]> rows;                         ///< [output vertices]
+    std::unique_ptr<NormalRow[]> normals;                            ///< [output vertices]
+    std::unique_ptr<TangentRow[]> tangents;                          ///< [output vertices], or null: none are asked for
     std::vector<std::uint32_t> degenerate_faces, isolated_vertices;  ///< [meshes]
-    std::vector<std::uint32_t> cancelled_groups;             ///< indices of VertexGroups whose normals cancelled
+    std::vector<std::uint32_t> cancelled_groups;                     ///< indices of VertexGroups whose normals cancelled
 };
 
 /// Where the appended vertices of each mesh begin, counted from the first appended one. [meshes + 1]
