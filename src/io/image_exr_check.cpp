@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looks through the headers of an OpenEXR file before the library does: it makes its tables and buffers from sizes that it
-// has not held against the file yet. (Layout: "OpenEXR File Layout", openexr.com.)
+// has not held against the file yet, and it reads values of the types that it knows without looking at the size written
+// beside them, so that a wrong one leads it into the middle of other data. (Layout: "OpenEXR File Layout", openexr.com.)
 #include <algorithm>
+#include <array>
 #include <string_view>
+#include <utility>
 
 #include "io/image_codecs.h"
 
@@ -28,6 +31,7 @@ public:
         at_ += end + 1;
         return rest.substr(0, end);
     }
+    bool is_at_end() const { return at_ == bytes_.size(); }
     static std::uint32_t u32_at(std::span<const std::byte> bytes, std::size_t at) {
         std::uint32_t value = 0;
         for (std::size_t i = 0; i < 4; ++i) value |= std::uint32_t(bytes[at + i]) << (8 * i);
@@ -44,7 +48,6 @@ struct Part {
 };
 
 void read_window(std::span<const std::byte> value, Part& part) {
-    if (value.size() != 16) bad_picture("broken EXR: its data window");
     const auto at = [&](std::size_t i) { return std::int64_t(std::int32_t(Source::u32_at(value, 4 * i))); };
     // The library adds to these numbers as int, so they must stay far from its limits.
     for (std::size_t i = 0; i < 4; ++i)
@@ -57,23 +60,57 @@ void read_window(std::span<const std::byte> value, Part& part) {
                     std::to_string(max_side) + " a side");
 }
 
-void read_channels(std::span<const std::byte> value, Part& part) {
+/// Bytes of one pixel in all channels.
+std::uint64_t read_channels(std::span<const std::byte> value) {
     Source source(value);
+    std::uint64_t bytes_a_pixel = 0;
     for (std::uint64_t count = 0; !source.name().empty(); ++count) {
         if (count == max_channels) bad_picture("an EXR picture with more than " + std::to_string(max_channels) + " channels");
         const auto rest = source.take(16);  // type, linearity, sampling in x and y
-        part.bytes_a_pixel += Source::u32_at(rest, 0) == 1 ? 2 : 4;
+        bytes_a_pixel += Source::u32_at(rest, 0) == 1 ? 2 : 4;
         for (const std::size_t at : {8, 12})
             if (Source::u32_at(rest, at) == 0 || Source::u32_at(rest, at) > max_side) bad_picture("broken EXR: its sampling");
     }
+    if (!source.is_at_end()) bad_picture("broken EXR: its list of channels");
+    return bytes_a_pixel;
 }
 
 void read_tiles(std::span<const std::byte> value, Part& part) {
-    if (value.size() != 9) bad_picture("broken EXR: its tiles");
     part.tile_width = Source::u32_at(value, 0);
     part.tile_height = Source::u32_at(value, 4);
     if (part.tile_width == 0 || part.tile_height == 0 || part.tile_width > max_side || part.tile_height > max_side)
         bad_picture("broken EXR: tiles of no or too many pixels");
+}
+
+/// Types of one size.
+constexpr std::array<std::pair<std::string_view, std::size_t>, 24> fixed_sizes{
+    {{"box2i", 16}, {"box2f", 16},      {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8},
+     {"envmap", 1}, {"float", 4},       {"int", 4},             {"keycode", 28},    {"lineOrder", 1},      {"m33d", 72},
+     {"m33f", 36},  {"m44d", 128},      {"m44f", 64},           {"rational", 8},    {"tiledesc", 9},       {"timecode", 8},
+     {"v2d", 16},   {"v2f", 8},         {"v2i", 8},             {"v3d", 24},        {"v3f", 12},           {"v3i", 12}}};
+
+/// A value of a type that the library knows must take up exactly the size that the file says.
+void check_value(std::string_view type, std::span<const std::byte> value) {
+    for (const auto& [name, size] : fixed_sizes)
+        if (type == name && value.size() != size) bad_picture("broken EXR: a value of a wrong size");
+    if (type == "chlist") read_channels(value);
+    if (type == "idmanifest") bad_picture("EXR pictures with a manifest of objects are not supported");
+    if (type == "floatvector" && value.size() % 4 != 0) bad_picture("broken EXR: a value of a wrong size");
+    Source source(value);
+    if (type == "preview") {
+        const std::uint64_t width = source.u32(), height = source.u32();
+        if (width > max_side || height > max_side) bad_picture("broken EXR: its preview");
+        source.take(width * height * 4);
+    } else if (type == "stringvector") {
+        while (!source.is_at_end()) source.take(source.u32());
+    } else {
+        return;
+    }
+    if (!source.is_at_end()) bad_picture("broken EXR: a value of a wrong size");
+}
+
+void require_type(std::string_view type, std::string_view expected) {
+    if (type != expected) bad_picture("broken EXR: a header value of a wrong type");
 }
 
 /// @return false at the empty header that ends a list of parts
@@ -81,11 +118,19 @@ bool read_part(Source& source, Part& part) {
     bool any = false;
     for (std::string_view name = source.name(); !name.empty(); name = source.name()) {
         any = true;
-        source.name();  // the type's
+        const std::string_view type = source.name();
         const auto value = source.take(source.u32());
-        if (name == "dataWindow") read_window(value, part);
-        if (name == "channels") read_channels(value, part);
-        if (name == "tiles") read_tiles(value, part);
+        check_value(type, value);
+        if (name == "dataWindow") {
+            require_type(type, "box2i");
+            read_window(value, part);
+        } else if (name == "channels") {
+            require_type(type, "chlist");
+            part.bytes_a_pixel = read_channels(value);
+        } else if (name == "tiles") {
+            require_type(type, "tiledesc");
+            read_tiles(value, part);
+        }
     }
     if (any && part.width == 0) bad_picture("broken EXR: no data window");
     return any;
