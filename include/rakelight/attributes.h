@@ -21,10 +21,10 @@ enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 struct AttributeOptions {
     Scope scope = Scope::model;
     CornerWeight weight = CornerWeight::angle;
-    /// [rad] 0..pi. Faces that share an edge are joined if their normals differ by at most this much (inclusive);
-    /// pi joins everything at a position, 0 is flat.
+    /// [rad] 0..pi. Faces that share an edge are joined if their normals differ by at most this much (inclusive, with 1e-5 rad
+    /// of slack for the rounding of positions); pi joins everything at a position, 0 is flat.
     double crease_angle_rad = radians(60);
-    bool normals = true;             ///< false: keep the given normals and make only tangents
+    bool normals = true;             ///< false: keep the given normals (every mesh must have them) and make only tangents
     bool tangents = true;            ///< where texture coordinates exist
     bool groups_across = false;      ///< smoothing groups also rule between objects
 };
@@ -47,8 +47,11 @@ struct AttributeMesh {
 
 /// Result for one mesh: vertex v < V keeps its number; a vertex whose corners differ is appended. Object space.
 struct MeshAttributes {
-    std::vector<vec3> normals;                ///< [V'] unit, finite; (0, 0, 1) where only degenerate faces touch a vertex
-    std::vector<vec4> tangents;               ///< [V'] xyz unit and perpendicular to the normal, w = +1 or -1; empty without texcoords
+    std::vector<vec3> normals;                ///< [V'] unit, finite; (0, 0, 1) where no face with a vote touches a vertex's place
+    /// [V'] xyz unit and perpendicular to the normal, w = +1 or -1 as seen in object space (a mirroring matrix flips it on the
+    /// way to the world); empty without texcoords. Without texture area: the axis farthest from the world normal, made
+    /// perpendicular to it, w = +1.
+    std::vector<vec4> tangents;
     std::vector<std::uint32_t> indices;       ///< [3T] each < V'; empty when no vertex was split (the input's hold)
     std::vector<std::uint32_t> source_vertex; ///< [V' - V] the vertex that each appended one copies
     std::uint32_t degenerate_faces = 0;       ///< faces without a vote: zero area or a non-finite corner

@@ -43,7 +43,10 @@ Placement place(const dmat4& to_world) {
     for (int c = 0; c < 3; ++c) scaled[c] = largest > 0 ? scaled[c] / largest : scaled[c];
     p.flip = determinant(scaled) < 0 ? -1 : 1;
     p.normal_to_world = cofactor(p.linear);
-    for (int c = 0; c < 3; ++c) p.normal_to_world[c] = p.normal_to_world[c] * p.flip;
+    for (int c = 0; c < 3; ++c) {
+        p.normal_to_world[c] = p.normal_to_world[c] * p.flip;
+        p.scale = std::fmax(p.scale, length(p.linear[c]));
+    }
     return p;
 }
 
@@ -54,9 +57,14 @@ void check_indices(const AttributeInput& input, Context& context) {
     context.parallel_for(chunks.size(), [&](std::size_t c) {
         std::uint32_t bad = none;
         for_each_range(chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            const AttributeMesh& mesh = input.meshes[m];
-            for (std::uint32_t i = 3 * first; i != 3 * last && bad == none; ++i)
-                if (mesh.indices[i] >= mesh.positions.size()) bad = 3 * input.triangle_base[m] + i;
+            const std::span<const std::uint32_t> indices = input.meshes[m].indices;
+            const std::size_t vertices = input.meshes[m].positions.size();
+            std::uint32_t largest = 0;  // without a branch an index; almost always that is all
+            for (std::uint32_t i = 3 * first; i != 3 * last; ++i) largest = std::max(largest, indices[i]);
+            if (largest < vertices || first == last || bad != none) return;
+            std::uint32_t i = 3 * first;
+            while (indices[i] < vertices) ++i;
+            bad = 3 * input.triangle_base[m] + i;
         });
         first_bad[c] = bad;
     });

@@ -66,6 +66,18 @@ inline dvec3 corner_weights(const Placement& placement, const FaceCorners& face,
     return weight == CornerWeight::angle ? angles : angles * (0.5 * area2);
 }
 
+/// How texture coordinates lie on a face.
+struct TextureEdges {
+    double du1, dv1, du2, dv2;
+    double sign;  ///< of du1 dv2 - du2 dv1; 0: no area, or not finite
+};
+inline TextureEdges texture_edges(const AttributeMesh& mesh, const std::uint32_t* index) {
+    const vec2 q0 = mesh.texcoords[index[0]], q1 = mesh.texcoords[index[1]], q2 = mesh.texcoords[index[2]];
+    const double du1 = double(q1.x) - q0.x, dv1 = double(q1.y) - q0.y, du2 = double(q2.x) - q0.x, dv2 = double(q2.y) - q0.y;
+    const double det = du1 * dv2 - du2 * dv1;
+    return {du1, dv1, du2, dv2, det > 0 ? 1.0 : det < 0 ? -1.0 : 0.0};
+}
+
 /// Unit tangent dP/du in the world, and the handedness there: +1 where (n, t) turn to -dP/dv, -1 where mirrored.
 /// hand 0: the texture coordinates have no area, no vote.
 struct FaceTangent {
@@ -74,16 +86,13 @@ struct FaceTangent {
 };
 inline FaceTangent face_tangent(const AttributeMesh& mesh, const std::uint32_t* index, const Placement& placement,
                                 const FaceCorners& face) {
-    const vec2 q0 = mesh.texcoords[index[0]], q1 = mesh.texcoords[index[1]], q2 = mesh.texcoords[index[2]];
-    const double du1 = double(q1.x) - q0.x, dv1 = double(q1.y) - q0.y, du2 = double(q2.x) - q0.x, dv2 = double(q2.y) - q0.y;
-    const double det = du1 * dv2 - du2 * dv1;
-    if (!(det > 0) && !(det < 0)) return {};
+    const TextureEdges edges = texture_edges(mesh, index);
+    if (edges.sign == 0) return {};
     // dP/du = (dv2 e1 - dv1 e2) / det; only the sign of det is left after normalizing.
-    const double sign = det > 0 ? 1 : -1;
-    const Direction t = direction_of(placement.linear * ((face.e1 * dv2 - face.e2 * dv1) * sign));
+    const Direction t = direction_of(placement.linear * ((face.e1 * edges.dv2 - face.e2 * edges.dv1) * edges.sign));
     if (!(t.length > 0)) return {};
     // cross(n, t) . dP/dv has the sign of det; the bitangent is -dP/dv (v is stored downwards).
-    return {t.unit, -sign * placement.flip};
+    return {t.unit, -edges.sign * placement.flip};
 }
 
 /// The handedness of a face, seen from a given normal that may point to the face's back.

@@ -21,9 +21,8 @@ dvec3 perpendicular(dvec3 n) {
 // A matrix that flattens has no inverse; its normals lie along the only direction that its cofactor matrix takes anywhere.
 dvec3 to_object(const Placement& placement, dvec3 normal) {
     const dvec3 back = times_transposed(placement.linear, normal);
-    double size = 0;
-    for (int c = 0; c < 3; ++c) size = std::fmax(size, length(placement.linear[c]));
-    if (length(back) > 1e-12 * size) return direction_of(back).unit;
+    const Direction direction = direction_of(back);
+    if (direction.length > 1e-12 * placement.scale) return direction.unit;
     return normalize_or(times_transposed(placement.normal_to_world, normal), no_normal);
 }
 

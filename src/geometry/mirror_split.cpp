@@ -11,7 +11,7 @@ namespace {
 
 enum : std::uint8_t { right = 1, left = 2, both = 3 };
 
-// Calls body(corner, hand) for each corner whose face votes for a tangent.
+// Calls body(mesh, corner, hand) for each corner whose face has an area, in space and in the texture.
 template <class Body>
 void for_each_hand(const AttributeInput& input, bool keep_normals, const std::vector<Chunk>& chunks, Context& context,
                    const Body& body) {
@@ -22,11 +22,10 @@ void for_each_hand(const AttributeInput& input, bool keep_normals, const std::ve
             if (mesh.texcoords.empty()) return;
             for (std::uint32_t t = first; t != last; ++t) {
                 const std::uint32_t* index = &mesh.indices[3 * std::size_t(t)];
+                const double hand = -texture_edges(mesh, index).sign * placement.flip;  // as face_tangent() has it
                 const FaceCorners face = face_corners(mesh, index);
-                const Direction normal = face_normal(placement, face);
-                if (!(normal.length > 0)) continue;
-                const double hand = face_tangent(mesh, index, placement, face).hand;
-                if (hand == 0) continue;
+                if (hand == 0 || cross(face.e1, face.e2) == dvec3{}) continue;
+                const Direction normal = keep_normals ? face_normal(placement, face) : Direction{};
                 for (std::uint32_t k = 0; k < 3; ++k) {
                     const double seen = keep_normals ? hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand) : hand;
                     body(m, 3 * (input.triangle_base[m] + t) + k, seen);
