@@ -6,6 +6,7 @@
 
 #include "math/linear.h"
 #include "prepare/prepare.h"
+#include "render/drawable.h"
 #include "render/picture_files.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
@@ -23,6 +24,7 @@ Camera in_world(const Scene& scene, Camera camera, double aspect) {
 }
 
 Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Context& context) {
+    check_drawable(scene);
     if (scene.lights.empty()) scene.lights = default_lights(camera.to_world);
     const std::unique_ptr<Engine> engine = make_engine("soft");
     engine->prepare(prepare_scene(scene, {}, context), context);
@@ -38,7 +40,6 @@ Scene smooth(const Scene& scene, const AttributeOptions& options, Context& conte
 }
 
 Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context) {
-    if (world_bounds(scene).empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     return draw(scene, in_world(scene, camera, aspect_of(settings)), settings, context);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <new>
 
+#include "render/drawable.h"
 #include "render/engines.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
@@ -85,6 +86,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     result.load_ms = watch.lap_ms();
 
     context.progress("prepare", 0);
+    check_drawable(scene);
     const double aspect = double(request.settings.width) / double(request.settings.height);
     const Camera camera = choose_camera(scene, request.view, aspect, context);
     scene = prepare_scene(with_lights(std::move(scene), request.lights, camera), request.prepare, context);
