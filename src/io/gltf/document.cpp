@@ -30,8 +30,8 @@ bool contains(const List& list, std::string_view name) {
 
 }  // namespace
 
-Document::Document(const std::string& path, const ReadOptions& options, Context& context)
-    : path_(path), options_(options), context_(context), file_(read_file(path, context)) {
+Document::Document(const std::string& path, Bytes file, const ReadOptions& options, Context& context)
+    : path_(path), options_(options), context_(context), file_(std::move(file)) {
     const Container parts = open_container(*file_, path, context);
     binary_ = parts.binary;
     has_binary_ = parts.has_binary;

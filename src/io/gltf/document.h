@@ -25,9 +25,9 @@ inline constexpr Kind accessor_kind{"accessors", "accessor"}, animation_kind{"an
 /// One file being read. Not copyable: values point into its tree.
 class Document {
 public:
-    /// Reads the file, takes a GLB container apart, parses the JSON, and checks version and required extensions.
-    /// @throws Error not_found, bad_file
-    Document(const std::string& path, const ReadOptions& options, Context& context);
+    /// Takes a GLB container apart, parses the JSON, and checks version and required extensions. @throws Error bad_file
+    /// @param file  the whole file  @param path  its name, for messages and for resolving references
+    Document(const std::string& path, Bytes file, const ReadOptions& options, Context& context);
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 

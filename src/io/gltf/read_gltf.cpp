@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // glTF 2.0: the way of the data from the file to a scene. Everything is read from the nodes of the default scene downwards,
 // so that what is not drawn is not looked at.
+#include "io/gltf/read_gltf.h"
+
 #include <algorithm>
 #include <new>
 
@@ -9,45 +11,52 @@
 #include "io/gltf/nodes.h"
 
 namespace rakelight::io {
+namespace gltf {
 namespace {
 
 bool draws_something(const Scene& scene) {
     return std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const Node& node) { return !node.meshes.empty(); });
 }
 
-Scene read_document(const std::string& path, const ReadOptions& options, Context& context) {
-    const gltf::Document document(path, options, context);
+Scene read_document(const std::string& path, Bytes file, const ReadOptions& options, Context& context) {
+    const Document document(path, std::move(file), options, context);
     Scene scene;
     scene.source = path;
     scene.missing_normals_are_flat = true;  // glTF 2.0 specification, section 3.7.2.1
-    gltf::Buffers buffers(document);
-    gltf::Accessors accessors(document, buffers);
-    gltf::Textures textures(document, buffers, scene);
-    gltf::Materials materials(document, textures, scene);
-    gltf::Meshes meshes(accessors, materials, scene);
-    gltf::Nodes nodes(accessors, meshes, scene);
+    Buffers buffers(document);
+    Accessors accessors(document, buffers);
+    Textures textures(document, buffers, scene);
+    Materials materials(document, textures, scene);
+    Meshes meshes(accessors, materials, scene);
+    Nodes nodes(accessors, meshes, scene);
     context.progress("load", 0.2);
     nodes.read();
     if (!draws_something(scene)) throw Error(ErrorCode::bad_file, "nothing to draw: no node of its scene holds a triangle, line or point");
     context.progress("load", 0.9);
-    gltf::read_skins(accessors, meshes, nodes, scene);
-    gltf::read_animations(accessors, nodes, scene);
-    gltf::read_cameras(document, nodes, scene);
-    gltf::read_lights(document, nodes, scene);
+    read_skins(accessors, meshes, nodes, scene);
+    read_animations(accessors, nodes, scene);
+    read_cameras(document, nodes, scene);
+    read_lights(document, nodes, scene);
     context.progress("load", 1);
     return scene;
 }
 
 }  // namespace
 
-Scene read_gltf(const std::string& path, const ReadOptions& options, Context& context) {
+Scene read_gltf_bytes(const std::string& path, Bytes file, const ReadOptions& options, Context& context) {
     try {
-        return read_document(path, options, context);
+        return read_document(path, std::move(file), options, context);
     } catch (const Error& error) {
         throw error.with_file(path);
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::failed, "out of memory").with_file(path);
     }
+}
+
+}  // namespace gltf
+
+Scene read_gltf(const std::string& path, const ReadOptions& options, Context& context) {
+    return gltf::read_gltf_bytes(path, read_file(path, context), options, context);
 }
 
 }  // namespace rakelight::io
