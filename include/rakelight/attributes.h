@@ -24,6 +24,10 @@ struct AttributeOptions {
     /// [rad] 0..pi. Faces that share an edge are joined if their normals differ by at most this much (inclusive, with 1e-5 rad
     /// of slack for the rounding of positions); pi joins everything at a position, 0 is flat.
     double crease_angle_rad = radians(60);
+    /// [m] in the world, over exact equality. < 0: between objects with different matrices, whose equal places differ by rounding, 4
+    /// float ulps of the diagonal of the model's bounding box; 0: exact only. Connected components of close pairs are
+    /// one place; those wider than twice the distance are kept exact, with a warning in the report. Positions never move.
+    double weld_distance = -1;
     bool normals = true;             ///< false: keep the given normals (every mesh must have them) and make only tangents
     bool tangents = true;            ///< where texture coordinates exist
     bool groups_across = false;      ///< smoothing groups also rule between objects

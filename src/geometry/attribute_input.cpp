@@ -102,6 +102,7 @@ void check_options(const AttributeOptions& options) {
     constexpr double slack = 1e-9;  // degrees turned into radians may land just beyond pi
     if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi + slack))
         throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");
+    if (!std::isfinite(options.weld_distance)) throw Error(ErrorCode::usage, "the weld distance must be finite");
 }
 
 std::vector<Chunk> make_chunks(std::span<const std::uint32_t> base, std::uint32_t target) {

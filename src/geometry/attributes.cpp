@@ -11,6 +11,7 @@
 #include "geometry/attribute_plan.h"
 #include "geometry/finish_vertices.h"
 #include "geometry/mirror_split.h"
+#include "geometry/near_weld.h"
 #include "geometry/position_weld.h"
 #include "geometry/refine_groups.h"
 #include "geometry/vote_sums.h"
@@ -31,10 +32,10 @@ bool has_groups(std::span<const AttributeMesh> meshes) {
     });
 }
 
-// A rough sum of what the stages hold at once: rows and numbers per vertex, lists and normals per corner.
+// A rough sum of what the stages hold at once: rows, numbers and grid entries per vertex, lists and normals per corner.
 void check_memory(const AttributeInput& input, bool refines, Context& context) {
     const std::uint64_t vertices = input.vertex_count(), triangles = input.triangle_count();
-    context.memory().check(vertices * (sizeof(NormalRow) + sizeof(TangentRow) + 48) + (refines ? triangles * 100 : 0), "smoothing normals");
+    context.memory().check(vertices * (sizeof(NormalRow) + sizeof(TangentRow) + 112) + (refines ? triangles * 100 : 0), "smoothing normals");
 }
 
 Topology group_positions(const AttributeInput& input, const AttributeOptions& options, Context& context) {
@@ -47,8 +48,9 @@ Topology group_positions(const AttributeInput& input, const AttributeOptions& op
         topology.position_class.resize(input.vertex_count());
         std::iota(topology.position_class.begin(), topology.position_class.end(), 0u);
     } else {
-        topology.position_class =
-            weld_positions(input, {.object = options.scope != Scope::model, .normal = !options.normals}, context);
+        const WeldKey key{.object = options.scope != Scope::model, .normal = !options.normals};
+        topology.position_class = weld_positions(input, key, context);
+        if (options.normals) weld_near(topology.position_class, input, key, options.weld_distance, context);
     }
     topology.group = topology.position_class;
     context.throw_if_cancelled();

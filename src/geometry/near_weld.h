@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Border classes within a tolerance: what exact comparison leaves apart by rounding.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geometry/position_weld.h"
+
+namespace rakelight::geometry {
+
+/// Joins the places of weld_positions() that lie within a distance of one another; connected components of such pairs,
+/// whatever the order of the vertices. A component wider than twice the distance, and places in cells crowded beyond reason,
+/// stay as they are, with a remark in the report. Expected O(n).
+/// @param distance  [m] in the world; 0: nothing is joined; < 0: 4 float ulps of the diagonal of the bounding box, and only
+///                  between objects with different matrices (equal matrices keep equal numbers equal)
+void weld_near(std::vector<std::uint32_t>& representative, const AttributeInput& input, WeldKey key, double distance,
+               Context& context);
+
+}  // namespace rakelight::geometry

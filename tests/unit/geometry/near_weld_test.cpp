@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Welding within a tolerance: objects whose matrices differ, explicit distances, chains that are too wide.
+#include <gtest/gtest.h>
+
+#include "unit/geometry/shapes.h"
+
+namespace rakelight::test {
+namespace {
+
+AttributeOptions within(double distance) {
+    AttributeOptions options = published();
+    options.weld_distance = distance;
+    options.tangents = false;
+    return options;
+}
+
+dmat4 rotation_about_y(double angle_rad) {
+    const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+    return {{{c, 0, -s, 0}, {0, 1, 0, 0}, {s, 0, c, 0}, {0, 0, 0, 1}}};
+}
+
+// Each part's positions stored in a frame of its own, as authors export them: float in, rounded.
+std::vector<Shape> in_own_frames(std::vector<Shape> parts, dvec3 shift) {
+    for (std::size_t m = 0; m < parts.size(); ++m) {
+        const dmat4 to_world = translation(shift) * rotation_about_y(0.7 * double(m) + 0.1);
+        dmat4 back;
+        EXPECT_TRUE(inverse_affine(to_world, back));
+        for (vec3& p : parts[m].positions) p = cast<float>(transform_point(back, cast<double>(p) + shift));
+        parts[m].to_world = to_world;
+    }
+    return parts;
+}
+
+dvec3 turned(const Shape& s, vec3 n) { return transform_direction(s.to_world, cast<double>(n)); }
+
+// [degrees] the largest angle between normals at one place of the uncut model.
+double seam(const std::vector<Shape>& uncut_parts, const std::vector<Shape>& parts, const AttributeOptions& options) {
+    const auto out = compute(parts, options);
+    std::map<std::tuple<float, float, float>, dvec3> seen;
+    double worst = 0;
+    for (std::size_t m = 0; m < parts.size(); ++m)
+        for (std::size_t v = 0; v < parts[m].positions.size(); ++v) {
+            const vec3 p = uncut_parts[m].positions[v];
+            const dvec3 n = turned(parts[m], out[m].normals[v]);
+            const auto [at, is_new] = seen.try_emplace(std::tuple(p.x + 0.0f, p.y + 0.0f, p.z + 0.0f), n);
+            if (!is_new) worst = std::fmax(worst, degrees(angle_between(at->second, n)));
+        }
+    return worst;
+}
+
+TEST(NearWeld, ObjectsWithDifferentMatricesHaveNoSeam) {
+    for (const Shape& whole : {make_sphere(40, 20), make_torus(40, 20)})
+        for (const dvec3 shift : {dvec3{}, dvec3{1e6, -3e5, 2e6}})
+            for (const std::uint32_t count : {2u, 7u}) {
+                const auto parts = cut_at_random(whole, count, 5);
+                const auto framed = in_own_frames(parts, shift);
+                EXPECT_LT(seam(parts, framed, within(-1)), 1e-3);
+                EXPECT_GT(seam(parts, framed, within(0)), 1);  // exact comparison does leave one
+            }
+}
+
+TEST(NearWeld, DefaultLeavesObjectsWithOneMatrixAlone) {
+    auto hinge = make_hinge(radians(40));
+    for (vec3& p : hinge[1].positions) p.y += 1e-7f;
+    const auto out = compute(hinge, within(-1));
+    EXPECT_NE(out[0].normals[0], out[1].normals[0]);
+}
+
+TEST(NearWeld, ExplicitDistanceJoinsWhatLiesWithinIt) {
+    auto hinge = make_hinge(radians(40));
+    for (vec3& p : hinge[1].positions) p.y += 1e-4f;
+    for (const double distance : {1.1e-4, 1e-3, 0.1}) {
+        const auto joined = compute(hinge, within(distance));
+        EXPECT_EQ(joined[0].normals[0], joined[1].normals[0]) << distance;
+        EXPECT_EQ(joined[0].normals[1], joined[1].normals[1]) << distance;
+    }
+    const auto apart = compute(hinge, within(0.9e-4));
+    EXPECT_NE(apart[0].normals[0], apart[1].normals[0]);
+    AttributeOptions crease = within(1.1e-4);  // edges are found through the tolerance too
+    crease.crease_angle_rad = radians(45);
+    EXPECT_EQ(compute(hinge, crease)[0].normals[0], compute(hinge, crease)[1].normals[0]);
+    crease.scope = Scope::object;
+    EXPECT_NE(compute(hinge, crease)[0].normals[0], compute(hinge, crease)[1].normals[0]);
+}
+
+TEST(NearWeld, EveryClosePairIsFoundWhereverItLies) {
+    // Single triangles in pairs whose first corners lie 0.9 distances apart, all over the cells' walls.
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> value(-1, 1);
+    const double distance = 1e-3;
+    std::vector<Shape> shapes;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        const dvec3 p{8 * value(random), 8 * value(random), 8 * value(random)};
+        const dvec3 q = p + normalize_or(dvec3{value(random), value(random), value(random)}, dvec3{1, 0, 0}) * (0.9 * distance);
+        for (const dvec3 at : {p, q}) {
+            Shape s;
+            s.object = std::uint32_t(shapes.size());
+            s.positions.push_back(cast<float>(at));
+            for (int k = 0; k < 2; ++k)
+                s.positions.push_back(cast<float>(at + dvec3{value(random), value(random), value(random)} * 0.5));
+            s.indices = {0, 1, 2};
+            shapes.push_back(s);
+        }
+    }
+    const auto out = compute(shapes, within(distance));
+    std::size_t joined = 0;
+    for (std::size_t i = 0; i < shapes.size(); i += 2) joined += out[i].normals[0] == out[i + 1].normals[0];
+    EXPECT_GE(joined, 1990u);  // a few opposite pairs cancel, or chain up with a third by chance
+}
+
+TEST(NearWeld, ChainWiderThanTwiceTheDistanceIsKeptExactAndReported) {
+    std::vector<Shape> chain;
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        Shape s;
+        s.object = i;
+        s.positions = {{0.9e-3f * float(i), 0, 0}, {1, float(i), 0}, {1, float(i), 1}};
+        s.indices = {0, 1, 2};
+        chain.push_back(s);
+    }
+    Context context({.threads = 2});
+    const auto out = compute_attributes(views(chain), within(1e-3), context);
+    EXPECT_NE(out[0].normals[0], out[1].normals[0]);
+    ASSERT_EQ(context.report().entries().size(), 1u);
+    EXPECT_EQ(context.report().entries()[0].remark, Remark::warning);
+    chain.resize(3);  // two steps are 1.8 distances: one place
+    const auto joined = compute(chain, within(1e-3));
+    EXPECT_EQ(joined[0].normals[0], joined[2].normals[0]);
+}
+
+TEST(NearWeld, OrderOfObjectsDoesNotMatter) {
+    const auto parts = cut_at_random(make_torus(30, 16), 6, 3);
+    auto framed = in_own_frames(parts, {});
+    auto forwards = compute(framed, within(-1));
+    std::reverse(framed.begin(), framed.end());
+    auto backwards = compute(framed, within(-1));
+    std::reverse(backwards.begin(), backwards.end());
+    for (std::size_t m = 0; m < forwards.size(); ++m)
+        for (std::size_t v = 0; v < forwards[m].normals.size(); ++v)
+            EXPECT_LT(angle_between(forwards[m].normals[v], backwards[m].normals[v]), 1e-6);
+}
+
+TEST(NearWeld, DistanceMustBeFinite) { EXPECT_THROW(compute({make_cube()}, within(INFINITY)), Error); }
+
+TEST(NearWeld, DistanceLargerThanTheModelIsSound) {
+    const Shape sphere = make_sphere(24, 12);
+    Context context({.threads = 2});
+    const auto out = compute_attributes(views({sphere}), within(100), context);
+    for (const vec3 n : out[0].normals) EXPECT_NEAR(length(cast<double>(n)), 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace rakelight::test
