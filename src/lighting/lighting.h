@@ -33,9 +33,9 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/light_sum.glsl"
 
 /// Three floats for all lanes.
-inline vec3 broadcast3(const float (&a)[3]) { return vec3(broadcast(a[0]), broadcast(a[1]), broadcast(a[2])); }
+RL_FN vec3 broadcast3(const float (&a)[3]) { return vec3(broadcast(a[0]), broadcast(a[1]), broadcast(a[2])); }
 
-inline ClassicalLight classical_light(const LightParameters& p) {
+RL_FN ClassicalLight classical_light(const LightParameters& p) {
     ClassicalLight light;
     light.type = int(p.kind);
     light.position = broadcast3(p.position);
@@ -51,7 +51,7 @@ inline ClassicalLight classical_light(const LightParameters& p) {
     return light;
 }
 
-inline PhotometricLight photometric_light(const LightParameters& p) {
+RL_FN PhotometricLight photometric_light(const LightParameters& p) {
     PhotometricLight light;
     light.type = int(p.kind);
     light.position = broadcast3(p.position);
@@ -64,7 +64,7 @@ inline PhotometricLight photometric_light(const LightParameters& p) {
 }
 
 /// The light as the points `position` meet it.
-inline LightSample sample_light(const LightParameters& p, vec3 position) {
+RL_FN LightSample sample_light(const LightParameters& p, vec3 position) {
     if (p.is_photometric) return sample_photometric(photometric_light(p), position);
     return sample_classical(classical_light(p), position);
 }
