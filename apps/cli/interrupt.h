@@ -11,6 +11,9 @@ public:
     ~CancelOnInterrupt();
     CancelOnInterrupt(const CancelOnInterrupt&) = delete;
     CancelOnInterrupt& operator=(const CancelOnInterrupt&) = delete;
+
+    /// Whether a signal came at any time: no further file is to be begun.
+    static bool happened();
 };
 
 }  // namespace rakelight::cli

@@ -1,52 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program `rakelight`. What the verbs do is the library's; here are files in, messages out and the exit code.
 #include <algorithm>
-#include <cstdio>
-#include <functional>
-#include <new>
 
 #include <rakelight/rakelight.h>
 
 #include "console.h"
 #include "interrupt.h"
 #include "options.h"
+#include "run_file.h"
 #include "version_text.h"
 
 namespace rakelight::cli {
 namespace {
-
-/// What goes wrong with one of many files, as an error that names it.
-Error error_of(const std::string& file) {
-    try {
-        throw;
-    } catch (const Error& error) {
-        return error.with_file(file);
-    } catch (const std::bad_alloc&) {
-        return Error(ErrorCode::failed, "out of memory").with_file(file);
-    } catch (const std::exception& error) {
-        return Error(ErrorCode::failed, std::string("unexpected: ") + error.what()).with_file(file);
-    }
-}
-
-/// Runs the work of one file with a context of its own; fills the remarks and the error of `row`. Returns the exit
-/// code.
-template <class Row>
-int run_file(const Options& options, const std::string& file, Row& row, const std::function<void(Context&)>& work) {
-    ProgressLine progress(file, options.loudness);
-    Context context({.threads = options.threads, .max_memory = options.max_memory, .progress = progress.callback()});
-    const CancelOnInterrupt guard(context);
-    try {
-        work(context);
-    } catch (...) {
-        row.error = error_of(file);
-    }
-    progress.wipe();
-    row.remarks = context.report().entries();
-    row.remarks_left_out = context.report().left_out();
-    print_remarks(row.remarks, row.remarks_left_out, options.loudness);
-    if (row.error) print_error(*row.error);
-    return row.error ? exit_code(row.error->code()) : 0;
-}
 
 int run_render(const Options& options) {
     const std::vector<PictureRequest> requests = picture_requests(options);
@@ -54,6 +19,7 @@ int run_render(const Options& options) {
     std::vector<PictureRow> rows;
     int worst = 0;
     for (const PictureRequest& request : requests) {
+        if (CancelOnInterrupt::happened()) break;
         PictureRow& row = rows.emplace_back();
         row.result = {.file = request.input, .output = request.output};
         const int code =
@@ -69,6 +35,7 @@ int run_inspect(const Options& options) {
     std::vector<InspectionRow> rows;
     int worst = 0;
     for (const std::string& file : options.inputs) {
+        if (CancelOnInterrupt::happened()) break;
         InspectionRow row{.file = file};
         worst = std::max(worst, run_file(options, file, row, [&](Context& c) {
                              row.inspection = inspect(load(file, options.picture.load, c), options.inspect, c);
@@ -104,7 +71,7 @@ int main(int argc, char** argv) {
     try {
         return rakelight::cli::run(argc, argv);
     } catch (...) {
-        const rakelight::Error error = rakelight::cli::error_of("");
+        const rakelight::Error error = rakelight::cli::current_error("");
         rakelight::cli::print_error(error);
         return rakelight::exit_code(error.code());
     }

@@ -338,6 +338,21 @@ class Cli(unittest.TestCase):
             self.assertEqual(process.returncode == 0, "a.png" in self.files())
             (self.folder / "a.png").unlink(missing_ok=True)
 
+    def test_an_interruption_ends_the_whole_run_not_only_one_file(self):
+        names = [f"{i}.obj" for i in range(60)]
+        for name in names:
+            self.write(name)
+        process = subprocess.Popen([PROGRAM, "render", *names, "-o", "{model}.png", "--resolution", "2400,1800"], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        while not (self.folder / "0.png").exists() and process.poll() is None:
+            time.sleep(0.005)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=120)
+        self.assertNotEqual(process.returncode, 2)
+        left = [name for name in self.files() if not name.endswith(".obj")]
+        self.assertLess(len(left), 60)
+        self.assertTrue(all(name.endswith(".png") for name in left), left)  # no temporary file
+
     # --- JSON, inspect, help ---
 
     def test_render_json_has_the_promised_fields(self):

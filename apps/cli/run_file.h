@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frame around the work of one file: its context, progress, interruption, messages and exit code.
+#pragma once
+#include <functional>
+#include <string>
+
+#include "console.h"
+#include "interrupt.h"
+#include "options.h"
+
+namespace rakelight::cli {
+
+/// The exception that is being handled, as an error that names the file. Only to be called from a handler.
+Error current_error(const std::string& file);
+
+/// Runs the work of one file with a context of its own; fills the remarks and the error of `row`. Returns the exit
+/// code.
+template <class Row>
+int run_file(const Options& options, const std::string& file, Row& row, const std::function<void(Context&)>& work) {
+    ProgressLine progress(file, options.loudness);
+    Context context({.threads = options.threads, .max_memory = options.max_memory, .progress = progress.callback()});
+    const CancelOnInterrupt guard(context);
+    try {
+        work(context);
+    } catch (...) {
+        row.error = current_error(file);
+    }
+    progress.wipe();
+    row.remarks = context.report().entries();
+    row.remarks_left_out = context.report().left_out();
+    print_remarks(row.remarks, row.remarks_left_out, options.loudness);
+    if (row.error) print_error(*row.error);
+    return row.error ? exit_code(row.error->code()) : 0;
+}
+
+}  // namespace rakelight::cli
