@@ -31,5 +31,5 @@ three head "$out/head6.obj" --camera-position 0.1,0.29,0.5 --camera-focal-point 
 
 three knight data/knight/Knight_noNormals.glb --view front --light directional:-1,-0.5,-0.4:color=0.9,0.9,0.9 --light ambient:0.15,0.15,0.15
 
-#three teapot builtin:teapot --texture-normal data/bricks/normal.png \
-#    --camera-position 3.5,3,6.5 --camera-focal-point 0,0,0 --light point:3,5,5:color=1,1,1 --light ambient:0.08,0.08,0.08
+three teapot builtin:teapot --texture-normal data/bricks/normal.png \
+    --camera-position 3.5,3,6.5 --camera-focal-point 0,0,0 --light point:3,5,5:color=1,1,1 --light ambient:0.08,0.08,0.08

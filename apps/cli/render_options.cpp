@@ -116,6 +116,12 @@ void apply_view(const RenderWords& w, ViewRequest& v) {
     v.vertical_fov_rad = radians(angle);
 }
 
+void apply_textures(const RenderWords& w, TextureOverrides& t) {
+    t.base_color = w.texture_base_color;
+    t.normal = w.texture_normal;
+    if (!w.normal_scale.empty()) t.normal_scale = number("--normal-scale", w.normal_scale);
+}
+
 }  // namespace
 
 void apply(const RenderWords& words, PictureRequest& request) {
@@ -124,6 +130,7 @@ void apply(const RenderWords& words, PictureRequest& request) {
     apply_size(words, request.settings);
     apply_lighting(words, request.settings);
     apply_normals(words, request.prepare);
+    apply_textures(words, request.textures);
     apply_view(words, request.view);
     if (words.lights.empty()) return;
     request.lights.emplace();

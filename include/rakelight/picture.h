@@ -34,12 +34,26 @@ struct ViewRequest {
 /// @throws Error usage: no such side or camera, impossible angle or position; bad_file "nothing to draw".
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
 
+/// Pictures that take the place of those of all materials, on the first texture coordinate set.
+struct TextureOverrides {
+    std::string base_color, normal;       ///< picture files, as the caller names them; empty: the model's own
+    std::optional<double> normal_scale;   ///< of all normal maps
+
+    bool is_empty() const { return base_color.empty() && normal.empty() && !normal_scale; }
+};
+
+/// The scene with its materials so changed; meshes without a material get one. A mesh without texture coordinates cannot
+/// show a texture: said in the report, unless `later` will make some.
+/// @throws Error not_found: a picture file that is not there
+Scene override_textures(const Scene& scene, const TextureOverrides& overrides, UvProjection later, Context& context);
+
 /// One picture to be made.
 struct PictureRequest {
     std::string input;   ///< model file or "builtin:teapot"
     std::string output;  ///< ending .png, .jpg, .webp (sRGB, 8 bit), .exr or .hdr (linear)
     std::string engine = "soft";
     LoadOptions load;
+    TextureOverrides textures;
     PrepareOptions prepare;
     ViewRequest view;
     std::optional<std::vector<Light>> lights;  ///< replace all lights; else the file's, else the default rig

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole way of one picture: load -> prepare -> camera and lights -> engine -> files, band by band.
 #include <algorithm>
-#include <filesystem>
 #include <new>
 
 #include "render/drawable.h"
@@ -27,6 +26,7 @@ void add(RenderStats& sum, const RenderStats& s) {
     sum.drawn += s.drawn;
     sum.pixels_covered += s.pixels_covered;
     sum.pixels_shaded += s.pixels_shaded;
+    sum.pixels_not_finite += s.pixels_not_finite;
 }
 
 std::uint64_t count_objects(const Scene& scene) {
@@ -83,6 +83,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     Stopwatch watch;
     context.progress("load", 0);
     Scene scene = load(request.input, request.load, context);
+    scene = override_textures(scene, request.textures, request.prepare.uv, context);
     result.load_ms = watch.lap_ms();
 
     context.progress("prepare", 0);

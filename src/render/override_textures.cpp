@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures from the command line in the place of the materials' own.
+#include <algorithm>
+
+#include <rakelight/picture.h>
+
+#include "io/file.h"
+#include "io/image_io.h"
+
+namespace rakelight {
+namespace {
+
+/// Adds a picture file as a repeating texture and returns its use.
+TextureUse add_texture(Scene& scene, const std::string& path) {
+    if (!io::is_regular_file(path)) throw Error(ErrorCode::not_found, "there is no such picture").with_file(path);
+    scene.textures.push_back({path, io::image_from_file(path, path, path), {}});
+    TextureUse use;
+    use.texture = std::uint32_t(scene.textures.size() - 1);
+    return use;
+}
+
+/// Meshes without a material get the one that stands for "no material", so that it can be changed.
+void name_default_material(Scene& scene) {
+    const auto has_none = [](const Mesh& m) { return m.material == none; };
+    if (std::none_of(scene.meshes.begin(), scene.meshes.end(), has_none)) return;
+    scene.materials.emplace_back().name = "default";
+    for (Mesh& mesh : scene.meshes)
+        if (has_none(mesh)) mesh.material = std::uint32_t(scene.materials.size() - 1);
+}
+
+void report_meshes_without_texcoords(const Scene& scene, Context& context) {
+    for (const Mesh& mesh : scene.meshes)
+        if (mesh.topology == Topology::triangles && (mesh.texcoords.empty() || mesh.texcoords[0].empty()))
+            context.report().add(Remark::warning, scene.source, mesh.name,
+                                 "has no texture coordinates to show the texture by; --uv makes some");
+}
+
+}  // namespace
+
+Scene override_textures(const Scene& scene, const TextureOverrides& overrides, UvProjection later,
+                        Context& context) {
+    if (overrides.is_empty()) return scene;
+    Scene changed = scene;
+    name_default_material(changed);
+    TextureUse base_color, normal;
+    if (!overrides.base_color.empty()) base_color = add_texture(changed, overrides.base_color);
+    if (!overrides.normal.empty()) normal = add_texture(changed, overrides.normal);
+    for (Material& m : changed.materials) {
+        if (base_color) m.base_color_texture = base_color;
+        if (normal) m.normal_texture = normal;
+        if (overrides.normal_scale) m.normal_scale = float(*overrides.normal_scale);
+    }
+    if ((base_color || normal) && later == UvProjection::none) report_meshes_without_texcoords(changed, context);
+    return changed;
+}
+
+}  // namespace rakelight
