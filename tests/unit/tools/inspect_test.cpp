@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/inspect.h>
+#include <rakelight/render.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/shared.h"
 #include "tools/borders.h"
 #include "tools/text_table.h"
 #include "unit/render/test_scene.h"
@@ -117,6 +119,20 @@ TEST(Inspect, AnEmptySceneIsNoReasonToFail) {
     const Inspection i = inspect(Scene{.source = "nothing.obj"}, {}, context);
     EXPECT_TRUE(i.objects.empty());
     EXPECT_NE(to_text(i).find("0 objects"), std::string::npos);
+}
+
+TEST(Inspect, AModelCutIntoSlabsHasSeamsPerObjectAndNoneOverTheModel) {
+    Context context;
+    const Scene scene = load((test::source_dir() / "data/spot/spot_slab5.glb").string(), {}, context);
+    const auto largest = [&](NormalSource normals) {
+        const Inspection i = inspect(scene, {.prepare = {.normals = normals, .crease_angle_rad = pi}}, context);
+        EXPECT_EQ(i.objects.size(), 5u);
+        EXPECT_EQ(i.shared_positions, 300u);  // as counted when the model was cut
+        EXPECT_FALSE(i.borders.empty());
+        return i.borders.empty() ? -1 : i.borders.front().largest_deg;
+    };
+    EXPECT_GT(largest(NormalSource::object), 20);
+    EXPECT_LT(largest(NormalSource::model), 0.01);
 }
 
 TEST(Inspect, TextAndJsonSurviveHostileNames) {
