@@ -22,21 +22,39 @@ double sphere_radius(const Bounds& bounds) {
     return std::clamp(std::max(half_diagonal, far_out * 1e-12), 1e-100, 1e150);
 }
 
-/// A perspective camera that looks from `toward_eye` (any length) at the sphere about the box, so far away that the sphere
-/// touches the nearer pair of the picture's edges.
+constexpr double margin = 0.92;  ///< share of the picture's half width and height that the box may fill
+
+/// How far along its own axis a camera stands from the middle of the box so that all eight corners are in the picture; at
+/// least a quarter of the radius in front of the nearest one.
+struct Fit {
+    double distance, nearest;  ///< [m] from the eye to the middle; from the middle to the nearest corner, along the axis
+};
+Fit fit_corners(const Bounds& bounds, const dmat4& axes, double tangent_x, double tangent_y, double radius) {
+    const dvec3 half = (bounds.high - bounds.low) * 0.5;
+    Fit fit{0, 0};
+    for (int k = 0; k < 8; ++k) {
+        const dvec3 corner = {k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z};
+        const double x = dot(corner, axes[0].xyz()), y = dot(corner, axes[1].xyz()), z = dot(corner, axes[2].xyz());
+        fit.nearest = std::max(fit.nearest, z);
+        fit.distance = std::max(fit.distance, z + std::max(std::fabs(x) / tangent_x, std::fabs(y) / tangent_y) / margin);
+    }
+    if (!(bounds.diagonal() > 1e-100)) return {radius / std::min(tangent_x, tangent_y), 0};
+    fit.distance = std::max(fit.distance, fit.nearest + 0.25 * radius);
+    return fit;
+}
+
+/// A perspective camera that looks from `toward_eye` (any length) at the middle of the box, as near as lets all of it be seen.
 Camera fit(const Bounds& bounds, double aspect, dvec3 toward_eye, dvec3 up) {
     Camera camera;
     const double a = aspect > 0 && std::isfinite(aspect) ? std::clamp(aspect, 1e-4, 1e4) : 1.0;
     const double radius = sphere_radius(bounds);
-    const double tangent = math::tan(0.5 * camera.vertical_fov_rad) * std::min(a, 1.0);
-    const double distance = radius * std::sqrt(1 + tangent * tangent) / tangent;  // radius / sin(half angle)
+    const double tangent = math::tan(0.5 * camera.vertical_fov_rad);
     camera.to_world = look_at(toward_eye, dvec3{0, 0, 0}, up);  // about the origin first: no digits are lost far out
-    const dvec3 z = camera.to_world[2].xyz();
-    const dvec3 eye = bounds.center() + z * distance;
+    const Fit corners = fit_corners(bounds, camera.to_world, tangent * a, tangent, radius);
+    const dvec3 eye = bounds.center() + camera.to_world[2].xyz() * corners.distance;
     camera.to_world[3] = {eye.x, eye.y, eye.z, 1};
-    // A little beyond the sphere on both sides; distance >= radius / sin(20 degrees), so near stays well above 0.
-    camera.near = distance - 1.05 * radius;
-    camera.far = distance + 1.05 * radius;
+    camera.near = std::max(corners.distance - 1.05 * radius, 0.5 * (corners.distance - corners.nearest));
+    camera.far = corners.distance + 1.05 * radius;
     return camera;
 }
 

@@ -30,7 +30,7 @@ Bounds world_bounds(const Scene& scene);
 std::uint64_t triangle_count(const Scene& scene);
 
 /// The view by which a model without cameras is shown: perspective, 40 degrees vertical, from the front slightly right and
-/// above (the direction (0.45, 0.35, 1) from the centre), so far that the sphere about the bounding box fits in width and height.
+/// above (the direction (0.45, 0.35, 1) from the centre), as near as lets the whole bounding box be seen with a small margin.
 Camera default_camera(const Bounds& bounds, double aspect);
 /// The same from a named side: "front" (+Z), "back", "left" (-X), "right", "top" (+Y), "bottom", "isometric".
 /// @throws Error usage for another name.

@@ -59,10 +59,20 @@ TEST(DefaultCamera, SeesTheWholeBoxAtEveryAspectAndScale) {
         }
 }
 
-TEST(DefaultCamera, TouchesTheSphereOnTheNearerEdges) {
-    const Bounds b = box({-1, -1, -1}, {1, 1, 1});
-    const double distance = length(default_camera(b, 2).to_world[3].xyz());
-    EXPECT_NEAR(distance, std::sqrt(3.0) / std::sin(radians(20)), 1e-9);
+TEST(DefaultCamera, StandsAsNearAsTheMarginLets) {
+    for (const Bounds& b : {box({-1, -1, -1}, {1, 1, 1}), box({0, 0, 0}, {10, 1, 1}), box({-1, 0, -1}, {1, 7, 1})}) {
+        const Camera camera = default_camera(b, 2);
+        dmat4 to_camera;
+        ASSERT_TRUE(inverse_affine(camera.to_world, to_camera));
+        const double tangent = std::tan(radians(20));
+        double widest = 0;
+        for (int k = 0; k < 8; ++k) {
+            const dvec3 p = transform_point(to_camera, {k & 1 ? b.high.x : b.low.x, k & 2 ? b.high.y : b.low.y, k & 4 ? b.high.z : b.low.z});
+            widest = std::max({widest, std::fabs(p.x) / (-p.z * tangent * 2), std::fabs(p.y) / (-p.z * tangent)});
+        }
+        EXPECT_LE(widest, 0.92 + 1e-9);
+        EXPECT_GT(widest, 0.85);
+    }
 }
 
 TEST(DefaultCamera, LooksFromFrontRightAbove) {
