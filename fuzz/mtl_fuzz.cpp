@@ -28,7 +28,8 @@ const std::filesystem::path& folder() {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    std::ofstream(folder() / "a.mtl", std::ios::binary).write(reinterpret_cast<const char*>(data), std::streamsize(size));
+    std::ofstream(folder() / "a.mtl", std::ios::binary)
+        .write(reinterpret_cast<const char*>(data), std::streamsize(size));
     rakelight::Context context({.threads = 1, .max_memory = 64u << 20});
     constexpr std::string_view text = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
     try {

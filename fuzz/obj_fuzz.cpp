@@ -19,7 +19,9 @@ void check_lines(std::string_view text) {
         if (line.begin != at || line.end < line.begin || line.next < line.end || line.next <= at) std::abort();
         Tokens words = reader.arguments(line);
         for (Token t; words.next(t);)
-            if (t.text.empty() || t.begin < line.begin || t.end() > line.end || text.substr(t.begin, t.text.size()) != t.text) std::abort();
+            if (t.text.empty() || t.begin < line.begin || t.end() > line.end ||
+                text.substr(t.begin, t.text.size()) != t.text)
+                std::abort();
         at = line.next;
     }
     if (at < text.size()) std::abort();

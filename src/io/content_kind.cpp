@@ -33,7 +33,8 @@ constexpr Signature signatures[] = {
     {"7z\xBC\xAF\x27\x1C"sv, {"7z archive", "", true}},
     {"Rar!\x1A"sv, {"RAR archive", "", true}},
     {"\x7F"
-     "ELF"sv, {"ELF program", "", true}},
+     "ELF"sv,
+     {"ELF program", "", true}},
     {"ply\n"sv, {"PLY", "ply", false}},
     {"ply\r"sv, {"PLY", "ply", false}},
     {"solid "sv, {"STL", "stl", false}},
@@ -49,7 +50,8 @@ ContentKind content_kind(std::span<const std::byte> head) {
     std::string_view text{reinterpret_cast<const char*>(head.data()), head.size()};
     for (const Signature& s : signatures)
         if (text.substr(0, s.bytes.size()) == s.bytes) return s.kind;
-    if (text.size() >= 12 && text.substr(0, 4) == "RIFF" && text.substr(8, 4) == "WEBP") return {"WebP picture", "", true};
+    if (text.size() >= 12 && text.substr(0, 4) == "RIFF" && text.substr(8, 4) == "WEBP")
+        return {"WebP picture", "", true};
     if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
     const std::size_t start = text.find_first_not_of(" \t\r\n");
     if (start == std::string_view::npos) return {};

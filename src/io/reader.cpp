@@ -26,11 +26,19 @@ struct Format {
 };
 
 constexpr Format formats[] = {
-    {"gltf", "glTF 2.0", Reader::gltf}, {"glb", "GLB", Reader::gltf},           {"obj", "OBJ", Reader::obj},
+    {"gltf", "glTF 2.0", Reader::gltf},
+    {"glb", "GLB", Reader::gltf},
+    {"obj", "OBJ", Reader::obj},
 #if RL_IMPORT
-    {"fbx", "FBX", Reader::import_helper}, {"dae", "DAE", Reader::import_helper}, {"3ds", "3DS", Reader::import_helper},
-    {"ase", "ASE", Reader::import_helper}, {"blend", "Blend", Reader::import_helper}, {"stl", "STL", Reader::import_helper},
-    {"ply", "PLY", Reader::import_helper}, {"off", "OFF", Reader::import_helper}, {"x", "X", Reader::import_helper},
+    {"fbx", "FBX", Reader::import_helper},
+    {"dae", "DAE", Reader::import_helper},
+    {"3ds", "3DS", Reader::import_helper},
+    {"ase", "ASE", Reader::import_helper},
+    {"blend", "Blend", Reader::import_helper},
+    {"stl", "STL", Reader::import_helper},
+    {"ply", "PLY", Reader::import_helper},
+    {"off", "OFF", Reader::import_helper},
+    {"x", "X", Reader::import_helper},
 #endif
 };
 
@@ -53,10 +61,13 @@ std::string ending_of(const std::string& path) {
 std::vector<std::byte> head_of(const std::string& path, Context& context) {
     std::array<std::byte, 64> head{};
     std::size_t got = 0;
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(is_regular_file(path) ? std::fopen(path.c_str(), "rb") : nullptr,
-                                                               [](std::FILE* f) { return f ? std::fclose(f) : 0; });
-    if (file) got = std::fread(head.data(), 1, head.size(), file.get());
-    else read_file(path, context);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+        is_regular_file(path) ? std::fopen(path.c_str(), "rb") : nullptr,
+        [](std::FILE* f) { return f ? std::fclose(f) : 0; });
+    if (file)
+        got = std::fread(head.data(), 1, head.size(), file.get());
+    else
+        read_file(path, context);
     return {head.begin(), head.begin() + std::ptrdiff_t(got)};
 }
 
@@ -65,9 +76,11 @@ std::vector<std::byte> head_of(const std::string& path, Context& context) {
                 "export FBX or glTF from 3ds Max instead");
 }
 
-/// Endings whose files another signature may begin: glTF may be binary or not; .blend may be compressed (no signature here).
+/// Endings whose files another signature may begin: glTF may be binary or not; .blend may be compressed (no signature
+/// here).
 bool may_hold(const Format& format, const ContentKind& kind) {
-    return kind.ending == format.ending || (format.reader == Reader::gltf && (kind.ending == "glb" || kind.ending == "gltf"));
+    return kind.ending == format.ending ||
+           (format.reader == Reader::gltf && (kind.ending == "glb" || kind.ending == "gltf"));
 }
 
 const Format& choose_format(const std::string& path, Context& context) {
@@ -96,9 +109,12 @@ const Format& choose_format(const std::string& path, Context& context) {
 
 Scene read_as(const Format& format, const std::string& path, const ReadOptions& options, Context& context) {
     switch (format.reader) {
-        case Reader::gltf: return read_gltf(path, options, context);
-        case Reader::obj: return read_obj(path, options, context);
-        case Reader::import_helper: return read_with_import_helper(path, options, context);
+        case Reader::gltf:
+            return read_gltf(path, options, context);
+        case Reader::obj:
+            return read_obj(path, options, context);
+        case Reader::import_helper:
+            return read_with_import_helper(path, options, context);
     }
     return {};
 }

@@ -16,7 +16,8 @@ public:
 
     std::optional<MtlMap> read() {
         map_.line = line_;
-        for (Token word; peek(word) && word.text[0] == '-' && option(word););
+        for (Token word; peek(word) && word.text[0] == '-' && option(word);)
+            ;
         map_.file = name_text(file_, at_, end_);
         trailing_multiplier();
         if (map_.file.size() >= 2 && map_.file.front() == '"' && map_.file.back() == '"')
@@ -43,8 +44,10 @@ private:
     }
     /// A value that is not finite keeps the default.
     void set(float& target, double value) {
-        if (std::isfinite(float(value))) target = float(value);
-        else remarks_.add(Issue::mtl_number, line_);
+        if (std::isfinite(float(value)))
+            target = float(value);
+        else
+            remarks_.add(Issue::mtl_number, line_);
     }
 
     /// @return false when the word is no option (a file name that begins with '-')
@@ -52,18 +55,31 @@ private:
         const std::string name = ascii_lower(word.text);
         const std::size_t before = at_;
         at_ = word.end();
-        if (name == "-bm") multiplier();
-        else if (name == "-o") pair(map_.offset, {0, 0});
-        else if (name == "-s") pair(map_.scale, {1, 1});
-        else if (name == "-t") turbulence();
-        else if (name == "-mm") range();
-        else if (name == "-clamp") map_.is_clamped = is_on();
-        else if (name == "-cc") { if (is_on()) remarks_.add(Issue::mtl_option, line_); }
-        else if (name == "-blendu" || name == "-blendv") { if (!is_on()) remarks_.add(Issue::mtl_option_hint, line_); }
-        else if (name == "-boost" || name == "-texres") { take_number(); remarks_.add(Issue::mtl_option_hint, line_); }
-        else if (name == "-imfchan") channel();
-        else if (name == "-type") { Token value; take(value); }
-        else {
+        if (name == "-bm")
+            multiplier();
+        else if (name == "-o")
+            pair(map_.offset, {0, 0});
+        else if (name == "-s")
+            pair(map_.scale, {1, 1});
+        else if (name == "-t")
+            turbulence();
+        else if (name == "-mm")
+            range();
+        else if (name == "-clamp")
+            map_.is_clamped = is_on();
+        else if (name == "-cc") {
+            if (is_on()) remarks_.add(Issue::mtl_option, line_);
+        } else if (name == "-blendu" || name == "-blendv") {
+            if (!is_on()) remarks_.add(Issue::mtl_option_hint, line_);
+        } else if (name == "-boost" || name == "-texres") {
+            take_number();
+            remarks_.add(Issue::mtl_option_hint, line_);
+        } else if (name == "-imfchan")
+            channel();
+        else if (name == "-type") {
+            Token value;
+            take(value);
+        } else {
             at_ = before;
             return false;
         }
@@ -72,25 +88,33 @@ private:
 
     void multiplier() {
         const auto value = take_number();
-        if (value && std::isfinite(*value)) map_.bump_multiplier = value;
-        else remarks_.add(Issue::mtl_number, line_);
+        if (value && std::isfinite(*value))
+            map_.bump_multiplier = value;
+        else
+            remarks_.add(Issue::mtl_number, line_);
     }
 
     // u [v [w]]; missing ones keep the default of the option.
     void pair(vec2& target, vec2 initial) {
         target = initial;
-        if (const auto u = take_number()) set(target.x, *u);
-        else return remarks_.add(Issue::mtl_number, line_);
-        if (const auto v = take_number()) set(target.y, *v);
-        else return;
+        if (const auto u = take_number())
+            set(target.x, *u);
+        else
+            return remarks_.add(Issue::mtl_number, line_);
+        if (const auto v = take_number())
+            set(target.y, *v);
+        else
+            return;
         take_number();
     }
 
     void turbulence() {
         bool is_some = false;
         for (int i = 0; i < 3; ++i)
-            if (const auto value = take_number()) is_some = is_some || *value != 0;
-            else break;
+            if (const auto value = take_number())
+                is_some = is_some || *value != 0;
+            else
+                break;
         if (is_some) remarks_.add(Issue::mtl_option, line_);
     }
 
@@ -102,7 +126,8 @@ private:
 
     void channel() {
         Token value;
-        if (take(value) && value.text != "l" && value.text != "m" && value.text != "r") remarks_.add(Issue::mtl_option, line_);
+        if (take(value) && value.text != "l" && value.text != "m" && value.text != "r")
+            remarks_.add(Issue::mtl_option, line_);
     }
 
     bool is_on() {
@@ -128,7 +153,8 @@ private:
 
 }  // namespace
 
-std::optional<MtlMap> parse_map(std::string_view file, std::size_t begin, std::size_t end, std::uint64_t line, Remarks& remarks) {
+std::optional<MtlMap> parse_map(std::string_view file, std::size_t begin, std::size_t end, std::uint64_t line,
+                                Remarks& remarks) {
     return OptionReader(file, begin, end, line, remarks).read();
 }
 

@@ -16,9 +16,7 @@ namespace {
 constexpr std::uint64_t most_remarks = 200;  // of one model about names that are not found
 constexpr std::size_t most_libraries = 256;
 
-std::string_view text_of(const Bytes& bytes) {
-    return {reinterpret_cast<const char*>(bytes->data()), bytes->size()};
-}
+std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes->data()), bytes->size()}; }
 
 /// A display color as linear light; components outside 0..1 are clamped and remarked on.
 vec3 linear_color(vec3 display, std::uint64_t line, Remarks& remarks) {
@@ -75,18 +73,21 @@ void MaterialLibrary::remark(Remark kind, const std::string& file, std::uint64_t
 
 void MaterialLibrary::finish() {
     if (remarks_made_ > most_remarks)
-        context_.report().add(Remark::warning, model_path_, {},
-                              std::to_string(remarks_made_ - most_remarks) + " more remarks about materials and textures");
+        context_.report().add(
+            Remark::warning, model_path_, {},
+            std::to_string(remarks_made_ - most_remarks) + " more remarks about materials and textures");
 }
 
 void MaterialLibrary::load(const std::string& argument) {
-    if (loaded_.size() >= most_libraries) return remark(Remark::warning, model_path_, 0, "more than 256 material files; the rest is left out");
+    if (loaded_.size() >= most_libraries)
+        return remark(Remark::warning, model_path_, 0, "more than 256 material files; the rest is left out");
     const bool is_one = finder_.find(argument).has_value();
     std::vector<std::string> names;
     Tokens words(argument, 0, is_one ? 0 : argument.size());
     for (Token word; words.next(word);) names.emplace_back(word.text);
     // Several files only if one of them is there: a missing "my materials.mtl" is one warning, not two.
-    const bool are_several = std::any_of(names.begin(), names.end(), [&](const auto& n) { return finder_.find(n).has_value(); });
+    const bool are_several =
+        std::any_of(names.begin(), names.end(), [&](const auto& n) { return finder_.find(n).has_value(); });
     if (!are_several) names = {argument};
     for (const std::string& name : names)
         if (loaded_.size() < most_libraries && !load_file(name))
@@ -100,8 +101,9 @@ bool MaterialLibrary::load_file(const std::string& reference) {
     if (!found) return false;
     if (!loaded_.insert(found->path).second) return true;
     if (found->is_guessed)
-        remark(Remark::guessed, model_path_, 0, "material file '" + one_line(ReferenceFinder::bare_name(reference), 80) + "' was found as '" +
-                                                    one_line(ReferenceFinder::bare_name(found->path), 80) + "'");
+        remark(Remark::guessed, model_path_, 0,
+               "material file '" + one_line(ReferenceFinder::bare_name(reference), 80) + "' was found as '" +
+                   one_line(ReferenceFinder::bare_name(found->path), 80) + "'");
     Bytes bytes;
     try {
         bytes = read_file(found->path, context_);
@@ -122,7 +124,8 @@ std::uint32_t MaterialLibrary::find(const std::string& name, std::uint64_t line)
     context_.memory().charge(sizeof(Material) + name.size(), "the materials of an OBJ file");
     scene_.materials.push_back(default_material(name.empty() ? "default" : name));
     if (!name.empty())
-        remark(Remark::warning, model_path_, line, "material '" + one_line(name, 80) + "' is not defined; a light grey one stands for it");
+        remark(Remark::warning, model_path_, line,
+               "material '" + one_line(name, 80) + "' is not defined; a light grey one stands for it");
     return entry->second;
 }
 
@@ -136,7 +139,8 @@ void MaterialLibrary::add(const MtlMaterial& source, const File& file, Remarks& 
     m.emission_texture = use(source.map("map_ke"), file);
     if (m.emission_texture && m.emission == vec3{}) {
         m.emission = {1, 1, 1};  // exporters write Ke 0 beside map_Ke
-        if (source.emission) remark(Remark::guessed, file.name, source.map("map_ke")->line, "Ke 0 beside map_Ke was read as Ke 1");
+        if (source.emission)
+            remark(Remark::guessed, file.name, source.map("map_ke")->line, "Ke 0 beside map_Ke was read as Ke 1");
     }
     m.classical.specular_texture = use(source.map("map_ks"), file);
     const MtlMap *ambient = source.map("map_ka"), *diffuse = source.map("map_kd");
@@ -195,8 +199,9 @@ void MaterialLibrary::set_relief(Material& m, const MtlMaterial& source, const F
     if (bump && is_normal_map_name(bump->file)) {
         if (!normal) {
             normal = bump;
-            remark(Remark::guessed, file.name, bump->line,
-                   "map_Bump '" + one_line(ReferenceFinder::bare_name(bump->file), 80) + "' is a normal map by its name");
+            remark(
+                Remark::guessed, file.name, bump->line,
+                "map_Bump '" + one_line(ReferenceFinder::bare_name(bump->file), 80) + "' is a normal map by its name");
         }
         bump = nullptr;
     }
@@ -211,7 +216,8 @@ void MaterialLibrary::set_relief(Material& m, const MtlMaterial& source, const F
         if (!std::isfinite(*scale)) *scale = 1;
 }
 
-void MaterialLibrary::set_metallic_roughness(Material& m, const MtlMaterial& source, const File& file, Remarks& remarks) {
+void MaterialLibrary::set_metallic_roughness(Material& m, const MtlMaterial& source, const File& file,
+                                             Remarks& remarks) {
     m.model = MaterialModel::metallic_roughness;
     MetallicRoughnessParameters& p = m.metallic_roughness;
     const MtlMap *rough = source.map("map_pr"), *metal = source.map("map_pm");
@@ -239,17 +245,20 @@ TextureUse MaterialLibrary::use(const MtlMap* map, const File& file) {
     const std::string name = one_line(ReferenceFinder::bare_name(map->file), 80);
     if (!found) {
         if (missing_.insert(map->file).second)
-            remark(Remark::warning, file.name, map->line, "texture '" + name + "' is not in the model's folder; it is left out");
+            remark(Remark::warning, file.name, map->line,
+                   "texture '" + name + "' is not in the model's folder; it is left out");
         return result;
     }
     ImageHandle& image = images_[found->path];
     if (!image) {
         image = image_from_file(name, model_path_, found->path);
         if (found->is_guessed)
-            remark(Remark::guessed, file.name, map->line, "texture '" + name + "' was found as '" +
-                                                              one_line(ReferenceFinder::bare_name(found->path), 80) + "'");
+            remark(
+                Remark::guessed, file.name, map->line,
+                "texture '" + name + "' was found as '" + one_line(ReferenceFinder::bare_name(found->path), 80) + "'");
     }
-    const auto [entry, is_new] = textures_.try_emplace({found->path, map->is_clamped}, std::uint32_t(scene_.textures.size()));
+    const auto [entry, is_new] =
+        textures_.try_emplace({found->path, map->is_clamped}, std::uint32_t(scene_.textures.size()));
     if (is_new) {
         Sampler sampler;
         if (map->is_clamped) sampler.wrap_u = sampler.wrap_v = Wrap::clamp_to_edge;

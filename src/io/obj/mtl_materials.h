@@ -22,25 +22,27 @@ bool is_normal_map_name(const std::string& file);
 
 /// Materials of one model: reads its MTL files, fills Scene::materials and Scene::textures.
 ///
-/// Colors are display values and become linear. k_a is Ka, or k_d where there is none; values outside 0..1 are clamped, but
-/// Ke over 1 keeps its strength (the color divided by its largest component becomes linear and is multiplied by it).
-/// illum 0 is unlit (color only); illum 1 has no specular term; others and none have it when Ks is there. Ns is at least 1.
-/// Alpha is d, else 1 - Tr; Tr 1 alone would hide the object and is a known exporter fault: it counts as opaque, `guessed`.
-/// With Pr, Pm or map_Pr, map_Pm the model is metallic-roughness: metallic Pm (0 without), roughness Pr, without it
-/// sqrt(sqrt(2 / (Ns + 2))) (Walter et al. 2007, section 5.2: the GGX width of a Phong exponent; roughness squared), without
-/// both 1; one picture for both is packed (G roughness, B metallic), a lone map_Pr works as grey picture when Pm is 0.
-/// `norm` is a normal map, `map_Bump` one by name (is_normal_map_name, `guessed`), else a height map; `disp` is the height map
-/// where no bump map is. map_Kd's alpha is used when map_d names the same file. map_Ka has no place; it is left out in
-/// silence when it names the file of map_Kd, since base color textures multiply the ambient term too.
+/// Colors are display values and become linear. k_a is Ka, or k_d where there is none; values outside 0..1 are clamped,
+/// but Ke over 1 keeps its strength (the color divided by its largest component becomes linear and is multiplied by
+/// it). illum 0 is unlit (color only); illum 1 has no specular term; others and none have it when Ks is there. Ns is at
+/// least 1. Alpha is d, else 1 - Tr; Tr 1 alone would hide the object and is a known exporter fault: it counts as
+/// opaque, `guessed`. With Pr, Pm or map_Pr, map_Pm the model is metallic-roughness: metallic Pm (0 without), roughness
+/// Pr, without it sqrt(sqrt(2 / (Ns + 2))) (Walter et al. 2007, section 5.2: the GGX width of a Phong exponent;
+/// roughness squared), without both 1; one picture for both is packed (G roughness, B metallic), a lone map_Pr works as
+/// grey picture when Pm is 0. `norm` is a normal map, `map_Bump` one by name (is_normal_map_name, `guessed`), else a
+/// height map; `disp` is the height map where no bump map is. map_Kd's alpha is used when map_d names the same file.
+/// map_Ka has no place; it is left out in silence when it names the file of map_Kd, since base color textures multiply
+/// the ambient term too.
 class MaterialLibrary {
 public:
     MaterialLibrary(Scene& scene, std::string model_path, bool allow_outside, Context& context)
         : scene_(scene), context_(context), model_path_(model_path), finder_(std::move(model_path), allow_outside) {}
 
-    /// Reads what one mtllib line names: one file whose name may hold blanks, else several. What is missing is a warning.
+    /// Reads what one mtllib line names: one file whose name may hold blanks, else several. What is missing is a
+    /// warning.
     void load(const std::string& argument);
-    /// For usemtl: index into Scene::materials; an undefined name becomes a default material with a warning, the empty name
-    /// the default one (light grey, k_d 0.8 as display value, no highlight).
+    /// For usemtl: index into Scene::materials; an undefined name becomes a default material with a warning, the empty
+    /// name the default one (light grey, k_d 0.8 as display value, no highlight).
     std::uint32_t find(const std::string& name, std::uint64_t line);
     void finish();  ///< says how many warnings were held back
 
@@ -62,10 +64,10 @@ private:
     std::string model_path_;
     ReferenceFinder finder_;
     std::unordered_map<std::string, std::uint32_t> by_name_;
-    std::set<std::string> loaded_;                                       ///< paths
-    std::map<std::string, ImageHandle> images_;                          ///< by path
-    std::map<std::pair<std::string, bool>, std::uint32_t> textures_;     ///< by path and clamping
-    std::set<std::string> missing_;                                      ///< references already warned of
+    std::set<std::string> loaded_;                                    ///< paths
+    std::map<std::string, ImageHandle> images_;                       ///< by path
+    std::map<std::pair<std::string, bool>, std::uint32_t> textures_;  ///< by path and clamping
+    std::set<std::string> missing_;                                   ///< references already warned of
     std::uint64_t remarks_made_ = 0;
 };
 

@@ -13,10 +13,11 @@
 namespace rakelight::io::obj {
 namespace {
 
-constexpr std::array free_form_keywords{"vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim",
-                                        "hole", "scrv", "sp", "end", "con", "bsp", "bzp", "cdc", "cdp", "res"};
-constexpr std::array display_keywords{"mg", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech",
-                                      "stech", "maplib", "usemap"};
+constexpr std::array free_form_keywords{"vp",   "cstype", "deg",  "bmat", "step", "curv", "curv2",
+                                        "surf", "parm",   "trim", "hole", "scrv", "sp",   "end",
+                                        "con",  "bsp",    "bzp",  "cdc",  "cdp",  "res"};
+constexpr std::array display_keywords{"mg",        "bevel", "c_interp", "d_interp", "lod",   "shadow_obj",
+                                      "trace_obj", "ctech", "stech",    "maplib",   "usemap"};
 
 template <class List>
 bool is_in(std::string_view key, const List& list) {
@@ -43,9 +44,14 @@ std::uint32_t resolved(std::int64_t written, std::uint64_t seen, std::uint64_t t
 
 class ElementReader {
 public:
-    ElementReader(std::string_view file, const Contents& contents, const VertexData& data, const FindMaterial& find_material,
-                  Remarks& remarks, Context& context)
-        : file_(file), contents_(contents), data_(data), find_material_(find_material), remarks_(remarks), context_(context) {}
+    ElementReader(std::string_view file, const Contents& contents, const VertexData& data,
+                  const FindMaterial& find_material, Remarks& remarks, Context& context)
+        : file_(file),
+          contents_(contents),
+          data_(data),
+          find_material_(find_material),
+          remarks_(remarks),
+          context_(context) {}
 
     Elements read(const std::string& default_object) {
         name_ = default_object;
@@ -64,21 +70,36 @@ public:
 private:
     void statement(const Line& line, Tokens words) {
         const std::string_view key = line.keyword.text;
-        if (key == "v") ++seen_positions_;
-        else if (key == "vt") ++seen_texcoords_;
-        else if (key == "vn") ++seen_normals_;
-        else if (key == "f" || key == "fo") face(words);
-        else if (key == "l") polyline(words);
-        else if (key == "p") points(words);
-        else if (key == "o") begin_object(name_text(file_, line.keyword.end(), line.end));
-        else if (key == "g") { if (!contents_.has_objects) resume_group(joined_words(words)); }
-        else if (key == "s") smoothing(words);
-        else if (key == "usemtl") use_material(name_text(file_, line.keyword.end(), line.end));
-        else if (key == "mtllib") return;
-        else if (is_in(key, free_form_keywords)) remarks_.add(Issue::free_form, line_);
-        else if (is_in(key, display_keywords)) remarks_.add(Issue::display_attribute, line_);
-        else if (key == "call" || key == "csh") remarks_.add(Issue::external_call, line_);
-        else remarks_.add(Issue::unknown_keyword, line_);
+        if (key == "v")
+            ++seen_positions_;
+        else if (key == "vt")
+            ++seen_texcoords_;
+        else if (key == "vn")
+            ++seen_normals_;
+        else if (key == "f" || key == "fo")
+            face(words);
+        else if (key == "l")
+            polyline(words);
+        else if (key == "p")
+            points(words);
+        else if (key == "o")
+            begin_object(name_text(file_, line.keyword.end(), line.end));
+        else if (key == "g") {
+            if (!contents_.has_objects) resume_group(joined_words(words));
+        } else if (key == "s")
+            smoothing(words);
+        else if (key == "usemtl")
+            use_material(name_text(file_, line.keyword.end(), line.end));
+        else if (key == "mtllib")
+            return;
+        else if (is_in(key, free_form_keywords))
+            remarks_.add(Issue::free_form, line_);
+        else if (is_in(key, display_keywords))
+            remarks_.add(Issue::display_attribute, line_);
+        else if (key == "call" || key == "csh")
+            remarks_.add(Issue::external_call, line_);
+        else
+            remarks_.add(Issue::unknown_keyword, line_);
     }
 
     // --- state ---
@@ -106,8 +127,10 @@ private:
         smoothing_ = 0;
         if (!words.next(word) || word.text == "off") return;
         const auto number = parse_integer(word.text);
-        if (number && *number >= 0 && *number < std::int64_t(none)) smoothing_ = std::uint32_t(*number);
-        else remarks_.add(Issue::smoothing_syntax, line_);
+        if (number && *number >= 0 && *number < std::int64_t(none))
+            smoothing_ = std::uint32_t(*number);
+        else
+            remarks_.add(Issue::smoothing_syntax, line_);
     }
 
     GrowingMesh& mesh(Topology topology, bool has_normals) {
@@ -226,7 +249,7 @@ private:
     std::unordered_map<std::string, std::uint32_t> groups_;  ///< name -> object, in files without `o`
     std::uint32_t object_ = none, material_ = none, smoothing_ = 0;
     bool is_material_known_ = false;
-    std::vector<Corner> corners_;          ///< of the element at hand
+    std::vector<Corner> corners_;  ///< of the element at hand
     std::vector<dvec3> polygon_;
     std::vector<std::uint32_t> triangles_;
 };

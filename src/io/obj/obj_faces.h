@@ -10,7 +10,8 @@
 
 namespace rakelight::io::obj {
 
-/// Index into Scene::materials for the name after usemtl on this line, at its first use; the empty name for faces without one.
+/// Index into Scene::materials for the name after usemtl on this line, at its first use; the empty name for faces
+/// without one.
 using FindMaterial = std::function<std::uint32_t(const std::string& name, std::uint64_t line)>;
 
 struct Elements {
@@ -22,8 +23,8 @@ struct Elements {
 /// Objects: every `o` line begins one; in a file without `o` every new name after `g` does, and a name that comes again
 /// goes on with its object (a group is a set by name). Only those with elements count. Meshes: one for each material,
 /// topology and presence of normals in an object, so `usemtl` back to an earlier material goes on with its mesh.
-/// Positive indices may point forward; a face whose vertex index is 0 or out of range is skipped, a texture coordinate or
-/// normal index of that kind makes the corner one without.
+/// Positive indices may point forward; a face whose vertex index is 0 or out of range is skipped, a texture coordinate
+/// or normal index of that kind makes the corner one without.
 /// @param default_object  name of the object of faces before the first `o` or `g`
 /// @throws Error bad_file: over the memory limit; failed: cancelled
 Elements read_elements(std::string_view file, const Contents& contents, const VertexData& data,

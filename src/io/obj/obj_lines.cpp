@@ -15,9 +15,9 @@ std::size_t find(std::string_view file, std::size_t from, char c) {
     return hit ? std::size_t(static_cast<const char*>(hit) - file.data()) : file.size();
 }
 
-/// A blank, or the backslash that joins two lines.
+/// A blank, or the backslash that joins two lines (at the end of the file: with nothing).
 bool is_gap(std::string_view file, std::size_t i, std::size_t end) {
-    return is_blank(file[i]) || (file[i] == '\\' && i + 1 < end && is_line_end(file[i + 1]));
+    return is_blank(file[i]) || (file[i] == '\\' && (i + 1 == end || is_line_end(file[i + 1])));
 }
 
 }  // namespace

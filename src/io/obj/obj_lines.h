@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Logical lines of OBJ and MTL text, with the place of every word in the file. Nothing is copied: the reader serves both
-// loading and rewriting a file line by line (the bytes [Line::begin, Line::next) of all lines are the whole file).
+// Logical lines of OBJ and MTL text, with the place of every word in the file. Nothing is copied: the reader serves
+// both loading and rewriting a file line by line (the bytes [Line::begin, Line::next) of all lines are the whole file).
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -16,14 +16,14 @@ struct Token {
     std::size_t end() const { return begin + text.size(); }
 };
 
-/// One logical line: physical lines that a backslash at the very end joins. A comment line is never joined to the next one
-/// (comments hold Windows paths).
+/// One logical line: physical lines that a backslash at the very end joins. A comment line is never joined to the next
+/// one (comments hold Windows paths).
 struct Line {
-    std::uint64_t number = 0;   ///< 1, 2, ... of its first physical line; LF, CR LF and CR alone end a line
-    std::size_t begin = 0;      ///< first byte
-    std::size_t end = 0;        ///< one past the last byte before the line end
-    std::size_t next = 0;       ///< first byte of the next logical line
-    Token keyword;              ///< empty for a blank or comment line
+    std::uint64_t number = 0;  ///< 1, 2, ... of its first physical line; LF, CR LF and CR alone end a line
+    std::size_t begin = 0;     ///< first byte
+    std::size_t end = 0;       ///< one past the last byte before the line end
+    std::size_t next = 0;      ///< first byte of the next logical line
+    Token keyword;             ///< empty for a blank or comment line
 };
 
 /// Words of [begin, end) of a file, split at blanks, tabs, NUL bytes and joined line ends. A word that begins with '#'
@@ -31,8 +31,8 @@ struct Line {
 class Tokens {
 public:
     Tokens(std::string_view file, std::size_t begin, std::size_t end) : file_(file), at_(begin), end_(end) {}
-    bool next(Token& token);                 ///< false when there are no more words
-    std::size_t at() const { return at_; }   ///< where the next word is looked for
+    bool next(Token& token);                ///< false when there are no more words
+    std::size_t at() const { return at_; }  ///< where the next word is looked for
 
 private:
     std::string_view file_;
@@ -56,8 +56,8 @@ private:
     std::uint64_t number_ = 1;
 };
 
-/// The text of [begin, end) as a name: blanks at both ends dropped, a joined line end and NUL bytes read as one blank each,
-/// inner blanks kept ("Material name with many, many spaces", "texture 01.png").
+/// The text of [begin, end) as a name: blanks at both ends dropped, a joined line end and NUL bytes read as one blank
+/// each, inner blanks kept ("Material name with many, many spaces", "texture 01.png").
 std::string name_text(std::string_view file, std::size_t begin, std::size_t end);
 
 /// Lower case of ASCII letters; other bytes stay.

@@ -33,7 +33,8 @@ std::uint32_t CornerTable::index_of(const Corner& corner, MemoryBudget& budget) 
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t slot = hash_of(corner) & mask;; slot = (slot + 1) & mask) {
         if (slots_[slot] == none) {
-            if (corners_.size() >= none - 1) throw Error(ErrorCode::bad_file, "a mesh has more than 4294967294 vertices");
+            if (corners_.size() >= none - 1)
+                throw Error(ErrorCode::bad_file, "a mesh has more than 4294967294 vertices");
             slots_[slot] = std::uint32_t(corners_.size());
             push_charged(corners_, corner, budget);
             return slots_[slot];

@@ -73,9 +73,10 @@ private:
 };
 
 /// The point from which positions count: zero, unless the largest error of a used coordinate as a float is more than
-/// 2^-22 of the diagonal of the box about all used positions (so where the model stands at more than about 8 times its size
-/// from zero, with digits that float does not hold). Then it is the middle of the box, rounded to a multiple of the largest
-/// power of two that is at most a quarter of the diagonal. One for the whole file: equal numbers stay equal.
+/// 2^-22 of the diagonal of the box about all used positions (so where the model stands at more than about 8 times its
+/// size from zero, with digits that float does not hold). Then it is the middle of the box, rounded to a multiple of
+/// the largest power of two that is at most a quarter of the diagonal. One for the whole file: equal numbers stay
+/// equal.
 dvec3 choose_origin(const std::vector<dvec3>& positions, const std::vector<GrowingMesh>& meshes);
 
 /// The finished mesh; `growing` is emptied. Charges its blocks to the budget.

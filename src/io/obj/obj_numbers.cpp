@@ -11,8 +11,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A well-formed number that from_chars called out of range: is it too large (else too small)? By the decimal exponent of
-/// its first digit that is not 0.
+/// A well-formed number that from_chars called out of range: is it too large (else too small)? By the decimal exponent
+/// of its first digit that is not 0.
 bool is_overflow(std::string_view text) {
     std::int64_t magnitude = 0, exponent = 0;
     bool seen_digit = false, seen_point = false;

@@ -8,8 +8,8 @@
 
 namespace rakelight::io::obj {
 
-/// A decimal number with optional '+', leading or trailing point, exponent. "nan", "inf" and numbers that overflow double
-/// give NaN, numbers too small for double give 0.
+/// A decimal number with optional '+', leading or trailing point, exponent. "nan", "inf" and numbers that overflow
+/// double give NaN, numbers too small for double give 0.
 /// @return nullopt when the text, all of it, is not a number ("1,5", "3.1+e2", "0x10", "")
 std::optional<double> parse_number(std::string_view text);
 

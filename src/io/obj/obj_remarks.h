@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with the lines of one file, counted by kind: a file of a million bad faces costs a million increments and
-// makes one remark.
+// What is wrong with the lines of one file, counted by kind: a file of a million bad faces costs a million increments
+// and makes one remark.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,11 +11,45 @@
 namespace rakelight::io::obj {
 
 enum class Issue : std::uint8_t {
-    lone_cr, nul_bytes, bad_number, not_finite, missing_numbers, weight, extra_numbers, bad_normal, bad_texcoord, bad_color,
-    bytes_as_colors, face_syntax, face_index, face_short, face_texcoord_index, face_normal_index, texcoords_missing,
-    normals_missing, polygon_crossed, polygon_complex, element_syntax, smoothing_syntax, free_form, display_attribute,
-    external_call, unknown_keyword, mtl_unknown, mtl_outside, mtl_number, mtl_spectral, mtl_range, mtl_exponent, mtl_redefined,
-    mtl_option, mtl_option_hint, mtl_empty_map, mtl_unsupported_map, mtl_unsupported_value, count_
+    lone_cr,
+    nul_bytes,
+    bad_number,
+    not_finite,
+    missing_numbers,
+    weight,
+    extra_numbers,
+    bad_normal,
+    bad_texcoord,
+    bad_color,
+    bytes_as_colors,
+    face_syntax,
+    face_index,
+    face_short,
+    face_texcoord_index,
+    face_normal_index,
+    texcoords_missing,
+    normals_missing,
+    polygon_crossed,
+    polygon_complex,
+    element_syntax,
+    smoothing_syntax,
+    free_form,
+    display_attribute,
+    external_call,
+    unknown_keyword,
+    mtl_unknown,
+    mtl_outside,
+    mtl_number,
+    mtl_spectral,
+    mtl_range,
+    mtl_exponent,
+    mtl_redefined,
+    mtl_option,
+    mtl_option_hint,
+    mtl_empty_map,
+    mtl_unsupported_map,
+    mtl_unsupported_value,
+    count_
 };
 
 /// Counts issues of one file; flush() puts them into the report, one remark a kind with the first line in its place.

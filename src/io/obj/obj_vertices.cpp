@@ -52,8 +52,10 @@ public:
     void position(const Numbers& n, std::uint64_t line) {
         bool is_bad = false;
         const dvec3 p{coordinate(n, 0, is_bad), coordinate(n, 1, is_bad), coordinate(n, 2, is_bad)};
-        if (n.count < 3) remarks_.add(Issue::missing_numbers, line);
-        else if (is_bad) remarks_.add(Issue::not_finite, line);
+        if (n.count < 3)
+            remarks_.add(Issue::missing_numbers, line);
+        else if (is_bad)
+            remarks_.add(Issue::not_finite, line);
         data_.positions.push_back(p);
         if (n.count >= 6) color(n, line);
         if (n.count == 4 && n.values[3] != 1) remarks_.add(Issue::weight, line);
@@ -135,7 +137,8 @@ private:
 void check_text(std::string_view file, Remarks& remarks) {
     const std::string_view mark = file.substr(0, 2);
     if (mark == "\xFF\xFE" || mark == "\xFE\xFF")
-        throw Error(ErrorCode::bad_file, "the text is UTF-16, which OBJ does not allow", {}, "save it as UTF-8 or ASCII");
+        throw Error(ErrorCode::bad_file, "the text is UTF-16, which OBJ does not allow", {},
+                    "save it as UTF-8 or ASCII");
     const std::size_t nul = file.find('\0');
     if (nul == std::string_view::npos) return;
     const auto line = 1 + std::count(file.begin(), file.begin() + std::ptrdiff_t(nul), '\n');
@@ -152,12 +155,18 @@ Contents count_contents(std::string_view file, Remarks& remarks, Context& contex
     for (Line line; lines.next(line);) {
         if (line.number % lines_between_checks == 0) context.throw_if_cancelled();
         const std::string_view key = line.keyword.text;
-        if (key == "v") ++contents.positions;
-        else if (key == "vt") ++contents.texcoords;
-        else if (key == "vn") ++contents.normals;
-        else if (key == "f" || key == "fo" || key == "l" || key == "p") ++contents.elements;
-        else if (key == "o") contents.has_objects = true;
-        else if (key == "s") contents.has_smoothing = true;
+        if (key == "v")
+            ++contents.positions;
+        else if (key == "vt")
+            ++contents.texcoords;
+        else if (key == "vn")
+            ++contents.normals;
+        else if (key == "f" || key == "fo" || key == "l" || key == "p")
+            ++contents.elements;
+        else if (key == "o")
+            contents.has_objects = true;
+        else if (key == "s")
+            contents.has_smoothing = true;
         else if (key == "mtllib") {
             std::string name = name_text(file, line.keyword.end(), line.end);
             if (!name.empty() && libraries.insert(name).second) contents.libraries.push_back(std::move(name));
@@ -179,9 +188,12 @@ VertexData read_vertices(std::string_view file, const Contents& contents, Remark
             context.progress("load", 0.4 * double(line.begin) / double(file.size()));
         }
         const std::string_view key = line.keyword.text;
-        if (key == "v") reader.position(read_numbers(lines.arguments(line), line.number, remarks), line.number);
-        else if (key == "vt") reader.texcoord(read_numbers(lines.arguments(line), line.number, remarks), line.number);
-        else if (key == "vn") reader.normal(read_numbers(lines.arguments(line), line.number, remarks), line.number);
+        if (key == "v")
+            reader.position(read_numbers(lines.arguments(line), line.number, remarks), line.number);
+        else if (key == "vt")
+            reader.texcoord(read_numbers(lines.arguments(line), line.number, remarks), line.number);
+        else if (key == "vn")
+            reader.normal(read_numbers(lines.arguments(line), line.number, remarks), line.number);
     }
     return reader.take();
 }

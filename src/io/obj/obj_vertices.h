@@ -16,8 +16,8 @@ namespace rakelight::io::obj {
 /// What a file holds, counted before memory is asked for.
 struct Contents {
     std::uint64_t positions = 0, texcoords = 0, normals = 0, elements = 0;  ///< v, vt, vn; f, l and p lines
-    bool has_objects = false;    ///< any `o` line
-    bool has_smoothing = false;  ///< any `s` line
+    bool has_objects = false;                                               ///< any `o` line
+    bool has_smoothing = false;                                             ///< any `s` line
     std::vector<std::string> libraries;  ///< arguments of the mtllib lines, in order, each text once
 };
 

@@ -22,8 +22,8 @@ dvec3 newell_normal(std::span<const dvec3> p) {
     return sum;
 }
 
-/// Drops the axis in which the normal is largest, such that the polygon turns counter-clockwise. Affine, hence ears stay ears;
-/// no coordinate is rounded.
+/// Drops the axis in which the normal is largest, such that the polygon turns counter-clockwise. Affine, hence ears
+/// stay ears; no coordinate is rounded.
 std::vector<dvec2> project(std::span<const dvec3> p, dvec3 n) {
     const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
     std::vector<dvec2> flat(p.size());
@@ -47,8 +47,10 @@ bool is_strictly_convex(std::span<const dvec2> p) {
         if (!(area2(a, b, c) > 0)) return false;
         const int sign = b.x > a.x ? 1 : b.x < a.x ? -1 : 0;
         if (sign == 0) continue;
-        if (last == 0) first = sign;
-        else if (sign != last) ++flips;
+        if (last == 0)
+            first = sign;
+        else if (sign != last)
+            ++flips;
         last = sign;
     }
     if (last != first) ++flips;

@@ -16,7 +16,8 @@ namespace {
 
 using namespace obj;
 
-void add_objects(Scene& scene, Elements& elements, const VertexData& data, bool has_smoothing, Remarks& remarks, Context& context) {
+void add_objects(Scene& scene, Elements& elements, const VertexData& data, bool has_smoothing, Remarks& remarks,
+                 Context& context) {
     const dvec3 origin = choose_origin(data.positions, elements.meshes.meshes());
     context.memory().charge(elements.objects.size() * sizeof(Node) + elements.meshes.meshes().size() * sizeof(Mesh),
                             "the objects of an OBJ file");
@@ -31,10 +32,12 @@ void add_objects(Scene& scene, Elements& elements, const VertexData& data, bool 
         if (key.topology == Topology::triangles && !key.has_normals) without_normals.emplace(key.object, key.material);
     }
     for (const GrowingMesh& m : elements.meshes.meshes())
-        if (m.key.has_normals && without_normals.count({m.key.object, m.key.material})) remarks.add(Issue::normals_missing, 0);
+        if (m.key.has_normals && without_normals.count({m.key.object, m.key.material}))
+            remarks.add(Issue::normals_missing, 0);
 }
 
-Scene scene_of(std::string_view text, const std::string& path, const ReadOptions& options, Remarks& remarks, Context& context) {
+Scene scene_of(std::string_view text, const std::string& path, const ReadOptions& options, Remarks& remarks,
+               Context& context) {
     const Contents contents = count_contents(text, remarks, context);
     if (contents.elements == 0)
         throw Error(ErrorCode::bad_file, "nothing to draw: the file has no faces, lines or points");

@@ -14,6 +14,8 @@ namespace rakelight::io::obj {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr int most_searches_in_vain = 2000;
+
 /// '\\' as '/', "a/./b" and "a/x/../b" folded, so that "materials/../textures/a.png" stays inside the model's folder.
 std::string normal_form(std::string reference) {
     std::replace(reference.begin(), reference.end(), '\\', '/');
@@ -45,7 +47,8 @@ const std::map<std::string, std::string>& ReferenceFinder::listing(const std::st
     if (!is_new) return entry->second;
     std::error_code error;
     const fs::path path = fs::path(model_path_).parent_path() / folder;
-    for (fs::directory_iterator i(path.empty() ? fs::path(".") : path, error), end; !error && i != end; i.increment(error)) {
+    for (fs::directory_iterator i(path.empty() ? fs::path(".") : path, error), end; !error && i != end;
+         i.increment(error)) {
         const std::string name = i->path().filename().string();
         // Of names that differ in case only the first in byte order counts, on every file system.
         const auto [known, is_first] = entry->second.try_emplace(ascii_lower(name), name);
@@ -67,15 +70,23 @@ std::optional<std::string> ReferenceFinder::other_case(const std::string& refere
     return folder.empty() ? std::nullopt : exact(folder);
 }
 
-std::optional<FoundFile> ReferenceFinder::find(const std::string& reference, const std::string& folder) {
-    if (reference.empty() || reference.size() > 4096 || reference.find('\0') != std::string::npos) return std::nullopt;
-    const std::string plain = normal_form(reference), inner = folder.empty() ? plain : normal_form(folder + "/" + reference);
+std::optional<FoundFile> ReferenceFinder::search(const std::string& reference, const std::string& folder) {
+    const std::string plain = normal_form(reference),
+                      inner = folder.empty() ? plain : normal_form(folder + "/" + reference);
     for (const std::string& candidate : {inner, plain})
         if (auto path = exact(candidate)) return FoundFile{*path, false};
     for (const std::string& candidate : {inner, plain})
         if (auto path = other_case(candidate)) return FoundFile{*path, true};
     if (auto path = other_case(bare_name(plain))) return FoundFile{*path, true};
     return std::nullopt;
+}
+
+std::optional<FoundFile> ReferenceFinder::find(const std::string& reference, const std::string& folder) {
+    if (reference.empty() || reference.size() > 4096 || reference.find('\0') != std::string::npos) return std::nullopt;
+    if (searches_in_vain_ >= most_searches_in_vain) return std::nullopt;
+    auto found = search(reference, folder);
+    if (!found) ++searches_in_vain_;
+    return found;
 }
 
 }  // namespace rakelight::io::obj

@@ -37,12 +37,14 @@ TEST_F(ObjFaces, ASquareIsOneObjectNamedAfterTheFile) {
 }
 
 TEST_F(ObjFaces, CornersAreUniqueInOrderOfFirstUse) {
-    const Scene s = load(square + "vt 0 0\nvt 0.25 0.75\nvn 0 0 2\nvn 0 0 -1\nf 3/1/1 1/1/1 2/1/1\nf 3/1/1 2/2/1 1/1/2\nf 3/1/1 1/1/1 4/1/1\n");
+    const Scene s = load(
+        square +
+        "vt 0 0\nvt 0.25 0.75\nvn 0 0 2\nvn 0 0 -1\nf 3/1/1 1/1/1 2/1/1\nf 3/1/1 2/2/1 1/1/2\nf 3/1/1 1/1/1 4/1/1\n");
     const Mesh& m = s.meshes.at(0);
     ASSERT_EQ(m.positions.size(), 6u);
     EXPECT_EQ(m.positions[0], (vec3{1, 1, 0}));
     EXPECT_EQ(m.positions[1], (vec3{0, 0, 0}));
-    EXPECT_EQ(m.normals[0], (vec3{0, 0, 1}));  // made unit
+    EXPECT_EQ(m.normals[0], (vec3{0, 0, 1}));               // made unit
     EXPECT_EQ(m.texcoords.at(0)[3], (vec2{0.25f, 0.25f}));  // v down
     const std::vector<std::uint32_t> expected{0, 1, 2, 0, 3, 4, 0, 1, 5};
     EXPECT_EQ(std::vector<std::uint32_t>(m.indices.begin(), m.indices.end()), expected);
@@ -57,7 +59,9 @@ TEST_F(ObjFaces, NegativeIndicesCountFromTheLinesSoFarAndPositiveOnesMayPointFor
 }
 
 TEST_F(ObjFaces, FacesWithBadVertexIndicesAreSkippedWithTheirLine) {
-    const Scene s = load(square + "f 0 1 2\nf 1 2 5\nf -5 1 2\nf 1 2 99999999999999999999\nf 1 2\nf 1 x 2\nf -9223372036854775808 1 2\nf 1 2 3\n");
+    const Scene s = load(square +
+                         "f 0 1 2\nf 1 2 5\nf -5 1 2\nf 1 2 99999999999999999999\nf 1 2\nf 1 x 2\nf "
+                         "-9223372036854775808 1 2\nf 1 2 3\n");
     EXPECT_EQ(triangles(s), 1u);
     ASSERT_TRUE(remark("index of 0 or out of range"));
     EXPECT_EQ(remark("index of 0 or out of range")->place, "line 5");
@@ -201,8 +205,10 @@ TEST_F(ObjFaces, NumbersThatFloatHoldsNeedNoOrigin) {
 }
 
 TEST_F(ObjFaces, LargeCoordinatesCountFromOneOriginForTheWholeFile) {
-    const Scene s = load("v 500000.123 4000000.456 7.1\nv 500001.123 4000000.456 7.1\nv 500000.123 4000001.789 7.1\nv 500002.5 4000002.5 8\n"
-                         "v 0 0 0\no a\nf 1 2 3\no b\nf 1 3 4\n");
+    const Scene s = load(
+        "v 500000.123 4000000.456 7.1\nv 500001.123 4000000.456 7.1\nv 500000.123 4000001.789 7.1\nv 500002.5 "
+        "4000002.5 8\n"
+        "v 0 0 0\no a\nf 1 2 3\no b\nf 1 3 4\n");
     ASSERT_EQ(s.meshes.size(), 2u);
     const Mesh &a = s.meshes[0], &b = s.meshes[1];
     EXPECT_EQ(a.origin, b.origin);

@@ -49,7 +49,8 @@ std::uint64_t triangles(const Scene& scene) {
 bool is_bad_news(const ReportEntry& e) { return e.remark != Remark::note; }
 
 /// Triangles of assets/INDEX.md; objects by our rule (its column "obj" counts primitives of another reader). spider and
-/// hollowcube have one normal `0 0 0`, so some of their faces have none; the two o of groups.obj end what its g would begin.
+/// hollowcube have one normal `0 0 0`, so some of their faces have none; the two o of groups.obj end what its g would
+/// begin.
 struct Expected {
     const char* file;
     std::size_t objects;
@@ -67,8 +68,9 @@ TEST_P(ObjAssets, HaveTheirObjectsAndTriangles) {
     ASSERT_EQ(l.error, "");
     EXPECT_EQ(l.scene.nodes.size(), expected.objects);
     EXPECT_EQ(triangles(l.scene), expected.triangles);
-    const auto without = std::count_if(l.scene.meshes.begin(), l.scene.meshes.end(),
-                                       [](const Mesh& m) { return m.topology == Topology::triangles && m.normals.empty(); });
+    const auto without = std::count_if(l.scene.meshes.begin(), l.scene.meshes.end(), [](const Mesh& m) {
+        return m.topology == Topology::triangles && m.normals.empty();
+    });
     EXPECT_EQ(std::size_t(without), expected.without_normals);
     for (const Mesh& m : l.scene.meshes) {
         EXPECT_NE(m.material, none);
@@ -82,20 +84,25 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Expected{"obj/assimp/spider.obj", 19, 1368, 4}, Expected{"obj/assimp/regr01.obj", 55, 2710, 55},
         Expected{"obj/assimp/cube_usemtl.obj", 1, 12, 0}, Expected{"obj/assimp/box_longline.obj", 1, 944, 1},
-        Expected{"obj/assimp/concave_polygon.obj", 1, 64, 0}, Expected{"obj/assimp/cube_with_vertexcolors.obj", 1, 12, 0},
+        Expected{"obj/assimp/concave_polygon.obj", 1, 64, 0},
+        Expected{"obj/assimp/cube_with_vertexcolors.obj", 1, 12, 0},
         Expected{"obj/assimp/box_mat_with_spaces.obj", 1, 12, 1}, Expected{"obj/assimp/number_formats.obj", 1, 1, 1},
         Expected{"obj/assimp/testmixed.obj", 1, 12, 1}, Expected{"obj/assimp/mtl_different_folder.obj", 1, 12, 1},
-        Expected{"obj/tinyobj/cornell_box.obj", 8, 36, 8}, Expected{"obj/tinyobj/cornell_box_multimaterial.obj", 8, 36, 9},
-        Expected{"obj/tinyobj/smoothing-normal.obj", 2, 6, 2}, Expected{"obj/tinyobj/issue-162-smoothing-group.obj", 2, 12, 0},
-        Expected{"obj/tinyobj/smoothing-group-two-squares.obj", 1, 3, 1}, Expected{"obj/tinyobj/map-bump.obj", 1, 400, 0},
-        Expected{"obj/tinyobj/usemtl-issue-104.obj", 1, 6, 1}, Expected{"obj/tinyobj/issue-235-usemtl-then-o.obj", 2, 2, 0},
-        Expected{"obj/tinyobj/cube.obj", 6, 12, 6}, Expected{"obj/tinyobj/texture-filename-with-whitespace.obj", 6, 12, 6},
+        Expected{"obj/tinyobj/cornell_box.obj", 8, 36, 8},
+        Expected{"obj/tinyobj/cornell_box_multimaterial.obj", 8, 36, 9},
+        Expected{"obj/tinyobj/smoothing-normal.obj", 2, 6, 2},
+        Expected{"obj/tinyobj/issue-162-smoothing-group.obj", 2, 12, 0},
+        Expected{"obj/tinyobj/smoothing-group-two-squares.obj", 1, 3, 1},
+        Expected{"obj/tinyobj/map-bump.obj", 1, 400, 0}, Expected{"obj/tinyobj/usemtl-issue-104.obj", 1, 6, 1},
+        Expected{"obj/tinyobj/issue-235-usemtl-then-o.obj", 2, 2, 0}, Expected{"obj/tinyobj/cube.obj", 6, 12, 6},
+        Expected{"obj/tinyobj/texture-filename-with-whitespace.obj", 6, 12, 6},
         Expected{"obj/tinyobj/issue-140-zero-face-idx.obj", 1, 1, 1},
-        Expected{"obj/tinyobj/leading-decimal-dot-issue-201.obj", 1, 1, 1}, Expected{"obj/trimesh/groups.obj", 2, 2308, 0},
-        Expected{"obj/trimesh/two_objects.obj", 2, 16, 2}, Expected{"obj/trimesh/negative_indices.obj", 1, 12, 0},
-        Expected{"obj/trimesh/polygonfaces.obj", 1, 3, 1}, Expected{"obj/trimesh/quadknot.obj", 1, 2880, 0},
-        Expected{"obj/trimesh/fuze.obj", 1, 1000, 0}, Expected{"obj/trimesh/singlevn.obj", 1, 2, 0},
-        Expected{"obj/spot.obj", 1, 5856, 1}, Expected{"obj/teapot.obj", 1, 6320, 1}, Expected{"obj/cornell_box.obj", 7, 34, 7},
+        Expected{"obj/tinyobj/leading-decimal-dot-issue-201.obj", 1, 1, 1},
+        Expected{"obj/trimesh/groups.obj", 2, 2308, 0}, Expected{"obj/trimesh/two_objects.obj", 2, 16, 2},
+        Expected{"obj/trimesh/negative_indices.obj", 1, 12, 0}, Expected{"obj/trimesh/polygonfaces.obj", 1, 3, 1},
+        Expected{"obj/trimesh/quadknot.obj", 1, 2880, 0}, Expected{"obj/trimesh/fuze.obj", 1, 1000, 0},
+        Expected{"obj/trimesh/singlevn.obj", 1, 2, 0}, Expected{"obj/spot.obj", 1, 5856, 1},
+        Expected{"obj/teapot.obj", 1, 6320, 1}, Expected{"obj/cornell_box.obj", 7, 34, 7},
         Expected{"obj/hollowcube.obj", 3, 900, 3}, Expected{"obj/LeePerrySmith/head.obj", 1, 17684, 0},
         Expected{"textures/parallax_cube/parallax_plane.obj", 2, 4, 2},
         Expected{"crossformat/table_long_decorated_C/table_long_decorated_C.obj", 1, 3499, 0},
@@ -103,8 +110,10 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{"crossformat/stairs_wood_decorated/stairs_wood_decorated.obj", 1, 2537, 0},
         Expected{"derived/spot/spot_whole.obj", 1, 5856, 1}, Expected{"derived/spot/spot_slab5.obj", 5, 5856, 5},
         Expected{"derived/spot/spot_checker6.obj", 2, 5856, 2}, Expected{"derived/spot/spot_noise7.obj", 7, 5856, 7},
-        Expected{"fbx/ufbx/blender_293_instancing.obj", 8, 7744, 0}, Expected{"fbx/ufbx/blender_340_mirrored_normals.obj", 2, 968, 0},
-        Expected{"fbx/ufbx/max_geometry_transform.obj", 2, 24, 0}, Expected{"fbx/ufbx/maya_instanced_pivots.obj", 2, 24, 0},
+        Expected{"fbx/ufbx/blender_293_instancing.obj", 8, 7744, 0},
+        Expected{"fbx/ufbx/blender_340_mirrored_normals.obj", 2, 968, 0},
+        Expected{"fbx/ufbx/max_geometry_transform.obj", 2, 24, 0},
+        Expected{"fbx/ufbx/maya_instanced_pivots.obj", 2, 24, 0},
         Expected{"fbx/ufbx/blender_282_suzanne_and_transform.obj", 2, 1936, 0}));
 
 TEST(ObjAssetFiles, CutCopiesHaveThePositionsOfTheWhole) {
@@ -161,7 +170,8 @@ class ObjHostile : public ::testing::TestWithParam<HostileCase> {};
 
 /// A copy of an MTL case beside a quad that uses its first material.
 Loaded load_through_quad(const fs::path& mtl) {
-    const fs::path folder = fs::path(::testing::TempDir()) / ("rl_mtl_" + mtl.stem().string() + "_" + std::to_string(::getpid()));
+    const fs::path folder =
+        fs::path(::testing::TempDir()) / ("rl_mtl_" + mtl.stem().string() + "_" + std::to_string(::getpid()));
     fs::create_directories(folder);
     std::string name = "m";
     std::ifstream in(mtl, std::ios::binary);

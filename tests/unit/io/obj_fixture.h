@@ -19,7 +19,8 @@ class ObjFolder : public ::testing::Test {
 protected:
     void SetUp() override {
         const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("rl_obj_") + info->name() + "_" + std::to_string(::getpid()));
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  (std::string("rl_obj_") + info->name() + "_" + std::to_string(::getpid()));
         std::filesystem::create_directories(folder_);
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }

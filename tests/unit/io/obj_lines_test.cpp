@@ -72,7 +72,10 @@ TEST(ObjLines, EmptyFilesHaveNoLines) {
 }
 
 TEST(ObjLines, AByteOrderMarkIsSkippedAndNulBytesAreBlanks) {
-    const std::string text("\xEF\xBB\xBFv 1 2 3\n\0\0v\0" "1 2 3", 20);
+    const std::string text(
+        "\xEF\xBB\xBFv 1 2 3\n\0\0v\0"
+        "1 2 3",
+        20);
     const Read r = read(text);
     ASSERT_EQ(r.lines.size(), 2u);
     EXPECT_EQ(r.lines[0].keyword.text, "v");
@@ -81,11 +84,13 @@ TEST(ObjLines, AByteOrderMarkIsSkippedAndNulBytesAreBlanks) {
     EXPECT_EQ(r.words[1].size(), 3u);
 }
 
-TEST(ObjLines, ABackslashAtTheEndOfTheFileIsAWord) {
-    const Read r = read("f 1 \\");
-    ASSERT_EQ(r.words.size(), 1u);
-    ASSERT_EQ(r.words[0].size(), 2u);
-    EXPECT_EQ(r.words[0][1].text, "\\");
+TEST(ObjLines, ABackslashAtTheEndOfTheFileJoinsNothing) {
+    for (const char* text : {"f 1 \\", "f 1 \\\n", "f 1\\\r\n"}) {
+        const Read r = read(text);
+        ASSERT_EQ(r.words.size(), 1u) << text;
+        ASSERT_EQ(r.words[0].size(), 1u) << text;
+        EXPECT_EQ(r.words[0][0].text, "1");
+    }
 }
 
 TEST(ObjLines, NamesKeepInnerBlanksAndJoinLines) {

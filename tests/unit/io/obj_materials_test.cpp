@@ -97,7 +97,8 @@ TEST_F(ObjMaterials, UndefinedAndAbsentMaterialsAreLightGrey) {
 }
 
 TEST_F(ObjMaterials, NamesMayHoldBlanks) {
-    const Scene s = with("newmtl  Material name with many, many  spaces \nKd 1 0 0\n", "Material name with many, many  spaces");
+    const Scene s =
+        with("newmtl  Material name with many, many  spaces \nKd 1 0 0\n", "Material name with many, many  spaces");
     EXPECT_EQ(s.materials.size(), 1u);
     EXPECT_TRUE(remarks().empty());
 }
@@ -109,7 +110,9 @@ TEST_F(ObjMaterials, AMaterialDefinedTwiceKeepsItsFirstDefinition) {
 
 TEST_F(ObjMaterials, TexturesOfAllRolesAreFound) {
     for (const char* name : {"d.png", "s.png", "e.png", "o.png", "b.png", "n.png"}) picture(name);
-    const Scene s = with("newmtl m\nmap_Kd d.png\nmap_Ka d.png\nmap_Ks s.png\nmap_Ke e.png\nmap_d o.png\nmap_Bump -bm 0.3 b.png\nnorm n.png\n");
+    const Scene s = with(
+        "newmtl m\nmap_Kd d.png\nmap_Ka d.png\nmap_Ks s.png\nmap_Ke e.png\nmap_d o.png\nmap_Bump -bm 0.3 b.png\nnorm "
+        "n.png\n");
     const Material& m = s.materials.at(0);
     const auto name = [&](const TextureUse& use) { return use ? s.textures.at(use.texture).name : ""; };
     EXPECT_EQ(name(m.base_color_texture), "d.png");
@@ -145,9 +148,11 @@ TEST_F(ObjMaterials, ABumpMapThatIsCalledNormalIsOne) {
 
 TEST(ObjNormalMapName, IsDecidedByWords) {
     using obj::is_normal_map_name;
-    for (const char* yes : {"a/Brick_Normal.png", "bricknormal2.jpg", "x_NRM.tga", "wall-n.png", "wall_n01.png", "norm_wall.png", "a.nor.png"})
+    for (const char* yes : {"a/Brick_Normal.png", "bricknormal2.jpg", "x_NRM.tga", "wall-n.png", "wall_n01.png",
+                            "norm_wall.png", "a.nor.png"})
         EXPECT_TRUE(is_normal_map_name(yes)) << yes;
-    for (const char* no : {"brick.png", "enormous_height.png", "normal/height.png", "stone.png", "n.png", "bump_sn.png", "", "."})
+    for (const char* no :
+         {"brick.png", "enormous_height.png", "normal/height.png", "stone.png", "n.png", "bump_sn.png", "", "."})
         EXPECT_FALSE(is_normal_map_name(no)) << no;
 }
 
@@ -181,7 +186,9 @@ TEST_F(ObjMaterials, OptionsStandBeforeNamesWithBlanks) {
     using obj::parse_map;
     obj::Remarks remarks("x");
     const auto parse = [&](const std::string& text) { return parse_map(text, 0, text.size(), 1, remarks); };
-    const auto map = parse(" -blendu on -blendv off -boost 2 -mm 0.1 2 -o 1 2 3 -s 1 -t 0 0 0 -texres 512 -clamp on -bm 2 -imfchan l -cc off -type sphere bump 01.png\t");
+    const auto map = parse(
+        " -blendu on -blendv off -boost 2 -mm 0.1 2 -o 1 2 3 -s 1 -t 0 0 0 -texres 512 -clamp on -bm 2 -imfchan l -cc "
+        "off -type sphere bump 01.png\t");
     ASSERT_TRUE(map);
     EXPECT_EQ(map->file, "bump 01.png");
     EXPECT_EQ(map->bump_multiplier, 2);
@@ -257,7 +264,9 @@ TEST_F(ObjMaterials, SeveralLibrariesAndNamesWithBlanksAreRead) {
     write("a b.mtl", "newmtl one\nKd 1 0 0\n");
     write("c.mtl", "newmtl two\n");
     write("d.mtl", "newmtl three\n");
-    const Scene s = load("mtllib a b.mtl\nmtllib c.mtl d.mtl gone.mtl\nmtllib ./c.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl three\nf 1 2 3\n");
+    const Scene s = load(
+        "mtllib a b.mtl\nmtllib c.mtl d.mtl gone.mtl\nmtllib ./c.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl three\nf 1 2 "
+        "3\n");
     EXPECT_EQ(s.materials.size(), 3u);
     EXPECT_EQ(remarks().size(), 1u);
     EXPECT_EQ(remark("'gone.mtl'")->remark, Remark::warning);
@@ -272,7 +281,9 @@ TEST_F(ObjMaterials, NothingOutsideTheFolderIsOpened) {
     ASSERT_FALSE(context.report().entries().empty());
     for (const ReportEntry& e : context.report().entries()) EXPECT_EQ(e.message.find(".."), std::string::npos);
     Context allowed;
-    EXPECT_EQ(read_obj((folder_ / "inner/model.obj").string(), {.allow_outside = true}, allowed).materials.at(0).base_color.x, 1);
+    EXPECT_EQ(
+        read_obj((folder_ / "inner/model.obj").string(), {.allow_outside = true}, allowed).materials.at(0).base_color.x,
+        1);
 }
 
 TEST_F(ObjMaterials, ThousandsOfMissingNamesAreSummedUp) {
@@ -281,6 +292,16 @@ TEST_F(ObjMaterials, ThousandsOfMissingNamesAreSummedUp) {
     EXPECT_EQ(load(text).materials.size(), 5000u);
     EXPECT_EQ(remarks().size(), 201u);
     EXPECT_TRUE(remark("4800 more"));
+}
+
+TEST_F(ObjMaterials, SearchesInVainAreBounded) {
+    write("there.mtl", "newmtl m\n");
+    obj::ReferenceFinder finder((folder_ / "model.obj").string(), false);
+    EXPECT_TRUE(finder.find("There.MTL"));
+    for (int i = 0; i < 1999; ++i) EXPECT_FALSE(finder.find("gone" + std::to_string(i)));
+    EXPECT_TRUE(finder.find("there.mtl"));
+    EXPECT_FALSE(finder.find("gone"));
+    EXPECT_FALSE(finder.find("there.mtl"));
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ TEST(ObjNumbers, UsualFormsAreRead) {
 }
 
 TEST(ObjNumbers, TrailingGarbageIsNoNumber) {
-    for (const char* text : {"", "+", "-", ".", "1,5", "3.1+e2", "0x10", "1e", "1.5f", "--1", "+-1", "1 ", "e5", "12abc"})
+    for (const char* text :
+         {"", "+", "-", ".", "1,5", "3.1+e2", "0x10", "1e", "1.5f", "--1", "+-1", "1 ", "e5", "12abc"})
         EXPECT_FALSE(parse_number(text)) << text;
 }
 

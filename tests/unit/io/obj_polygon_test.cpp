@@ -40,7 +40,8 @@ void expect_covers(const std::vector<dvec3>& p, const Cut& c) {
 }
 
 TEST(ObjPolygon, AConvexPolygonIsAFanFromItsFirstCorner) {
-    EXPECT_EQ(cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).triangles, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+    EXPECT_EQ(cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).triangles,
+              (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
 }
 
 TEST(ObjPolygon, AConcaveQuadIsCutAtItsInnerCornerInEveryOrder) {
@@ -91,7 +92,8 @@ TEST(ObjPolygon, CornersOnAStraightEdgeDoNotSpoilTheCut) {
 
 TEST(ObjPolygon, ABridgeToAHoleIsCutRight) {
     // A square with a square hole, joined by an edge that is walked twice.
-    const std::vector<dvec3> p{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {0, 0, 0}, {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}, {3, 3, 0}};
+    const std::vector<dvec3> p{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {0, 0, 0},
+                               {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}, {3, 3, 0}};
     const Cut c = cut(p);
     EXPECT_EQ(c.result, PolygonCut::good);
     expect_covers(p, c);

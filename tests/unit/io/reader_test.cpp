@@ -17,7 +17,9 @@ using namespace std::string_literals;
 class Reader : public test::ObjFolder {
 protected:
     /// The error of loading a file of this name and content.
-    std::string refusal(const std::string& name, const std::string& content) { return refusal_of(write(name, content)); }
+    std::string refusal(const std::string& name, const std::string& content) {
+        return refusal_of(write(name, content));
+    }
     std::string refusal_of(const std::string& path, ErrorCode code = ErrorCode::bad_file) {
         Context context;
         try {
@@ -97,7 +99,9 @@ TEST_F(Reader, ErrorsOfTheFormatCarryTheFile) {
 }
 
 TEST_F(Reader, ContentKindsNeedTheirWholeSignature) {
-    const auto kind = [](const std::string& text) { return content_kind(std::as_bytes(std::span(text.data(), text.size()))); };
+    const auto kind = [](const std::string& text) {
+        return content_kind(std::as_bytes(std::span(text.data(), text.size())));
+    };
     EXPECT_EQ(kind("").name, "");
     EXPECT_EQ(kind("glT").name, "");
     EXPECT_EQ(kind("glTF").ending, "glb");
@@ -110,13 +114,12 @@ TEST_F(Reader, ContentKindsNeedTheirWholeSignature) {
     EXPECT_EQ(kind(" \t\n").name, "");
 }
 
-TEST_F(Reader, TheListOfFormatsNamesThemAll) {
-    EXPECT_EQ(supported_formats().substr(0, 18), "glTF 2.0, GLB, OBJ");
-}
+TEST_F(Reader, TheListOfFormatsNamesThemAll) { EXPECT_EQ(supported_formats().substr(0, 18), "glTF 2.0, GLB, OBJ"); }
 
 TEST_F(Reader, HostileFilesOfTheWrongFormatAreRefused) {
     RL_NEEDS_SHARED("hostile");
-    for (const char* name : {"garbage/jpeg_called.glb", "garbage/random.obj", "empty/empty.obj", "empty/empty.glb", "empty/empty.gltf"})
+    for (const char* name :
+         {"garbage/jpeg_called.glb", "garbage/random.obj", "empty/empty.obj", "empty/empty.glb", "empty/empty.gltf"})
         refusal_of((rakelight::test::shared_dir() / "hostile" / name).string());
 }
 
