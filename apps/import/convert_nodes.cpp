@@ -2,6 +2,9 @@
 #include "convert.h"
 
 #include <cmath>
+#include <set>
+
+#include "math/linear.h"
 
 namespace rakelight::import_helper {
 namespace {
@@ -27,22 +30,50 @@ Place to_place(const aiNode& node, std::uint32_t parent) {
     return place;
 }
 
+/// Names of nodes that something else than the tree means: animations and bones.
+std::set<std::string> names_in_use(const aiScene& scene) {
+    std::set<std::string> names;
+    for (unsigned a = 0; a < scene.mNumAnimations; ++a)
+        for (unsigned c = 0; c < scene.mAnimations[a]->mNumChannels; ++c) names.insert(text(scene.mAnimations[a]->mChannels[c]->mNodeName));
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b) names.insert(text(scene.mMeshes[m]->mBones[b]->mName));
+    return names;
+}
+
+/// Assimp makes a chain of nodes from one FBX node with pivots. Where nothing moves them, the chain is one node again.
+bool can_be_folded(const aiNode& node, const std::set<std::string>& used) {
+    const std::string name = text(node.mName);
+    return name.find("_$AssimpFbx$_") != std::string::npos && node.mNumMeshes == 0 && node.mNumChildren == 1 && node.mChildren[0] &&
+           !used.contains(name) && !used.contains(text(node.mChildren[0]->mName));
+}
+
 }  // namespace
 
 NodeTable::NodeTable(const aiScene& scene, const std::vector<std::vector<std::uint32_t>>& parts_of_mesh, Document& out) {
-    std::vector<std::pair<const aiNode*, std::uint32_t>> waiting{{scene.mRootNode, nothing}};
+    struct Waiting {
+        const aiNode* node;
+        std::uint32_t parent;
+        dmat4 above;  // of the nodes that were folded into this one
+    };
+    const std::set<std::string> used = names_in_use(scene);
+    std::vector<Waiting> waiting{{scene.mRootNode, nothing, {}}};
     while (!waiting.empty()) {  // a stack of our own: the file decides how deep the tree is
-        const auto [node, parent] = waiting.back();
+        const auto [node, parent, above] = waiting.back();
         waiting.pop_back();
+        if (can_be_folded(*node, used)) {
+            waiting.push_back({node->mChildren[0], parent, above * to_dmat4(node->mTransformation)});
+            continue;
+        }
         const auto number = std::uint32_t(out.places.size());
         Place place = to_place(*node, parent);
+        place.matrix = above * place.matrix;
         for (unsigned i = 0; i < node->mNumMeshes; ++i)
             if (node->mMeshes[i] < parts_of_mesh.size())
                 place.meshes.insert(place.meshes.end(), parts_of_mesh[node->mMeshes[i]].begin(), parts_of_mesh[node->mMeshes[i]].end());
         by_name_.emplace(place.name, number);
         out.places.push_back(std::move(place));
         for (unsigned i = node->mNumChildren; i-- > 0;)  // so that they come off in the file's order
-            if (node->mChildren[i]) waiting.push_back({node->mChildren[i], number});
+            if (node->mChildren[i]) waiting.push_back({node->mChildren[i], number, {}});
     }
 }
 

@@ -225,6 +225,23 @@ TEST_F(ImportAssets, MirroredNodesKeepTheirNegativeDeterminant) {
     EXPECT_EQ(mirrored, 2);
 }
 
+TEST_F(ImportAssets, PivotsAreFoldedIntoTheirNode) {
+    RL_NEEDS_SHARED("assets");
+    const Scene scene = read("fbx/assimp/cubes_with_mirroring_and_pivot.fbx");
+    for (const Node& node : scene.nodes) EXPECT_EQ(node.name.find("$AssimpFbx$"), std::string::npos) << node.name;
+}
+
+TEST_F(ImportAssets, ColladaCamerasHaveTheirAnglesAndPlanes) {
+    RL_NEEDS_SHARED("assets");
+    const Scene scene = read("dae/cube_tristrips.dae");
+    ASSERT_EQ(scene.cameras.size(), 2u);
+    for (const Camera& camera : scene.cameras) {
+        EXPECT_NEAR(degrees(camera.vertical_fov_rad), 37.85, 0.01);
+        EXPECT_EQ(camera.aspect, 1.0);
+        EXPECT_EQ(camera.near, 1.0);
+    }
+}
+
 TEST_F(ImportAssets, BlenderFilesStandUpright) {
     RL_NEEDS_SHARED("assets");
     const Scene scene = read("blend/4Cubes4Mats_248.blend");

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "import_support.h"
+#include "io/import/collada_cameras.h"
 #include "io/import/scene_from_import.h"
 #include "io/import/texture_finder.h"
 #include "io/import/texture_placement.h"
@@ -126,6 +127,29 @@ TEST_F(ImportFormats, MemoryBeyondTheLimitIsOneClearError) {
     const Outcome outcome = read_import(write("big.ply", big), {}, {.threads = 1, .max_memory = 600000});
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file) << outcome.what();
+}
+
+TEST(ImportColladaCameras, OpticsAreFoundByNode) {
+    const auto cameras = collada_cameras(
+        "<COLLADA><library_cameras><camera id='c1'><optics><technique_common><perspective><xfov sid='x'> 60 </xfov><aspect_ratio>2</aspect_ratio>"
+        "<znear>0.5</znear></perspective></technique_common></optics></camera><camera id=\"c2\"><optics><orthographic><ymag>3</ymag></orthographic>"
+        "</optics></camera></library_cameras><!-- <camera id='c3'> --><node id='n1' name='eye'><instance_camera url='#c1'/></node><node name='side'>"
+        "<node id='n2'/><instance_camera url='#c2'></instance_camera></node><node id='lost'><instance_camera url='#none'/></node></COLLADA>");
+    ASSERT_EQ(cameras.size(), 3u);
+    EXPECT_EQ(cameras.at("n1").xfov_deg, 60.0);
+    EXPECT_EQ(cameras.at("eye").znear, 0.5);
+    EXPECT_EQ(cameras.at("side").ymag, 3.0);
+    std::vector<import_stream::View> views(3);
+    views[0].name = "eye";
+    views[1].name = "side";
+    views[2].name = "unknown";
+    complete_views(cameras, views);
+    EXPECT_NEAR(views[0].horizontal_fov_rad, std::numbers::pi / 3, 1e-9);
+    EXPECT_EQ(views[0].aspect, 2);
+    EXPECT_NEAR(views[1].half_width, 4, 1e-12);
+    EXPECT_EQ(views[2].horizontal_fov_rad, 0);
+    EXPECT_TRUE(collada_cameras("").empty());
+    EXPECT_TRUE(collada_cameras("<camera id='a' <node <<< '").empty());
 }
 
 TEST(ImportAxes, TheFilesAxesBecomeOurs) {
