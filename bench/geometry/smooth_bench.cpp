@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seam-free normals and tangents of a displaced sphere cut into objects, beside the plain loop that everybody writes: one
 // thread, face normals summed per vertex, objects apart (so with seams). per_triangle is the figure to compare; run with
-//   bench_geometry --benchmark_repetitions=10 --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true
+//   smooth_bench --benchmark_repetitions=10 --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true
 #include <benchmark/benchmark.h>
 #include <rakelight/attributes.h>
 
