@@ -110,30 +110,26 @@ private:
         TextureUse u;
         u.texture = textures_.number(*link);
         if (!u) return {};
-        u.texcoord_set = link->uv_set;
+        u.texcoord_set = existing_set(link->uv_set);
         const bool finite = std::isfinite(link->offset[0] + link->offset[1] + link->scale[0] + link->scale[1] + link->rotation_rad);
         const bool placed = link->offset[0] != 0 || link->offset[1] != 0 || link->scale[0] != 1 || link->scale[1] != 1 || link->rotation_rad != 0;
         if (!finite || !placed) return u;
-        const TextureAffine map = placement_of(*link);
-        if (const auto transform = as_transform(map)) u.transform = *transform;
-        else u.texcoord_set = work_into_coordinates(map, link->uv_set);
+        if (const auto transform = as_transform(placement_of(*link))) u.transform = *transform;
+        else report_.add(Remark::dropped, path_, "material '" + one_line(s.name, 60) + "'", "a texture's scale is zero; its placement is left out");
         return u;
     }
 
-    /// A new set of coordinates, of one number in all meshes of this material, for a placement that offset, rotation and scale cannot say.
-    std::uint32_t work_into_coordinates(const TextureAffine& map, std::uint32_t from) {
-        std::size_t set = 0;
-        for (const Mesh& mesh : scene_.meshes)
-            if (mesh.material == number_) set = std::max(set, mesh.texcoords.size());
-        for (Mesh& mesh : scene_.meshes) {
-            if (mesh.material != number_ || mesh.texcoords.empty()) continue;
-            const Block<vec2> source = mesh.texcoords[std::min<std::size_t>(from, mesh.texcoords.size() - 1)];
-            mesh.texcoords.resize(set, source);
-            std::vector<vec2> mapped(source.begin(), source.end());
-            for (vec2& p : mapped) p = {float(map.a * p.x + map.b * p.y + map.c), float(map.d * p.x + map.e * p.y + map.f)};
-            mesh.texcoords.emplace_back(std::move(mapped));
+    /// The file's number where a mesh of this material has that set, else 0.
+    std::uint32_t existing_set(std::uint32_t set) {
+        bool used = false, found = false;
+        for (const Mesh& mesh : scene_.meshes) {
+            if (mesh.material != number_) continue;
+            used = true;
+            found = found || set < mesh.texcoords.size();
         }
-        return std::uint32_t(set);
+        if (!used || found || set == 0) return set;
+        report_.add(Remark::changed, path_, {}, "a texture asks for a set of coordinates that no mesh has; the first is taken");
+        return 0;
     }
 
     const std::string &path_, &ending_;

@@ -17,7 +17,7 @@ struct TextureAffine {
 /// The map of a link, in v-down coordinates on both sides.
 TextureAffine placement_of(const import_stream::TextureLink& link);
 
-/// The same as offset, rotation and scale; nullopt when the map shears, so that it must be worked into the coordinates.
+/// The same as offset, rotation and scale; nullopt when the map shears (placement_of() never does) or has no width.
 std::optional<TextureTransform> as_transform(const TextureAffine& map);
 
 }  // namespace rakelight::io
