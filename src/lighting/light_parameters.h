@@ -6,7 +6,12 @@
 
 namespace rakelight::lighting {
 
-enum class LightKind : int32_t { ambient = 0, directional = 1, point = 2, spot = 3 };  // = RL_..._LIGHT of light_sum.glsl
+enum class LightKind : int32_t {
+    ambient = 0,
+    directional = 1,
+    point = 2,
+    spot = 3
+};  // = RL_..._LIGHT of light_sum.glsl
 
 struct LightParameters {
     LightKind kind = LightKind::point;
@@ -18,8 +23,8 @@ struct LightParameters {
     float constant_term = 1, linear_term = 0, quadratic_term = 0;
     float cos_cutoff = 0, exponent = 0;
     // photometric
-    float intensity[3] = {1, 1, 1};   ///< color times lux (directional) or candela (point, spot)
-    float inverse_range = 0;          ///< [1/m]; 0: no range
+    float intensity[3] = {1, 1, 1};  ///< color times lux (directional) or candela (point, spot)
+    float inverse_range = 0;         ///< [1/m]; 0: no range
     float cone_scale = 0, cone_offset = 1;
 };
 

@@ -13,7 +13,8 @@
 //   lambert_brdf, phong_brdf, blinn_phong_brdf, ..._lobe    -> the models themselves [1/sr], [1]
 //
 // A pixel: Surface s {n, v, k_a, k_d, k_s, exponent}; Reflection r {RL_BLINN_PHONG, RL_TEXTBOOK, 1};
-//          vec3 sum = emission; for each light in the scene's order: sum = add_light(sum, s, sample_light(light, p), r);
+//          vec3 sum = emission; for each light in the scene's order: sum = add_light(sum, s, sample_light(light, p),
+//          r);
 // n, v unit and away from the surface, n on the viewer's side (the caller flips it for back faces of double-sided
 // materials); position in the space of the lights. Degenerate vectors give black or a fallback, never NaN, as long as
 // colors are finite. Model, form and light kind are uniform: one run of pixels of one material.
@@ -22,6 +23,7 @@
 
 namespace rakelight::lighting::RL_ISA {
 
+// clang-format off
 #include "lighting/prelude.h"
 // the order of all.glsl.list
 #include "lighting/lambert.glsl"
@@ -31,6 +33,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/normal_map.glsl"
 #include "lighting/attenuation.glsl"
 #include "lighting/light_sum.glsl"
+// clang-format on
 
 /// Three floats for all lanes.
 RL_FN vec3 broadcast3(const float (&a)[3]) { return vec3(broadcast(a[0]), broadcast(a[1]), broadcast(a[2])); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ preludes of the lighting text, scalar and wide: the words of math/wide.h, whose flavour RL_ISA is the difference.
-// Their GLSL brother is prelude.glsl. To be included inside the namespace that takes the words; no include guard.
+// The C++ preludes of the lighting text, scalar and wide: the words of math/wide.h, whose flavour RL_ISA is the
+// difference. Their GLSL brother is prelude.glsl. To be included inside the namespace that takes the words; no include
+// guard.
 #define RL_FN [[gnu::always_inline]] inline  // structs of wide vectors would travel through memory
 RL_USE_WIDE;

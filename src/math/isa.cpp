@@ -20,12 +20,16 @@ const char* name(Isa isa) {
 bool is_available(Isa isa) {
     // The builtins ask CPUID and, for the wide registers, XGETBV: whether the operating system saves them.
     switch (isa) {
-        case Isa::scalar: return true;
-        case Isa::sse2: return __builtin_cpu_supports("sse2");
-        case Isa::avx2: return __builtin_cpu_supports("avx2");
+        case Isa::scalar:
+            return true;
+        case Isa::sse2:
+            return __builtin_cpu_supports("sse2");
+        case Isa::avx2:
+            return __builtin_cpu_supports("avx2");
         case Isa::avx512:
-            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-                   __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512cd");
+            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                   __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+                   __builtin_cpu_supports("avx512cd");
     }
     return false;
 }

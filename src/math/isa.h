@@ -15,7 +15,8 @@ bool is_available(Isa isa);
 /// The widest one that is available.
 Isa best_isa();
 
-/// RAKELIGHT_ISA = scalar | sse2 | avx2 | avx512, or best_isa() where it is unset or empty. Reads the environment each time.
+/// RAKELIGHT_ISA = scalar | sse2 | avx2 | avx512, or best_isa() where it is unset or empty. Reads the environment each
+/// time.
 /// @throws Error usage: an unknown word, or a set that this processor lacks; never a silent substitute.
 Isa isa_from_environment();
 

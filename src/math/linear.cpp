@@ -11,8 +11,10 @@ namespace {
 
 /// Of quaternion q, scaled to unit length; zero and non-finite ones are no rotation.
 dmat3 rotation_matrix(dquat q) {
-    const double largest = std::fmax(std::fmax(std::fabs(q.x), std::fabs(q.y)), std::fmax(std::fabs(q.z), std::fabs(q.w)));
-    if (!(largest > 0.0) || !std::isfinite(q.x) || !std::isfinite(q.y) || !std::isfinite(q.z) || !std::isfinite(q.w)) return {};
+    const double largest =
+        std::fmax(std::fmax(std::fabs(q.x), std::fabs(q.y)), std::fmax(std::fabs(q.z), std::fabs(q.w)));
+    if (!(largest > 0.0) || !std::isfinite(q.x) || !std::isfinite(q.y) || !std::isfinite(q.z) || !std::isfinite(q.w))
+        return {};
     q = {q.x / largest, q.y / largest, q.z / largest, q.w / largest};
     const double s = 2.0 / (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
     return {{{1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.z * q.w), s * (q.x * q.z - q.y * q.w)},
@@ -71,7 +73,10 @@ dmat4 perspective(double vertical_fov_rad, double aspect, double near, double fa
     const double f = math::cos(half) / math::sin(half);
     // Written with near / far, so that an infinite far plane is no special case: its ratio is 0.
     const double ratio = near / far;
-    return {{{f / aspect, 0, 0, 0}, {0, f, 0, 0}, {0, 0, -(1 + ratio) / (1 - ratio), -1}, {0, 0, -2 * near / (1 - ratio), 0}}};
+    return {{{f / aspect, 0, 0, 0},
+             {0, f, 0, 0},
+             {0, 0, -(1 + ratio) / (1 - ratio), -1},
+             {0, 0, -2 * near / (1 - ratio), 0}}};
 }
 
 dmat4 orthographic(double half_height, double aspect, double near, double far) {

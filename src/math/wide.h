@@ -2,9 +2,10 @@
 // Wide types: `lanes` floats, integers and truths at once, the same vocabulary in every flavour (scalar: plain float).
 // Only sources that are compiled per instruction set (rl_add_isa_sources) include this; these files alone name xsimd.
 //
-// A kernel lives in `namespace rakelight::<module>::RL_ISA` and takes the words with `RL_USE_WIDE` (no using-directive: it
-// would meet rakelight::vec3 and rakelight::min of other headers). Reading order: wide_scalar.h or wide_xsimd.h (types and
-// native operations), wide_functions.h (exp2, log2, pow_positive, rounding), wide_vector.h (vec2, vec3, vec4).
+// A kernel lives in `namespace rakelight::<module>::RL_ISA` and takes the words with `RL_USE_WIDE` (no using-directive:
+// it would meet rakelight::vec3 and rakelight::min of other headers). Reading order: wide_scalar.h or wide_xsimd.h
+// (types and native operations), wide_functions.h (exp2, log2, pow_positive, rounding), wide_vector.h (vec2, vec3,
+// vec4).
 //
 // The promise: each word gives the same bits in every flavour, lane by lane (tests/unit/math/wide_test.cpp). So
 //   min(a, b) is a < b ? a : b and max(a, b) is a > b ? a : b: where a or b is NaN, or both are zero, the answer is b;
@@ -30,26 +31,26 @@
 #include "math/wide_vector.h"
 
 /// Brings the vocabulary into the kernel's own namespace.
-#define RL_USE_WIDE                                                                                                        \
-    using rakelight::wide::RL_ISA::real, rakelight::wide::RL_ISA::integer, rakelight::wide::RL_ISA::mask;                  \
-    using rakelight::wide::RL_ISA::vec2, rakelight::wide::RL_ISA::vec3, rakelight::wide::RL_ISA::vec4;                     \
-    using rakelight::wide::RL_ISA::lanes, rakelight::wide::RL_ISA::lane_indices, rakelight::wide::RL_ISA::lane;            \
-    using rakelight::wide::RL_ISA::load, rakelight::wide::RL_ISA::load_i, rakelight::wide::RL_ISA::store;                  \
-    using rakelight::wide::RL_ISA::load_masked, rakelight::wide::RL_ISA::load_i_masked;                                    \
-    using rakelight::wide::RL_ISA::store_masked;                                                                           \
-    using rakelight::wide::RL_ISA::broadcast, rakelight::wide::RL_ISA::broadcast_i;                                        \
-    using rakelight::wide::RL_ISA::gather, rakelight::wide::RL_ISA::gather_i;                                              \
-    using rakelight::wide::RL_ISA::to_int, rakelight::wide::RL_ISA::to_int_floor, rakelight::wide::RL_ISA::to_real;        \
-    using rakelight::wide::RL_ISA::bits_of, rakelight::wide::RL_ISA::real_from_bits;                                       \
-    using rakelight::wide::RL_ISA::shift_right_logical;                                                                    \
-    using rakelight::wide::RL_ISA::select, rakelight::wide::RL_ISA::any_lane, rakelight::wide::RL_ISA::all_lanes;          \
-    using rakelight::wide::RL_ISA::no_lane, rakelight::wide::RL_ISA::lane_bits;                                            \
-    using rakelight::wide::RL_ISA::min, rakelight::wide::RL_ISA::max, rakelight::wide::RL_ISA::clamp;                      \
-    using rakelight::wide::RL_ISA::abs, rakelight::wide::RL_ISA::sqrt, rakelight::wide::RL_ISA::floor;                     \
-    using rakelight::wide::RL_ISA::ceil, rakelight::wide::RL_ISA::trunc, rakelight::wide::RL_ISA::fract;                   \
-    using rakelight::wide::RL_ISA::reciprocal, rakelight::wide::RL_ISA::copy_sign, rakelight::wide::RL_ISA::mix;           \
-    using rakelight::wide::RL_ISA::exp2, rakelight::wide::RL_ISA::exp, rakelight::wide::RL_ISA::log2;                      \
-    using rakelight::wide::RL_ISA::pow_positive, rakelight::wide::RL_ISA::safe_sqrt;                                       \
-    using rakelight::wide::RL_ISA::dot, rakelight::wide::RL_ISA::cross, rakelight::wide::RL_ISA::length;                   \
-    using rakelight::wide::RL_ISA::normalize, rakelight::wide::RL_ISA::safe_normalize;                                     \
+#define RL_USE_WIDE                                                                                                 \
+    using rakelight::wide::RL_ISA::real, rakelight::wide::RL_ISA::integer, rakelight::wide::RL_ISA::mask;           \
+    using rakelight::wide::RL_ISA::vec2, rakelight::wide::RL_ISA::vec3, rakelight::wide::RL_ISA::vec4;              \
+    using rakelight::wide::RL_ISA::lanes, rakelight::wide::RL_ISA::lane_indices, rakelight::wide::RL_ISA::lane;     \
+    using rakelight::wide::RL_ISA::load, rakelight::wide::RL_ISA::load_i, rakelight::wide::RL_ISA::store;           \
+    using rakelight::wide::RL_ISA::load_masked, rakelight::wide::RL_ISA::load_i_masked;                             \
+    using rakelight::wide::RL_ISA::store_masked;                                                                    \
+    using rakelight::wide::RL_ISA::broadcast, rakelight::wide::RL_ISA::broadcast_i;                                 \
+    using rakelight::wide::RL_ISA::gather, rakelight::wide::RL_ISA::gather_i;                                       \
+    using rakelight::wide::RL_ISA::to_int, rakelight::wide::RL_ISA::to_int_floor, rakelight::wide::RL_ISA::to_real; \
+    using rakelight::wide::RL_ISA::bits_of, rakelight::wide::RL_ISA::real_from_bits;                                \
+    using rakelight::wide::RL_ISA::shift_right_logical;                                                             \
+    using rakelight::wide::RL_ISA::select, rakelight::wide::RL_ISA::any_lane, rakelight::wide::RL_ISA::all_lanes;   \
+    using rakelight::wide::RL_ISA::no_lane, rakelight::wide::RL_ISA::lane_bits;                                     \
+    using rakelight::wide::RL_ISA::min, rakelight::wide::RL_ISA::max, rakelight::wide::RL_ISA::clamp;               \
+    using rakelight::wide::RL_ISA::abs, rakelight::wide::RL_ISA::sqrt, rakelight::wide::RL_ISA::floor;              \
+    using rakelight::wide::RL_ISA::ceil, rakelight::wide::RL_ISA::trunc, rakelight::wide::RL_ISA::fract;            \
+    using rakelight::wide::RL_ISA::reciprocal, rakelight::wide::RL_ISA::copy_sign, rakelight::wide::RL_ISA::mix;    \
+    using rakelight::wide::RL_ISA::exp2, rakelight::wide::RL_ISA::exp, rakelight::wide::RL_ISA::log2;               \
+    using rakelight::wide::RL_ISA::pow_positive, rakelight::wide::RL_ISA::safe_sqrt;                                \
+    using rakelight::wide::RL_ISA::dot, rakelight::wide::RL_ISA::cross, rakelight::wide::RL_ISA::length;            \
+    using rakelight::wide::RL_ISA::normalize, rakelight::wide::RL_ISA::safe_normalize;                              \
     using rakelight::wide::RL_ISA::safe_normalize_or

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of the wide types, one text for all flavours, so that scalar == wide to the bit. No libm: it picks its variant
-// by processor. exp2, log2 and pow_positive take arguments below 2^-126 as 0 and return 0 in place of denormal results, so
-// their answers do not depend on whether the processor flushes denormals.
+// Functions of the wide types, one text for all flavours, so that scalar == wide to the bit. No libm: it picks its
+// variant by processor. exp2, log2 and pow_positive take arguments below 2^-126 as 0 and return 0 in place of denormal
+// results, so their answers do not depend on whether the processor flushes denormals.
 #pragma once
 
 namespace rakelight::wide::RL_ISA {
 
 inline real abs(real x) { return real_from_bits(bits_of(x) & integer(INT32_MAX)); }
 /// Magnitude of x, sign bit of s.
-inline real copy_sign(real x, real s) { return real_from_bits((bits_of(x) & integer(INT32_MAX)) | (bits_of(s) & integer(INT32_MIN))); }
+inline real copy_sign(real x, real s) {
+    return real_from_bits((bits_of(x) & integer(INT32_MAX)) | (bits_of(s) & integer(INT32_MIN)));
+}
 inline real clamp(real x, real lo, real hi) { return min(max(x, lo), hi); }
 inline integer clamp(integer x, integer lo, integer hi) { return min(max(x, lo), hi); }
 inline real mix(real a, real b, real t) { return a + (b - a) * t; }
-inline real reciprocal(real x) { return real(1.0f) / x; }  ///< by true division
+inline real reciprocal(real x) { return real(1.0f) / x; }           ///< by true division
 inline real safe_sqrt(real x) { return sqrt(max(x, real(0.0f))); }  ///< 0 for negative x and NaN
 
 #if !defined(RL_WIDE_NATIVE_ROUNDING)
@@ -53,8 +55,9 @@ inline real exp2(real x) {
 
 inline real exp(real x) { return exp2(x * real(1.44269504f)); }  ///< e^x; relative error grows with |x| to about 6e-6
 
-/// log2(x). Relative error under 4e-7, also near x = 1. Below 2^-126, for negative x and NaN: -127; infinity counts as FLT_MAX.
-/// x = m 2^e with m in sqrt(1/2)..sqrt(2), s = (m - 1) / (m + 1): log2 m = 2 / ln 2 atanh s, an odd series in s.
+/// log2(x). Relative error under 4e-7, also near x = 1. Below 2^-126, for negative x and NaN: -127; infinity counts as
+/// FLT_MAX. x = m 2^e with m in sqrt(1/2)..sqrt(2), s = (m - 1) / (m + 1): log2 m = 2 / ln 2 atanh s, an odd series in
+/// s.
 inline real log2(real x) {
     const mask is_normal = x >= real(1.17549435e-38f);
     const integer bits = bits_of(min(select(is_normal, x, real(1.0f)), real(3.40282347e38f)));

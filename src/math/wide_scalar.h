@@ -24,8 +24,12 @@ inline void store(int32_t* p, integer x) { *p = x; }
 /// Dead lanes are 0 and their memory is not touched.
 inline real load_masked(const float* p, mask m) { return m ? *p : 0.0f; }
 inline integer load_i_masked(const int32_t* p, mask m) { return m ? *p : 0; }
-inline void store_masked(float* p, real x, mask m) { if (m) *p = x; }
-inline void store_masked(int32_t* p, integer x, mask m) { if (m) *p = x; }
+inline void store_masked(float* p, real x, mask m) {
+    if (m) *p = x;
+}
+inline void store_masked(int32_t* p, integer x, mask m) {
+    if (m) *p = x;
+}
 inline real gather(const float* base, integer index) { return base[index]; }
 inline integer gather_i(const int32_t* base, integer index) { return base[index]; }
 inline integer gather_i(const uint32_t* base, integer index) { return int32_t(base[index]); }

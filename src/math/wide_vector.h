@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// vec2, vec3, vec4 of `real`, one text for all flavours: what the shared lighting text means by them. Sums run x, y, z, w.
+// vec2, vec3, vec4 of `real`, one text for all flavours: what the shared lighting text means by them. Sums run x, y, z,
+// w.
 #pragma once
 
 namespace rakelight::wide::RL_ISA {
@@ -54,7 +55,9 @@ inline vec4 operator-(vec4 a) { return vec4(-a.x, -a.y, -a.z, -a.w); }
 inline vec4& operator+=(vec4& a, vec4 b) { return a = a + b; }
 
 inline vec2 select(mask m, vec2 a, vec2 b) { return vec2(select(m, a.x, b.x), select(m, a.y, b.y)); }
-inline vec3 select(mask m, vec3 a, vec3 b) { return vec3(select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)); }
+inline vec3 select(mask m, vec3 a, vec3 b) {
+    return vec3(select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z));
+}
 inline vec4 select(mask m, vec4 a, vec4 b) {
     return vec4(select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z), select(m, a.w, b.w));
 }
@@ -72,7 +75,8 @@ inline real length(vec2 a) { return sqrt(dot(a, a)); }
 inline real length(vec3 a) { return sqrt(dot(a, a)); }
 inline vec3 normalize(vec3 a) { return a * reciprocal(length(a)); }  ///< not for zero vectors: see safe_normalize
 
-/// Unit vector of a, or `fallback` where a has no direction that float can hold: the squared length is NaN, below 2^-126
+/// Unit vector of a, or `fallback` where a has no direction that float can hold: the squared length is NaN, below
+/// 2^-126
 /// (|a| under 1.1e-19) or over FLT_MAX (|a| over 1.8e19).
 inline vec3 safe_normalize_or(vec3 a, vec3 fallback) {
     const real squared = dot(a, a);

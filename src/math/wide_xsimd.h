@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sse2, avx2 and avx512 flavours of the wide types over xsimd 8.1. Own structs around its batches keep the vocabulary
-// closed: a word that is not defined here does not compile, so nothing comes in whose edge cases were not looked at.
+// The sse2, avx2 and avx512 flavours of the wide types over xsimd 8.1. Own structs around its batches keep the
+// vocabulary closed: a word that is not defined here does not compile, so nothing comes in whose edge cases were not
+// looked at.
 #pragma once
 #include <stdint.h>
 #pragma GCC diagnostic push
@@ -32,8 +33,10 @@ constexpr int lanes = int(RealBatch::size);
 struct mask {
     MaskBatch v;
     mask() = default;
-    template <class T> requires(__is_same(T, bool))  // no silent float -> mask
-    mask(T b) : v(b) {}
+    template <class T>
+    requires(__is_same(T, bool))  // no silent float -> mask
+        mask(T b)
+        : v(b) {}
     explicit mask(MaskBatch b) : v(b) {}
 #if defined(RL_ISA_avx512)  // one bit a lane for both types
     explicit mask(IntegerMaskBatch b) : v(MaskBatch(b.data)) {}
@@ -54,12 +57,15 @@ struct real {
 struct integer {
     IntegerBatch v;
     integer() = default;
-    template <class T> requires(__is_same(T, int32_t))  // no silent float -> integer
-    integer(T s) : v(s) {}
+    template <class T>
+    requires(__is_same(T, int32_t))  // no silent float -> integer
+        integer(T s)
+        : v(s) {}
     explicit integer(IntegerBatch b) : v(b) {}
 };
 
-// --- masks ---------------------------------------------------------------------------------------------------------------
+// --- masks
+// ---------------------------------------------------------------------------------------------------------------
 // && and || evaluate both sides, as everything wide does.
 
 inline mask operator&(mask a, mask b) { return mask(a.v & b.v); }
@@ -84,7 +90,8 @@ inline bool any_lane(mask m) { return lane_bits(m) != 0; }
 inline bool no_lane(mask m) { return lane_bits(m) == 0; }
 inline bool all_lanes(mask m) { return lane_bits(m) == (uint32_t(1) << lanes) - 1; }
 
-// --- arithmetic and comparisons ------------------------------------------------------------------------------------------
+// --- arithmetic and comparisons
+// ------------------------------------------------------------------------------------------
 
 inline real operator+(real a, real b) { return real(a.v + b.v); }
 inline real operator-(real a, real b) { return real(a.v - b.v); }
@@ -125,7 +132,8 @@ inline mask operator!=(integer a, integer b) { return mask(a.v != b.v); }
 inline integer min(integer a, integer b) { return integer(xsimd::min(a.v, b.v)); }
 inline integer max(integer a, integer b) { return integer(xsimd::max(a.v, b.v)); }
 
-// --- conversions and choice ----------------------------------------------------------------------------------------------
+// --- conversions and choice
+// ----------------------------------------------------------------------------------------------
 
 inline integer bits_of(real x) { return integer(xsimd::bitwise_cast<IntegerBatch>(x.v)); }
 inline real real_from_bits(integer i) { return real(xsimd::bitwise_cast<RealBatch>(i.v)); }
@@ -141,7 +149,8 @@ inline real select(mask m, real a, real b) { return real(xsimd::select(m.v, a.v,
 inline integer select(mask m, integer a, integer b) { return bits_of(select(m, real_from_bits(a), real_from_bits(b))); }
 inline mask select(mask m, mask a, mask b) { return (m && a) || (!m && b); }
 
-// --- memory --------------------------------------------------------------------------------------------------------------
+// --- memory
+// --------------------------------------------------------------------------------------------------------------
 
 inline real broadcast(float s) { return real(s); }
 inline integer broadcast_i(int32_t s) { return integer(s); }
@@ -189,8 +198,12 @@ inline void store_masked(float* p, real x, mask m) {
         if (lane(m, i)) p[i] = lane(x, i);
 #endif
 }
-inline integer load_i_masked(const int32_t* p, mask m) { return bits_of(load_masked(reinterpret_cast<const float*>(p), m)); }
-inline void store_masked(int32_t* p, integer x, mask m) { store_masked(reinterpret_cast<float*>(p), real_from_bits(x), m); }
+inline integer load_i_masked(const int32_t* p, mask m) {
+    return bits_of(load_masked(reinterpret_cast<const float*>(p), m));
+}
+inline void store_masked(int32_t* p, integer x, mask m) {
+    store_masked(reinterpret_cast<float*>(p), real_from_bits(x), m);
+}
 
 inline real gather(const float* base, integer index) {
 #if defined(RL_ISA_avx512)
@@ -203,17 +216,26 @@ inline real gather(const float* base, integer index) {
     return real(RealBatch(_mm_setr_ps(base[i[0]], base[i[1]], base[i[2]], base[i[3]])));
 #endif
 }
-inline integer gather_i(const int32_t* base, integer index) { return bits_of(gather(reinterpret_cast<const float*>(base), index)); }
-inline integer gather_i(const uint32_t* base, integer index) { return bits_of(gather(reinterpret_cast<const float*>(base), index)); }
+inline integer gather_i(const int32_t* base, integer index) {
+    return bits_of(gather(reinterpret_cast<const float*>(base), index));
+}
+inline integer gather_i(const uint32_t* base, integer index) {
+    return bits_of(gather(reinterpret_cast<const float*>(base), index));
+}
 
-// --- rounding where the processor has it; wide_functions.h has the text for the others ---------------------------------------
+// --- rounding where the processor has it; wide_functions.h has the text for the others
+// ---------------------------------------
 
 #if defined(RL_ISA_avx512) || defined(RL_ISA_avx2)
 #define RL_WIDE_NATIVE_ROUNDING 1
 #if defined(RL_ISA_avx512)
 inline real trunc(real x) { return real(RealBatch(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC))); }
-inline real floor(real x) { return real(RealBatch(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC))); }
-inline real ceil(real x) { return real(RealBatch(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC))); }
+inline real floor(real x) {
+    return real(RealBatch(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)));
+}
+inline real ceil(real x) {
+    return real(RealBatch(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC)));
+}
 #else
 inline real trunc(real x) { return real(RealBatch(_mm256_round_ps(x.v, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC))); }
 inline real floor(real x) { return real(RealBatch(_mm256_round_ps(x.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC))); }

@@ -55,7 +55,9 @@ public:
     float* const* out() { return pointers_.data(); }
     const std::vector<float>& operator[](std::size_t column) const { return columns_[column]; }
     std::size_t width() const { return columns_.size(); }
-    vec3 vector(std::size_t first, std::size_t item) const { return {columns_[first][item], columns_[first + 1][item], columns_[first + 2][item]}; }
+    vec3 vector(std::size_t first, std::size_t item) const {
+        return {columns_[first][item], columns_[first + 1][item], columns_[first + 2][item]};
+    }
 
 private:
     std::vector<std::vector<float>> columns_;
@@ -73,7 +75,8 @@ inline Results run(const Kernel& kernel, const std::string& operation, Items& it
     throw std::runtime_error("no operation " + operation);
 }
 
-inline Results terms(const Kernel& kernel, Items& items, Choice choice, const lighting::LightParameters* light = nullptr) {
+inline Results terms(const Kernel& kernel, Items& items, Choice choice,
+                     const lighting::LightParameters* light = nullptr) {
     const Inputs in = items.inputs();
     Results results(9, in.count);
     kernel.terms(in, light, choice, results.out());
@@ -81,10 +84,10 @@ inline Results terms(const Kernel& kernel, Items& items, Choice choice, const li
 }
 
 inline constexpr int lambert = 0, phong = 1, blinn_phong = 2, textbook = 0, normalized = 1;
-inline constexpr Choice all_choices[] = {{lambert, textbook, 1},     {lambert, normalized, 1},     {phong, textbook, 1},
-                                         {phong, textbook, 0},       {phong, normalized, 1},       {phong, normalized, 0},
-                                         {blinn_phong, textbook, 1}, {blinn_phong, textbook, 0},   {blinn_phong, normalized, 1},
-                                         {blinn_phong, normalized, 0}};
+inline constexpr Choice all_choices[] = {
+    {lambert, textbook, 1},       {lambert, normalized, 1},    {phong, textbook, 1},       {phong, textbook, 0},
+    {phong, normalized, 1},       {phong, normalized, 0},      {blinn_phong, textbook, 1}, {blinn_phong, textbook, 0},
+    {blinn_phong, normalized, 1}, {blinn_phong, normalized, 0}};
 
 /// Numbers that are the same on every machine (the distributions of <random> are not).
 class Random {
@@ -103,7 +106,8 @@ private:
 inline std::vector<lighting::LightParameters> one_light_of_each_kind() {
     std::vector<lighting::LightParameters> lights;
     for (const bool is_photometric : {false, true})
-        for (const lighting::LightKind kind : {lighting::LightKind::ambient, lighting::LightKind::directional, lighting::LightKind::point, lighting::LightKind::spot}) {
+        for (const lighting::LightKind kind : {lighting::LightKind::ambient, lighting::LightKind::directional,
+                                               lighting::LightKind::point, lighting::LightKind::spot}) {
             if (is_photometric && kind == lighting::LightKind::ambient) continue;
             lighting::LightParameters light;
             light.kind = kind;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set: runs the lighting text over arrays, as an engine's kernel would.
-#include "lighting/lighting.h"
 #include "lighting_kernel.h"
+#include "lighting/lighting.h"
 
 namespace rakelight::lighting_test::RL_ISA {
 
@@ -19,13 +19,14 @@ static void store3(float* const* out, int at, vec3 x) {
 }
 
 // Loads one step's items; not every function uses all of them.
-#define RL_LOOP(step)                                                                                       \
-    for (int at = 0; at < in.count; at += lanes) {                                                          \
-        [[maybe_unused]] vec3 n = load3(in, 0, at), l = load3(in, 3, at), v = load3(in, 6, at);             \
-        [[maybe_unused]] vec3 ka = load3(in, 9, at), kd = load3(in, 12, at), ks = load3(in, 15, at);        \
-        [[maybe_unused]] vec3 p = load3(in, 18, at);                                                        \
-        [[maybe_unused]] real e = load(in.column[21] + at), s = load(in.column[22] + at), t = load(in.column[23] + at); \
-        step;                                                                                               \
+#define RL_LOOP(step)                                                                                \
+    for (int at = 0; at < in.count; at += lanes) {                                                   \
+        [[maybe_unused]] vec3 n = load3(in, 0, at), l = load3(in, 3, at), v = load3(in, 6, at);      \
+        [[maybe_unused]] vec3 ka = load3(in, 9, at), kd = load3(in, 12, at), ks = load3(in, 15, at); \
+        [[maybe_unused]] vec3 p = load3(in, 18, at);                                                 \
+        [[maybe_unused]] real e = load(in.column[21] + at), s = load(in.column[22] + at),            \
+                              t = load(in.column[23] + at);                                          \
+        step;                                                                                        \
     }
 
 #define RL_REAL(name, result) \
@@ -61,7 +62,8 @@ static Reflection reflection_of(Choice choice) {
     return reflection;
 }
 
-static void terms_of_step(const Surface& surface, vec3 l, vec3 p, const LightParameters* light, Choice choice, float* const* out, int at) {
+static void terms_of_step(const Surface& surface, vec3 l, vec3 p, const LightParameters* light, Choice choice,
+                          float* const* out, int at) {
     LightSample met;
     met.l = l;
     met.ambient = met.diffuse = met.specular = vec3(1.0f);
@@ -78,8 +80,8 @@ static void terms(const Inputs& in, const LightParameters* light, Choice choice,
 
 static void sum(const Inputs& in, const LightParameters* lights, int light_count, Choice choice, float* const* out) {
     RL_LOOP(vec3 total = vec3(0.0f);
-            for (int i = 0; i < light_count; ++i)
-                total = add_light(total, surface_of(n, v, ka, kd, ks, e), sample_light(lights[i], p), reflection_of(choice));
+            for (int i = 0; i < light_count; ++i) total =
+                add_light(total, surface_of(n, v, ka, kd, ks, e), sample_light(lights[i], p), reflection_of(choice));
             store3(out, at, total))
 }
 

@@ -31,12 +31,21 @@ struct Kernel {
     /// without: one from direction l with all colors 1.
     void (*terms)(const Inputs& in, const lighting::LightParameters* light, Choice choice, float* const* out);
     /// add_light over all lights, from 0: out[0..2].
-    void (*sum)(const Inputs& in, const lighting::LightParameters* lights, int light_count, Choice choice, float* const* out);
+    void (*sum)(const Inputs& in, const lighting::LightParameters* lights, int light_count, Choice choice,
+                float* const* out);
 };
 
-namespace scalar { extern const Kernel kernel; }
-namespace sse2 { extern const Kernel kernel; }
-namespace avx2 { extern const Kernel kernel; }
-namespace avx512 { extern const Kernel kernel; }
+namespace scalar {
+extern const Kernel kernel;
+}
+namespace sse2 {
+extern const Kernel kernel;
+}
+namespace avx2 {
+extern const Kernel kernel;
+}
+namespace avx512 {
+extern const Kernel kernel;
+}
 
 }  // namespace rakelight::lighting_test

@@ -13,9 +13,15 @@ namespace {
 using lighting::LightKind;
 using lighting::LightParameters;
 
-struct Attenuation { float constant, linear, quadratic, distance, expected; };
-struct Range { float distance, range, expected; };
-struct Cone { float angle, inner, outer, expected; };
+struct Attenuation {
+    float constant, linear, quadratic, distance, expected;
+};
+struct Range {
+    float distance, range, expected;
+};
+struct Cone {
+    float angle, inner, outer, expected;
+};
 
 #define RL_TERMS(...)
 #define RL_ATTENUATION(c, l, q, d, expected) Attenuation{c, l, q, d, expected},
@@ -91,7 +97,8 @@ TEST(Lights, PhotometricConeGivesTheValuesOfTheTable) {
         LightParameters light;
         light.kind = LightKind::spot;
         light.is_photometric = true;
-        light.position[0] = float(math::sin(radians(row.angle))), light.position[2] = cos_degrees(row.angle);  // shines down, 1 m away
+        light.position[0] = float(math::sin(radians(row.angle))),
+        light.position[2] = cos_degrees(row.angle);  // shines down, 1 m away
         light.intensity[0] = 3.14159265f;
         set_cone(light, cos_degrees(row.inner), cos_degrees(row.outer));
         EXPECT_NEAR(diffuse_of(light).x, row.expected, 3e-6) << row.angle;

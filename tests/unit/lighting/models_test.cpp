@@ -48,7 +48,8 @@ TEST(Models, GiveTheValuesOfTheTable) {
             for (std::size_t i = 0; i < table.size(); ++i) {
                 const float expected = table[i].specular[model - 1][c];
                 // directions are rounded to float: with exponent e the lobe moves by about e 2^-24 of itself
-                EXPECT_NEAR(results[6][i], expected, 1e-6 + expected * (1e-6 + double(table[i].e) * 3e-7)) << "model " << model << " column " << c << " row " << i;
+                EXPECT_NEAR(results[6][i], expected, 1e-6 + expected * (1e-6 + double(table[i].e) * 3e-7))
+                    << "model " << model << " column " << c << " row " << i;
                 EXPECT_NEAR(results[3][i], table[i].diffuse, 1e-6) << i;
                 EXPECT_EQ(results[0][i], 1.0f);
             }
@@ -95,10 +96,12 @@ TEST(Models, PhotometricLightGivesRadianceOfBrdfTimesIrradiance) {
 }
 
 /// Midpoint rule over the hemisphere about +z: calls with direction and solid angle.
-template <class Call> void over_hemisphere(int rings, Call call) {
+template <class Call>
+void over_hemisphere(int rings, Call call) {
     const int sectors = 2 * rings;
     for (int i = 0; i < rings; ++i) {
-        const double low = std::cos(pi_d / 2 * (i + 1) / rings), high = std::cos(pi_d / 2 * i / rings), z = std::cos(pi_d / 2 * (i + 0.5) / rings);
+        const double low = std::cos(pi_d / 2 * (i + 1) / rings), high = std::cos(pi_d / 2 * i / rings),
+                     z = std::cos(pi_d / 2 * (i + 0.5) / rings);
         for (int j = 0; j < sectors; ++j) {
             const double phi = 2 * pi_d * (j + 0.5) / sectors, s = std::sqrt(1 - z * z);
             call(vec3{float(s * std::cos(phi)), float(s * std::sin(phi)), float(z)}, 2 * pi_d * (high - low) / sectors);
@@ -124,7 +127,8 @@ double albedo(int model, int form, float e, double angle_rad) {
 }
 
 TEST(Models, TextbookPhongHasTheKnownAlbedos) {
-    // Exponent 1: (2/3) ((pi - t) cos t + sin t) / (pi cos t): 2/3 at normal incidence, 1.18 at 75 degrees: not energy conserving.
+    // Exponent 1: (2/3) ((pi - t) cos t + sin t) / (pi cos t): 2/3 at normal incidence, 1.18 at 75 degrees: not energy
+    // conserving.
     for (const double degrees_in : {0.0, 30.0, 60.0, 75.0}) {
         const double t = radians(degrees_in);
         const double expected = 2.0 / 3 * ((pi_d - t) * std::cos(t) + std::sin(t)) / (pi_d * std::cos(t));
@@ -139,7 +143,8 @@ TEST(Models, NormalizedFormsReflectAllAtNormalIncidenceAndNeverMoreThanAll) {
         for (const float e : {1.0f, 4.0f, 20.0f, 100.0f}) {
             EXPECT_NEAR(albedo(model, normalized, e, 0), 1, 3e-3) << model << " exponent " << e;
             for (const double degrees_in : {15.0, 40.0, 65.0, 80.0, 88.0})
-                EXPECT_LE(albedo(model, normalized, e, radians(degrees_in)), 1.003) << model << " exponent " << e << " at " << degrees_in;
+                EXPECT_LE(albedo(model, normalized, e, radians(degrees_in)), 1.003)
+                    << model << " exponent " << e << " at " << degrees_in;
         }
 }
 
@@ -158,7 +163,8 @@ TEST(Models, NormalizedFormsAreReciprocal) {
     }
     ASSERT_GT(n_dot_l.size(), 1000u);
     for (const int model : {phong, blinn_phong}) {
-        const Results a = terms(scalar::kernel, there, {model, normalized, 1}), b = terms(scalar::kernel, back, {model, normalized, 1});
+        const Results a = terms(scalar::kernel, there, {model, normalized, 1}),
+                      b = terms(scalar::kernel, back, {model, normalized, 1});
         for (std::size_t i = 0; i < n_dot_l.size(); ++i) {
             const double f_there = double(a[6][i]) / double(n_dot_l[i]), f_back = double(b[6][i]) / double(n_dot_v[i]);
             ASSERT_NEAR(f_there, f_back, 1e-6 + 2e-5 * f_there) << model << " " << i;
@@ -182,7 +188,8 @@ TEST(Models, LightBelowTheHorizonGivesNothingUnlessThePrintIsAskedFor) {
             ASSERT_EQ(r[3][i], 0.0f) << i;
             any_specular |= r[6][i] != 0.0f;
         }
-        EXPECT_EQ(any_specular, choice.form == textbook && choice.horizon == 0) << "model " << choice.model << " form " << choice.form;
+        EXPECT_EQ(any_specular, choice.form == textbook && choice.horizon == 0)
+            << "model " << choice.model << " form " << choice.form;
     }
 }
 

@@ -19,7 +19,8 @@ struct Flavour {
 /// The wide ones that this processor has.
 std::vector<Flavour> flavours() {
     std::vector<Flavour> all;
-    for (const Flavour f : {Flavour{Isa::sse2, &sse2::kernel}, Flavour{Isa::avx2, &avx2::kernel}, Flavour{Isa::avx512, &avx512::kernel}})
+    for (const Flavour f :
+         {Flavour{Isa::sse2, &sse2::kernel}, Flavour{Isa::avx2, &avx2::kernel}, Flavour{Isa::avx512, &avx512::kernel}})
         if (is_available(f.isa)) all.push_back(f);
     return all;
 }
@@ -54,11 +55,15 @@ Items random_items() {
 Items degenerate_items() {
     Random random;
     Items items;
-    const vec3 odd[] = {{0, 0, 0}, {-0.0f, 0, 0}, {1e-30f, 0, 0}, {1e-20f, 1e-20f, 0}, {1e30f, 0, 0}, {3e38f, 3e38f, 3e38f}, {0, 0, 1}, {0, 0, -1}, {1, 0, 0}};
+    const vec3 odd[] = {{0, 0, 0},           {-0.0f, 0, 0}, {1e-30f, 0, 0},
+                        {1e-20f, 1e-20f, 0}, {1e30f, 0, 0}, {3e38f, 3e38f, 3e38f},
+                        {0, 0, 1},           {0, 0, -1},    {1, 0, 0}};
     const float odd_numbers[] = {0, -0.0f, 1, -1, 1e-40f, 1e30f, 3e38f, 1.0000001f, 0.5f, 1000};
     for (int i = 0; i < 10000; ++i) {
         Item item = random_item(random);
-        const auto choose = [&](vec3& x) { if (random.bits() % 2 == 0) x = odd[random.bits() % 9]; };
+        const auto choose = [&](vec3& x) {
+            if (random.bits() % 2 == 0) x = odd[random.bits() % 9];
+        };
         choose(item.n), choose(item.l), choose(item.v), choose(item.p);
         if (random.bits() % 4 == 0) item.l = -item.v;
         for (float* x : {&item.e, &item.s, &item.t})
@@ -75,7 +80,8 @@ void expect_equal(const Results& got, const Results& expected, const std::string
     for (std::size_t c = 0; c < got.width(); ++c)
         for (std::size_t i = 0; i < got[c].size(); ++i)
             if (bits(got[c][i]) != bits(expected[c][i])) {
-                ADD_FAILURE() << what << " column " << c << " item " << i << ": " << got[c][i] << ", scalar " << expected[c][i];
+                ADD_FAILURE() << what << " column " << c << " item " << i << ": " << got[c][i] << ", scalar "
+                              << expected[c][i];
                 return;
             }
 }
@@ -84,7 +90,8 @@ void expect_all_flavours_equal(Items& items) {
     for (int o = 0; o < scalar::kernel.operation_count; ++o) {
         const std::string operation = scalar::kernel.operations[o].name;
         const Results expected = run(scalar::kernel, operation, items);
-        for (const Flavour& f : flavours()) expect_equal(run(*f.kernel, operation, items), expected, operation + " in " + name(f.isa));
+        for (const Flavour& f : flavours())
+            expect_equal(run(*f.kernel, operation, items), expected, operation + " in " + name(f.isa));
     }
     const auto lights = one_light_of_each_kind();
     for (const Choice choice : all_choices)
@@ -93,8 +100,8 @@ void expect_all_flavours_equal(Items& items) {
             const Results expected = terms(scalar::kernel, items, choice, light);
             for (const Flavour& f : flavours())
                 expect_equal(terms(*f.kernel, items, choice, light), expected,
-                             "model " + std::to_string(choice.model) + " form " + std::to_string(choice.form) + " light " + std::to_string(i) +
-                                 " in " + name(f.isa));
+                             "model " + std::to_string(choice.model) + " form " + std::to_string(choice.form) +
+                                 " light " + std::to_string(i) + " in " + name(f.isa));
         }
 }
 
@@ -132,13 +139,16 @@ TEST(WideLighting, NothingThatGoesInGivesNaN) {
             const Results results = terms(scalar::kernel, items, choice, &lights[light]);
             for (std::size_t c = 0; c < 9; ++c)
                 for (std::size_t i = 0; i < items.size(); ++i)
-                    ASSERT_FALSE(std::isnan(results[c][i])) << "light " << light << " model " << choice.model << " column " << c << " item " << i;
+                    ASSERT_FALSE(std::isnan(results[c][i]))
+                        << "light " << light << " model " << choice.model << " column " << c << " item " << i;
         }
-    for (const char* operation : {"orthogonal_tangent", "perturb_normal", "blinn_phong_n_dot_h", "phong_lobe", "blinn_phong_lobe",
-                                  "classical_attenuation", "classical_spot", "photometric_attenuation", "photometric_spot"}) {
+    for (const char* operation :
+         {"orthogonal_tangent", "perturb_normal", "blinn_phong_n_dot_h", "phong_lobe", "blinn_phong_lobe",
+          "classical_attenuation", "classical_spot", "photometric_attenuation", "photometric_spot"}) {
         const Results results = run(scalar::kernel, operation, items);
         for (std::size_t c = 0; c < results.width(); ++c)
-            for (std::size_t i = 0; i < items.size(); ++i) ASSERT_FALSE(std::isnan(results[c][i])) << operation << " item " << i;
+            for (std::size_t i = 0; i < items.size(); ++i)
+                ASSERT_FALSE(std::isnan(results[c][i])) << operation << " item " << i;
     }
 }
 

@@ -20,10 +20,14 @@ struct Named {
 };
 
 const Named functions[] = {
-    {"sin", math::sin, [](double x) { return std::sin(x); }, -10, 10},   {"cos", math::cos, [](double x) { return std::cos(x); }, -10, 10},
-    {"tan", math::tan, [](double x) { return std::tan(x); }, -1.5, 1.5}, {"acos", math::acos, [](double x) { return std::acos(x); }, -1, 1},
-    {"exp", math::exp, [](double x) { return std::exp(x); }, -50, 50},   {"exp2", math::exp2, [](double x) { return std::exp2(x); }, -50, 50},
-    {"log", math::log, [](double x) { return std::log(x); }, 1e-9, 50},  {"log2", math::log2, [](double x) { return std::log2(x); }, 1e-9, 50},
+    {"sin", math::sin, [](double x) { return std::sin(x); }, -10, 10},
+    {"cos", math::cos, [](double x) { return std::cos(x); }, -10, 10},
+    {"tan", math::tan, [](double x) { return std::tan(x); }, -1.5, 1.5},
+    {"acos", math::acos, [](double x) { return std::acos(x); }, -1, 1},
+    {"exp", math::exp, [](double x) { return std::exp(x); }, -50, 50},
+    {"exp2", math::exp2, [](double x) { return std::exp2(x); }, -50, 50},
+    {"log", math::log, [](double x) { return std::log(x); }, 1e-9, 50},
+    {"log2", math::log2, [](double x) { return std::log2(x); }, 1e-9, 50},
     {"pow", [](double x) { return math::pow(x, 2.4); }, [](double x) { return std::pow(x, 2.4); }, 0, 10},
     {"atan2", [](double x) { return math::atan2(x, 0.7); }, [](double x) { return std::atan2(x, 0.7); }, -5, 5},
 };
@@ -33,14 +37,17 @@ TEST(Functions, AgreeWithTheStandardLibraryToAFewUlps) {
         for (int i = 0; i <= 4000; ++i) {
             const double x = f.from + (f.to - f.from) * i / 4000;
             const double exact = f.reference(x);
-            ASSERT_NEAR(f.ours(x), exact, 3e-16 * std::max(std::fabs(exact), 1e-3) + 1e-300) << f.name << "(" << x << ")";
+            ASSERT_NEAR(f.ours(x), exact, 3e-16 * std::max(std::fabs(exact), 1e-3) + 1e-300)
+                << f.name << "(" << x << ")";
         }
 }
 
 TEST(Functions, HashToTheNumberOfEveryOtherMachine) {
     std::uint64_t hash = 1469598103934665603ull;
     for (const Named& f : functions)
-        for (int i = 0; i <= 4000; ++i) hash = (hash ^ std::bit_cast<std::uint64_t>(f.ours(f.from + (f.to - f.from) * i / 4000))) * 1099511628211ull;
+        for (int i = 0; i <= 4000; ++i)
+            hash =
+                (hash ^ std::bit_cast<std::uint64_t>(f.ours(f.from + (f.to - f.from) * i / 4000))) * 1099511628211ull;
     EXPECT_EQ(hash, 13901614809143145094u);
 }
 

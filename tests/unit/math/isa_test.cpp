@@ -77,9 +77,7 @@ TEST(FlushDenormals, HoldsInItsScopeAndRestoresWhatWasThere) {
     {
         const FlushDenormals guard;
         EXPECT_EQ(tiny * half * half, 0.0f);
-        {
-            const FlushDenormals inner;
-        }
+        { const FlushDenormals inner; }
         EXPECT_EQ(tiny * half * half, 0.0f);
     }
     EXPECT_GT(tiny * half * half, 0.0f);

@@ -12,7 +12,8 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 
 void expect_near(dvec3 a, dvec3 b, double tolerance = 1e-12) {
-    EXPECT_TRUE(std::fabs(a.x - b.x) <= tolerance && std::fabs(a.y - b.y) <= tolerance && std::fabs(a.z - b.z) <= tolerance)
+    EXPECT_TRUE(std::fabs(a.x - b.x) <= tolerance && std::fabs(a.y - b.y) <= tolerance &&
+                std::fabs(a.z - b.z) <= tolerance)
         << a.x << " " << a.y << " " << a.z << " is not " << b.x << " " << b.y << " " << b.z;
 }
 void expect_near(const dmat4& a, const dmat4& b, double tolerance = 1e-12) {
@@ -37,7 +38,8 @@ TEST(Compose, AppliesScaleThenRotationThenTranslation) {
 TEST(Compose, NormalizesQuaternionsAndTakesBrokenOnesForNoRotation) {
     const dquat quarter{0.5, 0.5, 0.5, 0.5};
     expect_near(compose({0, 0, 0}, {5e200, 5e200, 5e200, 5e200}, {1, 1, 1}), compose({0, 0, 0}, quarter, {1, 1, 1}));
-    expect_near(compose({0, 0, 0}, {1e-200, 1e-200, 1e-200, 1e-200}, {1, 1, 1}), compose({0, 0, 0}, quarter, {1, 1, 1}));
+    expect_near(compose({0, 0, 0}, {1e-200, 1e-200, 1e-200, 1e-200}, {1, 1, 1}),
+                compose({0, 0, 0}, quarter, {1, 1, 1}));
     expect_near(compose({1, 2, 3}, {0, 0, 0, 0}, {1, 1, 1}), translation(dvec3{1, 2, 3}));
     expect_near(compose({1, 2, 3}, {nan, 0, 0, 1}, {1, 1, 1}), translation(dvec3{1, 2, 3}));
     expect_near(compose({1, 2, 3}, {inf, 0, 0, 1}, {1, 1, 1}), translation(dvec3{1, 2, 3}));
@@ -61,8 +63,8 @@ TEST(InverseAffine, IsNotFooledByTheUnitOfLength) {
 
 TEST(InverseAffine, RefusesSingularAndBrokenMatricesAndLeavesTheResultAlone) {
     const dmat4 before = translation(dvec3{1, 2, 3});
-    for (const dmat4& m : {scaling(dvec3{1, 0, 1}), scaling(dvec3{0, 0, 0}), scaling(dvec3{nan, 1, 1}), scaling(dvec3{inf, 1, 1}),
-                           translation(dvec3{nan, 0, 0})}) {
+    for (const dmat4& m : {scaling(dvec3{1, 0, 1}), scaling(dvec3{0, 0, 0}), scaling(dvec3{nan, 1, 1}),
+                           scaling(dvec3{inf, 1, 1}), translation(dvec3{nan, 0, 0})}) {
         dmat4 out = before;
         EXPECT_FALSE(inverse_affine(m, out));
         EXPECT_EQ(out, before);
@@ -77,8 +79,10 @@ TEST(LookAt, PutsTheTargetOnTheNegativeZAxis) {
 }
 
 TEST(LookAt, IsARotationWhateverComesIn) {
-    for (const dvec3 target : {dvec3{0, 0, 0}, dvec3{0, 1, 0}, dvec3{0, -1, 0}, dvec3{1e-200, 0, 0}, dvec3{1e200, 1, 0}, dvec3{nan, 0, 0}, dvec3{0, 0, inf}})
-        for (const dvec3 up : {dvec3{0, 1, 0}, dvec3{0, 0, 0}, dvec3{nan, 0, 0}, dvec3{1, 0, 0}, dvec3{0, 1e-300, 1e-300}}) {
+    for (const dvec3 target : {dvec3{0, 0, 0}, dvec3{0, 1, 0}, dvec3{0, -1, 0}, dvec3{1e-200, 0, 0}, dvec3{1e200, 1, 0},
+                               dvec3{nan, 0, 0}, dvec3{0, 0, inf}})
+        for (const dvec3 up :
+             {dvec3{0, 1, 0}, dvec3{0, 0, 0}, dvec3{nan, 0, 0}, dvec3{1, 0, 0}, dvec3{0, 1e-300, 1e-300}}) {
             const dmat4 m = look_at({0, 0, 0}, target, up);
             expect_rotation(m);
         }

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set: runs every operation of math/wide.h over arrays.
-#include "math/wide.h"
 #include "wide_kernel.h"
+#include "math/wide.h"
 
 namespace rakelight::wide_test::RL_ISA {
 
 RL_USE_WIDE;
 
 // Loads the operands of one step; not every operation uses all of them.
-#define RL_LOOP(step)                                                       \
-    for (int at = 0; at < in.count; at += lanes) {                          \
-        [[maybe_unused]] const float* pa = in.a + at;                       \
-        [[maybe_unused]] const int32_t* pi = (const int32_t*)(in.a + at);   \
-        [[maybe_unused]] const float* block = in.a + at / 16 * 16;          \
-        [[maybe_unused]] const int32_t* integer_block = (const int32_t*)block;   \
-        [[maybe_unused]] const uint32_t* unsigned_block = (const uint32_t*)block; \
+#define RL_LOOP(step)                                                                 \
+    for (int at = 0; at < in.count; at += lanes) {                                    \
+        [[maybe_unused]] const float* pa = in.a + at;                                 \
+        [[maybe_unused]] const int32_t* pi = (const int32_t*)(in.a + at);             \
+        [[maybe_unused]] const float* block = in.a + at / 16 * 16;                    \
+        [[maybe_unused]] const int32_t* integer_block = (const int32_t*)block;        \
+        [[maybe_unused]] const uint32_t* unsigned_block = (const uint32_t*)block;     \
         [[maybe_unused]] real a = load(pa), b = load(in.b + at), c = load(in.c + at); \
-        [[maybe_unused]] integer i = bits_of(a), j = bits_of(b);            \
-        step;                                                               \
+        [[maybe_unused]] integer i = bits_of(a), j = bits_of(b);                      \
+        step;                                                                         \
     }
 
 #define RL_REAL(name, result) \
@@ -43,7 +43,8 @@ static void store_positive(const float* x, float* out, int count) {
 }
 
 static void store_positive_integers(const int32_t* x, int32_t* out, int count) {
-    for (int at = 0; at < count; at += lanes) store_masked(out + at, load_i(x + at) + integer(1), load_i(x + at) > integer(0));
+    for (int at = 0; at < count; at += lanes)
+        store_masked(out + at, load_i(x + at) + integer(1), load_i(x + at) > integer(0));
 }
 
 static uint32_t vote(const float* x) {
@@ -60,7 +61,8 @@ static void take_apart(const float* x, int32_t* indices, float* reals, int32_t* 
     }
 }
 
-const Kernel kernel = {lanes,          operations, int(sizeof operations / sizeof operations[0]), store_positive, store_positive_integers,
-                       vote, take_apart};
+const Kernel kernel = {
+    lanes, operations, int(sizeof operations / sizeof operations[0]), store_positive, store_positive_integers,
+    vote,  take_apart};
 
 }  // namespace rakelight::wide_test::RL_ISA

@@ -29,9 +29,17 @@ struct Kernel {
     void (*take_apart)(const float* x, int32_t* indices, float* reals, int32_t* integers, bool* truths);
 };
 
-namespace scalar { extern const Kernel kernel; }
-namespace sse2 { extern const Kernel kernel; }
-namespace avx2 { extern const Kernel kernel; }
-namespace avx512 { extern const Kernel kernel; }
+namespace scalar {
+extern const Kernel kernel;
+}
+namespace sse2 {
+extern const Kernel kernel;
+}
+namespace avx2 {
+extern const Kernel kernel;
+}
+namespace avx512 {
+extern const Kernel kernel;
+}
 
 }  // namespace rakelight::wide_test

@@ -29,8 +29,9 @@ struct Flavour {
 
 std::vector<Flavour> flavours() {
     std::vector<Flavour> all;
-    for (const Flavour f : {Flavour{Isa::scalar, &wide_test::scalar::kernel}, Flavour{Isa::sse2, &wide_test::sse2::kernel},
-                            Flavour{Isa::avx2, &wide_test::avx2::kernel}, Flavour{Isa::avx512, &wide_test::avx512::kernel}})
+    for (const Flavour f :
+         {Flavour{Isa::scalar, &wide_test::scalar::kernel}, Flavour{Isa::sse2, &wide_test::sse2::kernel},
+          Flavour{Isa::avx2, &wide_test::avx2::kernel}, Flavour{Isa::avx512, &wide_test::avx512::kernel}})
         if (is_available(f.isa)) all.push_back(f);
     return all;
 }
@@ -43,11 +44,54 @@ const Operation& operation(const Kernel& kernel, const std::string& name) {
 
 const std::vector<float>& special_values() {
     using L = std::numeric_limits<float>;
-    static const std::vector<float> values = {
-        0.0f, -0.0f, 0.3f, -0.3f, 0.5f, -0.5f, 1.0f, -1.0f, 1.5f, -1.5f, 2.0f, 48.0f, 126.0f, 127.0f, 127.99999f, 128.0f, -126.0f, -126.00001f,
-        -127.0f, -149.0f, -150.0f, 8388607.5f, -8388607.5f, 8388608.0f, -8388609.0f, 2147483520.0f, 2147483648.0f, -2147483648.0f,
-        -2147483904.0f, 1e10f, -1e10f, 1e-10f, L::min(), -L::min(), L::min() / 2, -L::denorm_min(), L::denorm_min(), L::max(), -L::max(),
-        L::infinity(), -L::infinity(), L::quiet_NaN(), 0.99999994f, 1.0000001f, 1e19f, 2e19f, 1e-19f, 1e-20f};
+    static const std::vector<float> values = {0.0f,
+                                              -0.0f,
+                                              0.3f,
+                                              -0.3f,
+                                              0.5f,
+                                              -0.5f,
+                                              1.0f,
+                                              -1.0f,
+                                              1.5f,
+                                              -1.5f,
+                                              2.0f,
+                                              48.0f,
+                                              126.0f,
+                                              127.0f,
+                                              127.99999f,
+                                              128.0f,
+                                              -126.0f,
+                                              -126.00001f,
+                                              -127.0f,
+                                              -149.0f,
+                                              -150.0f,
+                                              8388607.5f,
+                                              -8388607.5f,
+                                              8388608.0f,
+                                              -8388609.0f,
+                                              2147483520.0f,
+                                              2147483648.0f,
+                                              -2147483648.0f,
+                                              -2147483904.0f,
+                                              1e10f,
+                                              -1e10f,
+                                              1e-10f,
+                                              L::min(),
+                                              -L::min(),
+                                              L::min() / 2,
+                                              -L::denorm_min(),
+                                              L::denorm_min(),
+                                              L::max(),
+                                              -L::max(),
+                                              L::infinity(),
+                                              -L::infinity(),
+                                              L::quiet_NaN(),
+                                              0.99999994f,
+                                              1.0000001f,
+                                              1e19f,
+                                              2e19f,
+                                              1e-19f,
+                                              1e-20f};
     return values;
 }
 
@@ -57,7 +101,8 @@ struct Triples {
     Triples() {
         const auto& special = special_values();
         for (std::size_t i = 0; i < special.size(); ++i)
-            for (std::size_t j = 0; j < special.size(); ++j) push({special[i], special[j], special[(i + 3 * j) % special.size()]});
+            for (std::size_t j = 0; j < special.size(); ++j)
+                push({special[i], special[j], special[(i + 3 * j) % special.size()]});
         std::mt19937 random(2024);  // its numbers are the same everywhere, unlike those of std::*_distribution
         const auto usual = [&](float width) { return (float(random() >> 8) / 16777216.0f - 0.5f) * width; };
         // braces: the order of a call's arguments is the compiler's choice
@@ -78,7 +123,9 @@ const Triples& triples() {
     return made_once;
 }
 
-std::uint32_t bits(float x, bool is_real) { return is_real && std::isnan(x) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(x); }
+std::uint32_t bits(float x, bool is_real) {
+    return is_real && std::isnan(x) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(x);
+}
 
 std::vector<float> results(const Operation& op, const Inputs& in) {
     std::vector<float> out(std::size_t(in.count), -77.0f);
@@ -96,8 +143,8 @@ void expect_all_flavours_equal() {
             const std::vector<float> got = results(flavour.kernel->operations[o], in);
             for (std::size_t k = 0; k < got.size(); ++k)
                 if (bits(got[k], op.is_real) != bits(expected[k], op.is_real)) {
-                    ADD_FAILURE() << op.name << " in " << name(flavour.isa) << " of " << in.a[k] << ", " << in.b[k] << ", " << in.c[k] << ": "
-                                  << got[k] << ", scalar " << expected[k];
+                    ADD_FAILURE() << op.name << " in " << name(flavour.isa) << " of " << in.a[k] << ", " << in.b[k]
+                                  << ", " << in.c[k] << ": " << got[k] << ", scalar " << expected[k];
                     break;
                 }
         }
@@ -131,7 +178,8 @@ TEST(Wide, ResultsHashToTheNumberOfEveryOtherMachine) {
 void expect_same_as(const std::string& name, const std::function<float(float)>& expected) {
     const std::vector<float> got = results(operation(wide_test::scalar::kernel, name), triples().inputs());
     for (std::size_t k = 0; k < got.size(); ++k)
-        ASSERT_EQ(bits(got[k], true), bits(expected(triples().a[k]), true)) << name << " of " << triples().a[k] << ": " << got[k];
+        ASSERT_EQ(bits(got[k], true), bits(expected(triples().a[k]), true))
+            << name << " of " << triples().a[k] << ": " << got[k];
 }
 
 TEST(Wide, RoundingKeepsTheSignOfZeroAsTheStandardSays) {
@@ -146,10 +194,12 @@ TEST(Wide, SquareRootAndReciprocalRoundCorrectly) {
 }
 
 TEST(Wide, ToIntegerGivesTheSmallestOneOutOfRange) {
-    const std::vector<float> got = results(operation(wide_test::scalar::kernel, "truncated_to_integer"), triples().inputs());
+    const std::vector<float> got =
+        results(operation(wide_test::scalar::kernel, "truncated_to_integer"), triples().inputs());
     for (std::size_t k = 0; k < got.size(); ++k) {
         const float x = triples().a[k];
-        const std::int32_t expected = x > -2147483904.0f && x < 2147483648.0f ? std::int32_t(x) : std::numeric_limits<std::int32_t>::min();
+        const std::int32_t expected =
+            x > -2147483904.0f && x < 2147483648.0f ? std::int32_t(x) : std::numeric_limits<std::int32_t>::min();
         ASSERT_EQ(std::bit_cast<std::int32_t>(got[k]), expected) << x;
     }
 }
@@ -160,7 +210,8 @@ TEST(Wide, MinimumAndMaximumTakeTheSecondWhereTheComparisonFails) {
     for (const Flavour& f : flavours())
         for (const char* op : {"smaller", "larger"}) {
             const std::vector<float> got = results(operation(*f.kernel, op), {a, b, c, 16});
-            for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(bits(got[k], true), bits(b[k], true)) << op << " " << k << " " << name(f.isa);
+            for (std::size_t k = 0; k < 4; ++k)
+                EXPECT_EQ(bits(got[k], true), bits(b[k], true)) << op << " " << k << " " << name(f.isa);
             EXPECT_EQ(got[4], op == std::string("smaller") ? 1.0f : 2.0f);
         }
 }
@@ -175,8 +226,10 @@ TEST(Wide, DenormalArgumentsAndResultsOfPowersAreZeroWhetherFlushedOrNot) {
         }
         for (std::size_t k = 0; k < kept.size(); ++k) {
             // y log2(x) itself may be denormal: then 2^it is 1 either way
-            ASSERT_EQ(bits(kept[k], true), bits(flushed[k], true)) << op << " of " << triples().a[k] << ", " << triples().b[k];
-            ASSERT_NE(std::fpclassify(kept[k]), FP_SUBNORMAL) << op << " of " << triples().a[k] << ", " << triples().b[k];
+            ASSERT_EQ(bits(kept[k], true), bits(flushed[k], true))
+                << op << " of " << triples().a[k] << ", " << triples().b[k];
+            ASSERT_NE(std::fpclassify(kept[k]), FP_SUBNORMAL)
+                << op << " of " << triples().a[k] << ", " << triples().b[k];
         }
     }
 }
@@ -202,7 +255,8 @@ TEST(Wide, PowersAndLogarithmsKeepTheirStatedAccuracy) {
 
     std::vector<float> base, exponent;
     for (int i = 1; i <= 1600; ++i)
-        for (const float e : {1.0f, 2.0f, 5.5f, 48.0f, 1000.0f}) base.push_back(float(i) / 1600.0f), exponent.push_back(e);
+        for (const float e : {1.0f, 2.0f, 5.5f, 48.0f, 1000.0f})
+            base.push_back(float(i) / 1600.0f), exponent.push_back(e);
     const auto power = results(operation(k, "power"), {base.data(), exponent.data(), base.data(), int(base.size())});
     for (std::size_t i = 0; i < base.size(); ++i) {
         const double exact = std::pow(double(base[i]), double(exponent[i]));
@@ -214,11 +268,13 @@ TEST(Wide, PowersAndLogarithmsKeepTheirStatedAccuracy) {
 
 TEST(Wide, PowersKnowTheirEdges) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-    const float x[16] = {0, -1, nan, 1, 1, 1e-40f, 0, 2, 0.5f, inf, 2, 4}, y[16] = {0, 2, 1, 1e30f, -5, 1, 1, nan, 200, 1, 10, 0.5f};
+    const float x[16] = {0, -1, nan, 1, 1, 1e-40f, 0, 2, 0.5f, inf, 2, 4},
+                y[16] = {0, 2, 1, 1e30f, -5, 1, 1, nan, 200, 1, 10, 0.5f};
     const float expected[16] = {0, 0, 0, 1, 1, 0, 0, 0, 0, inf, 1024, 2};
     for (const Flavour& f : flavours()) {
         const auto got = results(operation(*f.kernel, "power"), {x, y, y, 16});
-        for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(got[k], expected[k]) << x[k] << "^" << y[k] << " in " << name(f.isa);
+        for (std::size_t k = 0; k < 12; ++k)
+            EXPECT_EQ(got[k], expected[k]) << x[k] << "^" << y[k] << " in " << name(f.isa);
     }
 }
 
@@ -256,7 +312,8 @@ TEST(Wide, VotesCountEveryLane) {
         for (std::uint32_t pattern : {0u, all, 1u, all >> 1, all & ~1u, all & 0x5555u, 1u << (f.kernel->lanes - 1)}) {
             float x[16];
             for (int k = 0; k < 16; ++k) x[k] = (pattern >> k & 1) != 0 ? 1.0f : -1.0f;
-            const std::uint32_t expected = (pattern != 0 ? 1u : 0u) | (pattern == all ? 2u : 0u) | (pattern == 0 ? 4u : 0u) | pattern << 8;
+            const std::uint32_t expected =
+                (pattern != 0 ? 1u : 0u) | (pattern == all ? 2u : 0u) | (pattern == 0 ? 4u : 0u) | pattern << 8;
             EXPECT_EQ(f.kernel->vote(x), expected) << name(f.isa) << " pattern " << pattern;
         }
     }
