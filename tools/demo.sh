@@ -29,7 +29,9 @@ three head "$out/head6.obj" --camera-position 0.1,0.29,0.5 --camera-focal-point 
     --light point:0.5,0.5,0.6:color=0.9,0.85,0.8:attenuation=0.6,0.2,0.4 \
     --light point:-0.7,0.1,0.35:color=0.3,0.45,0.75:attenuation=0.4,0.2,0.4 --light ambient:0.02,0.02,0.02
 
-three knight data/knight/Knight_noNormals.glb --view front --light directional:-1,-0.5,-0.4:color=0.9,0.9,0.9 --light ambient:0.15,0.15,0.15
+three knight data/knight/Knight_noNormals.glb --camera-position 0.9,1.5,2.6 --camera-focal-point 0,1.15,0 --camera-view-angle 34 \
+    --light directional:-1,-0.35,-0.25:color=0.9,0.9,0.9 --light ambient:0.12,0.12,0.12
 
 three teapot builtin:teapot --texture-normal data/bricks/normal.png \
-    --camera-position 3.5,3,6.5 --camera-focal-point 0,0,0 --light point:3,5,5:color=1,1,1 --light ambient:0.08,0.08,0.08
+    --camera-position 1.4,1.5,2.9 --camera-focal-point 0.07,0.45,0 --camera-view-angle 36 \
+    --light directional:1,-0.75,-0.4:color=0.9,0.88,0.84 --light directional:-1,-0.2,-0.6:color=0.12,0.15,0.22 --light ambient:0.06,0.06,0.06
