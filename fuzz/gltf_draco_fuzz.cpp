@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: the Draco buffer of a glTF primitive, any bytes. Whole files spend their time in JSON; this one starts behind it.
+// Fuzz target: the Draco buffer of a glTF primitive, any bytes. Whole files spend their time in JSON; this one starts
+// behind it.
 #include <cstdint>
 #include <cstdlib>
 #include <span>

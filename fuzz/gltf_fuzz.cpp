@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: glTF and GLB files of any bytes load as valid scenes or throw Error. Seeds: any .gltf and .glb files, best
-// with the data inside (GLB, data URIs), since references find nothing here.
+// Fuzz target: glTF and GLB files of any bytes load as valid scenes or throw Error. Seeds: any .gltf and .glb files,
+// best with the data inside (GLB, data URIs), since references find nothing here.
 #include <cstdint>
 #include <cstring>
 

@@ -25,17 +25,20 @@ std::uint32_t components_of(const Value& accessor) {
     accessor.fail("its type '" + one_line(type, 20) + "' is not one that can be used here");
 }
 
-/// True when `count` elements fit in `available` bytes from `offset` on; nothing can overflow: count and offset are at most
-/// 2^53 by Value, stride is 32-bit, so the division form is used throughout.
-bool fits(std::uint64_t count, std::uint64_t offset, std::uint32_t stride, std::uint32_t element_bytes, std::uint64_t available) {
+/// True when `count` elements fit in `available` bytes from `offset` on; nothing can overflow: count and offset are at
+/// most 2^53 by Value, stride is 32-bit, so the division form is used throughout.
+bool fits(std::uint64_t count, std::uint64_t offset, std::uint32_t stride, std::uint32_t element_bytes,
+          std::uint64_t available) {
     if (count == 0) return offset <= available;
     if (offset > available || element_bytes > available - offset) return false;
     return count - 1 <= (available - offset - element_bytes) / stride;
 }
 
-[[noreturn]] void fail_past_end(const Value& part, std::uint64_t count, std::uint64_t offset, std::uint32_t element_bytes, std::uint64_t available) {
-    part.fail("reads past the end of its bufferView (" + std::to_string(count) + " elements of " + std::to_string(element_bytes) +
-              " bytes from byte " + std::to_string(offset) + ", the view has " + std::to_string(available) + ")");
+[[noreturn]] void fail_past_end(const Value& part, std::uint64_t count, std::uint64_t offset,
+                                std::uint32_t element_bytes, std::uint64_t available) {
+    part.fail("reads past the end of its bufferView (" + std::to_string(count) + " elements of " +
+              std::to_string(element_bytes) + " bytes from byte " + std::to_string(offset) + ", the view has " +
+              std::to_string(available) + ")");
 }
 
 }  // namespace
@@ -51,7 +54,8 @@ Elements Accessors::description(std::uint32_t index, const Expected& expected, c
     if (!(expected.components >> elements.components & 1u))
         accessor.fail("its type '" + accessor.text("type") + "' cannot be used as " + expected.use);
     if (!(expected.types & type_bit(elements.type)))
-        accessor.fail("its componentType " + std::to_string(unsigned(elements.type)) + " cannot be used as " + expected.use);
+        accessor.fail("its componentType " + std::to_string(unsigned(elements.type)) + " cannot be used as " +
+                      expected.use);
     return elements;
 }
 
@@ -67,14 +71,16 @@ void Accessors::attach_view(Elements& elements, const Value& accessor) {
     const std::uint32_t bytes = elements.element_bytes();
     const std::uint32_t view_index = accessor.index("bufferView");
     if (view_index == none) {
-        if (elements.count > max_invented_bytes / bytes) accessor.fail("it has no bufferView; " + std::to_string(elements.count) + " zeros are too many");
+        if (elements.count > max_invented_bytes / bytes)
+            accessor.fail("it has no bufferView; " + std::to_string(elements.count) + " zeros are too many");
         return;
     }
     const Region region = buffers_.view(view_index, accessor);
     const std::uint64_t offset = accessor.count("byteOffset", 0);
     if (region.stride != 0) elements.stride = region.stride;
     if (elements.stride < bytes)
-        accessor.fail("the byteStride " + std::to_string(elements.stride) + " of its bufferView is less than its elements' " + std::to_string(bytes) + " bytes");
+        accessor.fail("the byteStride " + std::to_string(elements.stride) +
+                      " of its bufferView is less than its elements' " + std::to_string(bytes) + " bytes");
     if (!fits(elements.count, offset, elements.stride, bytes, region.bytes.size()))
         fail_past_end(accessor, elements.count, offset, bytes, region.bytes.size());
     elements.data = region.bytes.data() + offset;
@@ -84,7 +90,9 @@ void Accessors::attach_view(Elements& elements, const Value& accessor) {
 void Accessors::apply_sparse(Elements& elements, const Value& accessor, const Value& sparse) {
     // 1. the replacements, checked
     const std::uint64_t count = sparse.required_count("count");
-    if (count > elements.count) accessor.fail("sparse.count " + std::to_string(count) + " is more than its count " + std::to_string(elements.count));
+    if (count > elements.count)
+        accessor.fail("sparse.count " + std::to_string(count) + " is more than its count " +
+                      std::to_string(elements.count));
     const Value at = sparse.object("indices"), with = sparse.object("values");
     if (!at || !with) accessor.fail("sparse has no indices or no values");
     Elements indices;
@@ -106,16 +114,19 @@ void Accessors::apply_sparse(Elements& elements, const Value& accessor, const Va
     document_.context().memory().charge(elements.count * bytes + count * 4, "a sparse accessor");
     auto packed = std::make_shared<std::vector<std::byte>>(std::size_t(elements.count * bytes));
     if (elements.data)
-        for (std::uint64_t i = 0; i < elements.count; ++i) std::memcpy(packed->data() + i * bytes, elements.data + i * elements.stride, bytes);
+        for (std::uint64_t i = 0; i < elements.count; ++i)
+            std::memcpy(packed->data() + i * bytes, elements.data + i * elements.stride, bytes);
 
     // 3. replace
     std::uint64_t least = 0;
     const std::vector<std::uint32_t> targets = to_integers(indices);
     for (std::size_t k = 0; k < targets.size(); ++k) {
         if (targets[k] < least || targets[k] >= elements.count)
-            accessor.fail("sparse index " + std::to_string(targets[k]) + " at " + std::to_string(k) + " does not ascend or exceeds the count " + std::to_string(elements.count));
+            accessor.fail("sparse index " + std::to_string(targets[k]) + " at " + std::to_string(k) +
+                          " does not ascend or exceeds the count " + std::to_string(elements.count));
         least = std::uint64_t(targets[k]) + 1;
-        std::memcpy(packed->data() + targets[k] * std::uint64_t(bytes), value_bytes.bytes.data() + value_offset + k * bytes, bytes);
+        std::memcpy(packed->data() + targets[k] * std::uint64_t(bytes),
+                    value_bytes.bytes.data() + value_offset + k * bytes, bytes);
     }
     elements.data = packed->data();
     elements.stride = bytes;

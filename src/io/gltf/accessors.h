@@ -16,7 +16,8 @@ struct Expected {
 constexpr std::uint32_t components(std::uint32_t n) { return 1u << n; }
 constexpr std::uint32_t type_bit(ComponentType type) { return 1u << (unsigned(type) - 5120u); }
 inline constexpr std::uint32_t float_only = type_bit(ComponentType::f32);
-inline constexpr std::uint32_t unsigned_types = type_bit(ComponentType::u8) | type_bit(ComponentType::u16) | type_bit(ComponentType::u32);
+inline constexpr std::uint32_t unsigned_types =
+    type_bit(ComponentType::u8) | type_bit(ComponentType::u16) | type_bit(ComponentType::u32);
 /// Float, and the integers of 8 and 16 bits (by value or normalized; KHR_mesh_quantization).
 inline constexpr std::uint32_t float_or_small = float_only | type_bit(ComponentType::i8) | type_bit(ComponentType::u8) |
                                                 type_bit(ComponentType::i16) | type_bit(ComponentType::u16);
@@ -25,7 +26,8 @@ class Accessors {
 public:
     Accessors(const Document& document, Buffers& buffers) : document_(document), buffers_(buffers) {}
 
-    /// @throws Error bad_file: no such accessor, not of the expected kind, too small a stride, past the end of its view,
+    /// @throws Error bad_file: no such accessor, not of the expected kind, too small a stride, past the end of its
+    /// view,
     ///         sparse indices that do not ascend or exceed the count.
     Elements elements(std::uint32_t index, const Expected& expected, const Value& from);
 

@@ -9,7 +9,8 @@ namespace {
 
 class AnimationReader {
 public:
-    AnimationReader(Accessors& accessors, const Nodes& nodes, Scene& scene) : accessors_(accessors), nodes_(nodes), scene_(scene) {}
+    AnimationReader(Accessors& accessors, const Nodes& nodes, Scene& scene)
+        : accessors_(accessors), nodes_(nodes), scene_(scene) {}
 
     void read(const Value& source, std::uint32_t index) {
         Animation animation;
@@ -37,10 +38,14 @@ private:
         if (index >= samplers.size()) channel.fail("sampler " + std::to_string(index) + " does not exist");
         const Value sampler = samplers.element(index, channel.place());
         result.interpolation = interpolation_of(sampler);
-        result.times = numbers(times_, sampler.required_index("input"), {"key times", components(1), float_only}, sampler);
+        result.times =
+            numbers(times_, sampler.required_index("input"), {"key times", components(1), float_only}, sampler);
         check_times(result.times, sampler);
-        const std::uint32_t width = result.path == AnimationPath::rotation ? 4 : result.path == AnimationPath::morph_weights ? 1 : 3;
-        result.values = numbers(values_, sampler.required_index("output"), {"key values", components(width), float_or_small}, sampler);
+        const std::uint32_t width = result.path == AnimationPath::rotation        ? 4
+                                    : result.path == AnimationPath::morph_weights ? 1
+                                                                                  : 3;
+        result.values = numbers(values_, sampler.required_index("output"),
+                                {"key values", components(width), float_or_small}, sampler);
         check_size(result, sampler);
         return result;
     }
@@ -63,7 +68,8 @@ private:
     }
 
     /// Accessors of animations are shared by many channels, so each becomes one block.
-    Block<float> numbers(std::map<std::uint32_t, Block<float>>& cache, std::uint32_t accessor, const Expected& expected, const Value& from) {
+    Block<float> numbers(std::map<std::uint32_t, Block<float>>& cache, std::uint32_t accessor, const Expected& expected,
+                         const Value& from) {
         const Elements shape = accessors_.description(accessor, expected, from);
         if (const auto known = cache.find(accessor); known != cache.end()) return known->second;
         const Elements elements = accessors_.elements(accessor, expected, from);
@@ -74,15 +80,20 @@ private:
     static void check_times(const Block<float>& times, const Value& sampler) {
         if (times.empty()) sampler.fail("it has no keys");
         for (std::size_t k = 0; k < times.size(); ++k)
-            if (!std::isfinite(times[k]) || (k > 0 && times[k] < times[k - 1])) sampler.fail("its key times do not ascend at key " + std::to_string(k));
+            if (!std::isfinite(times[k]) || (k > 0 && times[k] < times[k - 1]))
+                sampler.fail("its key times do not ascend at key " + std::to_string(k));
     }
 
     void check_size(const AnimationChannel& channel, const Value& sampler) const {
         const std::size_t targets = scene_.nodes[channel.node].morph_weights.size();
-        const std::size_t width = channel.path == AnimationPath::rotation ? 4 : channel.path == AnimationPath::morph_weights ? targets : 3;
+        const std::size_t width = channel.path == AnimationPath::rotation        ? 4
+                                  : channel.path == AnimationPath::morph_weights ? targets
+                                                                                 : 3;
         const std::size_t per_key = width * (channel.interpolation == Interpolation::cubic_spline ? 3 : 1);
-        if (per_key == 0 || channel.values.size() / per_key != channel.times.size() || channel.values.size() % per_key != 0)
-            sampler.fail("it has " + std::to_string(channel.times.size()) + " keys of " + std::to_string(per_key) + " numbers, but " + std::to_string(channel.values.size()) + " numbers");
+        if (per_key == 0 || channel.values.size() / per_key != channel.times.size() ||
+            channel.values.size() % per_key != 0)
+            sampler.fail("it has " + std::to_string(channel.times.size()) + " keys of " + std::to_string(per_key) +
+                         " numbers, but " + std::to_string(channel.values.size()) + " numbers");
         for (const float value : channel.values)
             if (!std::isfinite(value)) sampler.fail("a key value is not finite");
     }
@@ -99,7 +110,8 @@ void read_animations(Accessors& accessors, const Nodes& nodes, Scene& scene) {
     const Document& document = accessors.document();
     AnimationReader reader(accessors, nodes, scene);
     for (std::uint32_t a = 0; a < document.count(animation_kind); ++a)
-        read_or_drop(document, "animation " + std::to_string(a), [&] { reader.read(document.element(animation_kind, a, document.root()), a); });
+        read_or_drop(document, "animation " + std::to_string(a),
+                     [&] { reader.read(document.element(animation_kind, a, document.root()), a); });
 }
 
 }  // namespace rakelight::io::gltf

@@ -24,7 +24,8 @@ std::optional<Bytes> decode_data_uri(const std::string& uri, const Value& from, 
     if (!uri.starts_with("data:")) return std::nullopt;
     const auto comma = uri.find(',');
     if (comma == std::string::npos) from.fail("its data URI has no comma");
-    const std::string_view header = std::string_view(uri).substr(0, comma), body = std::string_view(uri).substr(comma + 1);
+    const std::string_view header = std::string_view(uri).substr(0, comma),
+                           body = std::string_view(uri).substr(comma + 1);
     context.memory().charge(body.size(), "a data URI");
     if (header.ends_with(";base64")) {
         auto bytes = base64_decode(body);
@@ -72,11 +73,13 @@ Region Buffers::load_buffer(std::uint32_t index, const Value& buffer) {
             const Bytes bytes = read_file(path, document_.context());
             region = {*bytes, bytes};
         } catch (const Error& error) {  // the message must name the model, not only the buffer's file
-            throw Error(error.code(), "the file '" + last_part(*uri) + "': " + error.reason(), buffer.place(), error.advice());
+            throw Error(error.code(), "the file '" + last_part(*uri) + "': " + error.reason(), buffer.place(),
+                        error.advice());
         }
     }
     if (length > region.bytes.size())
-        buffer.fail("byteLength says " + std::to_string(length) + " bytes, but there are " + std::to_string(region.bytes.size()));
+        buffer.fail("byteLength says " + std::to_string(length) + " bytes, but there are " +
+                    std::to_string(region.bytes.size()));
     region.bytes = region.bytes.first(std::size_t(length));
     return region;
 }
@@ -86,8 +89,8 @@ Region Buffers::slice(const Value& view) {
     const std::uint64_t offset = view.count("byteOffset", 0), length = view.required_count("byteLength");
     Region region = buffer(index, view);
     if (offset > region.bytes.size() || length > region.bytes.size() - offset)
-        view.fail("reads past the end of buffer " + std::to_string(index) + " (bytes " + std::to_string(offset) + " to " +
-                  std::to_string(offset + length) + " of " + std::to_string(region.bytes.size()) + ")");
+        view.fail("reads past the end of buffer " + std::to_string(index) + " (bytes " + std::to_string(offset) +
+                  " to " + std::to_string(offset + length) + " of " + std::to_string(region.bytes.size()) + ")");
     region.bytes = region.bytes.subspan(std::size_t(offset), std::size_t(length));
     return region;
 }

@@ -18,7 +18,8 @@ struct Region {
 /// What a data URI holds; nullopt when `uri` is not one. @throws Error at `from`: without a comma, broken base64.
 std::optional<Bytes> decode_data_uri(const std::string& uri, const Value& from, Context& context);
 
-/// Where a URI of the file points on disk. @throws Error at `from`: it leaves the model's folder (names its last part only).
+/// Where a URI of the file points on disk. @throws Error at `from`: it leaves the model's folder (names its last part
+/// only).
 std::string resolve_uri(const Document& document, const std::string& uri, const Value& from);
 
 class Buffers {
@@ -27,7 +28,8 @@ public:
 
     /// @throws Error: no such buffer, broken URI, missing file, fewer bytes than byteLength says.
     Region buffer(std::uint32_t index, const Value& from);
-    /// The bytes of a view, unpacked where it is compressed (EXT_meshopt_compression). @throws Error: reaches past its buffer.
+    /// The bytes of a view, unpacked where it is compressed (EXT_meshopt_compression). @throws Error: reaches past its
+    /// buffer.
     Region view(std::uint32_t index, const Value& from);
 
 private:

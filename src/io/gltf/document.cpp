@@ -13,15 +13,16 @@ namespace rakelight::io::gltf {
 namespace {
 
 /// Extensions whose data is read. A file that requires another one is refused.
-constexpr std::array supported = std::to_array<std::string_view>({
-    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_texture_webp", "KHR_draco_mesh_compression",
-    "KHR_lights_punctual", "KHR_materials_anisotropy", "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_pbrSpecularGlossiness", "KHR_materials_specular", "KHR_materials_unlit", "KHR_mesh_quantization",
-    "KHR_meshopt_compression", "KHR_texture_transform"});
+constexpr std::array supported = std::to_array<std::string_view>(
+    {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_texture_webp", "KHR_draco_mesh_compression",
+     "KHR_lights_punctual", "KHR_materials_anisotropy", "KHR_materials_emissive_strength", "KHR_materials_ior",
+     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_specular", "KHR_materials_unlit", "KHR_mesh_quantization",
+     "KHR_meshopt_compression", "KHR_texture_transform"});
 
 /// Extensions that change nothing about the picture (metadata, alternatives to choose from): leaving them out is right.
-constexpr std::array harmless = std::to_array<std::string_view>(
-    {"KHR_materials_variants", "KHR_xmp", "KHR_xmp_json_ld", "EXT_structural_metadata", "EXT_mesh_features", "AGI_articulations"});
+constexpr std::array harmless =
+    std::to_array<std::string_view>({"KHR_materials_variants", "KHR_xmp", "KHR_xmp_json_ld", "EXT_structural_metadata",
+                                     "EXT_mesh_features", "AGI_articulations"});
 
 template <class List>
 bool contains(const List& list, std::string_view name) {
@@ -45,7 +46,8 @@ Document::Document(const std::string& path, Bytes file, const ReadOptions& optio
 Value Document::element_of(const Value& owner, Kind kind, std::uint32_t index, const Value& from) const {
     const Value list = owner.list(kind.list);
     if (index >= list.size())
-        from.fail(std::string(kind.word) + " " + std::to_string(index) + " does not exist (the file has " + std::to_string(list.size()) + ")");
+        from.fail(std::string(kind.word) + " " + std::to_string(index) + " does not exist (the file has " +
+                  std::to_string(list.size()) + ")");
     std::string place = std::string(kind.word) + " " + std::to_string(index);
     const Value element = list.element(index, place);
     const std::string* name = element.has("name") ? element.text_pointer("name") : nullptr;
@@ -74,8 +76,11 @@ void Document::check_version() const {
     if (!asset) throw Error(ErrorCode::bad_file, "not a glTF 2.0 file: asset is missing");
     const std::string version = asset.text("version"), least = asset.text("minVersion", "2.0");
     if (version.substr(0, 2) != "2." || version.size() < 3)
-        throw Error(ErrorCode::bad_file, "glTF version '" + one_line(version, 20) + "' is not supported, only 2.0", "asset");
-    if (least != "2.0") throw Error(ErrorCode::bad_file, "the file asks for glTF version '" + one_line(least, 20) + "', only 2.0 is supported", "asset");
+        throw Error(ErrorCode::bad_file, "glTF version '" + one_line(version, 20) + "' is not supported, only 2.0",
+                    "asset");
+    if (least != "2.0")
+        throw Error(ErrorCode::bad_file,
+                    "the file asks for glTF version '" + one_line(least, 20) + "', only 2.0 is supported", "asset");
 }
 
 void Document::check_extensions() const {
@@ -83,7 +88,8 @@ void Document::check_extensions() const {
     for (std::size_t i = 0; i < required.size(); ++i) {
         const std::string name = required.text_at(i);
         if (!contains(supported, name) && !contains(harmless, name))
-            throw Error(ErrorCode::bad_file, "the file requires the glTF extension " + one_line(name, 80) + ", which is not supported");
+            throw Error(ErrorCode::bad_file,
+                        "the file requires the glTF extension " + one_line(name, 80) + ", which is not supported");
     }
     const Value used = root_.list("extensionsUsed");
     for (std::size_t i = 0; i < used.size(); ++i) {

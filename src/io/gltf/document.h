@@ -34,7 +34,9 @@ public:
     const Value& root() const { return root_; }
     std::size_t count(Kind kind) const { return root_.list(kind.list).size(); }
     /// Element `index` of a list. @throws Error at the place of `from`: "mesh 7 does not exist (the file has 3)"
-    Value element(Kind kind, std::uint32_t index, const Value& from) const { return element_of(root_, kind, index, from); }
+    Value element(Kind kind, std::uint32_t index, const Value& from) const {
+        return element_of(root_, kind, index, from);
+    }
     /// The same for a list inside another object (the lights of KHR_lights_punctual).
     Value element_of(const Value& owner, Kind kind, std::uint32_t index, const Value& from) const;
     /// The element's own name, or "mesh 3".
@@ -65,8 +67,8 @@ private:
     Value root_;
 };
 
-/// Runs `read`; when it fails, the part it would have made is left out and the reason goes into the report. For parts that a
-/// picture can do without (textures, animations, cameras, lights).
+/// Runs `read`; when it fails, the part it would have made is left out and the reason goes into the report. For parts
+/// that a picture can do without (textures, animations, cameras, lights).
 template <class Read>
 bool read_or_drop(const Document& document, const std::string& what, Read read) {
     try {

@@ -22,7 +22,8 @@ public:
 
     std::uint64_t vertex_count() const;
     std::vector<std::uint32_t> indices() const;  ///< [3T] each < vertex_count()
-    /// Attribute `id` as one element a vertex. Whether integers are normalized is the accessor's word, in `description`.
+    /// Attribute `id` as one element a vertex. Whether integers are normalized is the accessor's word, in
+    /// `description`.
     /// @throws Error: no such attribute, another number of components.
     Elements attribute(std::uint32_t id, const Elements& description, const Value& from, Context& context) const;
 

@@ -12,12 +12,18 @@ namespace {
 template <class Use>
 void with_component_type(ComponentType type, Use use) {
     switch (type) {
-        case ComponentType::i8: return use(std::int8_t{});
-        case ComponentType::u8: return use(std::uint8_t{});
-        case ComponentType::i16: return use(std::int16_t{});
-        case ComponentType::u16: return use(std::uint16_t{});
-        case ComponentType::u32: return use(std::uint32_t{});
-        case ComponentType::f32: return use(float{});
+        case ComponentType::i8:
+            return use(std::int8_t{});
+        case ComponentType::u8:
+            return use(std::uint8_t{});
+        case ComponentType::i16:
+            return use(std::int16_t{});
+        case ComponentType::u16:
+            return use(std::uint16_t{});
+        case ComponentType::u32:
+            return use(std::uint32_t{});
+        case ComponentType::f32:
+            return use(float{});
     }
 }
 
@@ -65,7 +71,8 @@ void to_floats(const Elements& elements, std::uint32_t width, float missing, flo
         for (std::size_t i = 0; i < count; ++i) {
             const std::byte* from = elements.data ? elements.data + i * elements.stride : nullptr;
             float* to = out + i * width;
-            for (std::uint32_t c = 0; c < given; ++c) to[c] = from ? as_float(load<T>(from + c * sizeof(T)), elements.normalized) : 0.0f;
+            for (std::uint32_t c = 0; c < given; ++c)
+                to[c] = from ? as_float(load<T>(from + c * sizeof(T)), elements.normalized) : 0.0f;
             for (std::uint32_t c = given; c < width; ++c) to[c] = missing;
         }
     });
@@ -73,7 +80,9 @@ void to_floats(const Elements& elements, std::uint32_t width, float missing, flo
 
 std::vector<vec2> to_vec2(const Elements& elements) { return to_vectors<vec2, 2>(elements, 0); }
 std::vector<vec3> to_vec3(const Elements& elements) { return to_vectors<vec3, 3>(elements, 0); }
-std::vector<vec4> to_vec4(const Elements& elements, float missing_w) { return to_vectors<vec4, 4>(elements, missing_w); }
+std::vector<vec4> to_vec4(const Elements& elements, float missing_w) {
+    return to_vectors<vec4, 4>(elements, missing_w);
+}
 
 std::vector<float> to_scalars(const Elements& elements) {
     std::vector<float> result(std::size_t(elements.count) * elements.components);

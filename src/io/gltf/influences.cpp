@@ -7,7 +7,7 @@
 namespace rakelight::io::gltf {
 namespace {
 
-constexpr std::uint32_t max_sets = 4;  // 16 influences a vertex; more are not seen in the wild
+constexpr std::uint32_t max_sets = 4;   // 16 influences a vertex; more are not seen in the wild
 constexpr float sum_tolerance = 2e-3f;  // 8-bit weights miss 1 by up to 4 * 0.5 / 255
 
 struct Weighted {
@@ -80,7 +80,8 @@ Block<JointInfluence> read_influences(VertexData& vertices, const Document& docu
     std::vector<Weighted> all(4 * sets.size());
     for (std::size_t v = 0; v < result.size(); ++v) {
         for (std::size_t s = 0; s < sets.size(); ++s)
-            for (std::size_t k = 0; k < 4; ++k) all[4 * s + k] = {sets[s].joints[4 * v + k], sets[s].weights[4 * v + k]};
+            for (std::size_t k = 0; k < 4; ++k)
+                all[4 * s + k] = {sets[s].joints[4 * v + k], sets[s].weights[4 * v + k]};
         result[v] = strongest(all, counts);
     }
     report(counts, document, primitive);

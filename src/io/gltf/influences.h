@@ -7,8 +7,8 @@
 
 namespace rakelight::io::gltf {
 
-/// JOINTS_n and WEIGHTS_n of a primitive as [V] influences, empty where it has none. Joints of weight 0 become 0. Says in
-/// the report where a vertex had more than four, and where weights were negative, not finite, or did not sum to 1.
+/// JOINTS_n and WEIGHTS_n of a primitive as [V] influences, empty where it has none. Joints of weight 0 become 0. Says
+/// in the report where a vertex had more than four, and where weights were negative, not finite, or did not sum to 1.
 /// @throws Error: one of a pair is missing, wrong types or counts.
 Block<JointInfluence> read_influences(VertexData& vertices, const Document& document, const Value& primitive);
 

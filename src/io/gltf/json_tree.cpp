@@ -36,7 +36,10 @@ public:
     bool key(string_t& name) override {
         charge(member_bytes + name.size());
         const auto [member, is_new] = stack_.back()->get_ref<Json::object_t&>().try_emplace(name);
-        if (!is_new) context_.report().add(Remark::warning, file_, {}, "the JSON name '" + one_line(name, 60) + "' stands twice in one object; the last counts");
+        if (!is_new)
+            context_.report().add(
+                Remark::warning, file_, {},
+                "the JSON name '" + one_line(name, 60) + "' stands twice in one object; the last counts");
         member_ = &member->second;
         return true;
     }
@@ -58,7 +61,8 @@ private:
 
     bool open(Json container) {
         if (stack_.size() >= max_json_depth)
-            throw Error(ErrorCode::bad_file, "the JSON is nested more than " + std::to_string(max_json_depth) + " levels deep");
+            throw Error(ErrorCode::bad_file,
+                        "the JSON is nested more than " + std::to_string(max_json_depth) + " levels deep");
         stack_.push_back(place(std::move(container)));
         return true;
     }

@@ -24,7 +24,8 @@ void read_perspective(const Value& source, Camera& camera) {
     camera.far = source.has("zfar") ? positive(source, "zfar") : std::numeric_limits<double>::infinity();
 }
 
-/// xmag and ymag are half the visible width and height. Negative ones mirror the picture; the specification advises against.
+/// xmag and ymag are half the visible width and height. Negative ones mirror the picture; the specification advises
+/// against.
 void read_orthographic(const Value& source, Camera& camera) {
     camera.projection = Projection::orthographic;
     const double x = std::fabs(source.number("xmag", 0)), y = std::fabs(source.number("ymag", 0));
@@ -63,7 +64,8 @@ Light read_light(const Value& source, std::uint32_t index) {
     light.name = Document::name_of(source, light_kind, index);
     light.units = LightUnits::photometric;
     light.type = light_type_of(source);
-    if (const auto color = source.numbers<3>("color")) light.color = {float((*color)[0]), float((*color)[1]), float((*color)[2])};
+    if (const auto color = source.numbers<3>("color"))
+        light.color = {float((*color)[0]), float((*color)[1]), float((*color)[2])};
     if (light.color.x < 0 || light.color.y < 0 || light.color.z < 0) source.fail("its color must not be negative");
     light.intensity = source.real("intensity", 1);
     if (light.intensity < 0) source.fail("its intensity must not be negative");
@@ -72,7 +74,8 @@ Light read_light(const Value& source, std::uint32_t index) {
     const Value spot = source.object("spot");
     light.inner_cone_rad = spot.real("innerConeAngle", 0);
     light.outer_cone_rad = spot.real("outerConeAngle", pi / 4);
-    if (!(light.inner_cone_rad >= 0) || !(light.inner_cone_rad < light.outer_cone_rad) || light.outer_cone_rad > float(pi / 2))
+    if (!(light.inner_cone_rad >= 0) || !(light.inner_cone_rad < light.outer_cone_rad) ||
+        light.outer_cone_rad > float(pi / 2))
         source.fail("its cone angles must be 0 <= inner < outer <= pi / 2");
     return light;
 }
@@ -95,7 +98,8 @@ void read_cameras(const Document& document, const Nodes& nodes, Scene& scene) {
             found.push_back({index, std::move(camera)});
         });
     }
-    std::stable_sort(found.begin(), found.end(), [](const Numbered& a, const Numbered& b) { return a.index < b.index; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Numbered& a, const Numbered& b) { return a.index < b.index; });
     for (Numbered& numbered : found) scene.cameras.push_back(std::move(numbered.camera));
 }
 

@@ -13,7 +13,8 @@ constexpr double rounding = 1e-4;  // exporters write 1.0000001
 float within(const Document& document, const Value& source, const char* name, double value, double high) {
     const double kept = std::clamp(value, 0.0, high);
     if (kept < value - rounding || kept > value + rounding)
-        document.remark(Remark::changed, source.place(), std::string(name) + " is out of range; taken as the nearest value within");
+        document.remark(Remark::changed, source.place(),
+                        std::string(name) + " is out of range; taken as the nearest value within");
     return float(kept);
 }
 
@@ -28,7 +29,9 @@ float not_negative(const Document& document, const Value& source, const char* na
 vec3 color3(const Document& document, const Value& source, const char* name, vec3 fallback) {
     const auto c = source.numbers<3>(name);
     if (!c) return fallback;
-    const auto part = [&](std::size_t i) { return within(document, source, name, (*c)[i], std::numeric_limits<float>::max()); };
+    const auto part = [&](std::size_t i) {
+        return within(document, source, name, (*c)[i], std::numeric_limits<float>::max());
+    };
     return {part(0), part(1), part(2)};
 }
 
@@ -93,8 +96,8 @@ void Materials::read_metallic_roughness(const Value& source, Material& material)
     target.texture = textures_.use(values, "metallicRoughnessTexture");
 }
 
-/// The diffuse colour becomes the base colour of a dielectric whose reflectance at normal incidence is the specular colour:
-/// F0 = min(0.04 * specular_color, 1) * specular for an index of refraction of 1.5 (KHR_materials_specular), so
+/// The diffuse colour becomes the base colour of a dielectric whose reflectance at normal incidence is the specular
+/// colour: F0 = min(0.04 * specular_color, 1) * specular for an index of refraction of 1.5 (KHR_materials_specular), so
 /// specular_color = specularFactor / 0.04. Glossiness in the texture's alpha has no counterpart and is left out.
 void Materials::read_specular_glossiness(const Value& source, Material& material) {
     const Value values = source.extension("KHR_materials_pbrSpecularGlossiness");
@@ -108,13 +111,16 @@ void Materials::read_specular_glossiness(const Value& source, Material& material
     target.specular_color = scaled(specular, 1 / dielectric_f0);
     target.specular_color_texture = textures_.use(values, "specularGlossinessTexture");
     document_.remark(Remark::changed, source.place(), "specular-glossiness parameters became metallic-roughness ones");
-    if (target.specular_color_texture) document_.remark(Remark::dropped, source.place(), "the glossiness in the alpha of specularGlossinessTexture is left out");
+    if (target.specular_color_texture)
+        document_.remark(Remark::dropped, source.place(),
+                         "the glossiness in the alpha of specularGlossinessTexture is left out");
 }
 
 void Materials::read_extensions(const Value& source, Material& material) {
     MetallicRoughnessParameters& target = material.metallic_roughness;
     if (source.extension("KHR_materials_unlit")) material.model = MaterialModel::unlit;
-    const float strength = not_negative(document_, source.extension("KHR_materials_emissive_strength"), "emissiveStrength", 1);
+    const float strength =
+        not_negative(document_, source.extension("KHR_materials_emissive_strength"), "emissiveStrength", 1);
     material.emission = scaled(material.emission, strength);
     if (const Value ior = source.extension("KHR_materials_ior")) target.ior = not_negative(document_, ior, "ior", 1.5);
     if (const Value specular = source.extension("KHR_materials_specular")) {

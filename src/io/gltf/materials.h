@@ -7,7 +7,8 @@ namespace rakelight::io::gltf {
 
 class Materials {
 public:
-    Materials(const Document& document, Textures& textures, Scene& scene) : document_(document), textures_(textures), scene_(scene) {}
+    Materials(const Document& document, Textures& textures, Scene& scene)
+        : document_(document), textures_(textures), scene_(scene) {}
     /// The scene's index of material `index` (`none` stays `none`: the default material).
     /// @throws Error: no such material, values of wrong kinds or out of range.
     std::uint32_t load(std::uint32_t index, const Value& from);

@@ -23,7 +23,8 @@ PrimitiveMode mode_of(const Value& primitive) {
 
 void check_targets_alike(const std::vector<Mesh>& meshes, const LoadedMesh& loaded, const Value& mesh) {
     for (const std::uint32_t m : loaded.meshes)
-        if (meshes[m].targets.size() != meshes[loaded.meshes[0]].targets.size()) mesh.fail("its primitives have different numbers of morph targets");
+        if (meshes[m].targets.size() != meshes[loaded.meshes[0]].targets.size())
+            mesh.fail("its primitives have different numbers of morph targets");
 }
 
 }  // namespace
@@ -50,7 +51,8 @@ const LoadedMesh& Meshes::load(std::uint32_t index, const Value& from) {
     const std::size_t targets = loaded.meshes.empty() ? 0 : scene_.meshes[loaded.meshes[0]].targets.size();
     loaded.default_weights = mesh.reals("weights");
     if (loaded.default_weights.size() != targets && !loaded.default_weights.empty())
-        document().remark(Remark::dropped, mesh.place(), "its number of morph weights is not that of its targets; they are taken as 0");
+        document().remark(Remark::dropped, mesh.place(),
+                          "its number of morph weights is not that of its targets; they are taken as 0");
     if (loaded.default_weights.size() != targets) loaded.default_weights.assign(targets, 0.0f);
     return loaded_.emplace(index, std::move(loaded)).first->second;
 }
@@ -84,13 +86,16 @@ void Meshes::read_primitive(const Value& mesh, const Value& primitive, Mesh& res
     memory.charge(vertices.vertex_count() * later_bytes_per_vertex, "vertex data");
     Expanded expanded = expand(mode, std::move(corners));
     if (expanded.left_over)
-        document().remark(Remark::dropped, primitive.place(), std::to_string(expanded.left_over) + " indices are too few for one more primitive");
+        document().remark(Remark::dropped, primitive.place(),
+                          std::to_string(expanded.left_over) + " indices are too few for one more primitive");
     result.indices = std::move(expanded.indices);
-    if (result.indices.empty()) document().remark(Remark::dropped, primitive.place(), "a primitive without corners is left out");
+    if (result.indices.empty())
+        document().remark(Remark::dropped, primitive.place(), "a primitive without corners is left out");
 
     // 3. remarks
     remark_on_quantization(document(), accessors_, primitive);
-    remark_on_mesh(document(), result, result.material == none ? nullptr : &scene_.materials[result.material], primitive.place());
+    remark_on_mesh(document(), result, result.material == none ? nullptr : &scene_.materials[result.material],
+                   primitive.place());
 }
 
 void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& result) {
@@ -99,9 +104,11 @@ void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& 
                            name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
         if (known) continue;
         std::uint32_t set = max_texcoord_sets;
-        if (name.size() == 10 && name.starts_with("TEXCOORD_") && name[9] >= '0' && name[9] <= '9') set = std::uint32_t(name[9] - '0');
+        if (name.size() == 10 && name.starts_with("TEXCOORD_") && name[9] >= '0' && name[9] <= '9')
+            set = std::uint32_t(name[9] - '0');
         if (set >= max_texcoord_sets) {
-            document().remark(Remark::note, primitive.place(), "the vertex attribute " + one_line(name, 40) + " is not used");
+            document().remark(Remark::note, primitive.place(),
+                              "the vertex attribute " + one_line(name, 40) + " is not used");
             continue;
         }
         if (result.texcoords.size() <= set) result.texcoords.resize(set + 1);
@@ -109,7 +116,8 @@ void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& 
     }
     for (std::size_t set = 0; set < result.texcoords.size(); ++set) {
         if (!result.texcoords[set].empty()) continue;
-        document().remark(Remark::guessed, primitive.place(), "TEXCOORD_" + std::to_string(set) + " is missing below a higher set; taken as 0");
+        document().remark(Remark::guessed, primitive.place(),
+                          "TEXCOORD_" + std::to_string(set) + " is missing below a higher set; taken as 0");
         document().context().memory().charge(vertices.vertex_count() * sizeof(vec2), "vertex data");
         result.texcoords[set] = std::vector<vec2>(std::size_t(vertices.vertex_count()));
     }
@@ -118,7 +126,8 @@ void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& 
 void Meshes::read_targets(VertexData& vertices, const Value& mesh, const Value& primitive, Mesh& result) {
     const Value targets = primitive.list("targets");
     const Value extras = mesh.has("extras") && targets ? mesh.part("extras") : Value();
-    const Value names = extras.is_object() && extras.part("targetNames").is_list() ? extras.list("targetNames") : Value();
+    const Value names =
+        extras.is_object() && extras.part("targetNames").is_list() ? extras.list("targetNames") : Value();
     for (std::size_t t = 0; t < targets.size(); ++t) {
         const Value target = targets.element(t, primitive.place() + ", target " + std::to_string(t));
         MorphTarget morph;
@@ -128,7 +137,8 @@ void Meshes::read_targets(VertexData& vertices, const Value& mesh, const Value& 
         morph.tangents = vertices.offsets(target, "TANGENT");
         for (const std::string& name : target.names())
             if (name != "POSITION" && name != "NORMAL" && name != "TANGENT")
-                document().remark(Remark::dropped, target.place(), "morph targets of " + one_line(name, 40) + " are not supported");
+                document().remark(Remark::dropped, target.place(),
+                                  "morph targets of " + one_line(name, 40) + " are not supported");
         result.targets.push_back(std::move(morph));
     }
 }

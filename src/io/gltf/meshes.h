@@ -10,14 +10,16 @@ namespace rakelight::io::gltf {
 
 /// What became of a glTF mesh.
 struct LoadedMesh {
-    std::vector<std::uint32_t> meshes;   ///< into Scene::meshes; fewer than its primitives when some hold nothing to draw
+    std::vector<std::uint32_t>
+        meshes;  ///< into Scene::meshes; fewer than its primitives when some hold nothing to draw
     std::vector<float> default_weights;  ///< of its morph targets; empty without
     std::uint32_t joints_used = 0;       ///< one more than the largest joint that a vertex follows; 0: not skinned
 };
 
 class Meshes {
 public:
-    Meshes(Accessors& accessors, Materials& materials, Scene& scene) : accessors_(accessors), materials_(materials), scene_(scene) {}
+    Meshes(Accessors& accessors, Materials& materials, Scene& scene)
+        : accessors_(accessors), materials_(materials), scene_(scene) {}
     /// @throws Error: no such mesh, broken accessors, indices out of range, unequal counts.
     const LoadedMesh& load(std::uint32_t index, const Value& from);
 

@@ -18,19 +18,28 @@ Mode mode_of(const Value& packed) {
 
 /// The decoders assert on these sizes instead of returning an error.
 void check_sizes(const Value& packed, Mode mode, std::uint64_t count, std::uint64_t stride, std::uint64_t data_bytes) {
-    const bool fits = mode == Mode::attributes ? stride >= 4 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
+    const bool fits =
+        mode == Mode::attributes ? stride >= 4 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
     if (!fits) packed.fail("the meshopt byteStride " + std::to_string(stride) + " does not fit its mode");
-    if (mode == Mode::triangles && count % 3 != 0) packed.fail("the meshopt count " + std::to_string(count) + " is not a multiple of 3");
+    if (mode == Mode::triangles && count % 3 != 0)
+        packed.fail("the meshopt count " + std::to_string(count) + " is not a multiple of 3");
     // The densest codes: triangles take a byte each, other indices a byte each, and attributes two bits for 16 bytes.
-    const std::uint64_t most = mode == Mode::triangles ? 3 * data_bytes : mode == Mode::indices ? data_bytes : 64 * data_bytes / stride + 256;
-    if (count > most) packed.fail("the meshopt count " + std::to_string(count) + " is more than " + std::to_string(data_bytes) + " compressed bytes can hold");
+    const std::uint64_t most = mode == Mode::triangles ? 3 * data_bytes
+                               : mode == Mode::indices ? data_bytes
+                                                       : 64 * data_bytes / stride + 256;
+    if (count > most)
+        packed.fail("the meshopt count " + std::to_string(count) + " is more than " + std::to_string(data_bytes) +
+                    " compressed bytes can hold");
 }
 
 void apply_filter(const Value& packed, Mode mode, void* data, std::size_t count, std::size_t stride) {
     const std::string filter = packed.text("filter", "NONE");
     if (filter == "NONE") return;
-    const bool fits = filter == "OCTAHEDRAL" ? stride == 4 || stride == 8 : filter == "QUATERNION" ? stride == 8 : filter == "EXPONENTIAL";
-    if (!fits || mode != Mode::attributes) packed.fail("the meshopt filter '" + one_line(filter, 30) + "' is unknown or does not fit the byteStride");
+    const bool fits = filter == "OCTAHEDRAL"   ? stride == 4 || stride == 8
+                      : filter == "QUATERNION" ? stride == 8
+                                               : filter == "EXPONENTIAL";
+    if (!fits || mode != Mode::attributes)
+        packed.fail("the meshopt filter '" + one_line(filter, 30) + "' is unknown or does not fit the byteStride");
     if (filter == "OCTAHEDRAL")
         meshopt_decodeFilterOct(data, count, stride);
     else if (filter == "QUATERNION")
@@ -50,10 +59,12 @@ Bytes decode_meshopt(const Value& packed, std::span<const std::byte> data, Conte
     if (count == 0) return unpacked;
     const auto* source = reinterpret_cast<const unsigned char*>(data.data());
     const std::size_t n = std::size_t(count), size = std::size_t(stride);
-    const int result = mode == Mode::attributes  ? meshopt_decodeVertexBuffer(unpacked->data(), n, size, source, data.size())
-                       : mode == Mode::triangles ? meshopt_decodeIndexBuffer(unpacked->data(), n, size, source, data.size())
-                                                 : meshopt_decodeIndexSequence(unpacked->data(), n, size, source, data.size());
-    if (result != 0) packed.fail("its meshopt data is broken or of a newer version (code " + std::to_string(result) + ")");
+    const int result =
+        mode == Mode::attributes  ? meshopt_decodeVertexBuffer(unpacked->data(), n, size, source, data.size())
+        : mode == Mode::triangles ? meshopt_decodeIndexBuffer(unpacked->data(), n, size, source, data.size())
+                                  : meshopt_decodeIndexSequence(unpacked->data(), n, size, source, data.size());
+    if (result != 0)
+        packed.fail("its meshopt data is broken or of a newer version (code " + std::to_string(result) + ")");
     apply_filter(packed, mode, unpacked->data(), n, size);
     return unpacked;
 }

@@ -2,6 +2,7 @@
 #include "io/gltf/nodes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/gltf/transform.h"
 
@@ -55,7 +56,8 @@ void Nodes::read() {
 void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {
     const Value source = document().element(node_kind, waiting.file, waiting.from);
     if (scene_of_[waiting.file] != none)
-        throw Error(ErrorCode::bad_file, "it is placed twice: the node hierarchy has a cycle or a node with two parents", source.place());
+        throw Error(ErrorCode::bad_file,
+                    "it is placed twice: the node hierarchy has a cycle or a node with two parents", source.place());
     document().context().memory().charge(sizeof(Node), "nodes");
     const auto index = std::uint32_t(scene_.nodes.size());
     scene_of_[waiting.file] = index;
@@ -78,10 +80,13 @@ void Nodes::attach_mesh(const Value& source, std::uint32_t node) {
     std::vector<float> weights = source.reals("weights");
     const std::size_t targets = loaded.default_weights.size();
     if (weights.size() != targets) {
-        if (!weights.empty()) document().remark(Remark::dropped, source.place(), "its number of morph weights is not that of its mesh's targets");
+        if (!weights.empty())
+            document().remark(Remark::dropped, source.place(),
+                              "its number of morph weights is not that of its mesh's targets");
         weights = loaded.default_weights;
     }
-    document().context().memory().charge(loaded.meshes.size() * bytes_per_placement + targets * sizeof(float), "placed meshes");
+    document().context().memory().charge(loaded.meshes.size() * bytes_per_placement + targets * sizeof(float),
+                                         "placed meshes");
     scene_.nodes[node].meshes = loaded.meshes;
     scene_.nodes[node].morph_weights = std::move(weights);
     if (const Value instancing = source.extension("EXT_mesh_gpu_instancing")) add_instances(source, instancing, node);
@@ -96,17 +101,22 @@ void Nodes::add_instances(const Value& source, const Value& extension, std::uint
         const std::uint32_t accessor = attributes.index(name);
         if (accessor == none) return values;
         const Elements elements = accessors_.elements(accessor, {name, components(width), float_or_small}, source);
-        if (count.value_or(elements.count) != elements.count) source.fail("its instance attributes have different counts");
+        if (count.value_or(elements.count) != elements.count)
+            source.fail("its instance attributes have different counts");
         count = elements.count;
         document().context().memory().charge(elements.count * width * sizeof(float), "instances");
-        return to_scalars(elements);
+        values = to_scalars(elements);
+        if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
+            source.fail(std::string("its instances have a ") + name + " that is not finite");
+        return values;
     };
     const std::vector<float> t = read("TRANSLATION", 3), r = read("ROTATION", 4), s = read("SCALE", 3);
     if (!count) return;
     const Node group = scene_.nodes[node];
     scene_.nodes[node].meshes.clear();
     scene_.nodes[node].morph_weights.clear();
-    const std::uint64_t each = sizeof(Node) + 64 + group.meshes.size() * bytes_per_placement + group.morph_weights.size() * sizeof(float);
+    const std::uint64_t each =
+        sizeof(Node) + 64 + group.meshes.size() * bytes_per_placement + group.morph_weights.size() * sizeof(float);
     if (*count > (1ull << 40) / each) source.fail(std::to_string(*count) + " instances are too many");
     document().context().memory().charge(*count * each, "instances");
     for (std::size_t i = 0; i < *count; ++i) {
@@ -119,8 +129,6 @@ void Nodes::add_instances(const Value& source, const Value& extension, std::uint
         if (!t.empty()) instance.local.translation = {t[3 * i], t[3 * i + 1], t[3 * i + 2]};
         if (!r.empty()) instance.local.rotation = {r[4 * i], r[4 * i + 1], r[4 * i + 2], r[4 * i + 3]};
         if (!s.empty()) instance.local.scale = {s[3 * i], s[3 * i + 1], s[3 * i + 2]};
-        for (const float value : {float(instance.local.translation.x), float(instance.local.translation.y), float(instance.local.translation.z)})
-            if (!(value - value == 0)) source.fail("instance " + std::to_string(i) + " has a translation that is not finite");
         scene_.nodes.push_back(std::move(instance));
     }
 }

@@ -16,8 +16,8 @@ class Nodes {
 public:
     Nodes(Accessors& accessors, Meshes& meshes, Scene& scene) : accessors_(accessors), meshes_(meshes), scene_(scene) {}
 
-    /// Places the nodes of the default scene (`scene`, else scene 0, else all nodes that are nobody's children), depth first
-    /// without recursion. Others are left out.
+    /// Places the nodes of the default scene (`scene`, else scene 0, else all nodes that are nobody's children), depth
+    /// first without recursion. Others are left out.
     /// @throws Error: a node reached twice (a cycle, two parents), children or meshes that do not exist.
     void read();
 

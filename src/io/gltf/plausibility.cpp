@@ -33,7 +33,8 @@ std::uint64_t count_if(const Block<T>& block, Test test) {
 
 bool has_area(const Mesh& mesh) {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const dvec3 a = cast<double>(mesh.positions[mesh.indices[i]]), b = cast<double>(mesh.positions[mesh.indices[i + 1]]),
+        const dvec3 a = cast<double>(mesh.positions[mesh.indices[i]]),
+                    b = cast<double>(mesh.positions[mesh.indices[i + 1]]),
                     c = cast<double>(mesh.positions[mesh.indices[i + 2]]);
         const dvec3 n = cross(b - a, c - a);
         if (n.x != 0 || n.y != 0 || n.z != 0) return true;  // true for NaN too: that is counted elsewhere
@@ -69,18 +70,23 @@ void on_positions(const Remarks& remarks, const Mesh& mesh) {
 void on_directions(const Remarks& remarks, const Mesh& mesh) {
     remarks.count(count_if(mesh.normals, [](const vec3& n) { return !is_finite(n); }), "normals are not finite");
     remarks.count(count_if(mesh.normals, [](const vec3& n) { return n == vec3{0, 0, 0}; }), "normals are zero");
-    remarks.count(count_if(mesh.tangents, [](const vec4& t) { return !is_finite(t.xyz()) || !std::isfinite(t.w); }), "tangents are not finite");
-    remarks.count(count_if(mesh.tangents, [](const vec4& t) { return t.w == 0; }), "tangents have no handedness (w = 0)");
+    remarks.count(count_if(mesh.tangents, [](const vec4& t) { return !is_finite(t.xyz()) || !std::isfinite(t.w); }),
+                  "tangents are not finite");
+    remarks.count(count_if(mesh.tangents, [](const vec4& t) { return t.w == 0; }),
+                  "tangents have no handedness (w = 0)");
 }
 
 void on_texcoords(const Remarks& remarks, const Mesh& mesh, bool is_textured) {
     for (const Block<vec2>& set : mesh.texcoords) {
         const auto is_bad = [](const vec2& t) { return !std::isfinite(t.x) || !std::isfinite(t.y); };
         remarks.count(count_if(set, is_bad), "texture coordinates are not finite");
-        const auto is_huge = [&](const vec2& t) { return !is_bad(t) && std::max(std::fabs(t.x), std::fabs(t.y)) > texcoord_limit; };
+        const auto is_huge = [&](const vec2& t) {
+            return !is_bad(t) && std::max(std::fabs(t.x), std::fabs(t.y)) > texcoord_limit;
+        };
         remarks.count(count_if(set, is_huge), "texture coordinates are so large that nothing can be sampled there");
         const auto differs = [&](const vec2& t) { return !(t == set[0]); };
-        if (is_textured && set.size() > 1 && mesh.topology == Topology::triangles && std::none_of(set.begin(), set.end(), differs))
+        if (is_textured && set.size() > 1 && mesh.topology == Topology::triangles &&
+            std::none_of(set.begin(), set.end(), differs))
             remarks.say("all its texture coordinates are equal");
     }
 }
@@ -102,7 +108,8 @@ void remark_on_quantization(const Document& document, const Accessors& accessors
         if (accessor == none) continue;
         const Elements elements = accessors.description(accessor, {name, ~0u, ~0u}, primitive);
         if (elements.type != ComponentType::f32)
-            document.remark(Remark::warning, primitive.place(), std::string(name) + " has integers though the file does not use KHR_mesh_quantization");
+            document.remark(Remark::warning, primitive.place(),
+                            std::string(name) + " has integers though the file does not use KHR_mesh_quantization");
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// glTF 2.0: the way of the data from the file to a scene. Everything is read from the nodes of the default scene downwards,
-// so that what is not drawn is not looked at.
+// glTF 2.0: the way of the data from the file to a scene. Everything is read from the nodes of the default scene
+// downwards, so that what is not drawn is not looked at.
 #include "io/gltf/read_gltf.h"
 
 #include <algorithm>
@@ -31,7 +31,8 @@ Scene read_document(const std::string& path, Bytes file, const ReadOptions& opti
     Nodes nodes(accessors, meshes, scene);
     context.progress("load", 0.2);
     nodes.read();
-    if (!draws_something(scene)) throw Error(ErrorCode::bad_file, "nothing to draw: no node of its scene holds a triangle, line or point");
+    if (!draws_something(scene))
+        throw Error(ErrorCode::bad_file, "nothing to draw: no node of its scene holds a triangle, line or point");
     context.progress("load", 0.9);
     read_skins(accessors, meshes, nodes, scene);
     read_animations(accessors, nodes, scene);

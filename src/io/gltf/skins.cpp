@@ -15,9 +15,13 @@ std::vector<dmat4> inverse_bind_matrices(Accessors& accessors, const Value& skin
     std::vector<dmat4> result(joints);  // the default is the identity
     const std::uint32_t accessor = skin.index("inverseBindMatrices");
     if (accessor == none) return result;
-    const Elements elements = accessors.elements(accessor, {"inverseBindMatrices", components(matrix_components), float_only}, skin);
-    if (elements.count < joints) skin.fail("it has " + std::to_string(joints) + " joints but " + std::to_string(elements.count) + " inverse bind matrices");
-    accessors.document().context().memory().charge(elements.count * matrix_components * sizeof(float), "inverse bind matrices");
+    const Elements elements =
+        accessors.elements(accessor, {"inverseBindMatrices", components(matrix_components), float_only}, skin);
+    if (elements.count < joints)
+        skin.fail("it has " + std::to_string(joints) + " joints but " + std::to_string(elements.count) +
+                  " inverse bind matrices");
+    accessors.document().context().memory().charge(elements.count * matrix_components * sizeof(float),
+                                                   "inverse bind matrices");
     const std::vector<float> values = to_scalars(elements);
     for (std::size_t j = 0; j < joints; ++j)
         for (std::size_t k = 0; k < matrix_components; ++k) {
@@ -64,7 +68,8 @@ void read_skins(Accessors& accessors, Meshes& meshes, const Nodes& nodes, Scene&
         const std::uint32_t skin = loaded[index];
         if (skin == none || scene.nodes[placed.scene].meshes.empty()) continue;
         if (joints_used > scene.skins[skin].joints.size())
-            node.fail("its mesh follows joint " + std::to_string(joints_used - 1) + ", but its skin has " + std::to_string(scene.skins[skin].joints.size()));
+            node.fail("its mesh follows joint " + std::to_string(joints_used - 1) + ", but its skin has " +
+                      std::to_string(scene.skins[skin].joints.size()));
         scene.nodes[placed.scene].skin = skin;
     }
 }

@@ -10,8 +10,8 @@ namespace rakelight::io::gltf {
 class Meshes;
 class Nodes;
 
-/// Gives skinned nodes their skins. A skin whose joints are not part of the scene or whose data is broken is left out with
-/// a remark; its meshes are then shown where their node stands.
+/// Gives skinned nodes their skins. A skin whose joints are not part of the scene or whose data is broken is left out
+/// with a remark; its meshes are then shown where their node stands.
 void read_skins(Accessors& accessors, Meshes& meshes, const Nodes& nodes, Scene& scene);
 
 }  // namespace rakelight::io::gltf

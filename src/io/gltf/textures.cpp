@@ -8,9 +8,12 @@ namespace {
 
 Wrap wrap_of(const Value& sampler, const char* name, const Document& document) {
     switch (sampler.count(name, 10497)) {
-        case 10497: return Wrap::repeat;
-        case 33648: return Wrap::mirrored_repeat;
-        case 33071: return Wrap::clamp_to_edge;
+        case 10497:
+            return Wrap::repeat;
+        case 33648:
+            return Wrap::mirrored_repeat;
+        case 33071:
+            return Wrap::clamp_to_edge;
     }
     document.remark(Remark::guessed, sampler.place(), std::string(name) + " is unknown; taken as repeat");
     return Wrap::repeat;
@@ -18,19 +21,31 @@ Wrap wrap_of(const Value& sampler, const char* name, const Document& document) {
 
 void set_minification(Sampler& result, const Value& sampler, const Document& document) {
     switch (sampler.count("minFilter", 9987)) {
-        case 9728: result.minify = Filter::nearest, result.mip = MipFilter::none; return;
-        case 9729: result.minify = Filter::linear, result.mip = MipFilter::none; return;
-        case 9984: result.minify = Filter::nearest, result.mip = MipFilter::nearest; return;
-        case 9985: result.minify = Filter::linear, result.mip = MipFilter::nearest; return;
-        case 9986: result.minify = Filter::nearest, result.mip = MipFilter::linear; return;
-        case 9987: return;
+        case 9728:
+            result.minify = Filter::nearest, result.mip = MipFilter::none;
+            return;
+        case 9729:
+            result.minify = Filter::linear, result.mip = MipFilter::none;
+            return;
+        case 9984:
+            result.minify = Filter::nearest, result.mip = MipFilter::nearest;
+            return;
+        case 9985:
+            result.minify = Filter::linear, result.mip = MipFilter::nearest;
+            return;
+        case 9986:
+            result.minify = Filter::nearest, result.mip = MipFilter::linear;
+            return;
+        case 9987:
+            return;
     }
     document.remark(Remark::guessed, sampler.place(), "minFilter is unknown; taken as linear with mip maps");
 }
 
 TextureTransform transform_of(const Value& extension) {
     TextureTransform transform;
-    if (const auto offset = extension.numbers<2>("offset")) transform.offset = {float((*offset)[0]), float((*offset)[1])};
+    if (const auto offset = extension.numbers<2>("offset"))
+        transform.offset = {float((*offset)[0]), float((*offset)[1])};
     if (const auto scale = extension.numbers<2>("scale")) transform.scale = {float((*scale)[0]), float((*scale)[1])};
     transform.rotation_rad = extension.real("rotation", 0);
     return transform;
@@ -51,7 +66,8 @@ TextureUse Textures::use(const Value& owner, const char* name) {
             use.transform = transform_of(transform);
             use.texcoord_set = std::uint32_t(transform.count("texCoord", use.texcoord_set));
         }
-        if (use.texcoord_set > max_texcoord_set) info.fail("texture coordinate set " + std::to_string(use.texcoord_set) + " is more than 7");
+        if (use.texcoord_set > max_texcoord_set)
+            info.fail("texture coordinate set " + std::to_string(use.texcoord_set) + " is more than 7");
         use.texture = load(info.required_index("index"), info);
         result = use;
     });
@@ -64,11 +80,15 @@ std::uint32_t Textures::load(std::uint32_t index, const Value& from) {
     const Value texture = document_.element(texture_kind, index, from);
     std::uint32_t source = texture.extension("EXT_texture_webp").index("source");
     if (source == none) source = texture.index("source");
-    if (source == none) texture.fail(texture.extension("KHR_texture_basisu") ? "its only image is KHR_texture_basisu, which is not supported" : "it has no image");
+    if (source == none)
+        texture.fail(texture.extension("KHR_texture_basisu")
+                         ? "its only image is KHR_texture_basisu, which is not supported"
+                         : "it has no image");
     Texture result;
     result.name = Document::name_of(texture, texture_kind, index);
     result.image = image(source, texture);
-    if (const std::uint32_t sampler_index = texture.index("sampler"); sampler_index != none) result.sampler = sampler(sampler_index, texture);
+    if (const std::uint32_t sampler_index = texture.index("sampler"); sampler_index != none)
+        result.sampler = sampler(sampler_index, texture);
     scene_.textures.push_back(std::move(result));
     return textures_[index] = std::uint32_t(scene_.textures.size() - 1);
 }
@@ -86,7 +106,9 @@ ImageHandle Textures::image(std::uint32_t index, const Value& from) {
     if (!uri) {
         const Region region = buffers_.view(image.required_index("bufferView"), image);
         document_.context().memory().charge(region.bytes.size(), "an embedded image");
-        handle = image_from_bytes(name, document_.path(), std::make_shared<const std::vector<std::byte>>(region.bytes.begin(), region.bytes.end()), mime_type);
+        handle = image_from_bytes(
+            name, document_.path(),
+            std::make_shared<const std::vector<std::byte>>(region.bytes.begin(), region.bytes.end()), mime_type);
     } else if (const auto embedded = decode_data_uri(*uri, image, document_.context())) {
         handle = image_from_bytes(name, document_.path(), *embedded, mime_type);
     } else {

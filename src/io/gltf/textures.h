@@ -11,10 +11,12 @@ namespace rakelight::io::gltf {
 
 class Textures {
 public:
-    Textures(const Document& document, Buffers& buffers, Scene& scene) : document_(document), buffers_(buffers), scene_(scene) {}
+    Textures(const Document& document, Buffers& buffers, Scene& scene)
+        : document_(document), buffers_(buffers), scene_(scene) {}
 
-    /// A material's use of a texture: `owner`'s member `name` (a textureInfo object). A use whose image is missing, lies
-    /// outside the model's folder or is of an unsupported kind is left out, with a remark; the picture is drawn without it.
+    /// A material's use of a texture: `owner`'s member `name` (a textureInfo object). A use whose image is missing,
+    /// lies outside the model's folder or is of an unsupported kind is left out, with a remark; the picture is drawn
+    /// without it.
     TextureUse use(const Value& owner, const char* name);
 
 private:

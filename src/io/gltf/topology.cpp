@@ -17,11 +17,14 @@ bool is_list(PrimitiveMode mode) {
 
 Topology topology_of(PrimitiveMode mode) {
     switch (mode) {
-        case PrimitiveMode::points: return Topology::points;
+        case PrimitiveMode::points:
+            return Topology::points;
         case PrimitiveMode::lines:
         case PrimitiveMode::line_loop:
-        case PrimitiveMode::line_strip: return Topology::lines;
-        default: return Topology::triangles;
+        case PrimitiveMode::line_strip:
+            return Topology::lines;
+        default:
+            return Topology::triangles;
     }
 }
 
@@ -56,7 +59,8 @@ Expanded expand(PrimitiveMode mode, std::vector<std::uint32_t> corners) {
             if (mode == PrimitiveMode::line_loop) out.insert(out.end(), {corners[n - 1], corners[0]});
             break;
         case PrimitiveMode::triangle_strip:
-            for (std::size_t i = 0; i + 2 < n; ++i) out.insert(out.end(), {corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]});
+            for (std::size_t i = 0; i + 2 < n; ++i)
+                out.insert(out.end(), {corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]});
             break;
         default:  // triangle_fan
             for (std::size_t i = 0; i + 2 < n; ++i) out.insert(out.end(), {corners[i + 1], corners[i + 2], corners[0]});

@@ -10,7 +10,15 @@
 namespace rakelight::io::gltf {
 
 /// The values are glTF's `mode`.
-enum class PrimitiveMode : std::uint8_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
+enum class PrimitiveMode : std::uint8_t {
+    points,
+    lines,
+    line_loop,
+    line_strip,
+    triangles,
+    triangle_strip,
+    triangle_fan
+};
 
 Topology topology_of(PrimitiveMode mode);
 

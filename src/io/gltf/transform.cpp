@@ -19,7 +19,8 @@ dmat4 affine_matrix(const Document& document, const Value& node, const std::arra
         matrix[0].w = matrix[1].w = matrix[2].w = 0;
         matrix[3].w = 1;
     }
-    if (determinant(upper_left(matrix)) == 0) document.remark(Remark::warning, node.place(), "its matrix is singular: what it places is flat");
+    if (determinant(upper_left(matrix)) == 0)
+        document.remark(Remark::warning, node.place(), "its matrix is singular: what it places is flat");
     return matrix;
 }
 
@@ -30,7 +31,8 @@ dquat rotation_of(const Document& document, const Value& node, const std::array<
         document.remark(Remark::guessed, node.place(), "its rotation has no length; taken as no rotation");
         return {};
     }
-    if (std::fabs(length - 1) > unit_tolerance) document.remark(Remark::changed, node.place(), "its rotation is no unit quaternion; normalised");
+    if (std::fabs(length - 1) > unit_tolerance)
+        document.remark(Remark::changed, node.place(), "its rotation is no unit quaternion; normalised");
     return rotation;
 }
 

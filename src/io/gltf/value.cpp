@@ -143,12 +143,14 @@ std::string Value::text(const char* name, const std::string& fallback) const {
 bool Value::read_numbers(const char* name, double* out, std::size_t n) const {
     const Value values = list(name);
     if (!values) return false;
-    if (values.size() != n) fail(std::string(name) + " must hold " + std::to_string(n) + " numbers, not " + std::to_string(values.size()));
+    if (values.size() != n)
+        fail(std::string(name) + " must hold " + std::to_string(n) + " numbers, not " + std::to_string(values.size()));
     for (std::size_t i = 0; i < n; ++i) {
         const Json& value = (*values.json_)[i];
         if (!value.is_number()) fail(std::string(name) + " must hold numbers, not " + shown(value));
         out[i] = value.get<double>();
-        if (!(std::fabs(out[i]) <= double(std::numeric_limits<float>::max()))) fail(std::string(name) + " holds a number too large for use");
+        if (!(std::fabs(out[i]) <= double(std::numeric_limits<float>::max())))
+            fail(std::string(name) + " holds a number too large for use");
     }
     return true;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checked reading of values from the JSON tree: every reader either gives a value of the right kind or throws an Error that
-// says where it stands. The full JSON header is seen by value.cpp alone.
+// Checked reading of values from the JSON tree: every reader either gives a value of the right kind or throws an Error
+// that says where it stands. The full JSON header is seen by value.cpp alone.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -34,23 +34,23 @@ public:
     bool is_list() const;
     std::vector<std::string> names() const;  ///< of an object's members, sorted
 
-    std::size_t size() const;               ///< of a list; 0 when absent
-    Value element(std::size_t i) const;     ///< i < size(); must be an object, place becomes "PLACE, NAME i"
+    std::size_t size() const;            ///< of a list; 0 when absent
+    Value element(std::size_t i) const;  ///< i < size(); must be an object, place becomes "PLACE, NAME i"
     Value element(std::size_t i, std::string place) const;  ///< the same with a place of its own
-    std::uint32_t index_at(std::size_t i) const;    ///< a list element that is an index
-    std::string text_at(std::size_t i) const;       ///< a list element that is a string
+    std::uint32_t index_at(std::size_t i) const;            ///< a list element that is an index
+    std::string text_at(std::size_t i) const;               ///< a list element that is a string
     bool is_text_at(std::size_t i) const;
 
     bool boolean(const char* name, bool fallback) const;
-    double number(const char* name, double fallback) const;    ///< finite
-    float real(const char* name, double fallback) const;       ///< finite and in float's range
+    double number(const char* name, double fallback) const;  ///< finite
+    float real(const char* name, double fallback) const;     ///< finite and in float's range
     std::optional<double> optional_number(const char* name) const;
     std::uint64_t count(const char* name, std::uint64_t fallback) const;  ///< an integer of 0 .. 2^53
     std::uint64_t required_count(const char* name) const;
-    std::uint32_t index(const char* name) const;               ///< `none` when absent
+    std::uint32_t index(const char* name) const;  ///< `none` when absent
     std::uint32_t required_index(const char* name) const;
     std::string text(const char* name, const std::string& fallback = {}) const;
-    const std::string* text_pointer(const char* name) const;   ///< without a copy; null when absent
+    const std::string* text_pointer(const char* name) const;  ///< without a copy; null when absent
 
     template <std::size_t N>
     std::optional<std::array<double, N>> numbers(const char* name) const {

@@ -11,11 +11,15 @@ std::uint32_t restart_value(ComponentType type) {
     return type == ComponentType::u8 ? 0xFFu : type == ComponentType::u16 ? 0xFFFFu : 0xFFFFFFFFu;
 }
 
-void check_corners(const std::vector<std::uint32_t>& corners, std::uint64_t vertices, std::uint32_t restart, const Value& primitive) {
+void check_corners(const std::vector<std::uint32_t>& corners, std::uint64_t vertices, std::uint32_t restart,
+                   const Value& primitive) {
     for (std::size_t i = 0; i < corners.size(); ++i)
         if (corners[i] >= vertices)
-            primitive.fail(corners[i] == restart ? "index " + std::to_string(restart) + " at corner " + std::to_string(i) + " is the primitive restart value, which glTF forbids"
-                                                 : "index " + std::to_string(corners[i]) + " at corner " + std::to_string(i) + " exceeds " + std::to_string(vertices) + " vertices");
+            primitive.fail(corners[i] == restart
+                               ? "index " + std::to_string(restart) + " at corner " + std::to_string(i) +
+                                     " is the primitive restart value, which glTF forbids"
+                               : "index " + std::to_string(corners[i]) + " at corner " + std::to_string(i) +
+                                     " exceeds " + std::to_string(vertices) + " vertices");
 }
 
 }  // namespace
@@ -33,7 +37,8 @@ VertexData::VertexData(Accessors& accessors, BlockCache& cache, const Value& pri
 void VertexData::check_count(std::uint64_t count, const std::string& semantic) {
     if (!count_) count_ = count;
     if (*count_ != count)
-        primitive_.fail(semantic + " has " + std::to_string(count) + " elements, but the primitive has " + std::to_string(*count_) + " vertices");
+        primitive_.fail(semantic + " has " + std::to_string(count) + " elements, but the primitive has " +
+                        std::to_string(*count_) + " vertices");
     if (count >= none) primitive_.fail(std::to_string(count) + " vertices are more than indices can reach");
 }
 
@@ -41,20 +46,22 @@ std::optional<Elements> VertexData::find(const Value& owner, const std::string& 
     if (!owner.has(semantic.c_str())) return std::nullopt;
     const std::uint32_t accessor = owner.required_index(semantic.c_str());
     const bool is_packed = draco_ && packed_attributes_.has(semantic.c_str());
-    const Elements found =
-        is_packed ? draco_->attribute(packed_attributes_.required_index(semantic.c_str()),
-                                      accessors_.description(accessor, expected, primitive_), primitive_, document().context())
-                  : accessors_.elements(accessor, expected, primitive_);
+    const Elements found = is_packed ? draco_->attribute(packed_attributes_.required_index(semantic.c_str()),
+                                                         accessors_.description(accessor, expected, primitive_),
+                                                         primitive_, document().context())
+                                     : accessors_.elements(accessor, expected, primitive_);
     check_count(found.count, semantic);
     return found;
 }
 
-std::optional<Elements> VertexData::elements(const std::string& semantic, std::uint32_t component_counts, std::uint32_t types) {
+std::optional<Elements> VertexData::elements(const std::string& semantic, std::uint32_t component_counts,
+                                             std::uint32_t types) {
     return find(attributes_, semantic, {semantic.c_str(), component_counts, types});
 }
 
 template <class T, class Make>
-Block<T> VertexData::block(std::map<std::uint32_t, Block<T>>& cache, const Value& owner, const std::string& semantic, std::uint32_t component_counts, Make make) {
+Block<T> VertexData::block(std::map<std::uint32_t, Block<T>>& cache, const Value& owner, const std::string& semantic,
+                           std::uint32_t component_counts, Make make) {
     if (!owner.has(semantic.c_str())) return {};
     const std::uint32_t accessor = owner.required_index(semantic.c_str());
     if (!draco_)
@@ -69,18 +76,24 @@ Block<T> VertexData::block(std::map<std::uint32_t, Block<T>>& cache, const Value
     return made;
 }
 
-Block<vec2> VertexData::vec2s(const std::string& semantic) { return block(cache_.vec2s, attributes_, semantic, components(2), to_vec2); }
-Block<vec3> VertexData::vec3s(const std::string& semantic) { return block(cache_.vec3s, attributes_, semantic, components(3), to_vec3); }
+Block<vec2> VertexData::vec2s(const std::string& semantic) {
+    return block(cache_.vec2s, attributes_, semantic, components(2), to_vec2);
+}
+Block<vec3> VertexData::vec3s(const std::string& semantic) {
+    return block(cache_.vec3s, attributes_, semantic, components(3), to_vec3);
+}
 
 Block<vec4> VertexData::tangents() {
-    return block(cache_.tangents, attributes_, "TANGENT", components(4), [](const Elements& e) { return to_vec4(e, 1); });
+    return block(cache_.tangents, attributes_, "TANGENT", components(4),
+                 [](const Elements& e) { return to_vec4(e, 1); });
 }
 
 Block<vec4> VertexData::colors() {
     return block(cache_.colors, attributes_, "COLOR_0", components(3) | components(4), [this](Elements e) {
         if (e.type != ComponentType::f32 && !e.normalized) {
             e.normalized = true;
-            document().remark(Remark::guessed, primitive_.place(), "vertex colors of integers that are not said to be normalized are taken as 0..1");
+            document().remark(Remark::guessed, primitive_.place(),
+                              "vertex colors of integers that are not said to be normalized are taken as 0..1");
         }
         return to_vec4(e, 1);
     });
@@ -112,7 +125,8 @@ std::vector<std::uint32_t> VertexData::corners() {
         std::iota(each_once.begin(), each_once.end(), 0u);
         return each_once;
     }
-    const Elements elements = accessors_.elements(primitive_.required_index("indices"), {"indices", components(1), unsigned_types}, primitive_);
+    const Elements elements = accessors_.elements(primitive_.required_index("indices"),
+                                                  {"indices", components(1), unsigned_types}, primitive_);
     memory.charge(elements.count * sizeof(std::uint32_t), "indices");
     std::vector<std::uint32_t> read = to_integers(elements);
     check_corners(read, vertex_count(), restart_value(elements.type), primitive_);

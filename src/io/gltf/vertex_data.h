@@ -36,13 +36,15 @@ public:
     /// An attribute of a morph target: [V] or empty.
     Block<vec3> offsets(const Value& target, const std::string& semantic);
 
-    /// Corners of the primitive before its mode is looked at: all < vertex_count(). @throws Error: out of range or restart value.
+    /// Corners of the primitive before its mode is looked at: all < vertex_count(). @throws Error: out of range or
+    /// restart value.
     std::vector<std::uint32_t> corners();
     std::uint64_t vertex_count() const { return count_.value_or(0); }
 
 private:
     template <class T, class Make>
-    Block<T> block(std::map<std::uint32_t, Block<T>>& cache, const Value& owner, const std::string& semantic, std::uint32_t components, Make make);
+    Block<T> block(std::map<std::uint32_t, Block<T>>& cache, const Value& owner, const std::string& semantic,
+                   std::uint32_t components, Make make);
     std::optional<Elements> find(const Value& owner, const std::string& semantic, const Expected& expected);
     void check_count(std::uint64_t count, const std::string& semantic);
     const Document& document() const { return accessors_.document(); }

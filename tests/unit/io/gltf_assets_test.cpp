@@ -34,7 +34,8 @@ std::string cell(const std::string& row, std::size_t column) {
     return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// Triangles by file, from the tables of INDEX.md: a section is a folder, the first column a path in it, the fourth the count.
+/// Triangles by file, from the tables of INDEX.md: a section is a folder, the first column a path in it, the fourth the
+/// count.
 std::map<std::string, std::uint64_t> expected_triangles() {
     std::map<std::string, std::uint64_t> result;
     std::ifstream in(test::shared_dir() / "assets" / "INDEX.md");
@@ -43,7 +44,8 @@ std::map<std::string, std::uint64_t> expected_triangles() {
         if (line.starts_with("## ")) section = line.substr(3);
         if (!line.starts_with("| ") || !is_gltf(cell(line, 0))) continue;
         const std::string count = cell(line, 3);
-        if (!count.empty() && count.find_first_not_of("0123456789") == std::string::npos) result[section + "/" + cell(line, 0)] = std::stoull(count);
+        if (!count.empty() && count.find_first_not_of("0123456789") == std::string::npos)
+            result[section + "/" + cell(line, 0)] = std::stoull(count);
     }
     // The table was made by a program that does not know EXT_mesh_gpu_instancing: 125 boxes, not one.
     result["gltf/SimpleInstancing/SimpleInstancing.glb"] = 125 * 12;
@@ -85,7 +87,8 @@ TEST(GltfAssets, TexturesAreFoundWhereTheFilesHaveThem) {
         Context context({.threads = 1});
         io::read_gltf(path.string(), {}, context);
         for (const ReportEntry& entry : context.report().entries())
-            EXPECT_EQ(entry.message.find("Texture is left out"), std::string::npos) << path << ": " << entry.place << ": " << entry.message;
+            EXPECT_EQ(entry.message.find("Texture is left out"), std::string::npos)
+                << path << ": " << entry.place << ": " << entry.message;
     }
 }
 
@@ -97,12 +100,14 @@ TEST(GltfAssets, CutCopiesHoldTheSamePositionsAsTheWhole) {
         std::set<std::array<float, 3>> set;
         for (const Mesh& mesh : scene.meshes) {
             EXPECT_EQ(mesh.origin, (dvec3{0, 0, 0}));
-            for (const std::uint32_t i : mesh.indices) set.insert({mesh.positions[i].x, mesh.positions[i].y, mesh.positions[i].z});
+            for (const std::uint32_t i : mesh.indices)
+                set.insert({mesh.positions[i].x, mesh.positions[i].y, mesh.positions[i].z});
         }
         return set;
     };
     const auto whole = positions("spot_whole.glb");
-    for (const char* part : {"spot_slab5.glb", "spot_checker6.glb", "spot_noise7.glb"}) EXPECT_EQ(positions(part), whole) << part;
+    for (const char* part : {"spot_slab5.glb", "spot_checker6.glb", "spot_noise7.glb"})
+        EXPECT_EQ(positions(part), whole) << part;
 }
 
 Scene load(const char* name) {
@@ -150,7 +155,8 @@ TEST(GltfAssets, InstancesAreNodesThatShareTheirMeshes) {
     EXPECT_EQ(scene.meshes.size(), 1u);
     std::set<std::array<double, 3>> places;
     for (const Node& node : scene.nodes)
-        if (!node.meshes.empty()) places.insert({node.local.translation.x, node.local.translation.y, node.local.translation.z});
+        if (!node.meshes.empty())
+            places.insert({node.local.translation.x, node.local.translation.y, node.local.translation.z});
     EXPECT_EQ(places.size(), 125u);
 }
 

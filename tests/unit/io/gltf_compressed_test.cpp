@@ -57,7 +57,8 @@ std::vector<char> draco_encode(const Grid& grid, int method) {
     const int id = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
     const auto at = [&](std::size_t k) { return &grid.positions[3 * grid.indices[k]]; };
     for (std::size_t f = 0; f < grid.indices.size() / 3; ++f)
-        builder.SetAttributeValuesForFace(id, draco::FaceIndex(std::uint32_t(f)), at(3 * f), at(3 * f + 1), at(3 * f + 2));
+        builder.SetAttributeValuesForFace(id, draco::FaceIndex(std::uint32_t(f)), at(3 * f), at(3 * f + 1),
+                                          at(3 * f + 2));
     const auto mesh = builder.Finalize();
     draco::Encoder encoder;
     encoder.SetEncodingMethod(method);
@@ -68,10 +69,12 @@ std::vector<char> draco_encode(const Grid& grid, int method) {
 
 GltfFile draco_file(const std::vector<char>& data, std::size_t vertices, std::size_t corners) {
     GltfFile file;
-    file.root["accessors"] = {{{"componentType", f32}, {"count", vertices}, {"type", "VEC3"}}, {{"componentType", u32}, {"count", corners}, {"type", "SCALAR"}}};
+    file.root["accessors"] = {{{"componentType", f32}, {"count", vertices}, {"type", "VEC3"}},
+                              {{"componentType", u32}, {"count", corners}, {"type", "SCALAR"}}};
     auto& primitive = file.primitive(0);
     primitive["indices"] = 1;
-    primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", file.view(data)}, {"attributes", {{"POSITION", 0}}}};
+    primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", file.view(data)},
+                                                             {"attributes", {{"POSITION", 0}}}};
     file.root["extensionsUsed"] = {"KHR_draco_mesh_compression"};
     file.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
     return file;
@@ -124,21 +127,30 @@ TEST(GltfDraco, CountsThatTheDataCannotHoldAreRefused) {
 
 GltfFile meshopt_file(const Grid& grid, const char* extension) {
     const std::size_t vertices = grid.positions.size() / 3;
-    std::vector<unsigned char> v(meshopt_encodeVertexBufferBound(vertices, 12)), i(meshopt_encodeIndexBufferBound(grid.indices.size(), vertices));
+    std::vector<unsigned char> v(meshopt_encodeVertexBufferBound(vertices, 12)),
+        i(meshopt_encodeIndexBufferBound(grid.indices.size(), vertices));
     v.resize(meshopt_encodeVertexBuffer(v.data(), v.size(), grid.positions.data(), vertices, 12));
     i.resize(meshopt_encodeIndexBuffer(i.data(), i.size(), grid.indices.data(), grid.indices.size()));
     GltfFile file;
-    const auto packed = [&](const std::vector<unsigned char>& data, std::size_t count, std::size_t stride, const char* mode) {
+    const auto packed = [&](const std::vector<unsigned char>& data, std::size_t count, std::size_t stride,
+                            const char* mode) {
         const int view = file.view(data);
         Json& json = file.root["bufferViews"][view];
-        json["extensions"][extension] = {{"buffer", 0}, {"byteOffset", json["byteOffset"]}, {"byteLength", data.size()}, {"byteStride", stride}, {"count", count}, {"mode", mode}};
+        json["extensions"][extension] = {{"buffer", 0},
+                                         {"byteOffset", json["byteOffset"]},
+                                         {"byteLength", data.size()},
+                                         {"byteStride", stride},
+                                         {"count", count},
+                                         {"mode", mode}};
         json["buffer"] = 1;  // the fallback buffer, which is not there
         json["byteLength"] = count * stride;
         return view;
     };
-    const int positions = packed(v, vertices, 12, "ATTRIBUTES"), indices = packed(i, grid.indices.size(), 4, "TRIANGLES");
-    file.root["accessors"] = {{{"bufferView", positions}, {"componentType", f32}, {"count", vertices}, {"type", "VEC3"}},
-                              {{"bufferView", indices}, {"componentType", u32}, {"count", grid.indices.size()}, {"type", "SCALAR"}}};
+    const int positions = packed(v, vertices, 12, "ATTRIBUTES"),
+              indices = packed(i, grid.indices.size(), 4, "TRIANGLES");
+    file.root["accessors"] = {
+        {{"bufferView", positions}, {"componentType", f32}, {"count", vertices}, {"type", "VEC3"}},
+        {{"bufferView", indices}, {"componentType", u32}, {"count", grid.indices.size()}, {"type", "SCALAR"}}};
     file.primitive(0)["indices"] = 1;
     file.root["extensionsUsed"] = {extension};
     file.root["extensionsRequired"] = {extension};
@@ -150,14 +162,16 @@ TEST(GltfMeshopt, AttributesAndTrianglesComeBack) {
     for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
         const Scene scene = meshopt_file(grid, extension).load();
         EXPECT_EQ(triangles_of(scene.meshes[0]), triangles_of(grid.positions, grid.indices));
-        for (std::size_t v = 0; v < grid.positions.size() / 3; ++v) EXPECT_EQ(scene.meshes[0].positions[v].x, grid.positions[3 * v]);
+        for (std::size_t v = 0; v < grid.positions.size() / 3; ++v)
+            EXPECT_EQ(scene.meshes[0].positions[v].x, grid.positions[3 * v]);
     }
 }
 
 TEST(GltfMeshopt, WrongSizesAreRefused) {
     const Grid grid(3);
-    const std::pair<const char*, Json> changes[] = {{"byteStride", 10}, {"byteStride", 0}, {"byteStride", 260}, {"count", 4294967296},
-                                                    {"mode", "MAGIC"},   {"filter", "OCTAHEDRAL"}, {"byteLength", 3}, {"filter", "SPIRAL"}};
+    const std::pair<const char*, Json> changes[] = {
+        {"byteStride", 10}, {"byteStride", 0},        {"byteStride", 260}, {"count", 4294967296},
+        {"mode", "MAGIC"},  {"filter", "OCTAHEDRAL"}, {"byteLength", 3},   {"filter", "SPIRAL"}};
     for (const auto& [name, value] : changes) {
         GltfFile file = meshopt_file(grid, "EXT_meshopt_compression");
         file.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"][name] = value;
@@ -174,7 +188,8 @@ TEST(GltfMeshopt, FiltersAreApplied) {
     GltfFile file;
     const int view = file.view(data);
     file.root["bufferViews"][view]["extensions"]["EXT_meshopt_compression"] = {
-        {"buffer", 0}, {"byteLength", data.size()}, {"byteStride", 16}, {"count", 2}, {"mode", "ATTRIBUTES"}, {"filter", "EXPONENTIAL"}};
+        {"buffer", 0}, {"byteLength", data.size()}, {"byteStride", 16},
+        {"count", 2},  {"mode", "ATTRIBUTES"},      {"filter", "EXPONENTIAL"}};
     file.root["bufferViews"][view]["byteStride"] = 16;
     file.root["accessors"] = {{{"bufferView", view}, {"componentType", f32}, {"count", 2}, {"type", "VEC3"}}};
     file.primitive(0)["mode"] = 0;

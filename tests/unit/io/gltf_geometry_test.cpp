@@ -40,7 +40,9 @@ TEST(GltfTopology, TooFewCornersGiveNothing) {
         EXPECT_TRUE(expand(PrimitiveMode(mode), {}).indices.empty()) << mode;
         EXPECT_EQ(expand(PrimitiveMode(mode), {0}).indices.size(), mode == 0 ? 1u : 0u) << mode;
         for (std::uint64_t corners = 0; corners < 9; ++corners)
-            EXPECT_EQ(expand(PrimitiveMode(mode), Indices(corners)).indices.size(), io::gltf::expanded_size(PrimitiveMode(mode), corners)) << mode;
+            EXPECT_EQ(expand(PrimitiveMode(mode), Indices(corners)).indices.size(),
+                      io::gltf::expanded_size(PrimitiveMode(mode), corners))
+                << mode;
     }
 }
 
@@ -64,7 +66,9 @@ TEST(GltfElements, NormalizedIntegersAreFractionsOfTheLargest) {
     EXPECT_EQ(scalars<std::int16_t>({-5, 7}, ComponentType::i16, false), (std::vector<float>{-5, 7}));
 }
 
-TEST(GltfElements, ZeroElementsAreFine) { EXPECT_TRUE(scalars<float>({}, io::gltf::ComponentType::f32, false).empty()); }
+TEST(GltfElements, ZeroElementsAreFine) {
+    EXPECT_TRUE(scalars<float>({}, io::gltf::ComponentType::f32, false).empty());
+}
 
 TEST(GltfGeometry, PositionsKeepTheirBitsAndTheOriginIsZero) {
     GltfFile file;
@@ -83,8 +87,9 @@ TEST(GltfGeometry, AttributesMayLieInterleaved) {
     GltfFile file;
     const int view = file.view<float>({0, 0, 0, 9, 9, 1, 0, 0, 8, 8, 0, 1, 0, 7, 7});
     file.root["bufferViews"][view]["byteStride"] = 20;
-    file.root["accessors"] = {{{"bufferView", view}, {"componentType", f32}, {"count", 3}, {"type", "VEC3"}},
-                              {{"bufferView", view}, {"byteOffset", 12}, {"componentType", f32}, {"count", 3}, {"type", "VEC2"}}};
+    file.root["accessors"] = {
+        {{"bufferView", view}, {"componentType", f32}, {"count", 3}, {"type", "VEC3"}},
+        {{"bufferView", view}, {"byteOffset", 12}, {"componentType", f32}, {"count", 3}, {"type", "VEC2"}}};
     file.primitive(0)["attributes"]["TEXCOORD_0"] = 1;
     const Scene scene = file.load();
     EXPECT_EQ(scene.meshes[0].positions[2], (vec3{0, 1, 0}));
@@ -120,7 +125,9 @@ TEST(GltfGeometry, SparseValuesReplaceTheirElements) {
     GltfFile file;
     file.triangle();
     const int indices = file.view<std::uint16_t>({1, 2}), values = file.view<float>({5, 5, 5, 6, 6, 6});
-    file.root["accessors"][0]["sparse"] = {{"count", 2}, {"indices", {{"bufferView", indices}, {"componentType", u16}}}, {"values", {{"bufferView", values}}}};
+    file.root["accessors"][0]["sparse"] = {{"count", 2},
+                                           {"indices", {{"bufferView", indices}, {"componentType", u16}}},
+                                           {"values", {{"bufferView", values}}}};
     const Scene scene = file.load();
     EXPECT_EQ(scene.meshes[0].positions[0], (vec3{0, 0, 0}));
     EXPECT_EQ(scene.meshes[0].positions[1], (vec3{5, 5, 5}));
@@ -136,7 +143,9 @@ TEST(GltfGeometry, SparseIndicesMustAscendAndBeInRange) {
         GltfFile file;
         file.triangle();
         const int indices = file.view(bad), values = file.view<float>({5, 5, 5, 6, 6, 6});
-        file.root["accessors"][0]["sparse"] = {{"count", 2}, {"indices", {{"bufferView", indices}, {"componentType", u16}}}, {"values", {{"bufferView", values}}}};
+        file.root["accessors"][0]["sparse"] = {{"count", 2},
+                                               {"indices", {{"bufferView", indices}, {"componentType", u16}}},
+                                               {"values", {{"bufferView", values}}}};
         EXPECT_NE(file.refusal().find("sparse index"), std::string::npos);
     }
 }
@@ -158,10 +167,12 @@ TEST(GltfGeometry, UnequalCountsAreRefused) {
 
 TEST(GltfGeometry, ColorsBecomeRgbaOfFloats) {
     GltfFile file;
-    file.triangle()["attributes"]["COLOR_0"] = file.accessor<std::uint8_t>({255, 0, 51, 0, 255, 0, 0, 0, 255}, u8, 3, true);
+    file.triangle()["attributes"]["COLOR_0"] =
+        file.accessor<std::uint8_t>({255, 0, 51, 0, 255, 0, 0, 0, 255}, u8, 3, true);
     EXPECT_EQ(file.load().meshes[0].colors[0], (vec4{1, 0, 0.2f, 1}));
     GltfFile rgba;
-    rgba.triangle()["attributes"]["COLOR_0"] = rgba.accessor<std::uint16_t>({65535, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, u16, 4, true);
+    rgba.triangle()["attributes"]["COLOR_0"] =
+        rgba.accessor<std::uint16_t>({65535, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, u16, 4, true);
     EXPECT_EQ(rgba.load().meshes[0].colors[0], (vec4{1, 0, 0, 0}));
 }
 

@@ -40,7 +40,8 @@ void expect_one_line(const Error& error, const std::filesystem::path& path) {
 
 /// What decoding a picture or repairing an attribute says comes later than the reader.
 bool is_said_later(const std::string& name) {
-    return name.find("texture_png") != std::string::npos || name.find("texture_not_an_image") != std::string::npos || name.starts_with("pngsuite/");
+    return name.find("texture_png") != std::string::npos || name.find("texture_not_an_image") != std::string::npos ||
+           name.starts_with("pngsuite/");
 }
 
 TEST(GltfHostile, EveryFileKeepsItsVerdict) {
@@ -80,7 +81,8 @@ TEST(GltfHostile, MessagesNameOnlyTheLastPartOfAReferenceOutside) {
     const auto folder = test::shared_dir() / "hostile/gltf";
     io::read_gltf((folder / "path_traversal_texture.gltf").string(), {}, context);
     ASSERT_FALSE(context.report().entries().empty());
-    for (const ReportEntry& entry : context.report().entries()) EXPECT_EQ(entry.message.find("etc/"), std::string::npos) << entry.message;
+    for (const ReportEntry& entry : context.report().entries())
+        EXPECT_EQ(entry.message.find("etc/"), std::string::npos) << entry.message;
     const Outcome outcome = read(folder / "path_traversal_buffer.gltf");
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(std::string(outcome.error->what()).find("etc/"), std::string::npos);

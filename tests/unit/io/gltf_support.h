@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small glTF files made in a test: JSON as a tree, binary data collected into one buffer, written to a folder of its own.
+// Small glTF files made in a test: JSON as a tree, binary data collected into one buffer, written to a folder of its
+// own.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -20,7 +21,8 @@ class TestFolder {
 public:
     TestFolder() {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::temp_directory_path() / (std::string("rakelight_") + info->test_suite_name() + "_" + info->name());
+        path_ = std::filesystem::temp_directory_path() /
+                (std::string("rakelight_") + info->test_suite_name() + "_" + info->name());
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }
@@ -46,14 +48,16 @@ inline constexpr int i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f
 /// A glTF file under construction. Starts with one scene of one node of one mesh without primitives.
 struct GltfFile {
     using Json = nlohmann::json;
-    Json root = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    Json root =
+        Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
         "meshes": [{"primitives": []}], "accessors": [], "bufferViews": []})");
     std::string data;
 
     template <class T>
     int view(const std::vector<T>& values) {
         while (data.size() % 4) data += '\0';
-        root["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", data.size()}, {"byteLength", values.size() * sizeof(T)}});
+        root["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", data.size()}, {"byteLength", values.size() * sizeof(T)}});
         if (!values.empty()) data.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
         return int(root["bufferViews"].size()) - 1;
     }
@@ -62,8 +66,11 @@ struct GltfFile {
     template <class T>
     int accessor(const std::vector<T>& values, int component_type, std::size_t width, bool normalized = false) {
         static const char* names[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
-        root["accessors"].push_back({{"bufferView", view(values)}, {"componentType", component_type}, {"count", values.size() / width},
-                                     {"type", width == 16 ? "MAT4" : names[width]}, {"normalized", normalized}});
+        root["accessors"].push_back({{"bufferView", view(values)},
+                                     {"componentType", component_type},
+                                     {"count", values.size() / width},
+                                     {"type", width == 16 ? "MAT4" : names[width]},
+                                     {"normalized", normalized}});
         return int(root["accessors"].size()) - 1;
     }
 
