@@ -16,8 +16,16 @@ std::size_t printable_bytes(const std::string& text, std::size_t i) {
     if (length == 0 || first >= 0xF5) return 0;
     for (std::size_t k = 1; k < length; ++k)
         if ((byte(i + k) & 0xC0) != 0x80) return 0;
-    if (first == 0xC2 && byte(i + 1) < 0xA0) return 0;                      // C1 control characters
-    if (first == 0xE2 && byte(i + 1) == 0x80 && byte(i + 2) >= 0xA8 && byte(i + 2) <= 0xAE) return 0;  // line separators, bidi
+    const std::uint8_t second = byte(i + 1), third = byte(i + 2);
+    // Overlong forms, surrogates, beyond U+10FFFF.
+    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) || (first == 0xF0 && second < 0x90) ||
+        (first == 0xF4 && second >= 0x90))
+        return 0;
+    if (first == 0xC2 && second < 0xA0) return 0;  // C1 control characters
+    // Line separators and everything that turns the direction of writing: U+061C, U+200E-F, U+2028-E, U+2066-9.
+    if (first == 0xD8 && second == 0x9C) return 0;
+    if (first == 0xE2 && second == 0x80 && (third == 0x8E || third == 0x8F || (third >= 0xA8 && third <= 0xAE))) return 0;
+    if (first == 0xE2 && second == 0x81 && third >= 0xA6 && third <= 0xA9) return 0;
     return length;
 }
 
@@ -27,14 +35,16 @@ int exit_code(ErrorCode code) noexcept { return int(code) + 1; }
 
 std::string one_line(const std::string& text, std::size_t max_bytes) {
     std::string line;
+    std::size_t cut = 0;  // where "..." still fits behind
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t n = printable_bytes(text, i);
-        if (line.size() + (n ? n : 1) + 3 > max_bytes) return line + "...";
+        if (line.size() + (n ? n : 1) > max_bytes) return line.substr(0, cut) + "...";
         if (n)
             line.append(text, i, n);
         else
             line += '?';
         i += n ? n : 1;
+        if (line.size() + 3 <= max_bytes) cut = line.size();
     }
     return line;
 }
@@ -57,6 +67,7 @@ void Error::compose() {
     if (!place_.empty()) text_ += one_line(place_, 120) + ": ";
     text_ += one_line(reason_, 300);
     if (!advice_.empty()) text_ += "; " + one_line(advice_, 160);
+    text_ = one_line(text_, 600);
 }
 
 }  // namespace rakelight

@@ -30,6 +30,27 @@ TEST(OneLine, ReplacesControlCharactersAndKeepsUtf8) {
     EXPECT_EQ(one_line("\xE2\x80\xAE"), "???") << "right-to-left override";
 }
 
+TEST(Error, TheWholeLineHasAtMostSixHundredBytes) {
+    const std::string big(1000, 'x');
+    const std::string text = Error(ErrorCode::failed, big, big, big).with_file(big).what();
+    EXPECT_EQ(text.size(), 600u);
+    EXPECT_EQ(text.substr(597), "...");
+}
+
+TEST(OneLine, ReplacesWhatIsNotUtf8OrTurnsTheDirectionOfWriting) {
+    EXPECT_EQ(one_line("\xE0\x80\xAF"), "???") << "overlong";
+    EXPECT_EQ(one_line("\xED\xA0\x80"), "???") << "surrogate";
+    EXPECT_EQ(one_line("\xF0\x82\x82\xAC"), "????") << "overlong";
+    EXPECT_EQ(one_line("\xF4\x90\x80\x80"), "????") << "beyond U+10FFFF";
+    EXPECT_EQ(one_line("\xE2\x81\xA7"), "???") << "U+2067, right-to-left isolate";
+    EXPECT_EQ(one_line("\xF0\x9F\x8E\xA8\xED\x95\x9C"), "\xF0\x9F\x8E\xA8\xED\x95\x9C") << "a picture and a Korean syllable";
+}
+
+TEST(OneLine, KeepsWhatFitsExactly) {
+    EXPECT_EQ(one_line("12345678", 8), "12345678");
+    EXPECT_EQ(one_line("123456789", 8), "12345...");
+}
+
 TEST(OneLine, CutsAtACharacterBorder) {
     const std::string cut = one_line(std::string(500, 'x'), 20);
     EXPECT_EQ(cut.size(), 20u);
