@@ -29,6 +29,7 @@ public:
     std::uint64_t limit() const noexcept;
 
 private:
+    void require(std::uint64_t charged, std::uint64_t bytes, std::string_view what) const;
     std::uint64_t max_bytes_;  // 0: the default rule
     std::atomic<std::uint64_t> read_bytes_{0}, charged_{0};
 };

@@ -51,6 +51,32 @@ TEST(MemoryBudget, TheUsersLimitReplacesTheRule) {
     EXPECT_NO_THROW(m.check(1000, "x"));
 }
 
+TEST(MemoryBudget, ThreadsTogetherNeverGetMoreThanTheLimit) {
+    Context context({.threads = 4, .max_memory = 1000});
+    for (int round = 0; round < 50; ++round) {
+        MemoryBudget m(1000);
+        std::atomic<int> granted{0};
+        context.parallel_for(4000, [&](std::size_t) {
+            try {
+                m.charge(1, "x");
+                ++granted;
+            } catch (const Error&) {
+            }
+        });
+        ASSERT_EQ(granted, 1000);
+    }
+}
+
+TEST(Context, AnExceptionOfOneBodyOfManyComesOutOnceAndTheContextStaysUsable) {
+    for (int threads : {1, 2, 4}) {
+        Context context({.threads = threads});
+        EXPECT_THROW(context.parallel_for(1000, [](std::size_t i) { if (i % 7 == 3) throw Error(ErrorCode::failed, "x"); }), Error);
+        std::atomic<int> calls{0};
+        context.parallel_for(1000, [&](std::size_t) { ++calls; });
+        EXPECT_EQ(calls, 1000);
+    }
+}
+
 TEST(Context, CancelIsSeen) {
     Context context;
     EXPECT_NO_THROW(context.throw_if_cancelled());
