@@ -123,6 +123,7 @@ private:
         crowded_.assign(partitions, 0);
         context_.parallel_for(partitions, [&](std::size_t part) {
             std::vector<Entry> entries;
+            UnionFind sets;
             for (const auto& chunk : sent) entries.insert(entries.end(), chunk[part].begin(), chunk[part].end());
             std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
                 return std::tuple(a.cell, a.position.x, a.vertex) < std::tuple(b.cell, b.position.x, b.vertex);
@@ -130,19 +131,22 @@ private:
             for (std::size_t first = 0, last = 0; first < entries.size(); first = last) {
                 while (last < entries.size() && entries[last].cell == entries[first].cell) ++last;
                 if (last - first > crowded) crowded_[part] += last - first;
-                else compare(std::span(entries).subspan(first, last - first), pairs[part]);
+                else compare(std::span(entries).subspan(first, last - first), sets, pairs[part]);
             }
         });
         return pairs;
     }
 
-    // Sorted by x: only a window as wide as the distance is compared.
-    void compare(std::span<const Entry> cell, Pairs& pairs) const {
+    // Sorted by x: only a window as wide as the distance is compared. Pairs that are already connected inside the cell are not
+    // kept, so there are fewer of them than places, however many lie close together.
+    void compare(std::span<const Entry> cell, UnionFind& sets, Pairs& pairs) const {
+        sets.reset(cell.size());
         for (std::size_t i = 0; i < cell.size(); ++i)
             for (std::size_t j = i + 1; j < cell.size() && cell[j].position.x - cell[i].position.x <= distance_; ++j) {
                 const dvec3 d = cell[j].position - cell[i].position;
                 const bool may = cell[i].object == cell[j].object && (!only_between_matrices_ || cell[i].matrix != cell[j].matrix);
-                if (may && dot(d, d) <= distance_ * distance_) pairs.emplace_back(cell[i].vertex, cell[j].vertex);
+                if (may && dot(d, d) <= distance_ * distance_ && sets.join(std::uint32_t(i), std::uint32_t(j)))
+                    pairs.emplace_back(cell[i].vertex, cell[j].vertex);
             }
     }
 

@@ -17,11 +17,13 @@ public:
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
-    void join(std::uint32_t a, std::uint32_t b) {
+    /// False if the two were in one set before.
+    bool join(std::uint32_t a, std::uint32_t b) {
         a = root(a);
         b = root(b);
         if (a < b) parent_[b] = a;
         if (b < a) parent_[a] = b;
+        return a != b;
     }
 
 private:

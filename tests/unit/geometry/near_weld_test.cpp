@@ -127,6 +127,33 @@ TEST(NearWeld, ChainWiderThanTwiceTheDistanceIsKeptExactAndReported) {
     EXPECT_EQ(joined[0].normals[0], joined[2].normals[0]);
 }
 
+// Nearly 4 million pairs a spot lie within the distance: all kept, they would take half a gigabyte here and 8 in a file of 20 MB.
+TEST(NearWeld, ThousandsOfPlacesOnOneSpotAreOnePlace) {
+    constexpr std::uint32_t spots = 20, per_object = 1900;
+    std::vector<Shape> shapes(2);
+    for (std::uint32_t object = 0; object < 2; ++object) {
+        Shape& s = shapes[object];
+        s.object = object;
+        s.to_world = translation(dvec3{0, 0, double(object) * 1e-12});  // another matrix, no other place that counts
+        for (std::uint32_t spot = 0; spot < spots; ++spot)
+            for (std::uint32_t i = 0; i < per_object; ++i) {
+                const auto corner = std::uint32_t(s.positions.size());
+                const float angle = float(i) / per_object, height = float(object) + 0.5f;
+                s.positions.push_back({0, float(i) * 1e-12f + float(object) * 1e-14f, 0.1f * float(spot + 1)});
+                s.positions.push_back({1 + angle, height, 0.1f * float(spot)});
+                s.positions.push_back({1 + angle, height + 1, 0.05f + 0.1f * float(spot)});
+                s.indices.insert(s.indices.end(), {corner, corner + 1, corner + 2});
+            }
+    }
+    const auto out = compute(shapes, within(-1));
+    for (std::uint32_t spot = 0; spot < spots; ++spot)
+        for (std::uint32_t object = 0; object < 2; ++object)
+            for (std::uint32_t i = 0; i < per_object; ++i) {
+                const std::size_t first = 3 * std::size_t(spot) * per_object;
+                ASSERT_EQ(out[object].normals[first + 3 * i], out[0].normals[first]) << spot << " " << object << " " << i;
+            }
+}
+
 TEST(NearWeld, OrderOfObjectsDoesNotMatter) {
     const auto parts = cut_at_random(make_torus(30, 16), 6, 3);
     auto framed = in_own_frames(parts, {});
