@@ -26,8 +26,12 @@ double inside_by(const ClipVertex& v, unsigned plane, const ClipVolume& volume) 
 }
 
 ClipVertex cut(const ClipVertex& inner, const ClipVertex& outer, double inner_by, double outer_by) {
-    const double t = inner_by / (inner_by - outer_by);
-    const auto mix = [t](float a, float b) { return float(double(a) + (double(b) - double(a)) * t); };
+    // From the nearer end, so that nothing cancels: a far corner at 1e20 must not blur where the near plane is.
+    const bool from_inner = inner_by <= -outer_by;
+    const double t = (from_inner ? inner_by : -outer_by) / (inner_by - outer_by);
+    const auto mix = [t, from_inner](float a, float b) {
+        return from_inner ? float(double(a) + (double(b) - double(a)) * t) : float(double(b) + (double(a) - double(b)) * t);
+    };
     return {mix(inner.x, outer.x), mix(inner.y, outer.y), mix(inner.w, outer.w), mix(inner.distance, outer.distance)};
 }
 

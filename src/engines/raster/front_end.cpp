@@ -21,7 +21,11 @@ struct Chunk {
     RenderStats stats;
 };
 
-std::int32_t snap(double px) { return std::int32_t(std::floor(px * (1 << subpixel_bits) + 0.5)); }
+/// Clipping leaves coordinates in the guard band; where its numbers end (w near the smallest float) they stop at its rim.
+std::int32_t snap(double px) {
+    const double in_band = px > -guard_band_px ? (px < guard_band_px ? px : guard_band_px) : -guard_band_px;
+    return std::int32_t(std::floor(in_band * (1 << subpixel_bits) + 0.5));
+}
 
 /// Everything that setting up the triangles of one chunk needs.
 class Setup {

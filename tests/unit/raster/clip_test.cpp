@@ -74,6 +74,19 @@ TEST(Clip, NothingIsLeftOfATriangleBehindTheNearPlane) {
     EXPECT_EQ(clip_triangle(behind, clip_near, ClipVolume(view_of()), out), 0u);
 }
 
+TEST(Clip, ACutAtTheNearPlaneLiesThereHoweverFarTheOtherEnd) {
+    const ClipVolume volume(view_of());
+    for (const double far : {1e3, 1e9, 1e18, 1e30}) {
+        const ClipVertex triangle[3] = {at(-1, -1, far), at(1, -1, far), at(0, 1, -1)};
+        ClipVertex out[max_clipped_vertices];
+        const std::size_t count = clip_triangle(triangle, clip_near, volume, out);
+        ASSERT_EQ(count, 4u) << far;
+        int at_near = 0;
+        for (std::size_t i = 0; i < count; ++i) at_near += std::fabs(out[i].w - 0.5f) < 1e-6f && out[i].w == out[i].distance;
+        EXPECT_EQ(at_near, 2) << far;
+    }
+}
+
 TEST(Clip, TenThousandRandomTrianglesStayInsideAndKeepTheirPlane) {
     const View view = view_of();
     const ClipVolume volume(view);

@@ -327,3 +327,17 @@ TEST(SoftEngine, NothingIsNotANumberForDegenerateAndExtremeInput) {
         EXPECT_GT(covered(f), 500u) << size;
     }
 }
+
+TEST(SoftEngine, CornersAtAnyDistanceAndAnyNearPlaneDoNotWrapRound) {
+    for (const double near : {1e-300, 1e-38, 1e-3, 1.0})
+        for (const float size : {1e3f, 1e6f, 1e9f, 1e18f, 1e30f, 1e37f}) {
+            Scene scene = lit_square();
+            scene.meshes[0].positions = std::vector<vec3>{{-size, -2, size}, {size, -2, 1}, {size, -2, -size}, {-size, -2, -size}};
+            Camera camera;
+            camera.near = near;
+            camera.far = std::numeric_limits<double>::infinity();
+            const Frame f = render(scene, camera);
+            for (int x = 0; x < 64; ++x) EXPECT_EQ(pixel(f, x, 4).w, 0) << "above the horizon: " << near << ", " << size;
+            if (size < 1e10f) EXPECT_GT(pixel(f, 32, 60).w, 0) << "the floor: " << near << ", " << size;
+        }
+}
