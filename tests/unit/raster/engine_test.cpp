@@ -338,6 +338,7 @@ TEST(SoftEngine, CornersAtAnyDistanceAndAnyNearPlaneDoNotWrapRound) {
             camera.far = std::numeric_limits<double>::infinity();
             const Frame f = render(scene, camera);
             for (int x = 0; x < 64; ++x) EXPECT_EQ(pixel(f, x, 4).w, 0) << "above the horizon: " << near << ", " << size;
-            if (size < 1e10f) EXPECT_GT(pixel(f, 32, 60).w, 0) << "the floor: " << near << ", " << size;
+            if (size > 1e10f) continue;  // beyond, what lies 2 below the eye is too thin for double
+            EXPECT_GT(pixel(f, 32, 60).w, 0) << "the floor: " << near << ", " << size;
         }
 }
