@@ -32,17 +32,25 @@ bool has_groups(std::span<const AttributeMesh> meshes) {
     });
 }
 
-// A rough sum of what the stages hold at once: rows, numbers and grid entries per vertex, lists and normals per corner.
-void check_memory(const AttributeInput& input, bool refines, Context& context) {
+// A rough sum of what grouping holds at once: numbers and grid entries per vertex, lists and normals per triangle.
+void check_grouping_memory(const AttributeInput& input, bool refines, Context& context) {
     const std::uint64_t vertices = input.vertex_count(), triangles = input.triangle_count();
-    context.memory().check(vertices * (sizeof(NormalRow) + sizeof(TangentRow) + 112) + (refines ? triangles * 100 : 0), "smoothing normals");
+    context.memory().check(vertices * 112 + (refines ? triangles * 112 : 0), "smoothing normals");
+}
+
+// The same for the sums and the result, when it is known how many vertices there are after splitting.
+void check_sums_memory(const AttributePlan::Impl& plan, Context& context) {
+    std::uint64_t row = sizeof(NormalRow) + sizeof(vec3) + 2 * sizeof(std::uint32_t);
+    const bool textured = std::find(plan.textured.begin(), plan.textured.end(), 1) != plan.textured.end();
+    if (plan.options.tangents && textured) row += sizeof(TangentRow) + sizeof(vec4);
+    context.memory().check(plan.topology.group.size() * row + plan.topology.corner_vertex.size() * 8, "smoothing normals");
 }
 
 Topology group_positions(const AttributeInput& input, const AttributeOptions& options, Context& context) {
     const bool groups = has_groups(input.meshes);
     const bool flat = options.scope == Scope::face || (options.crease_angle_rad == 0 && !groups);
     const bool refines = options.normals && (flat || groups || options.crease_angle_rad + 1e-6 < pi);
-    check_memory(input, refines, context);
+    check_grouping_memory(input, refines, context);
     Topology topology;
     if (options.normals && flat) {
         topology.position_class.resize(input.vertex_count());
@@ -77,6 +85,7 @@ std::vector<std::uint8_t> marks_of(const VoteSums& sums, const VertexGroups& gro
 
 std::vector<MeshAttributes> add_up(const AttributePlan::Impl& plan, const AttributeInput& input, Context& context,
                                    std::vector<std::uint8_t>& cancelled) {
+    check_sums_memory(plan, context);
     VoteSums sums = sum_votes(plan.topology, input, plan.options, context);
     sum_groups(sums, plan.groups, plan.topology, input, plan.options, context);
     context.throw_if_cancelled();

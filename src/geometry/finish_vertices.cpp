@@ -50,6 +50,7 @@ public:
         out.isolated_vertices = sums_.isolated_vertices[m];
         if (appended_base_[m + 1] == appended_base_[m]) return;
         const std::uint32_t fixed = input_.vertex_count(), own = input_.vertex_base[m + 1] - input_.vertex_base[m];
+        out.source_vertex.reserve(count - input_.meshes[m].positions.size());
         for (std::uint32_t a = appended_base_[m]; a != appended_base_[m + 1]; ++a)
             out.source_vertex.push_back(topology_.source[a] - input_.vertex_base[m]);
         out.indices.resize(input_.meshes[m].indices.size());
