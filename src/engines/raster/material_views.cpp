@@ -51,7 +51,7 @@ MaterialView factors(const Material& m) {
     v.metallic_roughness = m.model == MaterialModel::metallic_roughness;
     const vec4 c = m.base_color;
     v.base_color[0] = c.x, v.base_color[1] = c.y, v.base_color[2] = c.z, v.base_color[3] = c.w;
-    copy(v.emission, m.emission);
+    if (m.model != MaterialModel::unlit) copy(v.emission, m.emission);  // KHR_materials_unlit: the base color alone
     copy(v.ambient, m.classical.ambient);
     copy(v.specular, m.classical.specular);
     v.shininess = m.classical.shininess < 1 ? 1 : m.classical.shininess;
@@ -97,6 +97,10 @@ void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
         if (is_drawn[i])
             for (const RoleUse& r : roles_of(m)) {
                 if (!*r.use) continue;
+                if (r.use->texcoord_set > 1) {
+                    context.report().add(Remark::dropped, list.scene.source, m.name, "texture left out: the soft engine has texture coordinate sets 0 and 1");
+                    continue;
+                }
                 const Texture& texture = list.scene.textures[r.use->texture];
                 const TextureData* pixels = textures.find(texture.image, r.space);
                 if (!pixels) continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "math/color.h"
 
@@ -22,6 +23,11 @@ const float* decode_table(bool srgb) {
     return tables[srgb ? 1 : 0].data();
 }
 
+/// Kernels address texels, and the four floats of one, by int32_t.
+bool fits_texel_index(std::size_t texels, bool is_float) {
+    return texels <= std::size_t(std::numeric_limits<std::int32_t>::max()) / (is_float ? 4 : 1);
+}
+
 std::shared_ptr<const TextureData> pack(const MipChain& chain) {
     auto data = std::make_shared<TextureData>();
     TextureView& view = data->view;
@@ -29,6 +35,7 @@ std::shared_ptr<const TextureData> pack(const MipChain& chain) {
     view.levels = int(std::min<std::size_t>(chain.levels.size(), max_mip_levels));
     std::size_t texels = 0;
     for (int l = 0; l < view.levels; ++l) texels += std::size_t(chain.levels[std::size_t(l)].width) * std::size_t(chain.levels[std::size_t(l)].height);
+    if (!fits_texel_index(texels, chain.is_float)) throw Error(ErrorCode::bad_file, "the picture has too many texels for the soft engine");
     if (chain.is_float)
         data->rgba32f.reserve(texels * 4);
     else
@@ -54,22 +61,29 @@ std::shared_ptr<const TextureData> pack(const MipChain& chain) {
 
 void TextureCache::update(const std::vector<std::pair<ImageHandle, ColorSpace>>& uses, Context& context) {
     std::map<Key, std::shared_ptr<const TextureData>> kept;
+    struct Missing {
+        const Key* key;
+        std::shared_ptr<const TextureData>* data;
+        std::string fault;
+    };
+    std::vector<Missing> missing;  // in the order of use: that of the map is the order of addresses
     for (const Key& key : uses) {
+        const auto [entry, is_new] = kept.try_emplace(key);
         const auto known = textures_.find(key);
-        kept.emplace(key, known == textures_.end() ? nullptr : known->second);
+        if (known != textures_.end()) entry->second = known->second;
+        if (is_new && !entry->second) missing.push_back({&entry->first, &entry->second, {}});
     }
-    std::vector<decltype(kept)::value_type*> missing;
-    for (auto& entry : kept)
-        if (!entry.second) missing.push_back(&entry);
     context.parallel_for(missing.size(), [&](std::size_t i) {
-        const EncodedImage& image = *missing[i]->first.first;
+        const EncodedImage& image = *missing[i].key->first;
         try {
             const Pixels pixels = image.decode(image, context);
-            missing[i]->second = pack(make_mip_chain(pixels, missing[i]->first.second, context));
+            *missing[i].data = pack(make_mip_chain(pixels, missing[i].key->second, context));
         } catch (const Error& error) {
-            context.report().add(Remark::warning, image.file, image.name, "texture left out: " + error.reason());
+            missing[i].fault = error.reason();
         }
     });
+    for (const Missing& m : missing)
+        if (!*m.data) context.report().add(Remark::warning, m.key->first->file, m.key->first->name, "texture left out: " + m.fault);
     textures_ = std::move(kept);
 }
 

@@ -117,6 +117,43 @@ TEST(Sampling, NotFiniteAndHugeCoordinatesGiveAFinitePicture) {
         for (const vec4& c : show(steps(), {}, {1, 1}, {offset, offset}).color) EXPECT_TRUE(std::isfinite(c.x));
 }
 
+TEST(Sampling, TexturesWithUnsupportedCoordinateSetsAreLeftOutAndSaid) {
+    Scene scene;
+    Material m = matte();
+    m.base_color_texture = add_texture(scene, picture(steps()));
+    m.base_color_texture.texcoord_set = 2;
+    scene.materials = {m};
+    add_object(scene, square_mesh(0));
+    Context context({.threads = 1});
+    auto engine = raster::make_engine();
+    engine->prepare(scene, context);
+    ASSERT_EQ(context.report().entries().size(), 1u);
+    EXPECT_EQ(context.report().entries()[0].remark, Remark::dropped);
+    Frame frame;
+    engine->render(flat_camera(), {.width = 64, .height = 64, .shading = Shading::unlit}, frame, context);
+    EXPECT_EQ(red(frame, 9, 9), 1.0f);
+}
+
+TEST(Sampling, BrokenPicturesAreReportedInTheOrderOfTheirUseForAnyNumberOfThreads) {
+    Scene scene;
+    for (int i = 0; i < 40; ++i) {
+        auto broken = std::make_shared<EncodedImage>();
+        broken->name = std::to_string(i * 7 % 40);
+        broken->decode = [](const EncodedImage& e, Context&) -> Pixels { throw Error(ErrorCode::bad_file, "broken " + e.name); };
+        Material m = matte();
+        m.base_color_texture = add_texture(scene, broken);
+        scene.materials.push_back(m);
+        add_object(scene, square_mesh(std::uint32_t(i)));
+    }
+    for (const int threads : {1, 4}) {
+        Context context({.threads = threads});
+        raster::make_engine()->prepare(scene, context);
+        const std::vector<ReportEntry> entries = context.report().entries();
+        ASSERT_EQ(entries.size(), 40u);
+        for (std::size_t i = 0; i < 40; ++i) EXPECT_EQ(entries[i].place, std::to_string(i * 7 % 40));
+    }
+}
+
 TEST(Sampling, APictureThatCannotBeDecodedBecomesAWarning) {
     Scene scene;
     Material m = matte();
