@@ -17,7 +17,8 @@ void store_batch(std::size_t count, bool over, TileScratch& s) {
     };
     for (std::size_t i = 0; i < count; ++i) {
         vec4& to = s.color[std::size_t(s.y[i] * tile_size + s.x[i])];
-        const vec4 c = {finite(s.red[i]), finite(s.green[i]), finite(s.blue[i]), over ? finite(s.alpha[i]) : 1.0f};
+        const float opacity = over ? std::clamp(finite(s.alpha[i]), 0.0f, 1.0f) : 1.0f;
+        const vec4 c = {finite(s.red[i]), finite(s.green[i]), finite(s.blue[i]), opacity};
         const float under = to.w * (1 - c.w), alpha = c.w + under;
         if (!over || !(alpha > 0))
             to = over ? to : c;

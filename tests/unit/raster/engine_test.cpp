@@ -342,3 +342,25 @@ TEST(SoftEngine, CornersAtAnyDistanceAndAnyNearPlaneDoNotWrapRound) {
             EXPECT_GT(pixel(f, 32, 60).w, 0) << "the floor: " << near << ", " << size;
         }
 }
+
+TEST(SoftEngine, AnUnlitMaterialShowsItsBaseColorAlone) {
+    Material own = matte({0.25f, 0.5f, 0.75f});
+    own.model = MaterialModel::unlit;
+    own.emission = {1, 1, 1};  // KHR_materials_unlit: only the base color counts
+    EXPECT_EQ(pixel(render(lit_square(own), flat_camera()), 9, 9), (vec4{0.25f, 0.5f, 0.75f, 1}));
+}
+
+TEST(SoftEngine, OpacityBeyondItsRangeCountsAsItsEnds) {
+    for (const float alpha : {-3.0f, 5.0f}) {
+        Material glass = matte({0, 0, 1});
+        glass.alpha_mode = AlphaMode::blend;
+        Scene scene = lit_square(glass);
+        scene.meshes[0].colors = std::vector<vec4>(4, vec4{1, 1, 1, alpha});
+        RenderSettings s = small;
+        s.background = {1, 0, 0, 1};
+        const vec4 c = pixel(render(scene, flat_camera(), s), 9, 9);
+        EXPECT_NEAR(c.x, alpha < 0 ? 1 : 0, 1e-6f);
+        EXPECT_NEAR(c.z, alpha < 0 ? 0 : 1, 1e-6f);
+        EXPECT_EQ(c.w, 1);
+    }
+}
