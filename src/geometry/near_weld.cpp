@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A grid of cells much wider than the distance; a place within half the distance of a cell's wall enters the neighbor too, so
-// every close pair meets in some cell (about 1.05 entries a place).
+// every close pair meets in some cell (about 1.4 entries a place). Wider cells would need fewer entries, but the small parts of
+// a wide scene, whose diagonal sets the distance, would crowd in them.
 #include "geometry/near_weld.h"
 
 #include <cmath>
@@ -15,8 +16,8 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr double cell_width = 64;          // in distances
-constexpr std::size_t crowded = 4096;      // places in one cell: more is no model but an attack, or a distance far too large
+constexpr double cell_width = 8;           // in distances
+constexpr std::size_t crowded = 1024;      // places in one cell: more is no model but an attack, or a distance far too large
 constexpr std::uint32_t partitions = 256;  // of the cells, by hash
 
 struct Entry {

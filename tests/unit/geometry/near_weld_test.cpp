@@ -127,9 +127,8 @@ TEST(NearWeld, ChainWiderThanTwiceTheDistanceIsKeptExactAndReported) {
     EXPECT_EQ(joined[0].normals[0], joined[2].normals[0]);
 }
 
-// Nearly 4 million pairs a spot lie within the distance: all kept, they would take half a gigabyte here and 8 in a file of 20 MB.
-TEST(NearWeld, ThousandsOfPlacesOnOneSpotAreOnePlace) {
-    constexpr std::uint32_t spots = 20, per_object = 1900;
+// Two objects, half of the places of each spot in either; all places of a spot within the distance, all different.
+std::vector<Shape> crowd(std::uint32_t spots, std::uint32_t per_object) {
     std::vector<Shape> shapes(2);
     for (std::uint32_t object = 0; object < 2; ++object) {
         Shape& s = shapes[object];
@@ -138,20 +137,50 @@ TEST(NearWeld, ThousandsOfPlacesOnOneSpotAreOnePlace) {
         for (std::uint32_t spot = 0; spot < spots; ++spot)
             for (std::uint32_t i = 0; i < per_object; ++i) {
                 const auto corner = std::uint32_t(s.positions.size());
-                const float angle = float(i) / per_object, height = float(object) + 0.5f;
+                const float angle = float(i) / float(per_object), height = float(object) + 0.5f;
                 s.positions.push_back({0, float(i) * 1e-12f + float(object) * 1e-14f, 0.1f * float(spot + 1)});
                 s.positions.push_back({1 + angle, height, 0.1f * float(spot)});
                 s.positions.push_back({1 + angle, height + 1, 0.05f + 0.1f * float(spot)});
                 s.indices.insert(s.indices.end(), {corner, corner + 1, corner + 2});
             }
     }
-    const auto out = compute(shapes, within(-1));
+    return shapes;
+}
+
+TEST(NearWeld, AThousandPlacesOnOneSpotAreOnePlace) {
+    constexpr std::uint32_t spots = 20, per_object = 500;
+    const auto out = compute(crowd(spots, per_object), within(-1));
     for (std::uint32_t spot = 0; spot < spots; ++spot)
         for (std::uint32_t object = 0; object < 2; ++object)
             for (std::uint32_t i = 0; i < per_object; ++i) {
                 const std::size_t first = 3 * std::size_t(spot) * per_object;
                 ASSERT_EQ(out[object].normals[first + 3 * i], out[0].normals[first]) << spot << " " << object << " " << i;
             }
+}
+
+// Comparing all of them in pairs would take hours.
+TEST(NearWeld, PlacesCrowdedBeyondReasonAreKeptExactAndReported) {
+    const auto shapes = crowd(1, 200'000);
+    Context context({.threads = 2});
+    const auto out = compute_attributes(views(shapes), within(-1), context);
+    EXPECT_NE(out[0].normals[0], out[1].normals[0]);
+    ASSERT_EQ(context.report().entries().size(), 1u);
+    EXPECT_NE(context.report().entries()[0].message.find("400000 crowded"), std::string::npos);
+}
+
+// A part of 5 cm in a scene of 1 km, whose diagonal makes the default distance 0.2 mm.
+TEST(NearWeld, SmallPartsOfAWideSceneHaveNoSeam) {
+    Shape whole = make_torus(200, 100);
+    for (vec3& p : whole.positions) p = p * 0.01f;
+    auto parts = cut_by_planes(whole, 2);
+    auto framed = in_own_frames(parts, {3, 0, 1});
+    Shape ground;
+    ground.positions = {{1000, -1, 0}, {0, -1, 1000}, {1000, -1, 1000}};
+    ground.indices = {0, 1, 2};
+    ground.object = 2;
+    parts.push_back(ground);
+    framed.push_back(ground);
+    EXPECT_LT(seam(parts, framed, within(-1)), 1e-3);
 }
 
 TEST(NearWeld, OrderOfObjectsDoesNotMatter) {
