@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "math/flush_denormals.h"
 
@@ -30,7 +32,7 @@ std::int32_t snap(double px) {
 /// Everything that setting up the triangles of one chunk needs.
 class Setup {
 public:
-    Setup(const FrontEnd& front, const TileGrid& grid, Chunk& chunk)
+    Setup(FrontEnd& front, const TileGrid& grid, Chunk& chunk)
         : front_(front), grid_(grid), chunk_(chunk), volume_(front.view), mesh_(front.list.scene.meshes[front.list.draws[chunk.draw].mesh]) {
         const Draw& draw = front.list.draws[chunk.draw];
         const DrawMaterial& material = front.list.materials[draw.material];
@@ -43,6 +45,7 @@ public:
 
     void run() {
         for (std::size_t t = chunk_.first; t < chunk_.end; ++t) add(std::uint32_t(t));
+        front_.memory.add(std::exchange(new_bytes_, 0));
     }
 
 private:
@@ -136,10 +139,15 @@ private:
         ++chunk_.stats.drawn;
         const auto index = std::uint32_t(chunk_.triangles.size());
         chunk_.triangles.push_back(s);
-        for (int ty = top / tile_size; ty <= bottom / tile_size; ++ty)
-            for (int tx = left / tile_size; tx <= right / tile_size; ++tx)
-                if (touches(s, tx, ty))
-                    chunk_.tiles.emplace_back(std::uint32_t((ty - grid_.first_y) * grid_.columns + tx - grid_.first_x), index);
+        new_bytes_ += sizeof(ScreenTriangle);
+        for (int ty = top / tile_size; ty <= bottom / tile_size; ++ty) {
+            for (int tx = left / tile_size; tx <= right / tile_size; ++tx) {
+                if (!touches(s, tx, ty)) continue;
+                chunk_.tiles.emplace_back(std::uint32_t((ty - grid_.first_y) * grid_.columns + tx - grid_.first_x), index);
+                new_bytes_ += sizeof(chunk_.tiles[0]) + sizeof(Binned::items[0]);
+            }
+            if (new_bytes_ > 1 << 20) front_.memory.add(std::exchange(new_bytes_, 0));
+        }
     }
 
     /// False when one edge has the whole tile on its outer side.
@@ -154,9 +162,10 @@ private:
         return true;
     }
 
-    const FrontEnd& front_;
+    FrontEnd& front_;
     const TileGrid& grid_;
     Chunk& chunk_;
+    std::uint64_t new_bytes_ = 0;  ///< not yet told to the picture's memory
     ClipVolume volume_;
     const Mesh& mesh_;
     bool cull_back_ = false, cull_front_ = false, front_is_negative_ = true;
@@ -191,6 +200,12 @@ Binned sort_into_tiles(std::vector<Chunk>& chunks, std::size_t tiles) {
 }
 
 }  // namespace
+
+void PictureMemory::add(std::uint64_t bytes) {
+    if ((used_ += bytes) <= limit_) return;
+    throw Error(ErrorCode::bad_file, "the picture's triangles need more than " + std::to_string(limit_) + " bytes", {},
+                "raise the limit with --max-memory, or render a part with --window");
+}
 
 TileGrid::TileGrid(int width, int height, Window w) : window(w.width == 0 ? Window{0, 0, width, height} : w) {
     first_x = window.x / tile_size;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The geometry stages: object space -> clip space -> clipping -> screen -> back-face culling -> bins of tiles.
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -45,6 +46,19 @@ struct Binned {
     const ScreenTriangle& at(std::uint64_t item) const { return chunks[item >> 32][item & 0xFFFFFFFFu]; }
 };
 
+/// What the geometry of one picture takes. A file of a megabyte can place ten thousand instances of a mesh, or a million
+/// triangles that each fill the picture: half of what files may ask for (MemoryBudget) bounds it. Thread-safe.
+class PictureMemory {
+public:
+    explicit PictureMemory(const MemoryBudget& budget) : limit_(budget.limit() / 2) {}
+    /// @throws Error bad_file where the sum passes the limit
+    void add(std::uint64_t bytes);
+
+private:
+    std::uint64_t limit_;
+    std::atomic<std::uint64_t> used_{0};
+};
+
 struct FrontEnd {
     const DrawList& list;
     const View& view;
@@ -52,6 +66,7 @@ struct FrontEnd {
     std::vector<ClipVertices> clip;      ///< [draws]; empty for draws wholly outside
     std::vector<dmat4> to_eye;           ///< [draws] object -> world axes about the eye
     RenderStats stats;
+    PictureMemory memory;
 };
 
 /// Matrices and clip-space vertices of every draw that may be seen.

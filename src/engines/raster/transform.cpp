@@ -61,6 +61,7 @@ void transform_draws(FrontEnd& front, Context& context) {
             front.stats.culled_outside += mesh.triangle_count();
             continue;
         }
+        front.memory.add(mesh.positions.size() * sizeof(ClipVertex));
         front.clip[d].resize(mesh.positions.size());
         for (std::size_t v = 0; v < mesh.positions.size(); v += vertices_per_task) tasks.push_back({d, v});
     }

@@ -364,3 +364,30 @@ TEST(SoftEngine, OpacityBeyondItsRangeCountsAsItsEnds) {
         EXPECT_EQ(c.w, 1);
     }
 }
+
+TEST(SoftEngine, InstancesAndLargeTrianglesWithoutNumberAreRefusedBeforeTheyFillMemory) {
+    Scene instances = lit_square();
+    instances.meshes[0].positions = std::vector<vec3>(10000, vec3{0, 0, 0});
+    for (int n = 0; n < 1000; ++n) {
+        instances.nodes.push_back(instances.nodes[0]);
+        instances.nodes.back().local.matrix = dmat4{};
+    }
+    Scene triangles = lit_square();
+    std::vector<std::uint32_t> indices;
+    for (int n = 0; n < 30000; ++n) indices.insert(indices.end(), {0, 1, 2});
+    triangles.meshes[0].indices = indices;
+    for (const Scene& scene : {instances, triangles})
+        for (const int threads : {1, 4}) {
+            Context context({.threads = threads, .max_memory = 100'000'000});
+            auto engine = raster::make_engine();
+            engine->prepare(scene, context);
+            Frame frame;
+            try {
+                engine->render(flat_camera(), {.width = 2048, .height = 2048}, frame, context);
+                FAIL() << "not refused";
+            } catch (const Error& error) {
+                EXPECT_EQ(error.code(), ErrorCode::bad_file);
+                EXPECT_EQ(error.reason(), "the picture's triangles need more than 50000000 bytes");
+            }
+        }
+}
