@@ -126,7 +126,8 @@ void JoinRules::join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFi
 }
 
 // All normals at an edge lie in the plane across it. Faces that obey the angle among one another are those of different
-// authority, or of none; linking each to the next one of these on the circle links all that the angle joins.
+// authority, or of none (of shells: those that run along the edge in opposite ways); linking each to the next one of these on
+// the circle links all that the angle joins.
 void JoinRules::join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
     std::vector<dvec3> normals;
     for (const Spoke& s : spokes) normals.push_back(fan.normal[s.index]);
@@ -134,6 +135,7 @@ void JoinRules::join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes
     const std::size_t count = order.size();
     const auto at = [&](std::size_t i) -> const Spoke& { return spokes[order[i % count]]; };
     const auto obeys_angle = [&](const Spoke& a, const Spoke& b) {
+        if (rule_ == JoinRule::side) return a.outgoing != b.outgoing;
         return fan.authority[a.index] == 0 || fan.authority[a.index] != fan.authority[b.index];
     };
     // next[i]: the first position after i that i's face compares with; one sweep backwards over two turns of the circle.

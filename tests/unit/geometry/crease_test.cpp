@@ -177,6 +177,30 @@ TEST(Crease, ManyPagesOnOneSpineGroupAsByComparingAllPairs) {
     }
 }
 
+// Two triangles of a roof, n times over, with as many facing the other way: at pi all normals cancel, and the sides count.
+TEST(Crease, SidesOfManyCoincidentShellsAreSmoothOverTheirRidge) {
+    for (const std::uint32_t count : {1u, 4u, 5u, 20u}) {
+        std::vector<Shape> shells(2);
+        for (std::uint32_t side = 0; side < 2; ++side)
+            for (const std::uint32_t eaves : {2u, 3u})
+                for (std::uint32_t k = 0; k < count; ++k) {
+                    Shape& s = shells[side];
+                    const auto first = std::uint32_t(s.positions.size());
+                    s.positions.insert(s.positions.end(), {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {-1, 0.5f, 1}});
+                    const bool turned = (eaves == 3) != (side == 1);
+                    s.indices.insert(s.indices.end(), {first, first + (turned ? eaves : 1), first + (turned ? 1 : eaves)});
+                    s.object = side;
+                }
+        const auto out = compute(shells, published());
+        for (std::uint32_t side = 0; side < 2; ++side) {
+            const vec3 normal = corner_normal(shells[side], out[side], 0);
+            EXPECT_GT(std::fabs(normal.x), 0.2f) << count;  // neither page's own
+            for (std::size_t i = 0; i < shells[side].indices.size(); i += 3)
+                EXPECT_EQ(corner_normal(shells[side], out[side], i), normal) << count << " " << i;
+        }
+    }
+}
+
 TEST(Crease, DegenerateTriangleDoesNotJoinTwoFaces) {
     // Two coplanar triangles that touch in one vertex, bridged by a triangle of no area.
     Shape s;
