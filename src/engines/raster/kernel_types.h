@@ -33,7 +33,6 @@ struct TextureSlot {
 
 struct MaterialView {
     int32_t unlit, metallic_roughness;     ///< both 0: classical
-    int32_t use_vertex_color;
     float base_color[4], emission[3], ambient[3], specular[3], shininess;
     float metallic, roughness, dielectric_f0[3];
     float normal_scale, occlusion_strength;

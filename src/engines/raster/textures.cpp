@@ -29,6 +29,7 @@ bool fits_texel_index(std::size_t texels, bool is_float) {
 }
 
 std::shared_ptr<const TextureData> pack(const MipChain& chain) {
+    if (chain.levels.empty()) throw Error(ErrorCode::bad_file, "the picture has no pixels");
     auto data = std::make_shared<TextureData>();
     TextureView& view = data->view;
     view = {};

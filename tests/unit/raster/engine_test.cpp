@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -390,4 +391,61 @@ TEST(SoftEngine, InstancesAndLargeTrianglesWithoutNumberAreRefusedBeforeTheyFill
                 EXPECT_EQ(error.reason(), "the picture's triangles need more than 50000000 bytes");
             }
         }
+}
+
+namespace {
+
+/// Fails, or cancels the run, in the middle of the picture.
+class BadSink final : public Sink {
+public:
+    explicit BadSink(Context* to_cancel) : to_cancel_(to_cancel) {}
+    void begin(int, int, Window, std::uint32_t) override {}
+    void tile(const Tile&) override {
+        if (++tiles_ != 5) return;
+        if (!to_cancel_) throw Error(ErrorCode::failed, "disk full");
+        to_cancel_->cancel();
+    }
+    void end_pass(int) override { has_ended = true; }
+    bool has_ended = false;
+
+private:
+    Context* to_cancel_;
+    std::atomic<int> tiles_{0};
+};
+
+}  // namespace
+
+TEST(SoftEngine, AnErrorOfTheSinkAndACancelComeOutAndLeaveTheEngineUsable) {
+    const Scene scene = busy_scene();
+    RenderSettings settings = small;
+    settings.width = settings.height = 512;
+    const Frame reference = render(scene, inside_camera(), settings);
+    for (const int threads : {1, 4})
+        for (const bool cancels : {false, true}) {
+            Context first({.threads = threads}), second({.threads = threads});
+            auto engine = raster::make_engine();
+            engine->prepare(scene, first);
+            BadSink bad(cancels ? &first : nullptr);
+            try {
+                engine->render(inside_camera(), settings, bad, first);
+                FAIL() << "nothing was thrown";
+            } catch (const Error& error) {
+                EXPECT_EQ(error.reason(), cancels ? "cancelled" : "disk full");
+            }
+            EXPECT_FALSE(bad.has_ended);
+            Frame frame;
+            engine->render(inside_camera(), settings, frame, second);
+            EXPECT_TRUE(same_bits(frame, reference));
+        }
+}
+
+TEST(SoftEngine, APictureOfTheGreatestSizeHasTheBitsOfItsWindow) {
+    RenderSettings settings = small;
+    settings.width = settings.height = 65536;
+    settings.window = {65536 - 40, 65536 - 30, 40, 30};  // the last tile
+    Scene scene = lit_square();
+    RenderStats stats;
+    const Frame f = render(scene, flat_camera(), settings, 1, &stats);
+    EXPECT_EQ(covered(f), 40u * 30u);
+    EXPECT_EQ(stats.pixels_covered, 40u * 30u) << "and no more";
 }

@@ -117,6 +117,33 @@ TEST(Sampling, NotFiniteAndHugeCoordinatesGiveAFinitePicture) {
         for (const vec4& c : show(steps(), {}, {1, 1}, {offset, offset}).color) EXPECT_TRUE(std::isfinite(c.x));
 }
 
+TEST(Sampling, BilinearAtTheBorderMixesWhatTheWrapModeSays) {
+    const auto left_edge = [](Wrap wrap) {
+        Sampler s;
+        s.wrap_u = s.wrap_v = wrap;
+        return red(show(steps(), s), 0, 8);
+    };
+    // Pixel (0, 8): 1/32 of a texel from the left border, so 15/32 of the share is the neighbor's; rows 0 and 1 share 31 : 1.
+    const auto row = [](int x) { return texel(x, 0) * 31 / 32 + texel(x, 1) / 32; };
+    EXPECT_NEAR(left_edge(Wrap::clamp_to_edge), row(0), 1e-6);
+    EXPECT_NEAR(left_edge(Wrap::mirrored_repeat), row(0), 1e-6);
+    EXPECT_NEAR(left_edge(Wrap::repeat), row(0) * 17 / 32 + row(3) * 15 / 32, 1e-6);
+}
+
+TEST(Sampling, ATextureOfOneTexelIsThatColorEverywhere) {
+    const Pixels one = rgb_pixels(1, 1, [](int, int) { return std::array<int, 3>{100, 0, 0}; });
+    for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
+        Sampler s;
+        s.wrap_u = s.wrap_v = wrap;
+        for (const vec4& c : show(one, s, {7, 5}, {-3, 2}).color) EXPECT_EQ(c.x, linear_from_srgb8(100));
+    }
+}
+
+TEST(Sampling, APictureWithoutPixelsIsLeftOut) {
+    const Frame f = show(Pixels{0, 0, 3, Component::u8, false, {}}, {});
+    for (const vec4& c : f.color) EXPECT_EQ(c.x, 1.0f);
+}
+
 TEST(Sampling, TexturesWithUnsupportedCoordinateSetsAreLeftOutAndSaid) {
     Scene scene;
     Material m = matte();

@@ -25,7 +25,6 @@ struct Records {
         return is_uniform ? broadcast(base[k]) : gather(base, offset + integer(k));
     }
 };
-#define RL_RECORD(records, member) (records)(offsetof(ShadeTriangle, member))
 
 /// Where a pixel lies in its triangle, and how that changes from pixel to pixel: b0 = 1 - b1 - b2.
 struct Barycentrics {
