@@ -283,21 +283,6 @@ TEST(HardMeshes, CreaseAngleMustBeInRange) {
     }
 }
 
-TEST(HardMeshes, MemoryOfSplitVerticesCounts) {
-    const Shape sphere = make_sphere(100, 100);  // 10,201 vertices; flat it has 60,000, each with 92 bytes of sums and results
-    const std::vector<AttributeMesh> meshes{sphere.view()};
-    constexpr std::uint64_t limit = 4'500'000;
-    Context smooth({.threads = 1, .max_memory = limit});
-    EXPECT_NO_THROW(compute_attributes(meshes, {}, smooth));
-    Context flat({.threads = 1, .max_memory = limit});
-    EXPECT_THROW(compute_attributes(meshes, {.scope = Scope::face}, flat), Error);
-    AttributeOptions options;
-    options.scope = Scope::face;
-    Context roomy({.threads = 1});
-    const AttributePlan plan = group(meshes, options, roomy);
-    EXPECT_THROW(accumulate(plan, meshes, flat), Error);
-}
-
 TEST(HardMeshes, MemoryLimitAndCancelAreObeyed) {
     const Shape sphere = make_sphere(64, 32);
     const std::vector<AttributeMesh> meshes{sphere.view()};
