@@ -24,7 +24,7 @@ enum class Bump : std::uint8_t { none, normal };
 enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };
 enum class Cull : std::uint8_t { automatic, none, back, front };  ///< automatic: back faces of closed single-sided surfaces as glTF says
 
-/// Channels beside colour that an engine can hand out, as bits.
+/// Channels beside color that an engine can hand out, as bits.
 enum Channel : std::uint32_t {
     channel_depth = 1u << 0,     ///< [m] distance along the view axis; +infinity where nothing is
     channel_normal = 1u << 1,    ///< shading normal in the world, zero where nothing is

@@ -71,7 +71,7 @@ def check_models(program, folder):
                 return None if code == 4 and known[name] in errors else f"{name}: expected a refusal with '{known[name]}', got exit {code}: {last_line(errors)}"
             if code != 0 or not picture.exists():
                 return f"{name}: exit {code}: {last_line(errors)}"
-            if "not finite and" in errors and "colour values" in errors:
+            if "not finite and" in errors and "color values" in errors:
                 return f"{name}: {last_line(errors)}"
             _, _, pixels = read_rgb(picture)
             shown = sum(pixels[i:i + 3] != pixels[:3] for i in range(0, len(pixels), 3)) / (192 * 144)

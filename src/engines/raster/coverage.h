@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rasterization: which pixel centres of a tile lie in a triangle, and at what depth.
+// Rasterization: which pixel centers of a tile lie in a triangle, and at what depth.
 #pragma once
 #include <algorithm>
 
@@ -7,8 +7,8 @@
 
 namespace rakelight::raster {
 
-/// Calls pixel(x, y, depth) for each pixel of `area` (in the picture) whose centre the triangle covers; x, y count from the
-/// tile's corner. Fixed-point edge functions with the top-left rule (Pineda 1988): a pixel centre that lies exactly on an edge
+/// Calls pixel(x, y, depth) for each pixel of `area` (in the picture) whose center the triangle covers; x, y count from the
+/// tile's corner. Fixed-point edge functions with the top-left rule (Pineda 1988): a pixel center that lies exactly on an edge
 /// belongs to the triangle whose top or left edge it is, so that triangles which share an edge cover each pixel exactly once.
 /// Depth: the key of ScreenTriangle, greater is nearer.
 template <class Pixel>
@@ -20,7 +20,7 @@ void cover(const ScreenTriangle& s, const Window& area, int tile_x, int tile_y, 
     const int top = std::max((y_low + 127) >> subpixel_bits, area.y);
     const int bottom = std::min((y_high - 128) >> subpixel_bits, area.y + area.height - 1);
 
-    std::int64_t row[3], step_x[3], step_y[3];  // edge functions at the first pixel centre, and their steps
+    std::int64_t row[3], step_x[3], step_y[3];  // edge functions at the first pixel center, and their steps
     for (int k = 0; k < 3; ++k) {
         const int n = (k + 1) % 3;
         const std::int64_t dx = s.x[n] - s.x[k], dy = s.y[n] - s.y[k];
@@ -30,7 +30,7 @@ void cover(const ScreenTriangle& s, const Window& area, int tile_x, int tile_y, 
         step_x[k] = -dy * (1 << subpixel_bits);
         step_y[k] = dx * (1 << subpixel_bits);
     }
-    // The depth plane about the tile's first pixel centre in float: fixed by the tile, not by the triangle's box.
+    // The depth plane about the tile's first pixel center in float: fixed by the tile, not by the triangle's box.
     const auto depth_0 = float(s.depth_0 + s.depth_x * (tile_x + 0.5) + s.depth_y * (tile_y + 0.5));
     const auto depth_x = float(s.depth_x), depth_y = float(s.depth_y);
     for (int y = top; y <= bottom; ++y) {

@@ -127,7 +127,7 @@ private:
     void bin(const ScreenTriangle& s) {
         const auto [x_low, x_high] = std::minmax({s.x[0], s.x[1], s.x[2]});
         const auto [y_low, y_high] = std::minmax({s.y[0], s.y[1], s.y[2]});
-        // Pixels whose centre may be inside, in the window.
+        // Pixels whose center may be inside, in the window.
         const int left = std::max((x_low + 127) >> subpixel_bits, grid_.window.x);
         const int right = std::min((x_high - 128) >> subpixel_bits, grid_.window.x + grid_.window.width - 1);
         const int top = std::max((y_low + 127) >> subpixel_bits, grid_.window.y);

@@ -41,7 +41,7 @@ struct MaterialView {
     TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map, metallic_roughness_map;
 };
 
-/// What a pixel needs of its triangle, about the tile's first pixel centre. Barycentrics by homogeneous edge functions
+/// What a pixel needs of its triangle, about the tile's first pixel center. Barycentrics by homogeneous edge functions
 /// (Olano & Greer 1997): e_i = ex[i] x + ey[i] y + e0[i], b_i = e_i / (e_0 + e_1 + e_2); x, y in pixels from the tile's corner.
 /// Attributes: value at vertex 0 and the differences to vertices 1 and 2. Floats only: kernels gather by number.
 struct ShadeTriangle {
@@ -70,7 +70,7 @@ struct ShadeJob {
     int32_t reflection_form;               ///< RL_TEXTBOOK, RL_NORMALIZED: 0, 1
     int32_t specular_horizon;
     int32_t bump;                          ///< 0: normal maps are ignored
-    int32_t unlit;                         ///< own colour: no lighting
+    int32_t unlit;                         ///< own color: no lighting
     int32_t orthographic;
     float view_direction[3];               ///< towards the viewer, for orthographic views
     float* red;                            ///< [count] out, linear

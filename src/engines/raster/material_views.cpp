@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene materials -> what the kernels read: factors, texture slots, colour spaces by role.
+// Scene materials -> what the kernels read: factors, texture slots, color spaces by role.
 #include "engines/raster/draw_list.h"
 #include "math/functions.h"
 #include "math/linear.h"
@@ -10,7 +10,7 @@ namespace {
 constexpr auto color = ColorSpace::srgb;
 constexpr auto data = ColorSpace::linear;
 
-/// The textures of a material with the colour space that each role implies.
+/// The textures of a material with the color space that each role implies.
 struct RoleUse {
     const TextureUse* use;
     ColorSpace space;

@@ -121,7 +121,7 @@ private:
         stats.pixels_shaded = shaded;
         stats.pixels_not_finite = not_finite;
         if (not_finite > 0)
-            context.report().add(Remark::warning, list_.scene.source, {}, std::to_string(not_finite) + " colour values came out not finite and are shown black");
+            context.report().add(Remark::warning, list_.scene.source, {}, std::to_string(not_finite) + " color values came out not finite and are shown black");
     }
 
     const Kernels* kernels_;

@@ -8,7 +8,7 @@
 namespace rakelight::raster {
 namespace {
 
-/// Colours of a finished batch into the tile; `over` blends (Porter & Duff 1984, straight alpha over an opaque ground).
+/// Colors of a finished batch into the tile; `over` blends (Porter & Duff 1984, straight alpha over an opaque ground).
 void store_batch(std::size_t count, bool over, TileScratch& s) {
     const auto finite = [&s](float v) {
         if (std::isfinite(v)) return v;

@@ -10,7 +10,7 @@
 namespace rakelight::raster {
 namespace {
 
-/// Code value -> linear, for colours and for data.
+/// Code value -> linear, for colors and for data.
 const float* decode_table(bool srgb) {
     static const std::array<std::array<float, 256>, 2> tables = [] {
         std::array<std::array<float, 256>, 2> t;

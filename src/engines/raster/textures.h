@@ -20,11 +20,11 @@ struct TextureData {
     TextureView view;  ///< without sampler state
 };
 
-/// Decodes pictures once for each colour space in which they are used, in parallel, and keeps them by identity.
+/// Decodes pictures once for each color space in which they are used, in parallel, and keeps them by identity.
 class TextureCache {
 public:
     /// Forgets what this scene does not use, decodes what is new. A picture that cannot be decoded becomes a warning in the
-    /// report and is left out. `uses` are the (picture, colour space) pairs that materials need.
+    /// report and is left out. `uses` are the (picture, color space) pairs that materials need.
     void update(const std::vector<std::pair<ImageHandle, ColorSpace>>& uses, Context& context);
     /// Null when the picture could not be decoded.
     const TextureData* find(const ImageHandle& image, ColorSpace space) const;

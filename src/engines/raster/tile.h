@@ -43,12 +43,12 @@ struct TileScratch {
 
 /// Nearest opaque (or masked, where its texture is opaque) triangle of every pixel.
 void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch);
-/// Colours of the visible pixels.
+/// Colors of the visible pixels.
 void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& scratch);
 /// Blended triangles over them, far to near.
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& scratch);
 
-/// The kernel's record of one triangle, about the tile's first pixel centre.
+/// The kernel's record of one triangle, about the tile's first pixel center.
 void make_shade_triangle(const FrontEnd& front, const ScreenTriangle& s, int tile_x, int tile_y, ShadeTriangle& out);
 /// A job for `count` pixels of the batch arrays, all of one material; pads the arrays.
 ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count, TileScratch& scratch);

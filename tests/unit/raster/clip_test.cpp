@@ -55,7 +55,7 @@ TEST(Clip, ATriangleThroughTheEyePlaneKeepsOnlyItsFrontPart) {
     for (std::size_t i = 0; i < count; ++i) EXPECT_GE(out[i].w, 0.4999f);
 }
 
-TEST(Clip, NeighboursThatShareAnEdgeGetTheSameNewVertex) {
+TEST(Clip, NeighborsThatShareAnEdgeGetTheSameNewVertex) {
     const ClipVolume volume(view_of());
     const ClipVertex p = at(0.3, -0.7, 7), q = at(0.1, 0.9, -3);
     const ClipVertex one[3] = {p, q, at(-2, 0, 4)}, two[3] = {q, p, at(2, 0, 4)};

@@ -52,9 +52,9 @@ TEST(Coverage, APixelSquareOfTwoTrianglesCoversItsPixelsOnce) {
     EXPECT_EQ(std::set<Point>(all.begin(), all.end()).size(), 64u);
 }
 
-TEST(Coverage, CentresExactlyOnTheBorderBelongToTopAndLeftEdges) {
+TEST(Coverage, CentersExactlyOnTheBorderBelongToTopAndLeftEdges) {
     const Window area{0, 0, 64, 64};
-    const Point a{128, 128}, b{128 + 512, 128}, c{128 + 512, 128 + 512}, d{128, 128 + 512};  // centres of pixels 0 and 2
+    const Point a{128, 128}, b{128 + 512, 128}, c{128 + 512, 128 + 512}, d{128, 128 + 512};  // centers of pixels 0 and 2
     std::multiset<Point> all = pixels_of(triangle_of(a, b, c), area);
     all.merge(pixels_of(triangle_of(a, c, d), area));
     EXPECT_EQ(all, (std::multiset<Point>{{0, 0}, {1, 0}, {0, 1}, {1, 1}}));
@@ -71,7 +71,7 @@ TEST(Coverage, EveryPixelOfARandomMeshIsCoveredExactlyOnce) {
             for (int i = 0; i <= n; ++i) {
                 const int step = size / n;
                 const auto jitter = [&](int k) { return k == 0 || k == n ? 0 : int(random() % unsigned(step)) - step / 2; };
-                const int snap = round % 3 == 0 ? 128 : 1;  // every third mesh has vertices on pixel centres
+                const int snap = round % 3 == 0 ? 128 : 1;  // every third mesh has vertices on pixel centers
                 const auto place = [&](int k) { return k == n ? size : (k * step + jitter(k)) / snap * snap; };
                 grid[{i, j}] = {place(i), place(j)};
             }
@@ -113,7 +113,7 @@ TEST(Coverage, AgreesWithAnExactReferenceAwayFromEdges) {
     }
 }
 
-TEST(Coverage, ATriangleBetweenPixelCentresCoversNothing) {
+TEST(Coverage, ATriangleBetweenPixelCentersCoversNothing) {
     EXPECT_TRUE(pixels_of(triangle_of({130, 130}, {250, 130}, {130, 250}), {0, 0, 64, 64}).empty());
 }
 

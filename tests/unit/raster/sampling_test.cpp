@@ -13,7 +13,7 @@ using namespace rakelight::test;
 
 namespace {
 
-/// Own colour of a square that fills a 64 x 64 picture, textured, with texture coordinates scaled and shifted.
+/// Own color of a square that fills a 64 x 64 picture, textured, with texture coordinates scaled and shifted.
 Frame show(const Pixels& pixels, Sampler sampler, vec2 scale = {1, 1}, vec2 offset = {0, 0}, float rotation = 0) {
     Scene scene;
     Material m = matte();
@@ -47,9 +47,9 @@ TEST(Sampling, NearestShowsEachTexelInItsPlaceWithTheFirstRowOnTop) {
         for (int x = 0; x < 64; ++x) EXPECT_EQ(red(f, x, y), texel(x / 16, y / 16)) << x << ", " << y;
 }
 
-TEST(Sampling, BilinearInterpolatesLinearLightBetweenTexelCentres) {
+TEST(Sampling, BilinearInterpolatesLinearLightBetweenTexelCenters) {
     const Frame f = show(steps(), {});
-    // Pixel centres lie at (x + 0.5) / 16 texels; texel centres at n + 0.5.
+    // Pixel centers lie at (x + 0.5) / 16 texels; texel centers at n + 0.5.
     for (int x = 8; x < 56; ++x) {
         const double at = (x + 0.5) / 16 - 0.5, t = at - std::floor(at);
         const int i = int(std::floor(at));
@@ -89,18 +89,18 @@ TEST(Sampling, AMinifiedCheckerboardIsItsMeanInLinearLight) {
 }
 
 TEST(Sampling, TheLevelOfDetailIsTheLogarithmOfTexelsAPixel) {
-    // A texture that is bright only in its even columns of 2^k texels turns grey exactly when levels above k are read.
+    // A texture that is bright only in its even columns of 2^k texels turns gray exactly when levels above k are read.
     const Pixels stripes = rgb_pixels(256, 256, [](int x, int) { const int v = (x / 4) & 1 ? 255 : 0; return std::array<int, 3>{v, v, v}; });
     Sampler level_nearest{.magnify = Filter::nearest, .minify = Filter::nearest, .mip = MipFilter::nearest};
-    const auto is_grey = [](const Frame& f) {
+    const auto is_gray = [](const Frame& f) {
         for (const vec4& c : f.color)
             if (c.x > 0.1f && c.x < 0.9f) return true;
         return false;
     };
-    EXPECT_FALSE(is_grey(show(stripes, level_nearest, {0.25f, 0.25f}))) << "one texel a pixel: level 0";
-    EXPECT_FALSE(is_grey(show(stripes, level_nearest, {0.5f, 0.5f}))) << "two texels a pixel: level 1, stripes of 2";
-    EXPECT_FALSE(is_grey(show(stripes, level_nearest, {1, 1}))) << "four: level 2, stripes of 1";
-    EXPECT_TRUE(is_grey(show(stripes, level_nearest, {2, 2}))) << "eight: level 3, stripes are gone";
+    EXPECT_FALSE(is_gray(show(stripes, level_nearest, {0.25f, 0.25f}))) << "one texel a pixel: level 0";
+    EXPECT_FALSE(is_gray(show(stripes, level_nearest, {0.5f, 0.5f}))) << "two texels a pixel: level 1, stripes of 2";
+    EXPECT_FALSE(is_gray(show(stripes, level_nearest, {1, 1}))) << "four: level 2, stripes of 1";
+    EXPECT_TRUE(is_gray(show(stripes, level_nearest, {2, 2}))) << "eight: level 3, stripes are gone";
 }
 
 TEST(Sampling, TextureTransformsScaleTurnAndShiftAsTheExtensionSays) {

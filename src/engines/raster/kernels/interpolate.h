@@ -49,7 +49,7 @@ inline Barycentrics barycentrics(const Records& r, real x, real y) {
     b.b1_dy = (ey[1] - b1 * sum_y) * inverse;
     b.b2_dx = (ex[2] - b2 * sum_x) * inverse;
     b.b2_dy = (ey[2] - b2 * sum_y) * inverse;
-    // A pixel whose centre lies in the snapped triangle may lie just outside the true one; a sliver would throw its
+    // A pixel whose center lies in the snapped triangle may lie just outside the true one; a sliver would throw its
     // attributes far out. They stay in the triangle.
     b.b1 = clamp(b1, real(0.0f), real(1.0f));
     b.b2 = clamp(b2, real(0.0f), real(1.0f) - b.b1);

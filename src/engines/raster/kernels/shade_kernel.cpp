@@ -34,7 +34,7 @@ inline void find_texcoords(const MaterialView& m, Pixels& p) {
         if (used[set]) p.texcoords[set] = texcoords(p.records, p.b, set);
 }
 
-/// Base colour: factor, vertex colour, texture; alpha with the opacity map.
+/// Base color: factor, vertex color, texture; alpha with the opacity map.
 inline vec4 base_color(const MaterialView& m, const Pixels& p) {
     const vec4 vertex = interpolate_color(p.records, p.b);
     vec4 color = vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * vertex;
