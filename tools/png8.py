@@ -4,9 +4,11 @@ import struct
 import zlib
 
 
-def read_rgb(path):
-    """(width, height, bytes of RGB rows) of an 8-bit RGB or RGBA PNG without interlace."""
-    blob, at, data, header = open(path, "rb").read(), 8, b"", None
+def read_pixels(path):
+    """(width, height, channels 3 or 4, bytes of rows) of an 8-bit RGB or RGBA PNG without interlace."""
+    with open(path, "rb") as file:
+        blob = file.read()
+    at, data, header = 8, b"", None
     while at < len(blob):
         size, kind = struct.unpack(">I4s", blob[at:at + 8])
         chunk = blob[at + 8:at + 8 + size]
@@ -25,9 +27,20 @@ def read_rgb(path):
         start = y * (stride + 1)
         row = bytearray(raw[start + 1:start + 1 + stride])
         unfilter(raw[start], row, previous, channels)
-        rows.append(bytes(row) if channels == 3 else bytes(b for i, b in enumerate(row) if i % 4 != 3))
+        rows.append(bytes(row))
         previous = row
-    return width, height, b"".join(rows)
+    return width, height, channels, b"".join(rows)
+
+
+def read_rgb(path):
+    """(width, height, bytes of RGB rows); alpha is dropped."""
+    width, height, channels, pixels = read_pixels(path)
+    if channels == 4:
+        rgb = bytearray(width * height * 3)
+        for c in range(3):
+            rgb[c::3] = pixels[c::4]
+        pixels = bytes(rgb)
+    return width, height, pixels
 
 
 def unfilter(kind, row, previous, step):

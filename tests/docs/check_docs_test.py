@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""tools/check_docs.py must notice what it is there for."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+DEV = 'echo unrelated) \ncase "$command" in\nbuild) build ;;\ntest) run ;;\nesac\n'
+PROGRAM = """#!/bin/sh
+if [ "$1" = --help ]; then printf 'Subcommands:\\n  render   draws\\n\\nExamples:\\n  rakelight render here.obj\\n'; exit 0; fi
+if [ "$2" = --help ]; then printf 'Examples:\\n  rakelight render %s \\\\\\n      -o out.png\\n' "$EXAMPLE"; exit 0; fi
+case "$2" in *.obj) test -e "$2" || exit 3 ;; *) echo "usage: $2" >&2; exit 2 ;; esac
+"""
+
+
+class CheckDocs(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.root = pathlib.Path(temporary.name)
+        (self.root / "docs").mkdir()
+        (self.root / "docs/page.md").write_text("# One page\n## Second *part* of it\n")
+        (self.root / "dev").write_text(DEV)
+        (self.root / "here.obj").write_text("v 0 0 0\n")
+        self.program = self.root / "program"
+        self.program.write_text(PROGRAM)
+        self.program.chmod(0o755)
+
+    def check(self, text, program=False, example="here.obj"):
+        """(exit code, standard error) for a README with this text."""
+        (self.root / "README.md").write_text(text)
+        done = subprocess.run([sys.executable, ROOT / "tools/check_docs.py", "--root", self.root] + (["--program", self.program] if program else []),
+                              capture_output=True, text=True, env={"EXAMPLE": example, "PATH": "/usr/bin:/bin"})
+        return done.returncode, done.stderr
+
+    def test_links_to_files_headings_and_other_sites_are_right(self):
+        self.assertEqual(self.check("[a](docs/page.md) [b](docs/page.md#second-part-of-it) [c](#top) [d](https://example.org)\n# Top\n"), (0, ""))
+
+    def test_links_to_nothing_are_faults(self):
+        self.assertIn("no such file", self.check("![picture](docs/picture.png)")[1])
+        self.assertIn("no such heading", self.check("[b](docs/page.md#third)")[1])
+
+    def test_paths_in_backticks_must_exist(self):
+        self.assertEqual(self.check("`docs/page.md`, `docs/*.md`, `docs/`, `other/page.md`"), (0, ""))
+        self.assertIn("docs/gone.md", self.check("see `docs/gone.md`")[1])
+        self.assertIn("docs/*.txt", self.check("see `docs/*.txt`")[1])
+
+    def test_dev_commands_must_exist(self):
+        self.assertEqual(self.check("```\n./dev build  # builds\n./dev test\n```\n"), (0, ""))
+        self.assertIn("./dev fly", self.check("```\n./dev fly\n```\n")[1])
+        self.assertIn("./dev unrelated", self.check("run `./dev unrelated`")[1])
+
+    def test_commands_of_the_program_must_run(self):
+        self.assertEqual(self.check("```\nrakelight render here.obj\nbuild/release/rakelight render \\\n  here.obj  # words\n```\n", True), (0, ""))
+        code, errors = self.check("```\nrakelight render --no-such-option\n```\n", True)
+        self.assertEqual(code, 1)
+        self.assertIn("usage: --no-such-option", errors)
+
+    def test_examples_of_the_help_must_run(self):
+        code, errors = self.check("", True, example="--gone")
+        self.assertEqual(code, 1)
+        self.assertIn("rakelight render --help: rakelight render --gone", errors)
+
+    def test_a_program_that_is_not_there_is_a_fault(self):
+        self.program.unlink()
+        self.assertEqual(self.check("", True)[0], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Holds the documentation (*.md) and the examples of --help against what is there.
+
+  check_docs.py [--program build/release/rakelight] [--root FOLDER]
+
+- links lead to files, and `#anchors` to headings;
+- paths in backticks that begin with a folder of the repository exist (`*` matches as in a shell);
+- `./dev WORD` is a command of ./dev;
+- commands `rakelight VERB ...` in code blocks, and in the examples of `rakelight VERB --help`, run. Models that are not there are
+  replaced by one of data/; where no such model can be made (model.fbx), the program must get as far as not finding it.
+
+Exit code 1 with a line for each thing that is wrong. Without a program its commands are left out, and it is said."""
+import argparse
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+STAND_INS = {".glb": "data/spot/spot_slab5.glb", ".obj": "tests/golden/models/solids.obj"}
+LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```", re.M | re.S)
+SPAN = re.compile(r"`([^`\n]+)`")
+
+
+def pages(root):
+    return sorted(p for p in root.rglob("*.md") if "build" not in p.relative_to(root).parts)
+
+
+def anchors(text):
+    """The names that headings get: lower case, words joined by '-'."""
+    return {re.sub(r"[^\w\- ]", "", line.lstrip("# ").strip().lower()).replace(" ", "-")
+            for line in text.splitlines() if line.startswith("#")}
+
+
+def check_links(page, text, wrong):
+    for target in LINK.findall(FENCE.sub("", text)):
+        if re.match(r"[a-z]+:", target):
+            continue
+        path, _, anchor = target.partition("#")
+        file = page.parent / path if path else page
+        if not file.exists():
+            wrong(f"link to {target}: there is no such file")
+        elif anchor and file.suffix == ".md" and anchor not in anchors(file.read_text()):
+            wrong(f"link to {target}: there is no such heading")
+
+
+def check_paths(root, text, wrong):
+    folders = {p.name for p in root.iterdir() if p.is_dir() and not p.name.startswith(".")} - {"build"}
+    for span in SPAN.findall(FENCE.sub("", text)):
+        for word in span.split():
+            word = word.strip(",;:()")
+            if word.partition("/")[0] in folders and "/" in word and not re.search(r"[<>{}$]", word):
+                if not any(root.glob(word.rstrip("/"))):
+                    wrong(f"`{word}`: there is nothing of that name")
+
+
+def dev_commands(root):
+    """The words before `)` in the last case of ./dev."""
+    text = (root / "dev").read_text()
+    return set(re.findall(r"^([a-z]+)\) ", text[text.rindex("\ncase "):], re.M))
+
+
+def check_dev(root, text, wrong):
+    known = dev_commands(root)
+    code = "\n".join(body for _, body in FENCE.findall(text)) + "\n" + "\n".join(SPAN.findall(FENCE.sub("", text)))
+    for word in re.findall(r"\./dev ([a-z]\w*)", code):
+        if word not in known:
+            wrong(f"./dev {word}: ./dev has no such command")
+
+
+def commands_in(text):
+    """Command lines of the program in code, continued lines joined, comments off."""
+    for line in re.sub(r"\\\n\s*", " ", text).splitlines():
+        match = re.match(r"\s*(?:\$ )?(?:\S*/)?rakelight (.+)", line)
+        if match:
+            yield match.group(1)
+
+
+def run_command(root, program, command, wrong):
+    """Runs one command line in a folder of its own, where its models stand under their names; `*.glb` finds two."""
+    words = shlex.split(command, comments=True)
+    words = [name for word in words for name in ((word.replace("*", "a"), word.replace("*", "b")) if "*" in word else (word,))]
+    with tempfile.TemporaryDirectory() as temporary:
+        folder, is_missing = pathlib.Path(temporary), False
+        for at, word in enumerate(words[1:], 1):
+            option = words[at - 1]
+            if option in ("-o", "--output"):
+                (folder / word).parent.mkdir(parents=True, exist_ok=True)
+            elif re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x)", word):
+                is_missing |= not provide(root, folder, word)
+        done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=120,
+                              stdin=subprocess.DEVNULL)
+    if done.returncode != 0 and not (is_missing and done.returncode == 3):
+        wrong(f"rakelight {command}: exit code {done.returncode}: {(done.stderr.strip().splitlines() or ['no message'])[-1]}")
+
+
+def provide(root, folder, name):
+    """Puts a model there under the name; False where none can be made."""
+    source = root / name if (root / name).exists() else root / STAND_INS.get(pathlib.Path(name).suffix, "no such model")
+    if not source.exists():
+        return False
+    target = folder / name
+    target.parent.mkdir(parents=True, exist_ok=True)
+    for beside in source.parent.iterdir():
+        if beside.is_file() and beside != source:
+            shutil.copyfile(beside, target.parent / beside.name)
+    shutil.copyfile(source, target)
+    return True
+
+
+def help_texts(program):
+    """(name, text) of the program's help and of each verb's."""
+    def text(*words):
+        return subprocess.run([program, *words, "--help"], capture_output=True, text=True, check=True, stdin=subprocess.DEVNULL).stdout
+    top = text()
+    yield "rakelight --help", top
+    for verb in re.findall(r"^  ([a-z]+) {2,}", top[top.index("Subcommands:"):], re.M):
+        yield f"rakelight {verb} --help", text(verb)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", type=pathlib.Path)
+    parser.add_argument("--root", type=pathlib.Path, default=ROOT)
+    options = parser.parse_args()
+    root, faults, counts = options.root.resolve(), [], {"pages": 0, "commands": 0}
+    program = options.program or root / "build/release/rakelight"
+    program = program.resolve() if program.exists() else None
+    if options.program and not program:
+        sys.exit(f"docs: there is no program {options.program}")
+
+    def speaker(where):
+        return lambda what: faults.append(f"docs: {where}: {what}")
+
+    for page in pages(root):
+        text, wrong = page.read_text(), speaker(page.relative_to(root))
+        counts["pages"] += 1
+        check_links(page, text, wrong)
+        check_paths(root, text, wrong)
+        check_dev(root, text, wrong)
+        for _, body in FENCE.findall(text) if program else ():
+            for command in commands_in(body):
+                counts["commands"] += 1
+                run_command(root, program, command, wrong)
+    for name, text in help_texts(program) if program else ():
+        for command in commands_in(text.partition("Examples:")[2]):
+            counts["commands"] += 1
+            run_command(root, program, command, speaker(name))
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    print(f"docs: {counts['pages']} pages, {counts['commands']} commands, {len(faults)} wrong" +
+          ("" if program else "; no program is built, its commands were left out"))
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()
