@@ -62,7 +62,7 @@ def check_paths(root, text, wrong):
 def dev_commands(root):
     """The words before `)` in the last case of ./dev."""
     text = (root / "dev").read_text()
-    return set(re.findall(r"^([a-z]+)\) ", text[text.rindex("\ncase "):], re.M))
+    return set(re.findall(r"^([a-z]+)\)", text[text.rindex("\ncase "):], re.M))
 
 
 def check_dev(root, text, wrong):
