@@ -25,6 +25,12 @@ public:
     void charge(std::uint64_t bytes, std::string_view what);
     /// Checks a size without keeping it: for buffers that live only for a moment.
     void check(std::uint64_t bytes, std::string_view what) const;
+    /// Gives back what was charged for something that is gone.
+    void release(std::uint64_t bytes) noexcept { charged_ -= bytes; }
+    std::uint64_t charged() const noexcept { return charged_; }
+    /// Whether all charges and checks so far would have been granted in any order. If not, what several threads asked for
+    /// depended on chance and must be asked for again one after another.
+    bool grants_in_any_order() const noexcept;
     /// The limit in force now [bytes].
     std::uint64_t limit() const noexcept;
 
@@ -32,6 +38,8 @@ private:
     void require(std::uint64_t charged, std::uint64_t bytes, std::string_view what) const;
     std::uint64_t max_bytes_;  // 0: the default rule
     std::atomic<std::uint64_t> read_bytes_{0}, charged_{0};
+    mutable std::atomic<std::uint64_t> largest_check_{0};
+    mutable std::atomic<bool> has_refused_{false};
 };
 
 struct ContextOptions {

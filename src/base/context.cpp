@@ -59,11 +59,22 @@ std::uint64_t MemoryBudget::limit() const noexcept {
 
 void MemoryBudget::require(std::uint64_t charged, std::uint64_t bytes, std::string_view what) const {
     const std::uint64_t allowed = limit();
-    if (bytes > allowed || charged > allowed - bytes)
-        throw Error(ErrorCode::bad_file, too_much(what, bytes, allowed), {}, "raise it with --max-memory if you trust the file");
+    if (bytes <= allowed && charged <= allowed - bytes) return;
+    has_refused_ = true;
+    throw Error(ErrorCode::bad_file, too_much(what, bytes, allowed), {}, "raise it with --max-memory if you trust the file");
 }
 
-void MemoryBudget::check(std::uint64_t bytes, std::string_view what) const { require(charged_, bytes, what); }
+void MemoryBudget::check(std::uint64_t bytes, std::string_view what) const {
+    require(charged_, bytes, what);
+    std::uint64_t largest = largest_check_;
+    while (bytes > largest && !largest_check_.compare_exchange_weak(largest, bytes)) {
+    }
+}
+
+bool MemoryBudget::grants_in_any_order() const noexcept {
+    const std::uint64_t charged = charged_, allowed = limit();
+    return !has_refused_ && charged <= allowed && largest_check_ <= allowed - charged;
+}
 
 void MemoryBudget::charge(std::uint64_t bytes, std::string_view what) {
     std::uint64_t before = charged_;

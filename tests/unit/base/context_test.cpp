@@ -51,6 +51,21 @@ TEST(MemoryBudget, TheUsersLimitReplacesTheRule) {
     EXPECT_NO_THROW(m.check(1000, "x"));
 }
 
+TEST(MemoryBudget, KnowsWhetherTheOrderOfRequestsMattered) {
+    MemoryBudget m(1000);
+    m.charge(400, "a");
+    m.check(600, "b");
+    EXPECT_TRUE(m.grants_in_any_order());
+    m.charge(1, "c");
+    EXPECT_FALSE(m.grants_in_any_order()) << "the check would have failed after this";
+    m.release(1);
+    EXPECT_EQ(m.charged(), 400u);
+    EXPECT_TRUE(m.grants_in_any_order());
+    EXPECT_THROW(m.charge(601, "d"), Error);
+    EXPECT_FALSE(m.grants_in_any_order());
+    EXPECT_NO_THROW(m.charge(600, "e"));
+}
+
 TEST(MemoryBudget, ThreadsTogetherNeverGetMoreThanTheLimit) {
     Context context({.threads = 4, .max_memory = 1000});
     for (int round = 0; round < 50; ++round) {
