@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 
 #include "math/color.h"
 
@@ -58,33 +59,60 @@ std::shared_ptr<const TextureData> pack(const MipChain& chain) {
     return data;
 }
 
+/// A texture that is not there yet.
+struct Missing {
+    const ImageHandle* image;
+    ColorSpace space;
+    std::shared_ptr<const TextureData>* data;
+    std::string fault;  ///< why there is no data
+};
+
+void load(Missing& m, Context& context) {
+    const EncodedImage& image = **m.image;
+    try {
+        const Pixels pixels = image.decode(image, context);
+        *m.data = pack(make_mip_chain(pixels, m.space, context));
+    } catch (const Error& error) {
+        m.fault = error.reason();
+    }
+}
+
+/// What decoding charged beyond the textures themselves is free again.
+void release_temporaries(MemoryBudget& memory, std::uint64_t charged_before, std::span<const Missing> loaded) {
+    std::uint64_t kept = charged_before;
+    for (const Missing& m : loaded)
+        if (*m.data) kept += (*m.data)->rgba8.size() * sizeof(std::uint32_t) + (*m.data)->rgba32f.size() * sizeof(float);
+    if (memory.charged() > kept) memory.release(memory.charged() - kept);
+}
+
 }  // namespace
 
 void TextureCache::update(const std::vector<std::pair<ImageHandle, ColorSpace>>& uses, Context& context) {
     std::map<Key, std::shared_ptr<const TextureData>> kept;
-    struct Missing {
-        const Key* key;
-        std::shared_ptr<const TextureData>* data;
-        std::string fault;
-    };
     std::vector<Missing> missing;  // in the order of use: that of the map is the order of addresses
     for (const Key& key : uses) {
         const auto [entry, is_new] = kept.try_emplace(key);
         const auto known = textures_.find(key);
         if (known != textures_.end()) entry->second = known->second;
-        if (is_new && !entry->second) missing.push_back({&entry->first, &entry->second, {}});
+        if (is_new && !entry->second) missing.push_back({&entry->first.first, entry->first.second, &entry->second, {}});
     }
-    context.parallel_for(missing.size(), [&](std::size_t i) {
-        const EncodedImage& image = *missing[i].key->first;
-        try {
-            const Pixels pixels = image.decode(image, context);
-            *missing[i].data = pack(make_mip_chain(pixels, missing[i].key->second, context));
-        } catch (const Error& error) {
-            missing[i].fault = error.reason();
+    MemoryBudget& memory = context.memory();
+    const std::uint64_t before = memory.charged();
+    context.parallel_for(missing.size(), [&](std::size_t i) { load(missing[i], context); });
+    if (memory.grants_in_any_order()) {
+        release_temporaries(memory, before, missing);
+    } else {
+        // Memory is short: one after another, so that what is left out does not depend on threads.
+        for (Missing& m : missing) m.data->reset();
+        memory.release(memory.charged() - before);
+        for (Missing& m : missing) {
+            const std::uint64_t before_this = memory.charged();
+            load(m, context);
+            release_temporaries(memory, before_this, {&m, 1});
         }
-    });
+    }
     for (const Missing& m : missing)
-        if (!*m.data) context.report().add(Remark::warning, m.key->first->file, m.key->first->name, "texture left out: " + m.fault);
+        if (!*m.data) context.report().add(Remark::warning, (*m.image)->file, (*m.image)->name, "texture left out: " + m.fault);
     textures_ = std::move(kept);
 }
 

@@ -181,6 +181,40 @@ TEST(Sampling, BrokenPicturesAreReportedInTheOrderOfTheirUseForAnyNumberOfThread
     }
 }
 
+/// Which textures are left out when memory is short is a matter of their order, never of threads; what only decoding needed
+/// is given back.
+TEST(Sampling, ShortMemoryLeavesOutTheSameTexturesForAnyNumberOfThreads) {
+    Scene scene;
+    for (int i = 0; i < 24; ++i) {
+        auto image = std::make_shared<EncodedImage>();
+        image->name = std::to_string(i);
+        const int side = 32 << (i * 5 % 3);
+        image->decode = [side](const EncodedImage&, Context& context) {
+            context.memory().charge(std::uint64_t(3) * std::uint64_t(side * side), "the picture");
+            return rgb_pixels(side, side, [](int, int) { return std::array<int, 3>{200, 100, 50}; });
+        };
+        Material m = matte();
+        m.base_color_texture = add_texture(scene, image);
+        scene.materials.push_back(m);
+        add_object(scene, square_mesh(std::uint32_t(i)));
+    }
+    const auto left_out = [&](int threads, std::uint64_t max_memory) {
+        Context context({.threads = threads, .max_memory = max_memory});
+        raster::make_engine()->prepare(scene, context);
+        EXPECT_LE(context.memory().charged(), max_memory);
+        std::vector<std::string> names;
+        for (const ReportEntry& e : context.report().entries()) names.push_back(e.place + e.message);
+        return names;
+    };
+    const std::vector<std::string> reference = left_out(1, 400'000);
+    EXPECT_GT(reference.size(), 3u);
+    EXPECT_LT(reference.size(), 21u);
+    for (int round = 0; round < 20; ++round) EXPECT_EQ(left_out(4, 400'000), reference);
+    // 24 textures with their smaller versions: 8 (32^2 + 64^2 + 128^2) 4 / 3 texels of 4 bytes, 917 kB; decoding adds 516 kB.
+    EXPECT_TRUE(left_out(4, 1'250'000).empty()) << "room for the textures and one more while it is decoded";
+    EXPECT_TRUE(left_out(1, 1'250'000).empty());
+}
+
 TEST(Sampling, APictureThatCannotBeDecodedBecomesAWarning) {
     Scene scene;
     Material m = matte();
