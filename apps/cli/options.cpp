@@ -110,7 +110,7 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Shading", "--texture-base-color", w.texture_base_color, "FILE", "Picture for the color of all materials");
     add(app, "Shading", "--texture-normal", w.texture_normal, "FILE", "Normal map for all materials (green up)");
     add(app, "Shading", "--normal-scale", w.normal_scale, "S", "How strongly normal maps bump (default: the material's, 1)");
-    add(app, "Shading", "--front-face", w.front_face, "ccw|cw", "Which turn of a triangle is its front (default ccw)");
+    add(app, "Shading", "--front-face", w.front_face, "ccw|cw", "Which turn of a triangle --cull takes for its front (default ccw)");
     add(app, "Shading", "--cull", w.cull, "WHICH",
         "Faces left out: auto (default: as the material says), none, back, front");
     add_normal_options(app, w);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace rakelight {
@@ -36,6 +37,7 @@ public:
 private:
     mutable std::mutex mutex_;
     std::vector<ReportEntry> entries_;
+    std::unordered_map<std::string, std::size_t> known_;  ///< kind, file and message -> place in entries_
     std::uint64_t left_out_ = 0;
 };
 

@@ -18,16 +18,18 @@ const char* name_of(Remark remark) noexcept {
 }
 
 void Report::add(Remark remark, std::string file, std::string place, std::string message) {
+    std::string key = std::to_string(int(remark)) + file;
+    key += '\0';  // no name holds one
+    key += message;
     const std::lock_guard lock(mutex_);
-    for (ReportEntry& e : entries_)
-        if (e.remark == remark && e.message == message && e.file == file) {
-            ++e.count;
-            return;
-        }
-    if (entries_.size() >= max_entries)
+    if (const auto known = known_.find(key); known != known_.end()) {
+        ++entries_[known->second].count;
+    } else if (entries_.size() >= max_entries) {
         ++left_out_;
-    else
+    } else {
+        known_.emplace(std::move(key), entries_.size());
         entries_.push_back({remark, std::move(file), std::move(place), std::move(message), 1});
+    }
 }
 
 std::vector<ReportEntry> Report::entries() const {
@@ -43,6 +45,7 @@ std::uint64_t Report::left_out() const {
 void Report::clear() {
     const std::lock_guard lock(mutex_);
     entries_.clear();
+    known_.clear();
     left_out_ = 0;
 }
 

@@ -98,7 +98,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
 
     context.progress("render", 0);
     draw_to_files(engine, camera, request, result, context);
-    if (result.stats.pixels_covered == 0)
+    if (result.stats.pixels_shaded == 0)  // blended surfaces cover nothing, but are seen
         context.report().add(Remark::warning, request.input, "", "no pixel of the picture shows the model");
     return result;
 }

@@ -98,10 +98,10 @@ std::vector<Light> default_lights(const dmat4& camera_to_world) {
     Light ambient;
     ambient.name = "default ambient";
     ambient.type = LightType::ambient;
-    ambient.ambient = {0.15f, 0.15f, 0.15f};
+    ambient.ambient = {0.12f, 0.12f, 0.12f};
     ambient.diffuse = ambient.specular = {0, 0, 0};
-    return {ambient, directional("default key", 0.8f, camera_to_world, {-0.5, 0.7, 0.8}),
-            directional("default fill", 0.25f, camera_to_world, {0.8, 0.1, 0.6})};
+    return {ambient, directional("default key", 0.68f, camera_to_world, {-0.5, 0.7, 0.8}),
+            directional("default fill", 0.2f, camera_to_world, {0.8, 0.1, 0.6})};
 }
 
 }  // namespace rakelight

@@ -36,8 +36,8 @@ Camera default_camera(const Bounds& bounds, double aspect);
 /// @throws Error usage for another name.
 Camera view_camera(const Bounds& bounds, double aspect, const std::string& side);
 
-/// The default light rig, fixed to the camera's frame so that what is looked at is lit: ambient 0.15, a key light (0.8) from
-/// above left and a fill (0.25) from the right, both directional and white, classical units.
+/// The default light rig, fixed to the camera's frame so that what is looked at is lit: ambient 0.12, a key light (0.68) from
+/// above left and a fill (0.2) from the right, both directional and white, classical units: a white surface stays just below 1.
 std::vector<Light> default_lights(const dmat4& camera_to_world);
 
 /// camera -> world of a camera of this scene, whether placed by a node or by itself; scale is taken out.

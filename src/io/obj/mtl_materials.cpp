@@ -170,7 +170,11 @@ void MaterialLibrary::set_colors(Material& m, const MtlMaterial& source, Remarks
         m.classical.specular = {1, 1, 1};
     if (source.exponent) {
         m.classical.shininess = std::max(1.0f, float(*source.exponent));
-        if (*source.exponent < 1 && !(m.classical.specular == vec3{})) remarks.add(Issue::mtl_exponent, source.line);
+        if (!(*source.exponent >= 1) && !(m.classical.specular == vec3{})) {
+            // Exporters write Ns 0 for "no highlight" beside a white Ks; to the letter it would wash the surface out.
+            m.classical.specular = {};
+            remarks.add(Issue::mtl_exponent, source.line);
+        }
     }
 }
 

@@ -45,7 +45,7 @@ constexpr Text texts[] = {
     {Issue::mtl_number, Remark::warning, "a number cannot be read or is not finite; the value keeps its default"},
     {Issue::mtl_spectral, Remark::dropped, "a spectral or XYZ color is left out"},
     {Issue::mtl_range, Remark::changed, "a value outside 0..1 was clamped"},
-    {Issue::mtl_exponent, Remark::changed, "a specular exponent Ns below 1 became 1"},
+    {Issue::mtl_exponent, Remark::changed, "a specular exponent Ns below 1 was read as no highlight"},
     {Issue::mtl_redefined, Remark::warning, "a material is defined again; its first definition counts"},
     {Issue::mtl_option, Remark::dropped, "a texture option (-mm, -t, -imfchan, -cc) is left out"},
     {Issue::mtl_option_hint, Remark::note, "a texture filter option (-blendu, -blendv, -boost, -texres) is left out"},

@@ -55,6 +55,7 @@ TEST_F(ObjMaterials, SmallExponentsAndValuesOutOfRangeAreChanged) {
     const Material m = material("Ka 20 20 20\nKs 1 1 1\nNs 0");
     EXPECT_EQ(m.classical.ambient, (vec3{1, 1, 1}));
     EXPECT_EQ(m.classical.shininess, 1);
+    EXPECT_EQ(m.classical.specular, (vec3{0, 0, 0})) << "Ns 0 beside a white Ks means no highlight";
     EXPECT_EQ(remark("outside 0..1")->remark, Remark::changed);
     EXPECT_EQ(remark("Ns below 1")->remark, Remark::changed);
 }

@@ -129,10 +129,10 @@ TEST(DefaultLights, AreAmbientKeyAndFillInTheCamerasFrame) {
     const auto lights = default_lights(camera.to_world);
     ASSERT_EQ(lights.size(), 3u);
     EXPECT_EQ(lights[0].type, LightType::ambient);
-    EXPECT_EQ(lights[0].ambient, (vec3{0.15f, 0.15f, 0.15f}));
+    EXPECT_EQ(lights[0].ambient, (vec3{0.12f, 0.12f, 0.12f}));
     EXPECT_EQ(lights[0].diffuse, (vec3{0, 0, 0}));
-    EXPECT_EQ(lights[1].diffuse, (vec3{0.8f, 0.8f, 0.8f}));
-    EXPECT_EQ(lights[2].diffuse, (vec3{0.25f, 0.25f, 0.25f}));
+    EXPECT_EQ(lights[1].diffuse, (vec3{0.68f, 0.68f, 0.68f}));
+    EXPECT_EQ(lights[2].diffuse, (vec3{0.2f, 0.2f, 0.2f}));
     const dvec3 right = camera.to_world[0].xyz(), up = camera.to_world[1].xyz(), toward_eye = camera.to_world[2].xyz();
     for (const std::size_t i : {1u, 2u}) {
         EXPECT_EQ(lights[i].type, LightType::directional);

@@ -14,10 +14,12 @@ struct Pixels {
     Records records;
     Barycentrics b;
     TexCoords texcoords[2];
+    vec3 position;  ///< relative to the eye
 
     Pixels(const ShadeJob& job, int32_t first)
         : records(job.triangles, load_i(job.triangle + first)),
-          b(barycentrics(records, to_real(load_i(job.x + first)), to_real(load_i(job.y + first)))) {}
+          b(barycentrics(records, to_real(load_i(job.x + first)), to_real(load_i(job.y + first)))),
+          position(interpolate3(records, b, offsetof(ShadeTriangle, position))) {}
 };
 
 inline vec3 splat(const float (&v)[3]) { return vec3(real(v[0]), real(v[1]), real(v[2])); }
@@ -34,13 +36,18 @@ inline void find_texcoords(const MaterialView& m, Pixels& p) {
         if (used[set]) p.texcoords[set] = texcoords(p.records, p.b, set);
 }
 
-/// Base color: factor, vertex color, texture; alpha with the opacity map.
-inline vec4 base_color(const MaterialView& m, const Pixels& p) {
-    const vec4 vertex = interpolate_color(p.records, p.b);
-    vec4 color = vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * vertex;
-    if (m.base_color_map.view != nullptr) color = color * texel(m.base_color_map, p);
-    if (m.opacity_map.view != nullptr) color.w = color.w * texel(m.opacity_map, p).x;
-    return color;
+/// What the surface is painted with, vertex color times texture, and that times the material's factor; alpha with the opacity map.
+struct BaseColor {
+    vec4 paint, color;
+};
+
+inline BaseColor base_color(const MaterialView& m, const Pixels& p) {
+    BaseColor base;
+    base.paint = interpolate_color(p.records, p.b);
+    if (m.base_color_map.view != nullptr) base.paint = base.paint * texel(m.base_color_map, p);
+    base.color = vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * base.paint;
+    if (m.opacity_map.view != nullptr) base.color.w = base.color.w * texel(m.opacity_map, p).x;
+    return base;
 }
 
 /// Interpolated normal, bumped by the map, on the side that is lit.
@@ -55,8 +62,8 @@ inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
     return n * p.records(offsetof(ShadeTriangle, facing));
 }
 
-inline void set_classical(const MaterialView& m, const Pixels& p, vec3 texture_color, lit::Surface& s) {
-    s.ambient = splat(m.ambient) * texture_color;
+inline void set_classical(const MaterialView& m, const Pixels& p, vec3 paint, lit::Surface& s) {
+    s.ambient = splat(m.ambient) * paint;
     s.specular = splat(m.specular);
     if (m.specular_map.view != nullptr) s.specular = s.specular * rgb(texel(m.specular_map, p));
     s.exponent = real(m.shininess);
@@ -77,25 +84,22 @@ inline void set_metallic_roughness(const MaterialView& m, const Pixels& p, vec3 
     s.exponent = clamp(real(2.0f) / (alpha * alpha) - real(2.0f), real(1.0f), real(10000.0f));
 }
 
-inline lit::Surface surface_of(const ShadeJob& job, const Pixels& p, vec4 color, vec3 position) {
+inline lit::Surface surface_of(const ShadeJob& job, const Pixels& p, const BaseColor& base) {
     const MaterialView& m = *job.material;
     lit::Surface s;
     s.n = shading_normal(job, p);
-    s.v = job.orthographic != 0 ? splat(job.view_direction) : safe_normalize(-position);
-    s.diffuse = rgb(color);
-    if (m.metallic_roughness != 0) {
-        set_metallic_roughness(m, p, rgb(color), s);
-    } else {
-        vec3 texture_color = rgb(interpolate_color(p.records, p.b));
-        if (m.base_color_map.view != nullptr) texture_color = texture_color * rgb(texel(m.base_color_map, p));
-        set_classical(m, p, texture_color, s);
-    }
+    s.v = job.orthographic != 0 ? splat(job.view_direction) : safe_normalize(-p.position);
+    s.diffuse = rgb(base.color);
+    if (m.metallic_roughness != 0)
+        set_metallic_roughness(m, p, rgb(base.color), s);
+    else
+        set_classical(m, p, rgb(base.paint), s);
     if (m.occlusion_map.view != nullptr)
         s.ambient = s.ambient * (real(1.0f) + real(m.occlusion_strength) * (texel(m.occlusion_map, p).x - real(1.0f)));
     return s;
 }
 
-inline vec3 lit_color(const ShadeJob& job, const Pixels& p, vec4 color, const lit::Surface& surface, vec3 position) {
+inline vec3 lit_color(const ShadeJob& job, const Pixels& p, vec4 color, const lit::Surface& surface) {
     const MaterialView& m = *job.material;
     vec3 sum = splat(m.emission);
     if (m.emission_map.view != nullptr) sum = sum * rgb(texel(m.emission_map, p));
@@ -105,21 +109,20 @@ inline vec3 lit_color(const ShadeJob& job, const Pixels& p, vec4 color, const li
     reflection.form = job.reflection_form;
     reflection.horizon = job.specular_horizon;
     for (int32_t i = 0; i < job.light_count; ++i)
-        sum = lit::add_light(sum, surface, lit::sample_light(job.lights[i], position), reflection);
+        sum = lit::add_light(sum, surface, lit::sample_light(job.lights[i], p.position), reflection);
     return sum;
 }
 
 inline void shade_vector(const ShadeJob& job, int32_t first) {
     Pixels p(job, first);
     find_texcoords(*job.material, p);
-    const vec4 color = base_color(*job.material, p);
-    const vec3 position = interpolate3(p.records, p.b, offsetof(ShadeTriangle, position));
-    const lit::Surface surface = surface_of(job, p, color, position);
-    const vec3 radiance = lit_color(job, p, color, surface, position);
+    const BaseColor base = base_color(*job.material, p);
+    const lit::Surface surface = surface_of(job, p, base);
+    const vec3 radiance = lit_color(job, p, base.color, surface);
     store(job.red + first, radiance.x);
     store(job.green + first, radiance.y);
     store(job.blue + first, radiance.z);
-    store(job.alpha + first, color.w);
+    store(job.alpha + first, base.color.w);
     if (job.normal_x == nullptr) return;
     store(job.normal_x + first, surface.n.x);
     store(job.normal_y + first, surface.n.y);
@@ -134,7 +137,7 @@ static void alpha(const ShadeJob* job) {
     for (int32_t i = 0; i < job->count; i += lanes) {
         Pixels p(*job, i);
         find_texcoords(*job->material, p);
-        store(job->alpha + i, base_color(*job->material, p).w);
+        store(job->alpha + i, base_color(*job->material, p).color.w);
     }
 }
 
