@@ -118,15 +118,18 @@ void add_render_options(CLI::App& app, RenderWords& w) {
         "Texture coordinates for models without: box, sphere, cylinder (default none)");
 
     add(app, "Camera", "--view", w.view, "SIDE",
-        "Fit the model, seen from: front, back, left, right, top, bottom, isometric");
+        "Fit the model, seen from: front (+Z), back, left, right, top (+Y), bottom, isometric, default (oblique, "
+        "although the file has a camera)");
     add(app, "Camera", "--camera-index", w.camera, "N",
         "Camera of the file, by number from 0 or by name (default: the first, if any)");
-    add(app, "Camera", "--camera-position", w.position, "X,Y,Z", "Where the camera stands [m]");
+    add(app, "Camera", "--camera-position", w.position, "X,Y,Z", "Where the camera stands [m]; not with --view or --camera-index");
     add(app, "Camera", "--camera-focal-point", w.focal_point, "X,Y,Z",
         "What it looks at (default: the middle of the model)");
-    add(app, "Camera", "--camera-view-up", w.up, "X,Y,Z", "Which way is up (default 0,1,0)");
+    add(app, "Camera", "--camera-view-up", w.up, "X,Y,Z", "Which way is up (default 0,1,0). OBJ, STL and PLY files are taken as Y up: 0,0,1 shows models that are Z up");
     add(app, "Camera", "--camera-view-angle", w.view_angle, "DEG", "Vertical angle of view (default 40)");
-    app.add_flag("--camera-orthographic", w.orthographic, "Parallel projection")->group("Camera");
+    app.add_flag("--camera-orthographic", w.orthographic,
+                 "Parallel projection, as high as what the angle of view shows at the focal point")
+        ->group("Camera");
     app.add_option("--light", w.lights, "A light instead of the model's; may be repeated, see below")
         ->type_name("SPEC")
         ->group("Light")

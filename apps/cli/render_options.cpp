@@ -103,9 +103,14 @@ void apply_view(const RenderWords& w, ViewRequest& v) {
                     {"right", true},
                     {"top", true},
                     {"bottom", true},
-                    {"isometric", true}});
+                    {"isometric", true},
+                    {"default", true}});
     if (!w.view.empty() && !w.camera.empty())
         throw Error(ErrorCode::usage, "--view and --camera-index exclude each other");
+    if (!w.position.empty() && (!w.view.empty() || !w.camera.empty()))
+        throw Error(ErrorCode::usage,
+                    std::string(w.view.empty() ? "--camera-index" : "--view") + " and --camera-position exclude each other",
+                    {}, "--camera-focal-point, -view-up and -view-angle may be added to either");
     if (!w.position.empty()) v.position = vector3("--camera-position", w.position);
     if (!w.focal_point.empty()) v.focal_point = vector3("--camera-focal-point", w.focal_point);
     if (!w.up.empty()) v.up = vector3("--camera-view-up", w.up);

@@ -16,11 +16,11 @@ namespace rakelight {
 /// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
 /// and where the file has none a camera fitted to the model's bounding box.
 struct ViewRequest {
-    std::string side;                  ///< "front", "back", "left", "right", "top", "bottom", "isometric", or empty
+    std::string side;                  ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default", or empty
     std::string camera;                ///< number (from 0) or name of a camera of the file, or empty
     std::optional<dvec3> position;     ///< [m] world
     std::optional<dvec3> focal_point;  ///< [m] world; what the camera looks at
-    std::optional<dvec3> up;           ///< any length; default +Y
+    std::optional<dvec3> up;           ///< any length; default +Y; the default view turns along
     std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
     bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
 

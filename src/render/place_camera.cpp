@@ -1,34 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 // A camera that the caller moves, turns or zooms.
 #include <algorithm>
+#include <cmath>
 
 #include "math/functions.h"
 #include "math/linear.h"
 #include "render/view.h"
 
 namespace rakelight {
-namespace {
 
 void check_placement(const ViewRequest& view) {
+    constexpr double farthest = 1e15;  // [m] a double still tells a quarter of a metre there
+    const auto near_enough = [](const std::optional<dvec3>& v) {
+        return !v || (std::fabs(v->x) <= farthest && std::fabs(v->y) <= farthest && std::fabs(v->z) <= farthest);
+    };
     const auto finite = [](const std::optional<dvec3>& v) { return !v || is_finite(*v); };
     if (!finite(view.position) || !finite(view.focal_point) || !finite(view.up))
         throw Error(ErrorCode::usage, "the camera's position, focal point and up must be finite");
+    if (!near_enough(view.position)) throw Error(ErrorCode::usage, "the camera's position is more than 1e15 m away");
+    if (!near_enough(view.focal_point))
+        throw Error(ErrorCode::usage, "the camera's focal point is more than 1e15 m away");
     if (view.vertical_fov_rad && !(*view.vertical_fov_rad > 0 && *view.vertical_fov_rad < pi))
         throw Error(ErrorCode::usage, "the camera's view angle must be more than 0 and less than 180 degrees");
     if (view.up && *view.up == dvec3{0, 0, 0}) throw Error(ErrorCode::usage, "the camera's up must not be zero");
 }
+
+namespace {
 
 /// Radius of the sphere about the box, never 0.
 double radius_of(const Bounds& bounds) {
     const dvec3 c = bounds.center();
     const double half = 0.5 * bounds.diagonal();
     return half > 0 ? half : std::max(1.0, 1e-6 * std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)}));
-}
-
-/// How far from its centre a sphere of radius 1 just fits into the picture.
-double fitting_distance(double vertical_fov_rad, double aspect) {
-    const double tangent = math::tan(0.5 * vertical_fov_rad) * std::min(aspect, 1.0);
-    return std::sqrt(1 + tangent * tangent) / tangent;  // 1 / sin of the half angle
 }
 
 /// Near and far about the box as seen along the view; a camera inside or in front of it gets a near of far / 10000.
@@ -52,7 +55,6 @@ bool is_along(dvec3 up, dvec3 direction) {
 
 Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
                     const std::string& file, Context& context) {
-    check_placement(view);
     Camera camera = base;
     if (view.vertical_fov_rad) camera.vertical_fov_rad = *view.vertical_fov_rad;
     const dvec3 base_eye = base.to_world[3].xyz(), base_z = base.to_world[2].xyz();
@@ -61,8 +63,6 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     double distance = dot(base_eye - bounds.center(), base_z);
     if (!(distance > 0)) distance = radius_of(bounds);
     const dvec3 base_focal = is_fitted ? bounds.center() : base_eye - base_z * distance;
-    if (is_fitted && view.vertical_fov_rad)
-        distance = radius_of(bounds) * fitting_distance(camera.vertical_fov_rad, aspect);
 
     // 2. Eye and focal point: what is not given keeps its place relative to the other.
     const dvec3 focal = view.focal_point.value_or(base_focal);
@@ -74,7 +74,7 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     camera.to_world = look_at(eye, focal, up);
 
     // 3. Projection and depths.
-    if (view.orthographic && camera.projection == Projection::perspective) {
+    if (camera.projection == Projection::perspective ? view.orthographic : view.vertical_fov_rad.has_value()) {
         camera.half_height = math::tan(0.5 * camera.vertical_fov_rad) * length(eye - focal);
         camera.projection = Projection::orthographic;
     }

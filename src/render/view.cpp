@@ -58,6 +58,7 @@ Camera checked_camera_of_file(const Scene& scene, std::size_t index, double aspe
 }  // namespace
 
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
+    check_placement(view);
     const Bounds bounds = world_bounds(scene);
     if (bounds.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     if (!view.side.empty() && !view.camera.empty())
@@ -68,7 +69,8 @@ Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect,
         if (!view.is_placed()) return checked_camera_of_file(scene, index, aspect, bounds, context);
         return place_camera(camera_of_file(scene, index, aspect), false, view, aspect, bounds, scene.source, context);
     }
-    const Camera fitted = view.side.empty() ? default_camera(bounds, aspect) : view_camera(bounds, aspect, view.side);
+    const FitWishes wishes{view.up, view.vertical_fov_rad};
+    const Camera fitted = view_camera(bounds, aspect, view.side.empty() ? "default" : view.side, wishes);
     return view.is_placed() ? place_camera(fitted, true, view, aspect, bounds, scene.source, context) : fitted;
 }
 

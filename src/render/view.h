@@ -13,7 +13,11 @@ bool may_see(const Camera& camera, double aspect, const Bounds& bounds);
 /// The camera with square pixels in a picture of another aspect than it asks for: all that it wants to show stays in.
 Camera adapt_to_aspect(Camera camera, double aspect);
 
-/// Moves, turns and zooms a fitted or a file's camera as the request says; near and far lie about the box afterwards.
+/// @throws Error usage: a placement that no camera can have, whatever the model
+void check_placement(const ViewRequest& view);
+
+/// Moves, turns and zooms a fitted or a file's camera as the request says (a fitted one already has its up and
+/// view angle); near and far lie about the box afterwards.
 /// `file` is for remarks.
 Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
                     const std::string& file, Context& context);

@@ -44,8 +44,10 @@ Fit fit_corners(const Bounds& bounds, const dmat4& axes, double tangent_x, doubl
 }
 
 /// A perspective camera that looks from `toward_eye` (any length) at the middle of the box, as near as lets all of it be seen.
-Camera fit(const Bounds& bounds, double aspect, dvec3 toward_eye, dvec3 up) {
+Camera fit(const Bounds& bounds, double aspect, dvec3 toward_eye, dvec3 side_up, const FitWishes& wishes) {
     Camera camera;
+    const dvec3 up = wishes.up.value_or(side_up);
+    camera.vertical_fov_rad = wishes.vertical_fov_rad.value_or(camera.vertical_fov_rad);
     const double a = aspect > 0 && std::isfinite(aspect) ? std::clamp(aspect, 1e-4, 1e4) : 1.0;
     const double radius = sphere_radius(bounds);
     const double tangent = math::tan(0.5 * camera.vertical_fov_rad);
@@ -56,6 +58,13 @@ Camera fit(const Bounds& bounds, double aspect, dvec3 toward_eye, dvec3 up) {
     camera.near = std::max(corners.distance - 1.05 * radius, 0.5 * (corners.distance - corners.nearest));
     camera.far = corners.distance + 1.05 * radius;
     return camera;
+}
+
+/// `v` turned by the shortest turn that takes +Y to `up` (of length 1); half a turn about Z where up is -Y.
+dvec3 turn_with_up(dvec3 v, dvec3 up) {
+    if (up.y < -1 + 1e-12) return {-v.x, -v.y, v.z};
+    const dvec3 axis = cross(dvec3{0, 1, 0}, up);  // its length is the sine, up.y the cosine
+    return v * up.y + cross(axis, v) + axis * (dot(axis, v) / (1 + up.y));
 }
 
 struct Side {
@@ -77,21 +86,23 @@ Light directional(const char* name, float strength, const dmat4& camera_to_world
 
 }  // namespace
 
-Camera default_camera(const Bounds& bounds, double aspect) {
-    Camera camera = fit(bounds, aspect, {0.45, 0.35, 1}, {0, 1, 0});
+Camera default_camera(const Bounds& bounds, double aspect, const FitWishes& wishes) {
+    const dvec3 y{0, 1, 0}, up = normalize_or(wishes.up.value_or(y), y);
+    Camera camera = fit(bounds, aspect, up == y ? dvec3{0.45, 0.35, 1} : turn_with_up({0.45, 0.35, 1}, up), y, wishes);
     camera.name = "default";
     return camera;
 }
 
-Camera view_camera(const Bounds& bounds, double aspect, const std::string& side) {
+Camera view_camera(const Bounds& bounds, double aspect, const std::string& side, const FitWishes& wishes) {
+    if (side == "default") return default_camera(bounds, aspect, wishes);
     for (const Side& s : sides) {
         if (side != s.name) continue;
-        Camera camera = fit(bounds, aspect, s.toward_eye, s.up);
+        Camera camera = fit(bounds, aspect, s.toward_eye, s.up, wishes);
         camera.name = side;
         return camera;
     }
     throw Error(ErrorCode::usage, "unknown view '" + one_line(side, 40) + "'", {},
-                "use front, back, left, right, top, bottom or isometric");
+                "use front, back, left, right, top, bottom, isometric or default");
 }
 
 std::vector<Light> default_lights(const dmat4& camera_to_world) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Questions that every user of a scene asks: is it whole, where is everything, what is the default view of it.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include <rakelight/scene.h>
@@ -29,12 +30,20 @@ Bounds world_bounds(const Scene& scene);
 /// Triangles in all objects, instances counted each time.
 std::uint64_t triangle_count(const Scene& scene);
 
+/// What a fitted camera shall keep to; the model fits whatever it is.
+struct FitWishes {
+    std::optional<dvec3> up;                 ///< not zero, finite; any length. One along the view is replaced
+    std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
+};
+
 /// The view by which a model without cameras is shown: perspective, 40 degrees vertical, from the front slightly right and
 /// above (the direction (0.45, 0.35, 1) from the centre), as near as lets the whole bounding box be seen with a small margin.
-Camera default_camera(const Bounds& bounds, double aspect);
-/// The same from a named side: "front" (+Z), "back", "left" (-X), "right", "top" (+Y), "bottom", "isometric".
+/// With another up than +Y the direction turns along: Z up shows a Z-up model as Y up shows a Y-up one.
+Camera default_camera(const Bounds& bounds, double aspect, const FitWishes& wishes = {});
+/// The same from a named side of the world, which `wishes.up` does not turn: "front" (+Z), "back", "left" (-X), "right",
+/// "top" (+Y), "bottom", "isometric"; or "default".
 /// @throws Error usage for another name.
-Camera view_camera(const Bounds& bounds, double aspect, const std::string& side);
+Camera view_camera(const Bounds& bounds, double aspect, const std::string& side, const FitWishes& wishes = {});
 
 /// The default light rig, fixed to the camera's frame so that what is looked at is lit: ambient 0.12, a key light (0.68) from
 /// above left and a fill (0.2) from the right, both directional and white, classical units: a white surface stays just below 1.

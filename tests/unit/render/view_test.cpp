@@ -145,6 +145,45 @@ TEST(ChooseCamera, OrthographicShowsWhatPerspectiveShowsAtTheFocalPoint) {
     EXPECT_LT(c.near, c.far);
 }
 
+TEST(ChooseCamera, AnotherUpStillFitsTheModel) {
+    Context context;
+    const ViewRequest views[] = {{.up = dvec3{0, 0, 1}},
+                                 {.up = dvec3{0, -2, 0}},
+                                 {.up = dvec3{1, 1, 0}},
+                                 {.side = "front", .up = dvec3{1, 0, 0}},
+                                 {.side = "isometric", .up = dvec3{0, 0, 1}, .orthographic = true},
+                                 {.side = "left", .up = dvec3{0, 1, 1}, .vertical_fov_rad = radians(70)}};
+    for (const ViewRequest& view : views) {
+        const Camera c = choose_camera(two_squares(), view, 4.0, context);
+        for (const dvec3 corner : {dvec3{-1, 0, 0}, dvec3{1, 1, 0}, dvec3{-1, 1, 0}, dvec3{1, 0, 0}})
+            EXPECT_TRUE(may_see(c, 4.0, Bounds{corner, corner})) << view.side << corner.x << corner.y;
+        EXPECT_GT(dot(c.to_world[1].xyz(), *view.up), 0);
+    }
+    EXPECT_TRUE(context.report().entries().empty());
+}
+
+TEST(ChooseCamera, TheDefaultViewTurnsWithUp) {
+    Context context;
+    const Camera y = choose_camera(two_squares(), {}, aspect, context);
+    const Camera z = choose_camera(two_squares(), {.up = dvec3{0, 0, 3}}, aspect, context);
+    const dvec3 from = y.to_world[2].xyz();
+    EXPECT_NEAR(length(z.to_world[2].xyz() - dvec3{from.x, -from.z, from.y}), 0, 1e-12) << "-Y is the front, Z is up";
+}
+
+TEST(ChooseCamera, TheDefaultViewCanBeHadWhereTheFileHasACamera) {
+    Context context;
+    Scene scene = two_squares();
+    const Camera fitted = choose_camera(scene, {}, aspect, context);
+    scene.cameras = {camera_at({0, 0, 7}, {0, 0, 0})};
+    EXPECT_EQ(choose_camera(scene, {.side = "default"}, aspect, context).to_world, fitted.to_world);
+}
+
+TEST(ChooseCamera, AViewAngleSizesParallelProjectionToo) {
+    Context context;
+    const ViewRequest view{.position = dvec3{0, 0.5, 10}, .vertical_fov_rad = radians(90), .orthographic = true};
+    EXPECT_NEAR(choose_camera(two_squares(), view, aspect, context).half_height, 10, 1e-12);
+}
+
 TEST(ChooseCamera, AFarPlaneLiesBehindTheModelEvenFromInside) {
     Context context;
     const Camera c = choose_camera(two_squares(), {.position = dvec3{0, 0.5, 0.01}}, aspect, context);
@@ -158,6 +197,8 @@ TEST(ChooseCamera, RefusesImpossiblePlacements) {
     const double infinity = std::numeric_limits<double>::infinity();
     const ViewRequest impossible[] = {{.position = dvec3{1, 1, 1}, .focal_point = dvec3{1, 1, 1}},
                                       {.position = dvec3{infinity, 0, 0}},
+                                      {.position = dvec3{1e30, 0, 0}},
+                                      {.focal_point = dvec3{0, -1e30, 0}},
                                       {.up = dvec3{0, 0, 0}},
                                       {.vertical_fov_rad = 0.0},
                                       {.vertical_fov_rad = pi},
