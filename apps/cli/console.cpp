@@ -34,7 +34,7 @@ void print_line(const char* kind, const char* color, const std::string& text) {
 std::string text_of(const ReportEntry& r) {
     std::string text;
     if (!r.file.empty()) text += one_line(r.file) + ": ";
-    if (!r.place.empty()) text += one_line(r.place, 120) + ": ";
+    if (!r.place.empty() && r.place != r.file) text += one_line(r.place, 120) + ": ";
     text += one_line(r.message, max_text);
     if (r.count > 1) text += " (" + std::to_string(r.count) + " times)";
     return text;
@@ -100,6 +100,9 @@ std::function<void(std::string_view, double)> ProgressLine::callback() {
 
 void ProgressLine::show(std::string_view stage, double fraction) {
     constexpr double patience_s = 0.5, pause_s = 0.1;
+    if (stage != stage_) stage_ = stage, furthest_ = 0;
+    if (fraction < furthest_) return;  // threads may report out of order
+    furthest_ = fraction;
     const double now = now_s();
     if (now - start_s_ < patience_s || now - last_s_ < pause_s) return;
     last_s_ = now;

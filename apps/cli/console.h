@@ -44,7 +44,8 @@ public:
 
 private:
     void show(std::string_view stage, double fraction);
-    std::string file_;
+    std::string file_, stage_;
+    double furthest_ = 0;
     bool enabled_ = false, shown_ = false;
     double start_s_ = 0, last_s_ = 0;
 };

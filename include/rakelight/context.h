@@ -62,6 +62,8 @@ public:
     MemoryBudget& memory() noexcept { return memory_; }
 
     void progress(std::string_view stage, double fraction);
+    /// What is reported from now on, 0..1, stands for this part of its stage. For work that is done in several goes.
+    void set_progress_part(double from, double to);
     void cancel() noexcept { cancelled_ = true; }
     bool cancelled() const noexcept { return cancelled_; }
     void throw_if_cancelled() const;  ///< @throws Error failed "cancelled"
@@ -82,6 +84,7 @@ private:
     MemoryBudget memory_;
     std::atomic<bool> cancelled_{false};
     std::mutex progress_mutex_;
+    double progress_from_ = 0, progress_to_ = 1;
     std::unique_ptr<Arena> arena_;
 };
 

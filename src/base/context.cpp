@@ -105,7 +105,13 @@ int Context::threads() const noexcept { return options_.threads; }
 void Context::progress(std::string_view stage, double fraction) {
     if (!options_.progress) return;
     const std::lock_guard lock(progress_mutex_);
-    options_.progress(stage, fraction);
+    options_.progress(stage, progress_from_ + (progress_to_ - progress_from_) * fraction);
+}
+
+void Context::set_progress_part(double from, double to) {
+    const std::lock_guard lock(progress_mutex_);
+    progress_from_ = from;
+    progress_to_ = to;
 }
 
 void Context::throw_if_cancelled() const {
