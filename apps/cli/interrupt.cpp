@@ -9,11 +9,12 @@ namespace rakelight::cli {
 namespace {
 
 std::atomic<Context*> running{nullptr};
-std::atomic<bool> interrupted{false};
+std::atomic<int> interrupted{0};  // the signal
+constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 static_assert(std::atomic<Context*>::is_always_lock_free, "a signal handler may use it");
 
 void cancel_running(int signal) {
-    interrupted = true;
+    interrupted = signal;
     if (Context* context = running.load()) context->cancel();
     std::signal(signal, SIG_DFL);
 }
@@ -22,16 +23,24 @@ void cancel_running(int signal) {
 
 CancelOnInterrupt::CancelOnInterrupt(Context& context) {
     running = &context;
-    for (const int signal : {SIGINT, SIGTERM})
+    std::signal(SIGXFSZ, SIG_IGN);
+    for (const int signal : signals)
         if (std::signal(signal, cancel_running) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup wants it
 }
 
 CancelOnInterrupt::~CancelOnInterrupt() {
     running = nullptr;
-    for (const int signal : {SIGINT, SIGTERM})
+    for (const int signal : signals)
         if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
-bool CancelOnInterrupt::happened() { return interrupted; }
+bool CancelOnInterrupt::happened() { return interrupted != 0; }
+
+void CancelOnInterrupt::die_of_signal() {
+    if (const int signal = interrupted) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+}
 
 }  // namespace rakelight::cli

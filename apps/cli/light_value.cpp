@@ -36,6 +36,17 @@ dvec3 unit(const std::string& option, dvec3 d) {
     return {d.x / length, d.y / length, d.z / length};
 }
 
+/// What may follow a kind of light, as advice.
+const char* properties_of(LightType type) {
+    switch (type) {
+        case LightType::ambient: return "an ambient light has its color only: ambient:R,G,B";
+        case LightType::directional: return "a directional light has color=, specular=";
+        case LightType::point: return "a point light has color=, specular=, attenuation=";
+        case LightType::spot: return "a spot light has color=, specular=, attenuation=, direction=, cutoff=, exponent=";
+    }
+    return "";
+}
+
 /// One "name=value" part of a light.
 void set_property(const std::string& option, Light& light, std::string_view part) {
     const std::size_t equals = part.find('=');
@@ -60,10 +71,12 @@ void set_property(const std::string& option, Light& light, std::string_view part
             throw Error(ErrorCode::usage, what + ": the half angle must be more than 0 and at most 90 degrees");
         light.cutoff_rad = float(radians(cutoff));
     } else if (name == "exponent" && light.type == LightType::spot) {
-        light.exponent = float(std::max(number(what, value), 0.0));
+        const double exponent = number(what, value);
+        if (!(exponent >= 0)) throw Error(ErrorCode::usage, what + ": must be >= 0");
+        light.exponent = float(std::min(exponent, 1e9));
     } else {
         throw Error(ErrorCode::usage, option + ": this light has no '" + one_line(name, 40) + "'", {},
-                    "use color=, specular=, attenuation= (point, spot), direction=, cutoff=, exponent= (spot)");
+                    properties_of(light.type));
     }
 }
 

@@ -13,15 +13,21 @@
 namespace rakelight::cli {
 namespace {
 
+/// The error of an input that a signal came before.
+Error not_begun(const std::string& file) { return Error(ErrorCode::failed, "cancelled").with_file(file); }
+
 int run_render(const Options& options) {
     const std::vector<PictureRequest> requests = picture_requests(options);
     for (const PictureRequest& request : requests) check_request(request);
     std::vector<PictureRow> rows;
     int worst = 0;
     for (const PictureRequest& request : requests) {
-        if (CancelOnInterrupt::happened()) break;
         PictureRow& row = rows.emplace_back();
         row.result = {.file = request.input, .output = request.output};
+        if (CancelOnInterrupt::happened()) {
+            row.error = not_begun(request.input);
+            continue;
+        }
         const int code =
             run_file(options, request.input, row, [&](Context& c) { row.result = render_picture(request, c); });
         if (code == 0) print_note(summary(row.result), options.loudness);
@@ -35,8 +41,12 @@ int run_inspect(const Options& options) {
     std::vector<InspectionRow> rows;
     int worst = 0;
     for (const std::string& file : options.inputs) {
-        if (CancelOnInterrupt::happened()) break;
         InspectionRow row{.file = file};
+        if (CancelOnInterrupt::happened()) {
+            row.error = not_begun(file);
+            rows.push_back(std::move(row));
+            continue;
+        }
         worst = std::max(worst, run_file(options, file, row, [&](Context& c) {
                              row.inspection = inspect(load(file, options.picture.load, c), options.inspect, c);
                          }));
@@ -69,10 +79,13 @@ int run(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
     try {
-        return rakelight::cli::run(argc, argv);
+        const int code = rakelight::cli::run(argc, argv);
+        rakelight::cli::CancelOnInterrupt::die_of_signal();
+        return code;
     } catch (...) {
         const rakelight::Error error = rakelight::cli::current_error("");
         rakelight::cli::print_error(error);
+        rakelight::cli::CancelOnInterrupt::die_of_signal();
         return rakelight::exit_code(error.code());
     }
 }

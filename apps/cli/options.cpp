@@ -149,11 +149,30 @@ Options finish(Options options, const CommonWords& common) {
     return options;
 }
 
+/// The words that CLI11 would not explain: a verb that is none, an empty value, a file that looks like an option.
+void check_words(int argc, const char* const* argv) {
+    const std::string_view first = argc > 1 ? argv[1] : "";
+    if (argc > 1 && !first.starts_with('-') && first != "render" && first != "inspect")
+        throw Error(ErrorCode::usage, "unknown command '" + one_line(std::string(first), 40) + "'", {},
+                    "use render or inspect, see rakelight --help");
+    for (int i = 2; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+        const std::string_view word = argv[i], option = argv[i - 1];
+        const bool is_value = option.starts_with('-') && option.find('=') == option.npos;
+        if ((word.empty() && is_value) || (word.starts_with("--") && word.ends_with('=')))
+            throw Error(ErrorCode::usage, one_line(std::string(word.empty() ? option : word), 40) + ": the value is empty");
+        if (word.empty()) throw Error(ErrorCode::usage, "the name of a model is empty");
+    }
+}
+
 /// CLI11's message as one line that says where help is.
 Error usage_error(const CLI::ParseError& fault, const CLI::App& app) {
     std::string verb;
     for (const CLI::App* sub : app.get_subcommands()) verb += " " + sub->get_name();
     std::string text = fault.what();
+    for (const std::string& word : app.remaining(true))
+        if (word.starts_with('-') && word.find('.') != word.npos)
+            return Error(ErrorCode::usage, "'" + one_line(word, 60) + "' looks like an option", {},
+                         "for a file write ./" + one_line(word, 60));
     for (char& c : text) c = c == '\n' ? ' ' : c;
     return Error(ErrorCode::usage, text, {}, "see rakelight" + verb + " --help");
 }
@@ -165,14 +184,23 @@ std::string help_of(const CLI::App& app) {
 
 }  // namespace
 
+/// `rakelight help [VERB]` is `rakelight [VERB] --help`.
+static Options parse_help(int argc, const char* const* argv) {
+    if (argc > 3) throw Error(ErrorCode::usage, "help takes one command", {}, "see rakelight --help");
+    const char* const words[] = {argv[0], argc > 2 ? argv[2] : "--help", "--help"};
+    return parse(argc > 2 ? 3 : 2, words);
+}
+
 Options parse(int argc, const char* const* argv) {
+    if (argc > 1 && std::string_view(argv[1]) == "help") return parse_help(argc, argv);
+    check_words(argc, argv);
     Options options;
     RenderWords words;
     CommonWords common;
     CLI::App app("Renders 3D models made of many parts: bumps show, seams do not.", "rakelight");
     app.formatter(std::make_shared<HelpLayout>());  // before the verbs, which inherit it
     app.set_help_flag("-h,--help", "Show this help; rakelight VERB --help shows a verb's");
-    app.set_version_flag("--version", std::string("-"), "Say version, formats, engines and instruction sets");
+    app.set_version_flag("-V,--version", std::string("-"), "Say version, formats, engines and instruction sets");
     app.require_subcommand(1);
     app.footer(main_footer);
     CLI::App* render = app.add_subcommand("render", "Draw models to picture files");
@@ -204,9 +232,18 @@ Options parse(int argc, const char* const* argv) {
     return finish(std::move(options), common);
 }
 
+/// No "{...}" but "{model}".
+static void check_template(const std::string& output) {
+    for (std::size_t at = 0; (at = output.find('{', at)) != std::string::npos; ++at)
+        if (const std::size_t end = output.find('}', at);
+            end != std::string::npos && std::string_view(output).substr(at, end + 1 - at) != "{model}")
+            throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "': only {model} is filled in");
+}
+
 std::vector<PictureRequest> picture_requests(const Options& options) {
     constexpr std::string_view mark = "{model}";
     std::vector<PictureRequest> requests;
+    check_template(options.picture.output);
     std::map<std::string, std::string> inputs_of;  // output -> input
     for (const std::string& input : options.inputs) {
         PictureRequest request = options.picture;

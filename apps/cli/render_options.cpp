@@ -2,6 +2,9 @@
 // What the words of `rakelight render` mean.
 #include "render_options.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "values.h"
 
 namespace rakelight::cli {
@@ -124,7 +127,9 @@ void apply_view(const RenderWords& w, ViewRequest& v) {
 void apply_textures(const RenderWords& w, TextureOverrides& t) {
     t.base_color = w.texture_base_color;
     t.normal = w.texture_normal;
-    if (!w.normal_scale.empty()) t.normal_scale = number("--normal-scale", w.normal_scale);
+    if (w.normal_scale.empty()) return;
+    t.normal_scale = number("--normal-scale", w.normal_scale);
+    if (!(std::fabs(*t.normal_scale) <= 100)) throw Error(ErrorCode::usage, "--normal-scale: must be -100 to 100");
 }
 
 }  // namespace
@@ -138,6 +143,12 @@ void apply(const RenderWords& words, PictureRequest& request) {
     apply_textures(words, request.textures);
     apply_view(words, request.view);
     if (words.lights.empty()) return;
+    if (words.lights.size() == 1 && words.lights[0] == "default") {
+        request.default_lights = true;
+        return;
+    }
+    if (std::find(words.lights.begin(), words.lights.end(), "default") != words.lights.end())
+        throw Error(ErrorCode::usage, "--light default stands alone");
     request.lights.emplace();
     for (const std::string& text : words.lights) request.lights->push_back(light("--light", text));
 }

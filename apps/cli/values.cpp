@@ -81,9 +81,15 @@ std::uint64_t byte_size(const std::string& option, std::string_view text) {
             digits.remove_suffix(1);
         }
     }
-    std::uint64_t value = 0;
-    if (!parse(digits, value) || value == 0 || value > (~0ull >> shift)) refuse(option, text, expected);
-    return value << shift;
+    std::uint64_t whole = 0;
+    if (parse(digits, whole)) {
+        if (whole == 0 || whole > (~0ull >> shift)) refuse(option, text, expected);
+        return whole << shift;
+    }
+    double value = 0;
+    const double bytes = parse(digits, value) ? value * double(std::uint64_t{1} << shift) : 0;
+    if (!(bytes >= 1 && bytes < 18446744073709551616.0)) refuse(option, text, expected);
+    return std::uint64_t(bytes);
 }
 
 }  // namespace rakelight::cli

@@ -23,7 +23,7 @@ int integer(const std::string& option, std::string_view text, int low, int high)
 /// Integers separated by commas ("1280,720"; a resolution may also be written "1280x720").
 std::vector<int> integers(const std::string& option, std::string_view text, std::size_t count);
 
-/// "500M", "4G", "1073741824": bytes, powers of 1024.
+/// "500M", "1.5G", "1073741824": bytes, powers of 1024.
 std::uint64_t byte_size(const std::string& option, std::string_view text);
 
 /// Display color "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", or "transparent": linear RGB and alpha.

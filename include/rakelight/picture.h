@@ -44,7 +44,7 @@ struct TextureOverrides {
 
 /// The scene with its materials so changed; meshes without a material get one. A mesh without texture coordinates cannot
 /// show a texture: said in the report, unless `later` will make some.
-/// @throws Error not_found: a picture file that is not there
+/// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
 Scene override_textures(const Scene& scene, const TextureOverrides& overrides, UvProjection later, Context& context);
 
 /// One picture to be made.
@@ -57,6 +57,7 @@ struct PictureRequest {
     PrepareOptions prepare;
     ViewRequest view;
     std::optional<std::vector<Light>> lights;  ///< replace all lights; else the file's, else the default rig
+    bool default_lights = false;               ///< the default rig although the file has lights; `lights` goes first
     RenderSettings
         settings;  ///< channels go into files beside the output: NAME.depth.exr, NAME.normal.exr, ...; a window
                    ///< makes the picture as large as the window; alpha is written when background.w < 1

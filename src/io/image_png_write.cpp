@@ -2,6 +2,9 @@
 // PNG by libspng, row by row, 8 or 16 bits a component.
 #include <spng.h>
 
+#include <cerrno>
+#include <system_error>
+
 #include "io/file.h"
 #include "io/image_codecs.h"
 
@@ -47,8 +50,12 @@ private:
     static constexpr std::uint8_t perceptual_intent = 0;
     static constexpr int run_lengths = 3;  // Z_RLE of zlib.h
 
-    void require(int result) const {
-        if (result != 0) throw Error(ErrorCode::failed, std::string("cannot be written: ") + spng_strerror(result)).with_file(path_);
+    void require(int result) {
+        if (result == 0) return;
+        // libspng writes by stdio, which sets errno, and may say "non-recoverable state" then.
+        const int code = std::ferror(file_.handle()) ? errno : 0;
+        const std::string reason = code != 0 ? std::generic_category().message(code) : spng_strerror(result);
+        throw Error(ErrorCode::failed, "cannot be written: " + reason).with_file(path_);
     }
 
     std::string path_;

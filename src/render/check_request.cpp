@@ -33,7 +33,8 @@ void check_output(const PictureRequest& request) {
     const std::filesystem::path path(request.output);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder, ignored))
-        throw Error(ErrorCode::failed, "the folder '" + one_line(folder.string(), 160) + "' does not exist");
+        throw Error(ErrorCode::failed, "the folder '" + one_line(folder.string(), 160) + "' does not exist", {},
+                    "create it first");
     if (std::filesystem::is_directory(path, ignored)) throw Error(ErrorCode::failed, "a folder has this name");
 }
 

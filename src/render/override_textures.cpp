@@ -11,8 +11,14 @@ namespace rakelight {
 namespace {
 
 /// Adds a picture file as a repeating texture and returns its use.
-TextureUse add_texture(Scene& scene, const std::string& path) {
-    if (!io::is_regular_file(path)) throw Error(ErrorCode::not_found, "there is no such picture").with_file(path);
+TextureUse add_texture(Scene& scene, const std::string& path, Context& context) {
+    try {  // what the caller asked for must not be left out silently; the engine decodes it again when it needs it
+        const io::Bytes bytes = io::read_file(path, context);
+        io::decode_image(*bytes, context);
+        context.memory().release(bytes->size());
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
     scene.textures.push_back({path, io::image_from_file(path, path, path), {}});
     TextureUse use;
     use.texture = std::uint32_t(scene.textures.size() - 1);
@@ -43,8 +49,8 @@ Scene override_textures(const Scene& scene, const TextureOverrides& overrides, U
     Scene changed = scene;
     name_default_material(changed);
     TextureUse base_color, normal;
-    if (!overrides.base_color.empty()) base_color = add_texture(changed, overrides.base_color);
-    if (!overrides.normal.empty()) normal = add_texture(changed, overrides.normal);
+    if (!overrides.base_color.empty()) base_color = add_texture(changed, overrides.base_color, context);
+    if (!overrides.normal.empty()) normal = add_texture(changed, overrides.normal, context);
     for (Material& m : changed.materials) {
         if (base_color) m.base_color_texture = base_color;
         if (normal) m.normal_texture = normal;

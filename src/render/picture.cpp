@@ -35,10 +35,10 @@ std::uint64_t count_objects(const Scene& scene) {
 }
 
 /// The scene with the lights that the picture is lit by.
-Scene with_lights(Scene scene, const std::optional<std::vector<Light>>& wanted, const Camera& camera) {
-    if (wanted)
-        scene.lights = *wanted;
-    else if (scene.lights.empty())
+Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
+    if (request.lights)
+        scene.lights = *request.lights;
+    else if (request.default_lights || scene.lights.empty())
         scene.lights = default_lights(camera.to_world);
     return scene;
 }
@@ -63,12 +63,14 @@ void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& r
         RenderSettings band = settings;
         band.window = {window.x, window.y + y, window.width, height};
         Stopwatch watch;
+        context.set_progress_part(double(y) / window.height, double(y + height) / window.height);
         add(result.stats, engine.render(camera, band, sink, context));
         result.render_ms += watch.lap_ms();
         files.write(sink, height);
         result.write_ms += watch.lap_ms();
         y += height;
     }
+    context.set_progress_part(0, 1);
     context.throw_if_cancelled();
     const Stopwatch watch;
     files.finish();
@@ -90,7 +92,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     check_drawable(scene);
     const double aspect = double(request.settings.width) / double(request.settings.height);
     const Camera camera = choose_camera(scene, request.view, aspect, context);
-    scene = prepare_scene(with_lights(std::move(scene), request.lights, camera), request.prepare, context);
+    scene = prepare_scene(with_lights(std::move(scene), request, camera), request.prepare, context);
     engine.prepare(scene, context);
     result.triangles = triangle_count(scene);
     result.objects = count_objects(scene);

@@ -7,6 +7,8 @@ import json
 import os
 import pathlib
 import pty
+import re
+import resource
 import shutil
 import signal
 import struct
@@ -194,7 +196,9 @@ class Cli(unittest.TestCase):
 
     def test_wrong_usage_is_exit_2_with_one_line(self):
         self.write("a.obj")
-        wrong = (("--resolution", "12"), ("--resolution", "0,5"), ("--resolution", "99999999999,5"), ("--resolution", "1e3,5"),
+        wrong = (("--view", "front", "--camera-position", "0,0,5"), ("--camera-index", "0", "--camera-position", "0,0,5"),
+                 ("--light", "default", "--light", "ambient:1,1,1"), ("--light", "spot:0,0,1:exponent=-1"), ("--normal-scale", "101"),
+                 ("--camera-position", "1e30,0,0"), ("--max-memory", "1.5X"), ("--resolution", "12"), ("--resolution", "0,5"), ("--resolution", "99999999999,5"), ("--resolution", "1e3,5"),
                  ("--window", "0,0,9999,1"), ("--window", "0,0,0,0"), ("--window", "-1,0,5,5"), ("--engine", "hard"), ("--engine", "gl"),
                  ("--shading", "flat"), ("--shading", "gouraud"), ("--shading", "x"), ("--lighting", "pbr"), ("--bump", "steep"),
                  ("--normals", "none"), ("--crease-angle", "181"), ("--crease-angle", "nan"), ("--crease-angle", "60deg"),
@@ -208,10 +212,60 @@ class Cli(unittest.TestCase):
         for arguments in wrong:
             with self.subTest(arguments=arguments):
                 self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", *arguments), 2)
+        self.check_refused(self.run_program("rendr", "a.obj"), 2, "unknown command 'rendr'")
+        self.check_refused(self.run_program("render", "-lead.glb", "-o", "a.png"), 2, "./-lead.glb")
+        self.check_refused(self.run_program("render", "a.obj", "-o", "{name}.png"), 2, "{model}")
         for arguments in ((), ("paint",), ("render",), ("render", "a.obj"), ("render", "-o", "a.png"), ("inspect",), ("--what",)):
             with self.subTest(arguments=arguments):
                 self.check_refused(self.run_program(*arguments), 2, "--help")
         self.check_refused(self.run_program("render", "a.obj", "-o", "a.gif"), 2, "a.gif")
+        self.assertEqual(self.files(), ["a.obj"])
+
+    def test_an_empty_value_is_wrong_usage_for_every_option(self):
+        self.write("a.obj")
+        options = set(re.findall(r"(--[a-z-]+) [A-Z{a-z]", self.run_program("render", "--help").out.split("Lights:")[0]))
+        self.assertGreater(len(options), 25)
+        for option in sorted(options):
+            with self.subTest(option=option):
+                for arguments in ((option, ""), (option + "=",)):
+                    self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", *arguments), 2, option, "empty")
+        self.check_refused(self.run_program("render", "", "-o", "a.png"), 2)
+        self.assertEqual(self.files(), ["a.obj"])
+
+    def test_a_picture_for_the_materials_must_be_one(self):
+        self.write("a.obj")
+        self.write("text.png", "no picture")
+        (self.folder / "folder.png").mkdir()
+        for name, code, words in (("text.png", 4, "picture"), ("folder.png", 3, "is a folder"), ("none.png", 3, "")):
+            for option in ("--texture-base-color", "--texture-normal"):
+                result = self.run_program("render", "a.obj", "-o", "a.png", option, name)
+                self.check_refused(result, code, name, words)
+                self.assertEqual(result.err.count(name), 1, result.err)
+
+    def test_a_full_disk_is_named(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        self.write("a.obj")
+        for ending in ("png", "exr", "hdr"):
+            os.symlink("/dev/full", self.folder / f"full.{ending}")
+            result = self.run_program("render", "a.obj", "-o", f"full.{ending}", "--background", "1,0,0")
+            self.check_refused(result, 1, "No space left on device")
+
+    def test_default_light_and_view_and_memory_in_fractions_are_understood(self):
+        self.write("a.obj")
+        plain = ("render", "a.obj", "-o", "a.png", "--resolution", "40,30")
+        self.assertEqual(self.run_program(*plain).code, 0)
+        before = (self.folder / "a.png").read_bytes()
+        result = self.run_program(*plain, "--light", "default", "--view", "default", "--max-memory", "1.5G")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual((self.folder / "a.png").read_bytes(), before)
+
+    def test_a_file_that_grows_too_large_is_an_error_not_a_signal(self):
+        self.write("a.obj")
+        done = subprocess.run([PROGRAM, "render", "a.obj", "-o", "a.exr"], cwd=self.folder, stderr=subprocess.PIPE, text=True, timeout=60,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("cannot be written", done.stderr)
         self.assertEqual(self.files(), ["a.obj"])
 
     def test_an_instruction_set_that_cannot_be_had_is_exit_2(self):
@@ -333,7 +387,7 @@ class Cli(unittest.TestCase):
             time.sleep(delay)
             process.send_signal(signal.SIGTERM)
             error = process.communicate(timeout=120)[1]
-            self.assertIn(process.returncode, (0, 1, -signal.SIGTERM), error)
+            self.assertIn(process.returncode, (0, -signal.SIGTERM), error)
             self.assertIn(self.files(), (["grid.obj"], ["a.png", "grid.obj"]))
             self.assertEqual(process.returncode == 0, "a.png" in self.files())
             (self.folder / "a.png").unlink(missing_ok=True)
@@ -342,13 +396,16 @@ class Cli(unittest.TestCase):
         names = [f"{i}.obj" for i in range(60)]
         for name in names:
             self.write(name)
-        process = subprocess.Popen([PROGRAM, "render", *names, "-o", "{model}.png", "--resolution", "2400,1800"], cwd=self.folder,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        process = subprocess.Popen([PROGRAM, "render", *names, "-o", "{model}.png", "--resolution", "2400,1800", "--json"],
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         while not (self.folder / "0.png").exists() and process.poll() is None:
             time.sleep(0.005)
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=120)
-        self.assertNotEqual(process.returncode, 2)
+        out = process.communicate(timeout=120)[0]
+        self.assertEqual(process.returncode, -signal.SIGINT)
+        rows = json.loads(out)["rows"]
+        self.assertEqual([row["file"] for row in rows], names)
+        self.assertEqual(rows[-1]["error"]["message"], "cancelled")
         left = [name for name in self.files() if not name.endswith(".obj")]
         self.assertLess(len(left), 60)
         self.assertTrue(all(name.endswith(".png") for name in left), left)  # no temporary file
@@ -395,7 +452,7 @@ class Cli(unittest.TestCase):
         self.assertEqual(rows[1]["triangles"], 2)
 
     def test_help_and_version_go_to_standard_output(self):
-        for arguments in (("--help",), ("render", "--help"), ("inspect", "-h")):
+        for arguments in (("--help",), ("render", "--help"), ("inspect", "-h"), ("help",), ("help", "render")):
             result = self.run_program(*arguments)
             self.assertEqual((result.code, result.err), (0, ""))
             self.assertIn("Examples:", result.out)

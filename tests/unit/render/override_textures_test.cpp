@@ -53,6 +53,21 @@ TEST(OverrideTextures, AMeshWithoutTextureCoordinatesIsNamed) {
     EXPECT_TRUE(quiet.report().entries().empty()) << "texture coordinates will be made";
 }
 
+TEST(OverrideTextures, AFolderAndAFileThatIsNoPictureAreErrors) {
+    Context context;
+    const std::string folder = source_dir().string(), text = (source_dir() / "README.md").string();
+    for (const auto& [path, code] : {std::pair{folder, ErrorCode::not_found}, std::pair{text, ErrorCode::bad_file}}) {
+        try {
+            override_textures(Scene{}, {.base_color = path}, UvProjection::none, context);
+            FAIL() << path;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), code);
+            EXPECT_EQ(e.file(), path);
+            EXPECT_EQ(e.place(), "");
+        }
+    }
+}
+
 TEST(OverrideTextures, APictureThatIsNotThereIsAnError) {
     Context context;
     try {
