@@ -52,6 +52,17 @@ bool spans_texture(const Mesh& mesh, std::uint32_t set) {
     return false;
 }
 
+/// People wonder why a model of parts looks faceted: glTF asks for it.
+void note_flat_meshes(const Scene& scene, Report& report) {
+    if (!scene.missing_normals_are_flat) return;
+    for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
+        const Mesh& mesh = scene.meshes[i];
+        if (mesh.topology == Topology::triangles && mesh.normals.empty())
+            report.add(Remark::note, scene.source, Place{"mesh", i, mesh.name}.text(),
+                       "no normals: flat faces, as glTF says; --normals model smooths");
+    }
+}
+
 void warn_of_tangents(const Scene& scene, Report& report) {
     std::vector<bool> seen(scene.meshes.size(), false);
     for (const Instance& instance : drawn_instances(scene)) {
@@ -78,6 +89,7 @@ Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& 
     Scene out = repair_scene(scene, keep_normals, context);
     if (options.uv != UvProjection::none) out = project_texcoords(out, options.uv, context);
     warn_of_tangents(out, context.report());
+    if (options.normals == NormalSource::automatic) note_flat_meshes(out, context.report());
     const SmoothRequest request = request_for(out, options);
     context.throw_if_cancelled();
     out = smooth_meshes(out, request, context);
