@@ -27,6 +27,7 @@ inline constexpr const char* render_footer = R"(Lights:
       :exponent=E       falls off as cos^E from the axis (default 0)
     directional:X,Y,Z   the way the light goes; :color= :specular=
     ambient:R,G,B       light from everywhere
+    default             the default lights although the model has its own
 
 Examples:
   rakelight render helmet.glb -o helmet.png
@@ -40,7 +41,14 @@ Examples:
       Each model to its own picture; one that fails does not stop the others.
   rakelight render chair.glb -o chair.png --background transparent \
       --channels depth,normal
-      With alpha; depth and normals go to chair.depth.exr and chair.normal.exr.)";
+      With alpha; depth and normals go to chair.depth.exr and chair.normal.exr.
+
+Channels (EXR, 32-bit floats): depth in metres along the view axis, +inf where
+nothing is; normal in world space, 0 where nothing is; object and material as
+numbers from 0, -1 where nothing is.
+Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
+4 file broken or nothing to draw; of several inputs the largest. A signal ends
+the program as that signal (130 and 143 in a shell).)";
 
 inline constexpr const char* inspect_footer =
     R"(Borders are world positions that two objects share. Their angle says how far

@@ -89,7 +89,7 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Output", "-o,--output", w.output, "FILE",
         "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for the model's name")
         ->required();
-    add(app, "Output", "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1280,720)");
+    add(app, "Output", "--resolution", w.resolution, "W,H", "Size of the picture in pixels, also WxH (default 1280,720)");
     add(app, "Output", "--window", w.window, "X,Y,W,H",
         "Draw and write only this part of the picture; 0,0 is the top left pixel");
     add(app, "Output", "--background", w.background, "COLOR",
