@@ -43,7 +43,7 @@ Examples:
       --channels depth,normal
       With alpha; depth and normals go to chair.depth.exr and chair.normal.exr.
 
-Channels (EXR, 32-bit floats): depth in metres along the view axis, +inf where
+Channels (EXR, 32-bit floats): depth in meters along the view axis, +inf where
 nothing is; normal in world space, 0 where nothing is; object and material as
 numbers from 0, -1 where nothing is.
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,

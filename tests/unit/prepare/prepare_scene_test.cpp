@@ -66,6 +66,23 @@ TEST(PrepareScene, AutomaticIsFlatForFormatsThatSaySo) {
     for (std::size_t c = 6; c < 12; ++c) EXPECT_NEAR(after.normals[after.indices[c]].x, std::sin(radians(30)), 1e-6);
 }
 
+TEST(PrepareScene, ANoteSaysWhyAFormatsMeshesAreFlat) {
+    Scene scene = scene_of({folded_mesh(radians(30))});
+    scene.missing_normals_are_flat = true;
+    for (const NormalSource source : {NormalSource::automatic, NormalSource::flat, NormalSource::model}) {
+        Context context;
+        PrepareOptions options;
+        options.normals = source;
+        prepare_scene(scene, options, context);
+        const auto entries = context.report().entries();
+        ASSERT_EQ(entries.size(), source == NormalSource::automatic ? 1u : 0u);
+        if (!entries.empty()) {
+            EXPECT_EQ(entries[0].remark, Remark::note);
+            EXPECT_NE(entries[0].message.find("--normals model"), std::string::npos);
+        }
+    }
+}
+
 TEST(PrepareScene, AutomaticSmoothsOverTheModelUpToTheCreaseAngle) {
     const Mesh soft = prepared(scene_of({folded_mesh(radians(30))})).meshes[0];
     EXPECT_EQ(soft.positions.size(), 6u);

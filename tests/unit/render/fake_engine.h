@@ -24,6 +24,7 @@ public:
             const int x = int(i) % tiles_x * 64, y = int(i) / tiles_x * 64;
             deliver({w.x + x, w.y + y, std::min(64, w.width - x), std::min(64, w.height - y)}, s, sink);
         });
+        context.progress("render", 1);
         sink.end_pass(0);
         RenderStats stats;
         stats.triangles_in = 7;

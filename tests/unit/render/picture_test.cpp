@@ -92,6 +92,16 @@ TEST_F(Picture, AVeryLargePictureGoesInBandsWithoutASeam) {
     EXPECT_EQ(result.stats.pixels_covered, 65536u * 300u);
 }
 
+TEST_F(Picture, ProgressIsOneSweepOverAllBands) {
+    std::vector<double> told;
+    Context context({.threads = 2, .progress = [&](std::string_view, double fraction) { told.push_back(fraction); }});
+    PictureResult result;
+    draw_to_files(engine_, {}, {.output = file("b.png"), .settings = {.width = 65536, .height = 300}}, result, context);
+    ASSERT_EQ(told.size(), 2u);
+    EXPECT_DOUBLE_EQ(told[0], 256.0 / 300);
+    EXPECT_DOUBLE_EQ(told[1], 1);
+}
+
 TEST_F(Picture, ATransparentBackgroundGivesAlphaAsTheFormatWantsIt) {
     PictureSink sink({Component::u8, 4});
     sink.begin(3, 1, {}, 0);
