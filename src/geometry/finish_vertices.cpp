@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/face_vote.h"
+#include "geometry/perpendicular.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 constexpr dvec3 no_normal{0, 0, 1};
 
 dvec3 times_transposed(const dmat3& m, dvec3 v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
-
-dvec3 perpendicular(dvec3 n) {
-    const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
-    const dvec3 axis = x <= y && x <= z ? dvec3{1, 0, 0} : y <= z ? dvec3{0, 1, 0} : dvec3{0, 0, 1};
-    return normalize_or(axis - n * dot(n, axis), dvec3{1, 0, 0});
-}
 
 // A matrix that flattens has no inverse; its normals lie along the only direction that its cofactor matrix takes anywhere.
 dvec3 to_object(const Placement& placement, dvec3 normal) {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tangents that are made after the normals: MikkTSpace's and the published ones.
+#pragma once
+#include "geometry/attribute_plan.h"
+
+namespace rakelight::geometry {
+
+/// Adds tangents (and bitangents) to finished normals by plan.options.tangent_mode, for meshes with texture
+/// coordinates.
+void add_tangents(std::vector<MeshAttributes>& meshes, const AttributePlan::Impl& plan, const AttributeInput& input,
+                  Context& context);
+
+}  // namespace rakelight::geometry
