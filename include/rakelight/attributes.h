@@ -115,4 +115,55 @@ std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<cons
 std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                Context& context);
 
+/// Where compute_attributes_into() writes for one mesh, by the input's vertex numbers; entries beyond V are left alone.
+struct AttributeBuffers {
+    std::span<vec3> normals;   ///< [>= V]
+    std::span<vec4> tangents;  ///< [>= V] where the mesh has texcoords and tangents are asked for; else not looked at
+};
+
+/// A corner (3 * triangle + 0, 1 or 2) that uses another vertex than the input's index says.
+struct CornerVertex {
+    std::uint32_t corner, vertex;
+    bool operator==(const CornerVertex&) const = default;
+};
+
+/// What the buffers of one mesh have no place for: the vertices that had to be split. All empty where none was (V' = V); else
+/// append normals and tangents to the buffers' first V entries and change the listed corners, and MeshAttributes is complete.
+struct SplitAttributes {
+    std::vector<std::uint32_t> source_vertex;  ///< [V' - V] the vertex that each appended one copies; ascending
+    std::vector<vec3> normals;                 ///< [V' - V]
+    std::vector<vec4> tangents;                ///< [V' - V], or empty as the mesh has none
+    std::vector<CornerVertex> corners;         ///< ascending; each vertex is >= V
+    std::uint32_t degenerate_faces = 0;        ///< as in MeshAttributes
+    std::uint32_t isolated_vertices = 0;
+};
+
+/// Scratch memory of compute_attributes_into(), kept for the next call (of any sizes): 16 bytes a vertex for normals, 32 for
+/// normals and tangents, 8 more for the weld. For one call at a time.
+class AttributeWorkspace {
+public:
+    AttributeWorkspace();
+    AttributeWorkspace(AttributeWorkspace&&) noexcept;
+    AttributeWorkspace& operator=(AttributeWorkspace&&) noexcept;
+    ~AttributeWorkspace();
+    std::size_t bytes() const;  ///< held now
+    struct Impl;
+    Impl& impl() { return *impl_; }
+
+private:
+    std::unique_ptr<Impl> impl_;
+};
+
+/// compute_attributes() into the caller's own buffers. Where everything at a place is joined (crease angle pi, weight uniform, scope
+/// model or object, no smoothing groups or hints, weld exact, all meshes by one matrix that keeps angles) nothing of the
+/// size of the model is allocated once the workspace has grown to it; other options cost what compute_attributes() costs.
+///
+/// @param out  [meshes] the same buffer must not stand twice, nor overlap the input
+/// @return what was split and counted, one entry a mesh; the same values as compute_attributes() gives
+/// @throws Error usage: a buffer too small (mesh and sizes in the message), and what compute_attributes() throws; then the
+///         buffers hold anything
+std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                                     std::span<const AttributeBuffers> out, AttributeWorkspace& workspace,
+                                                     Context& context);
+
 }  // namespace rakelight

@@ -50,7 +50,9 @@ Placement place(const dmat4& to_world) {
     return p;
 }
 
-// The first bad index of all, whichever thread meets one first.
+}  // namespace
+
+// Whichever thread meets one first.
 void check_indices(const AttributeInput& input, Context& context) {
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     std::vector<std::uint32_t> first_bad(chunks.size(), none);
@@ -75,9 +77,7 @@ void check_indices(const AttributeInput& input, Context& context) {
                 " exceeds " + std::to_string(input.meshes[m].positions.size()) + " vertices");
 }
 
-}  // namespace
-
-AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& context) {
+AttributeInput number_input(std::span<const AttributeMesh> meshes) {
     AttributeInput input;
     input.meshes = meshes;
     std::uint64_t vertices = 0, triangles = 0;
@@ -94,6 +94,11 @@ AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& conte
     }
     input.vertex_base.push_back(std::uint32_t(vertices));
     input.triangle_base.push_back(std::uint32_t(triangles));
+    return input;
+}
+
+AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& context) {
+    AttributeInput input = number_input(meshes);
     check_indices(input, context);
     return input;
 }

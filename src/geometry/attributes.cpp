@@ -9,6 +9,7 @@
 
 #include "geometry/attribute_input.h"
 #include "geometry/attribute_plan.h"
+#include "geometry/fast_attributes.h"
 #include "geometry/finish_vertices.h"
 #include "geometry/mirror_split.h"
 #include "geometry/near_weld.h"
@@ -145,6 +146,13 @@ std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<cons
 
 std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                Context& context) {
+    check_options(options);
+    if (geometry::takes_fast_path(meshes, options)) return geometry::fast_attributes(meshes, options, context);
+    return geometry::general_attributes(meshes, options, context);
+}
+
+std::vector<MeshAttributes> geometry::general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                                         Context& context) {
     return run(meshes, options, context).meshes;
 }
 
