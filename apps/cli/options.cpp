@@ -184,6 +184,12 @@ Options parse(int argc, const char* const* argv) {
     add_normal_options(*inspect, words);
     add_common_options(*inspect, common);
     inspect->footer(inspect_footer);
+    CLI::App* smooth = app.add_subcommand("smooth", "Write models back with seam-free normals and tangents");
+    SmoothWords smooth_words;
+    add_inputs(*smooth, options.inputs, "Model files, or builtin:teapot");
+    add_smooth_options(*smooth, smooth_words);
+    add_common_options(*smooth, common);
+    smooth->footer(smooth_footer);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -198,6 +204,11 @@ Options parse(int argc, const char* const* argv) {
     options.verb = render->parsed() ? Verb::render : Verb::inspect;
     apply(words, options.picture);
     options.inspect = {.borders = !no_borders, .prepare = options.picture.prepare};
+    if (smooth->parsed()) {
+        options.verb = Verb::smooth;
+        options.picture.output = smooth_words.output;
+        apply(smooth_words, options.smooth);
+    }
     return finish(std::move(options), common);
 }
 
@@ -215,8 +226,9 @@ std::vector<PictureRequest> picture_requests(const Options& options) {
              at += stem.size(), replaced = true)
             request.output.replace(at, mark.size(), stem);
         if (options.inputs.size() > 1 && !replaced)
-            throw Error(ErrorCode::usage, "several models need a name for each picture", {},
-                        "write for example -o 'out/{model}.png'");
+            throw Error(ErrorCode::usage, options.verb == Verb::smooth ? "several models need a name for each output"
+                                                                        : "several models need a name for each picture",
+                        {}, options.verb == Verb::smooth ? "write for example -o 'out/{model}.glb'" : "write for example -o 'out/{model}.png'");
         const auto [entry, is_new] =
             inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
         if (!is_new)

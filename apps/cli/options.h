@@ -9,10 +9,11 @@
 #include <rakelight/picture.h>
 
 #include "console.h"
+#include "smooth_verb.h"
 
 namespace rakelight::cli {
 
-enum class Verb { help, version, render, inspect };
+enum class Verb { help, version, render, inspect, smooth };
 
 struct Options {
     Verb verb = Verb::help;
@@ -20,6 +21,7 @@ struct Options {
     std::vector<std::string> inputs;
     PictureRequest picture;  ///< output holds the name template
     InspectOptions inspect;
+    SmoothFileOptions smooth;
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool json = false;

@@ -14,5 +14,6 @@
 #include <rakelight/render.h>
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
+#include <rakelight/smooth_file.h>
 #include <rakelight/vector.h>
 #include <rakelight/version.h>
