@@ -22,15 +22,14 @@ bool keeps_angles(const dmat4& m) {
     return near(dot(y, y), size) && near(dot(z, z), size) && near(dot(x, y), 0) && near(dot(y, z), 0) && near(dot(z, x), 0);
 }
 
-// Options that only the general path has.
-template <class Options>
-bool is_plain(const Options& o) {
-    bool plain = true;
-    if constexpr (requires { o.tangent_mode; o.orthogonalize; o.measure_orthogonality; o.fans; })
-        plain = o.tangent_mode == decltype(o.tangent_mode)::averaged && o.orthogonalize == decltype(o.orthogonalize)::attribute &&
-                !o.measure_orthogonality && !o.fans;
-    if constexpr (requires { o.locked; o.position_step; }) plain = o.locked.empty() && o.position_step == 0;
-    return plain;
+// Without what only the general path has.
+bool is_plain(const AttributeOptions& o) {
+    return o.tangent_mode == TangentMode::averaged && o.orthogonalize == Orthogonalize::attribute && !o.measure_orthogonality &&
+           !o.fans;
+}
+bool is_plain(const AttributeMesh& m) {
+    return m.locked.empty() && m.position_step == 0 && m.smoothing_hint.empty() &&
+           (m.smoothing.empty() || m.group_kind == GroupKind::none);
 }
 
 const FastKernels& kernels_for(Isa isa) {
@@ -77,8 +76,7 @@ bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptio
                       options.weight == CornerWeight::uniform && options.weld_distance <= 0;
     if (!fits || !is_plain(options) || meshes.empty() || !keeps_angles(meshes[0].to_world)) return false;
     return std::all_of(meshes.begin(), meshes.end(), [&](const AttributeMesh& m) {
-        return m.to_world == meshes[0].to_world && m.smoothing_hint.empty() && is_plain(m) &&
-               (m.smoothing.empty() || m.group_kind == GroupKind::none);
+        return m.to_world == meshes[0].to_world && is_plain(m);
     });
 }
 

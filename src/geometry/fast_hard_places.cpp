@@ -48,19 +48,27 @@ private:
         for (const std::uint32_t v : wanted_) marks_[v >> 5] |= 1u << (v & 31);
     }
 
+    // Only stretches of faces whose range of vertices holds a wanted one are looked through.
     void collect_faces() {
-        const std::vector<Chunk> chunks = make_chunks(input_.triangle_base, triangles_per_chunk);
-        std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found(chunks.size());  // mesh, face
-        state_.context.parallel_for(chunks.size(), [&](std::size_t c) {
-            for_each_range(chunks[c], input_.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-                const std::uint32_t base = input_.vertex_base[m];
-                const std::uint32_t* index = input_.meshes[m].indices.data();
-                for (std::uint32_t t = first; t != last; ++t) {
-                    const std::uint32_t* corner = index + 3 * std::size_t(t);
-                    if (is_wanted(base + corner[0]) || is_wanted(base + corner[1]) || is_wanted(base + corner[2]))
-                        found[c].emplace_back(m, t);
-                }
-            });
+        const std::vector<std::size_t>& range_base = state_.scratch.range_base;
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> stretches;  // mesh, first face
+        for (std::uint32_t m = 0; m < input_.meshes.size(); ++m)
+            for (std::size_t r = range_base[m]; r < range_base[m + 1]; ++r) {
+                const VertexRange range = state_.scratch.ranges[r];
+                const auto at = std::lower_bound(wanted_.begin(), wanted_.end(), input_.vertex_base[m] + range.first);
+                if (at != wanted_.end() && *at <= input_.vertex_base[m] + range.last)
+                    stretches.emplace_back(m, std::uint32_t(r - range_base[m]) * faces_per_range);
+            }
+        std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found(stretches.size());  // mesh, face
+        state_.context.parallel_for(stretches.size(), [&](std::size_t s) {
+            const auto [m, first] = stretches[s];
+            const std::uint32_t base = input_.vertex_base[m], faces = std::uint32_t(input_.meshes[m].indices.size() / 3);
+            const std::uint32_t* index = input_.meshes[m].indices.data();
+            for (std::uint32_t t = first; t < std::min(faces, first + faces_per_range); ++t) {
+                const std::uint32_t* corner = index + 3 * std::size_t(t);
+                if (is_wanted(base + corner[0]) || is_wanted(base + corner[1]) || is_wanted(base + corner[2]))
+                    found[s].emplace_back(m, t);
+            }
         });
         std::vector<std::uint32_t> part_of(input_.meshes.size(), 0xffffffffu);
         const auto part = [&](std::uint32_t m) -> PartMesh& {

@@ -35,6 +35,7 @@ struct ScatterJob {
     uint32_t foreign_count = 0;
     uint32_t* odd = nullptr;               ///< [odd_capacity] faces on which float arithmetic is not safe: for the caller
     uint32_t odd_count = 0;
+    uint32_t smallest = 0xffffffffu, largest = 0;  ///< of the indices met
     bool is_index_bad = false;             ///< an index was out of range; nothing was read through it
 };
 constexpr uint32_t face_block = 16;        ///< faces that a kernel takes at a time; a multiple of the lanes of every set

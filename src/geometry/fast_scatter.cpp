@@ -20,6 +20,7 @@ public:
     explicit FastScatter(FastState& state) : state_(state) {}
 
     bool run() {
+        prepare_ranges();
         const std::vector<std::uint32_t>& base = state_.input.triangle_base;
         const std::uint32_t meshes = std::uint32_t(state_.input.meshes.size());
         std::vector<Task> tasks;
@@ -49,10 +50,23 @@ public:
     }
 
 private:
+    void prepare_ranges() {
+        std::vector<std::size_t>& base = state_.scratch.range_base;
+        base.assign(1, 0);
+        for (const AttributeMesh& mesh : state_.input.meshes)
+            base.push_back(base.back() + (mesh.indices.size() / 3 + faces_per_range - 1) / faces_per_range);
+        state_.scratch.ranges.resize(base.back());
+    }
+
     struct Task {
         std::uint32_t mesh_begin, mesh_end, piece, pieces;
         bool clears;  ///< the rows it owns, before it adds to them
     };
+
+    // Pieces begin where a range does.
+    static std::uint32_t face_begin(std::uint32_t faces, std::uint32_t piece, std::uint32_t pieces) {
+        return piece == pieces ? faces : piece_begin(faces, piece, pieces) / faces_per_range * faces_per_range;
+    }
 
     std::uint32_t vertices(std::uint32_t m) const { return std::uint32_t(state_.input.meshes[m].positions.size()); }
 
@@ -101,8 +115,8 @@ private:
         job.texcoords = state_.is_textured(m) ? &mesh.texcoords[0].x : nullptr;
         job.indices = mesh.indices.data();
         job.vertices = vertices(m);
-        job.face = piece_begin(faces, task.piece, task.pieces);
-        job.face_end = piece_begin(faces, task.piece + 1, task.pieces);
+        job.face = face_begin(faces, task.piece, task.pieces);
+        const std::uint32_t face_end = face_begin(faces, task.piece + 1, task.pieces);
         job.rows = state_.row(state_.input.vertex_base[m]);
         job.own_begin = piece_begin(job.vertices, task.piece, task.pieces);
         job.own_end = piece_begin(job.vertices, task.piece + 1, task.pieces);
@@ -112,9 +126,16 @@ private:
             std::memset(job.rows + std::size_t(job.own_begin) * floats, 0, std::size_t(job.own_end - job.own_begin) * floats * sizeof(float));
         std::uint32_t degenerate = 0;
         const auto kernel = floats == tangent_row_floats ? state_.kernels.scatter_tangents : state_.kernels.scatter_normals;
-        while (job.face < job.face_end) {
+        while (job.face < face_end) {
+            const std::uint32_t range = job.face / faces_per_range;
+            if (job.face % faces_per_range == 0) {
+                job.smallest = 0xffffffffu;
+                job.largest = 0;
+            }
+            job.face_end = std::min(face_end, (range + 1) * faces_per_range);
             kernel(&job);
             if (job.is_index_bad) return false;
+            state_.scratch.ranges[state_.scratch.range_base[m] + range] = {job.smallest, job.largest};
             for (std::uint32_t i = 0; i < job.odd_count; ++i) degenerate += add_odd(job, mesh, task, slot, job.odd[i]) ? 0 : 1;
             const Parcel* parcels = static_cast<const Parcel*>(job.foreign);
             for (std::uint32_t i = 0; i < job.foreign_count; ++i) send(job, task, slot, parcels[i]);

@@ -25,11 +25,19 @@ struct LaneScratch {
     std::vector<std::uint32_t> odd;
 };
 
+/// The vertices that some consecutive faces of a mesh use lie in first..last.
+struct VertexRange {
+    std::uint32_t first = 0xffffffffu, last = 0;
+};
+constexpr std::uint32_t faces_per_range = 2048;
+
 struct FastScratch {
     LargeArray<float> rows;               ///< [vertices][floats]
     LargeArray<std::uint64_t> records;    ///< [vertices] of the weld
     std::vector<std::uint32_t> cursors;   ///< of the weld, [chunks][partitions]
     std::vector<std::vector<std::byte>> outbox;  ///< [chunks of a wave][pieces] parcels
+    std::vector<VertexRange> ranges;      ///< [meshes][faces / faces_per_range, rounded up]
+    std::vector<std::size_t> range_base;  ///< [meshes + 1]
     std::vector<LaneScratch> lanes;
     std::size_t bytes() const;
 };

@@ -81,6 +81,7 @@ private:
         return state_.options.scope == Scope::object ? input_.meshes[mesh].object * 0xd6e8feb86659fd93ull : 0;
     }
 
+    // Calls body(vertex, hash).
     template <class Body>
     void for_each_place(std::size_t chunk, const Body& body) const {
         for_each_range(chunks_[chunk], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {

@@ -20,6 +20,10 @@ inline void load_rows4(const float* rows, real* v) {
 inline void load_rows8(const float* rows, real* v) {
     for (int k = 0; k < 8; ++k) v[k] = rows[k];
 }
+template <int width, int index_stride>
+inline void load_vectors(const float* base, const uint32_t* index, real* v) {
+    for (int k = 0; k < width; ++k) v[k] = base[width * uint64_t(*index) + uint64_t(k)];
+}
 
 #else
 
@@ -87,6 +91,46 @@ inline void load_columns4(const float* rows, int stride, real* v) {
         column[3][q] = d;
     }
     for (int k = 0; k < 4; ++k) v[k] = from_quads(column[k]);
+}
+
+/// Lane i: the vector of `width` (2 or 3) floats number index[i * index_stride]. Reads four floats from each one's beginning.
+template <int width, int index_stride>
+inline void load_vectors(const float* base, const uint32_t* index, real* v) {
+    const auto at = [&](int i) { return base + width * uint64_t(index[i * index_stride]); };
+#if defined(RL_ISA_avx512)
+    using Packed = __m512;
+    const auto four = [&](int i) {  // vectors i, i + 4, i + 8, i + 12
+        __m512 p = _mm512_castps128_ps512(_mm_loadu_ps(at(i)));
+        p = _mm512_insertf32x4(p, _mm_loadu_ps(at(i + 4)), 1);
+        p = _mm512_insertf32x4(p, _mm_loadu_ps(at(i + 8)), 2);
+        return _mm512_insertf32x4(p, _mm_loadu_ps(at(i + 12)), 3);
+    };
+    const auto low = [](Packed a, Packed b) { return _mm512_unpacklo_ps(a, b); };
+    const auto high = [](Packed a, Packed b) { return _mm512_unpackhi_ps(a, b); };
+    const auto halves_low = [](Packed a, Packed b) { return _mm512_shuffle_ps(a, b, 0x44); };
+    const auto halves_high = [](Packed a, Packed b) { return _mm512_shuffle_ps(a, b, 0xee); };
+#elif defined(RL_ISA_avx2)
+    using Packed = __m256;
+    const auto four = [&](int i) {
+        return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(at(i))), _mm_loadu_ps(at(i + 4)), 1);
+    };
+    const auto low = [](Packed a, Packed b) { return _mm256_unpacklo_ps(a, b); };
+    const auto high = [](Packed a, Packed b) { return _mm256_unpackhi_ps(a, b); };
+    const auto halves_low = [](Packed a, Packed b) { return _mm256_shuffle_ps(a, b, 0x44); };
+    const auto halves_high = [](Packed a, Packed b) { return _mm256_shuffle_ps(a, b, 0xee); };
+#else
+    using Packed = __m128;
+    const auto four = [&](int i) { return _mm_loadu_ps(at(i)); };
+    const auto low = [](Packed a, Packed b) { return _mm_unpacklo_ps(a, b); };
+    const auto high = [](Packed a, Packed b) { return _mm_unpackhi_ps(a, b); };
+    const auto halves_low = [](Packed a, Packed b) { return _mm_shuffle_ps(a, b, 0x44); };
+    const auto halves_high = [](Packed a, Packed b) { return _mm_shuffle_ps(a, b, 0xee); };
+#endif
+    const Packed a = four(0), b = four(1), c = four(2), d = four(3);
+    const Packed ab = low(a, b), cd = low(c, d);
+    v[0] = real(RealBatch(halves_low(ab, cd)));
+    v[1] = real(RealBatch(halves_high(ab, cd)));
+    if constexpr (width == 3) v[2] = real(RealBatch(halves_low(high(a, b), high(c, d))));
 }
 
 inline void store_rows4(float* rows, const real* v) { store_columns4(rows, 4, v); }

@@ -6,7 +6,7 @@
 
 namespace rakelight::geometry::RL_ISA {
 RL_USE_WIDE;
-using rakelight::wide::RL_ISA::load_rows4, rakelight::wide::RL_ISA::load_rows8;
+using rakelight::wide::RL_ISA::load_vectors, rakelight::wide::RL_ISA::load_rows4, rakelight::wide::RL_ISA::load_rows8;
 using rakelight::wide::RL_ISA::store_rows4, rakelight::wide::RL_ISA::store_rows8;
 
 typedef float Row4 __attribute__((vector_size(16), aligned(4), may_alias));
@@ -18,43 +18,49 @@ struct RowOf<4> { using type = Row4; };
 template <>
 struct RowOf<8> { using type = Row8; };
 
-struct Staged {
-    alignas(64) float position[9][face_block];
-    alignas(64) float texcoord[6][face_block];
-};
-
 // Float is safe where sums of squares neither overflow nor come near the denormals, and where the edges are not nearly
 // parallel: an angle between 7 and 173 degrees loses at most three bits of the cross product.
 static inline mask is_safe(real cross_square, real square1, real square2) {
     return cross_square >= square1 * square2 * real(1.0f / 64) && cross_square > real(1e-34f) && cross_square < real(1e34f);
 }
 
+// Where a block's corners are read. Vectors are read four floats at a time, so a block that uses the last vertex of its mesh,
+// or has less faces than a block, reads from a copy.
+struct BlockCopy {
+    float position[3 * 3 * face_block + 4], texcoord[2 * 3 * face_block + 4];
+    uint32_t index[3 * face_block];
+};
+
 template <bool textured>
-static inline void stage(const ScatterJob& job, const uint32_t* index, uint32_t count, Staged& s) {
-    for (uint32_t f = 0; f < face_block; ++f) {
-        const uint32_t* corner = index + 3 * (f < count ? f : 0);
-        for (int k = 0; k < 3; ++k) {
-            const float* p = job.positions + 3 * uint64_t(corner[k]);
-            for (int a = 0; a < 3; ++a) s.position[3 * k + a][f] = p[a];
-            if constexpr (textured) {
-                const float* q = job.texcoords + 2 * uint64_t(corner[k]);
-                s.texcoord[2 * k][f] = q[0];
-                s.texcoord[2 * k + 1][f] = q[1];
-            }
-        }
+static inline void copy_block(const ScatterJob& job, const uint32_t* index, uint32_t count, BlockCopy& copy) {
+    for (uint32_t i = 0; i < 3 * face_block; ++i) {
+        const uint64_t v = index[i < 3 * count ? i : 0];
+        copy.index[i] = i;
+        for (uint32_t a = 0; a < 3; ++a) copy.position[3 * i + a] = job.positions[3 * v + a];
+        if constexpr (textured)
+            for (uint32_t a = 0; a < 2; ++a) copy.texcoord[2 * i + a] = job.texcoords[2 * v + a];
     }
 }
 
-static inline vec3 staged_position(const Staged& s, int k, uint32_t f) {
-    return vec3(load(s.position[3 * k] + f), load(s.position[3 * k + 1] + f), load(s.position[3 * k + 2] + f));
+static inline vec3 corner_position(const float* positions, const uint32_t* corner) {
+    real v[3];
+    load_vectors<3, 3>(positions, corner, v);
+    return vec3(v[0], v[1], v[2]);
+}
+static inline vec2 corner_texcoord(const float* texcoords, const uint32_t* corner) {
+    real v[2];
+    load_vectors<2, 3>(texcoords, corner, v);
+    return vec2(v[0], v[1]);
 }
 
 // Rows of the block's faces; returns a bit for each face that is not safe.
 template <bool textured, int floats>
-static inline uint32_t face_rows(const Staged& s, float* rows) {
+static inline uint32_t face_rows(const float* positions, const float* texcoords, const uint32_t* index, float* rows) {
     uint32_t odd = 0;
     for (uint32_t f = 0; f < face_block; f += uint32_t(lanes)) {
-        const vec3 p = staged_position(s, 0, f), e1 = staged_position(s, 1, f) - p, e2 = staged_position(s, 2, f) - p;
+        const uint32_t* corner = index + 3 * f;
+        const vec3 p = corner_position(positions, corner);
+        const vec3 e1 = corner_position(positions, corner + 1) - p, e2 = corner_position(positions, corner + 2) - p;
         const vec3 c = cross(e1, e2);
         const real cc = dot(c, c);
         mask safe = is_safe(cc, dot(e1, e1), dot(e2, e2));
@@ -64,9 +70,9 @@ static inline uint32_t face_rows(const Staged& s, float* rows) {
             real hand(0.0f);
             vec3 t(real(0.0f));
             if constexpr (textured) {
-                const real u = load(s.texcoord[0] + f), v = load(s.texcoord[1] + f);
-                const real du1 = load(s.texcoord[2] + f) - u, dv1 = load(s.texcoord[3] + f) - v;
-                const real du2 = load(s.texcoord[4] + f) - u, dv2 = load(s.texcoord[5] + f) - v;
+                const vec2 q = corner_texcoord(texcoords, corner);
+                const vec2 q1 = corner_texcoord(texcoords, corner + 1) - q, q2 = corner_texcoord(texcoords, corner + 2) - q;
+                const real du1 = q1.x, dv1 = q1.y, du2 = q2.x, dv2 = q2.y;
                 const real det = du1 * dv2 - du2 * dv1;
                 safe &= is_safe(det * det, du1 * du1 + dv1 * dv1, du2 * du2 + dv2 * dv2);
                 // dP/du = (dv2 e1 - dv1 e2) / det; cross(n, t) . dP/dv has the sign of det, the bitangent is -dP/dv.
@@ -90,13 +96,24 @@ static inline uint32_t face_rows(const Staged& s, float* rows) {
     return odd;
 }
 
+// Most blocks have only vertices of their own piece, and no odd face.
+template <int floats>
+static inline void add_own_block(float* own, const uint32_t* index, const float* rows) {
+    using Row = typename RowOf<floats>::type;
+    for (uint32_t f = 0; f < face_block; ++f) {
+        const Row row = *reinterpret_cast<const Row*>(rows + uint32_t(floats) * f);
+        for (uint32_t k = 0; k < 3; ++k) {
+            Row* to = reinterpret_cast<Row*>(own + uint64_t(floats) * index[3 * f + k]);
+            *to = *to + row;
+        }
+    }
+}
+
 template <int floats>
 static inline void add_block(ScatterJob& job, const uint32_t* index, uint32_t count, uint32_t odd, const float* rows) {
     using Row = typename RowOf<floats>::type;
     FastParcel<floats>* parcels = static_cast<FastParcel<floats>*>(job.foreign);
     const uint32_t own_begin = job.own_begin, own_size = job.own_end - own_begin;
-    uint32_t parcel_count = job.foreign_count;
-    float* const own = job.rows;
     for (uint32_t f = 0; f < count; ++f) {
         if ((odd >> f & 1) != 0) {
             job.odd[job.odd_count++] = job.face + f;
@@ -106,37 +123,59 @@ static inline void add_block(ScatterJob& job, const uint32_t* index, uint32_t co
         for (uint32_t k = 0; k < 3; ++k) {
             const uint32_t v = index[3 * f + k];
             if (v - own_begin < own_size) {
-                Row* to = reinterpret_cast<Row*>(own + uint64_t(floats) * v);
+                Row* to = reinterpret_cast<Row*>(job.rows + uint64_t(floats) * v);
                 *to = *to + row;
             } else {
-                parcels[parcel_count].vertex = v;
-                *reinterpret_cast<Row*>(parcels[parcel_count].row) = row;
-                ++parcel_count;
+                FastParcel<floats>& parcel = parcels[job.foreign_count++];
+                parcel.vertex = v;
+                *reinterpret_cast<Row*>(parcel.row) = row;
             }
         }
     }
-    job.foreign_count = parcel_count;
+}
+
+template <bool textured, int floats>
+static inline bool scatter_block(ScatterJob& job) {
+    const uint32_t count = job.face_end - job.face < face_block ? job.face_end - job.face : face_block;
+    const uint32_t* index = job.indices + 3 * uint64_t(job.face);
+    uint32_t largest = 0, smallest = 0xffffffffu;
+    if (count == face_block) {
+        for (uint32_t i = 0; i < 3 * face_block; ++i) {
+            largest = index[i] > largest ? index[i] : largest;
+            smallest = index[i] < smallest ? index[i] : smallest;
+        }
+    } else {
+        for (uint32_t i = 0; i < 3 * count; ++i) largest = index[i] > largest ? index[i] : largest;
+        for (uint32_t i = 0; i < 3 * count; ++i) smallest = index[i] < smallest ? index[i] : smallest;
+    }
+    job.largest = largest > job.largest ? largest : job.largest;
+    job.smallest = smallest < job.smallest ? smallest : job.smallest;
+    if (largest >= job.vertices) return false;
+    alignas(64) float rows[face_block * floats];
+    uint32_t odd;
+    if (count == face_block && largest + 1 < job.vertices) {
+        odd = face_rows<textured, floats>(job.positions, job.texcoords, index, rows);
+    } else {
+        BlockCopy copy;
+        copy_block<textured>(job, index, count, copy);
+        odd = face_rows<textured, floats>(copy.position, copy.texcoord, copy.index, rows);
+    }
+    if (odd == 0 && count == face_block && smallest >= job.own_begin && largest < job.own_end)
+        add_own_block<floats>(job.rows, index, rows);
+    else
+        add_block<floats>(job, index, count, odd, rows);
+    job.face += count;
+    return true;
 }
 
 template <bool textured, int floats>
 static void scatter(ScatterJob* given) {
     ScatterJob job = *given;  // on this thread's own stack
-    Staged staged;
-    alignas(64) float rows[face_block * floats];
     while (job.face < job.face_end && job.foreign_count + 3 * face_block <= parcel_capacity &&
            job.odd_count + face_block <= odd_capacity) {
-        const uint32_t count = job.face_end - job.face < face_block ? job.face_end - job.face : face_block;
-        const uint32_t* index = job.indices + 3 * uint64_t(job.face);
-        uint32_t largest = 0;
-        for (uint32_t i = 0; i < 3 * count; ++i) largest = index[i] > largest ? index[i] : largest;
-        if (largest >= job.vertices) {
-            job.is_index_bad = true;
-            break;
-        }
-        stage<textured>(job, index, count, staged);
-        const uint32_t odd = face_rows<textured, floats>(staged, rows);
-        add_block<floats>(job, index, count, odd, rows);
-        job.face += count;
+        if (scatter_block<textured, floats>(job)) continue;
+        job.is_index_bad = true;
+        break;
     }
     *given = job;
 }
