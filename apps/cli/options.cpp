@@ -81,6 +81,12 @@ void add_normal_options(CLI::App& app, RenderWords& w) {
         "Edges bent more than this stay sharp, 0 to 180 (default 60)");
     add(app, group, "--weight", w.weight, "HOW",
         "How a triangle pulls on a normal: angle (default), uniform, area, angle-area");
+    add(app, group, "--tangents", w.tangents, "HOW",
+        "auto (default: the file's, else mikktspace with the file's normals, else averaged), averaged, published, "
+        "mikktspace");
+    add(app, group, "--orthogonalize", w.orthogonalize, "WHERE",
+        "Make tangents perpendicular to normals: attribute (default: once, per vertex, and per pixel), shader (per pixel "
+        "only)");
 }
 
 }  // namespace

@@ -25,6 +25,9 @@ void check_mesh(std::size_t m, const AttributeMesh& mesh) {
     const std::uint64_t triangles = mesh.indices.size() / 3;
     check_size(m, "texture coordinates", mesh.texcoords.size(), mesh.positions.size(), "vertices");
     check_size(m, "normals", mesh.normals.size(), mesh.positions.size(), "vertices");
+    check_size(m, "locks", mesh.locked.size(), mesh.positions.size(), "vertices");
+    if (!mesh.locked.empty() && mesh.normals.empty()) fail(m, "locked vertices, but no normals to keep");
+    if (!(mesh.position_step >= 0) || !std::isfinite(mesh.position_step)) fail(m, "the step of the positions is not a length");
     check_size(m, "smoothing groups", mesh.smoothing.size(), triangles, "triangles");
     check_size(m, "smoothing hints", mesh.smoothing_hint.size(), 3 * triangles, "corners");
     for (int c = 0; c < 4; ++c)

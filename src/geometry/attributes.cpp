@@ -43,7 +43,7 @@ void check_memory(const AttributeInput& input, bool refines, Context& context) {
 Topology group_positions(const AttributeInput& input, const AttributeOptions& options, Context& context) {
     const bool groups = has_groups(input.meshes);
     const bool flat = options.scope == Scope::face || (options.crease_angle_rad == 0 && !groups);
-    const bool refines = options.normals && (flat || groups || options.crease_angle_rad + 1e-6 < pi);
+    const bool refines = options.normals && (flat || groups || options.fans || options.crease_angle_rad + 1e-6 < pi);
     check_memory(input, refines, context);
     Topology topology;
     if (options.normals && flat) {

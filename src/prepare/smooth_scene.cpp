@@ -53,7 +53,7 @@ std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<boo
 Selection select(const Scene& scene, const SmoothRequest& request, const std::vector<dmat4>& world) {
     Selection s;
     for (const Instance& instance : drawn_instances(scene))
-        if (!request.only_missing || scene.meshes[instance.mesh].normals.empty()) s.instances.push_back(instance);
+        if (scene.meshes[instance.mesh].normals.empty() ? request.attributes.normals : !request.only_missing) s.instances.push_back(instance);
     const Scope scope = request.attributes.scope;
     std::vector<bool> even(scene.nodes.size(), false);
     if (scope != Scope::model)
@@ -185,12 +185,29 @@ Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& c
     return out;
 }
 
+namespace {
+
+// The normals of the scene as it stands; the sums of the publication run over everything that is placed.
+Scene add_published_tangents(const Scene& scene, const SmoothRequest& request, Context& context) {
+    SmoothRequest all = request;
+    all.attributes.normals = false;
+    all.attributes.tangent_mode = TangentMode::published;
+    if (all.attributes.scope == Scope::face) all.attributes.scope = Scope::model;
+    all.only_missing = false;
+    return smooth_meshes(scene, all, context);
+}
+
+}  // namespace
+
 Scene add_missing_tangents(const Scene& scene, const SmoothRequest& request, Context& context) {
+    if (request.tangents == TangentWish::none) return scene;
+    if (request.kept_tangents == TangentMode::published) return add_published_tangents(scene, request, context);
     std::vector<std::uint32_t> numbers;
     std::vector<bool> seen(scene.meshes.size(), false);
     std::vector<AttributeMesh> meshes;
     SmoothRequest only = request;
     only.attributes.normals = false;
+    only.attributes.tangent_mode = request.kept_tangents;
     only.attributes.scope = Scope::object;  // kept normals: each mesh by itself, so that instances stay shared
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
@@ -216,6 +233,9 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
     request.attributes = options.attributes;
     request.tangents = options.attributes.tangents ? TangentWish::everywhere : TangentWish::none;
     request.only_missing = options.only_missing;
+    if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
+    const bool published = request.attributes.tangent_mode == TangentMode::published;
+    if (published) request.kept_tangents = TangentMode::published;
     Scene out = options.attributes.normals ? smooth_meshes(scene, request, context) : scene;
     if (request.tangents == TangentWish::none) return out;
     if (!options.attributes.normals && !options.only_missing)
