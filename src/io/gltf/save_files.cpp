@@ -213,8 +213,8 @@ void OutputModel::write_glb(std::span<const std::byte> new_data) const {
     add(binary, new_data);
     if (!binary.empty())
         tree_["buffers"][0]["byteLength"] = binary.size();
-    else
-        tree_.erase("buffers");
+    else if (tree_.contains("buffers") && tree_["buffers"].size() == 1)
+        tree_.erase("buffers");  // the one that was to hold new data
     pad(binary);
     std::vector<std::byte> json;
     add(json, bytes_of(tree_.dump()));
