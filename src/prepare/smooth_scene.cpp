@@ -120,6 +120,19 @@ Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_n
     return mesh;
 }
 
+// Offsets from the old normals and tangents say nothing about the new ones. Positions of targets stay.
+void refuse_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals, Report& report) {
+    bool refused = false;
+    for (MorphTarget& target : mesh.targets) {
+        refused = refused || (new_normals && !target.normals.empty()) || !target.tangents.empty();
+        if (new_normals) target.normals = {};
+        target.tangents = {};
+    }
+    if (refused)
+        report.add(Remark::dropped, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
+                   "normals and tangents of morph targets do not fit the new ones and are left out");
+}
+
 AttributeOptions options_for(const SmoothRequest& request, const std::vector<AttributeMesh>& meshes) {
     AttributeOptions options = request.attributes;
     options.tangents = false;
@@ -175,7 +188,9 @@ Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& c
         if (placed[r] != none) {
             variants.share(s.instances[i], placed[r]);
         } else {
-            Mesh mesh = with_attributes(scene.meshes[s.instances[i].mesh], std::move(results[r]), request.attributes.normals, context);
+            const std::uint32_t number = s.instances[i].mesh;
+            Mesh mesh = with_attributes(scene.meshes[number], std::move(results[r]), request.attributes.normals, context);
+            refuse_target_directions(scene, mesh, number, request.attributes.normals, context.report());
             placed[r] = variants.place(s.instances[i], std::move(mesh));
         }
     }
