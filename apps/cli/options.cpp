@@ -196,6 +196,10 @@ Options parse(int argc, const char* const* argv) {
     add_smooth_options(*smooth, smooth_words);
     add_common_options(*smooth, common);
     smooth->footer(smooth_footer);
+    CLI::App* bench = app.add_subcommand("bench", "Measure the program itself, beside what it is compared with");
+    BenchWords bench_words;
+    add_bench_options(*bench, bench_words);
+    add_common_options(*bench, common);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -214,6 +218,10 @@ Options parse(int argc, const char* const* argv) {
         options.verb = Verb::smooth;
         options.picture.output = smooth_words.output;
         apply(smooth_words, options.smooth);
+    }
+    if (bench->parsed()) {
+        options.verb = Verb::bench;
+        apply(bench_words, options.bench);
     }
     return finish(std::move(options), common);
 }

@@ -8,12 +8,13 @@
 #include <rakelight/inspect.h>
 #include <rakelight/picture.h>
 
+#include "bench_verb.h"
 #include "console.h"
 #include "smooth_verb.h"
 
 namespace rakelight::cli {
 
-enum class Verb { help, version, render, inspect, smooth };
+enum class Verb { help, version, render, inspect, smooth, bench };
 
 struct Options {
     Verb verb = Verb::help;
@@ -22,6 +23,7 @@ struct Options {
     PictureRequest picture;  ///< output holds the name template
     InspectOptions inspect;
     SmoothFileOptions smooth;
+    SmoothBenchOptions bench;
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool json = false;

@@ -3,6 +3,7 @@
 // frame).
 #pragma once
 #include <rakelight/attributes.h>
+#include <rakelight/bench.h>
 #include <rakelight/block.h>
 #include <rakelight/context.h>
 #include <rakelight/engine.h>
