@@ -61,4 +61,16 @@ Examples:
   rakelight inspect *.glb --json
       One row a file, schema rakelight.inspect/1.)";
 
+inline constexpr const char* smooth_footer =
+    R"(What is not about normals and tangents stays as it is: names, extras, animations,
+images, compression where no normal changes. A second run changes nothing.
+
+Examples:
+  rakelight smooth parts.glb -o smooth.glb
+  rakelight smooth parts.obj -o parts.obj --crease-angle 45
+      In place; the old file is replaced when the new one is whole.
+  rakelight smooth *.glb -o 'out/{model}.glb' --json
+      One row a file, schema rakelight.smooth/1.
+  rakelight smooth scan.stl -o scan.ply --crease-angle 180)";
+
 }  // namespace rakelight::cli

@@ -70,6 +70,10 @@ int run(int argc, const char* const* argv) {
             return run_render(options);
         case Verb::inspect:
             return run_inspect(options);
+        case Verb::bench:
+            return run_bench(options);
+        case Verb::smooth:
+            return run_smooth(options);
     }
     return 0;
 }

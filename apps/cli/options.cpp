@@ -81,6 +81,12 @@ void add_normal_options(CLI::App& app, RenderWords& w) {
         "Edges bent more than this stay sharp, 0 to 180 (default 60)");
     add(app, group, "--weight", w.weight, "HOW",
         "How a triangle pulls on a normal: angle (default), uniform, area, angle-area");
+    add(app, group, "--tangents", w.tangents, "HOW",
+        "auto (default: the file's, else mikktspace with the file's normals, else averaged), averaged, published, "
+        "mikktspace");
+    add(app, group, "--orthogonalize", w.orthogonalize, "WHERE",
+        "Make tangents perpendicular to normals: attribute (default: once, per vertex, and per pixel), shader (per pixel "
+        "only)");
 }
 
 }  // namespace
@@ -215,6 +221,16 @@ Options parse(int argc, const char* const* argv) {
     add_normal_options(*inspect, words);
     add_common_options(*inspect, common);
     inspect->footer(inspect_footer);
+    CLI::App* smooth = app.add_subcommand("smooth", "Write models back with seam-free normals and tangents");
+    SmoothWords smooth_words;
+    add_inputs(*smooth, options.inputs, "Model files, or builtin:teapot");
+    add_smooth_options(*smooth, smooth_words);
+    add_common_options(*smooth, common);
+    smooth->footer(smooth_footer);
+    CLI::App* bench = app.add_subcommand("bench", "Measure the program itself, beside what it is compared with");
+    BenchWords bench_words;
+    add_bench_options(*bench, bench_words);
+    add_common_options(*bench, common);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -229,6 +245,15 @@ Options parse(int argc, const char* const* argv) {
     options.verb = render->parsed() ? Verb::render : Verb::inspect;
     apply(words, options.picture);
     options.inspect = {.borders = !no_borders, .prepare = options.picture.prepare};
+    if (smooth->parsed()) {
+        options.verb = Verb::smooth;
+        options.picture.output = smooth_words.output;
+        apply(smooth_words, options.smooth);
+    }
+    if (bench->parsed()) {
+        options.verb = Verb::bench;
+        apply(bench_words, options.bench);
+    }
     return finish(std::move(options), common);
 }
 
@@ -255,8 +280,9 @@ std::vector<PictureRequest> picture_requests(const Options& options) {
              at += stem.size(), replaced = true)
             request.output.replace(at, mark.size(), stem);
         if (options.inputs.size() > 1 && !replaced)
-            throw Error(ErrorCode::usage, "several models need a name for each picture", {},
-                        "write for example -o 'out/{model}.png'");
+            throw Error(ErrorCode::usage, options.verb == Verb::smooth ? "several models need a name for each output"
+                                                                        : "several models need a name for each picture",
+                        {}, options.verb == Verb::smooth ? "write for example -o 'out/{model}.glb'" : "write for example -o 'out/{model}.png'");
         const auto [entry, is_new] =
             inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
         if (!is_new)

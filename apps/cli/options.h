@@ -8,11 +8,13 @@
 #include <rakelight/inspect.h>
 #include <rakelight/picture.h>
 
+#include "bench_verb.h"
 #include "console.h"
+#include "smooth_verb.h"
 
 namespace rakelight::cli {
 
-enum class Verb { help, version, render, inspect };
+enum class Verb { help, version, render, inspect, smooth, bench };
 
 struct Options {
     Verb verb = Verb::help;
@@ -20,6 +22,8 @@ struct Options {
     std::vector<std::string> inputs;
     PictureRequest picture;  ///< output holds the name template
     InspectOptions inspect;
+    SmoothFileOptions smooth;
+    SmoothBenchOptions bench;
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool json = false;

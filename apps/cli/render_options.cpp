@@ -88,6 +88,15 @@ void apply_normals(const RenderWords& w, PrepareOptions& p) {
                                    {"box", UvProjection::box},
                                    {"sphere", UvProjection::sphere},
                                    {"cylinder", UvProjection::cylinder}});
+    if (!w.tangents.empty() && w.tangents != "auto")
+        p.tangents = word<TangentMode>("--tangents", w.tangents,
+                                       {{"averaged", TangentMode::averaged},
+                                        {"published", TangentMode::published},
+                                        {"mikktspace", TangentMode::mikktspace}});
+    not_yet("--orthogonalize", w.orthogonalize, {"off"}, "shader leaves the attributes as summed");
+    if (!w.orthogonalize.empty())
+        p.orthogonalize = word<Orthogonalize>("--orthogonalize", w.orthogonalize,
+                                              {{"attribute", Orthogonalize::attribute}, {"shader", Orthogonalize::off}});
     if (w.crease_angle.empty()) return;
     const double angle = number("--crease-angle", w.crease_angle);
     if (!(angle >= 0 && angle <= 180)) throw Error(ErrorCode::usage, "--crease-angle: must be 0 to 180 degrees");

@@ -16,7 +16,7 @@ namespace rakelight::cli {
 struct RenderWords {
     std::string output, engine = "soft", resolution, window, background, channels;
     std::string shading, lighting, specular, specular_horizon, bump, front_face, cull;
-    std::string normals, crease_angle, weight, uv;
+    std::string normals, crease_angle, weight, uv, tangents, orthogonalize;
     std::string texture_base_color, texture_normal, normal_scale;
     std::string view, camera, position, focal_point, up, view_angle;
     bool orthographic = false;

@@ -18,6 +18,17 @@ enum class Scope : std::uint8_t { face, object, model };
 /// `angle` Thuermer & Wuethrich 1998, "Computing Vertex Normals from Polygonal Facets".
 enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 
+/// How tangents come about.
+/// `averaged`: summed with the normals' weights over a place, but only among vertices of one handedness whose tangents lie within 45
+/// degrees of one another. `mikktspace`: reproduces MikkTSpace (Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited") at an
+/// angular threshold of 180 degrees, each mesh by itself in its own space: for maps that were baked so. `published`: unit
+/// tangents and unit bitangents of all faces at a place are averaged, mirrored or not, by the scope; the tangent is made
+/// perpendicular to the normal and turned round where it disagrees with the bitangent, which is an attribute of its own.
+enum class TangentMode : std::uint8_t { averaged, published, mikktspace };
+
+/// Whether tangents are made perpendicular to the normals here (`attribute`) or left as summed (`off`).
+enum class Orthogonalize : std::uint8_t { attribute, off };
+
 struct AttributeOptions {
     Scope scope = Scope::model;
     CornerWeight weight = CornerWeight::angle;
@@ -31,6 +42,14 @@ struct AttributeOptions {
     bool normals = true;             ///< false: keep the given normals (every mesh must have them) and make only tangents
     bool tangents = true;            ///< where texture coordinates exist
     bool groups_across = false;      ///< smoothing groups also rule between objects
+    TangentMode tangent_mode = TangentMode::averaged;
+    /// `mikktspace` has its own, in each face's vote.
+    Orthogonalize orthogonalize = Orthogonalize::attribute;
+    bool measure_orthogonality = false;  ///< fill MeshAttributes::orthogonality_loss_*
+    /// At a crease angle of pi: faces at a place are joined only over common edges, one group a fan (bow-ties fall apart). Below
+    /// pi that is so in any case.
+    bool fans = false;
+    bool locked_vote = true;         ///< faces at locked vertices have a say in the normals of others at their place
 };
 
 /// How smoothing[] is to be read: bit masks join when AND != 0 (3DS, ASE), numbers join when equal (OBJ); 0 is flat.
@@ -47,6 +66,11 @@ struct AttributeMesh {
     GroupKind group_kind = GroupKind::none;
     std::span<const vec3> smoothing_hint;      ///< [3T] or empty: corners of one position whose hints are equal were one group
     dmat4 to_world;                            ///< object -> world, affine, including `origin`; det < 0 mirrors
+    /// [V] or empty: not 0: the vertex keeps its entry of `normals` (which must then be there); ignored where that is zero or not finite.
+    std::span<const std::uint8_t> locked;
+    /// [m] in object space, >= 0: the step on which positions were rounded (quantized files), 0: none. AttributeOptions::
+    /// weld_distance < 0 then welds within half of the widest step in the world, between all meshes.
+    double position_step = 0;
 };
 
 /// Result for one mesh: vertex v < V keeps its number; a vertex whose corners differ is appended. Object space.
@@ -56,10 +80,14 @@ struct MeshAttributes {
     /// way to the world); empty without texcoords. Without texture area: the axis farthest from the world normal, made
     /// perpendicular to it, w = +1.
     std::vector<vec4> tangents;
+    std::vector<vec3> bitangents;             ///< [V'] unit, towards decreasing v; filled only by TangentMode::published
     std::vector<std::uint32_t> indices;       ///< [3T] each < V'; empty when no vertex was split (the input's hold)
     std::vector<std::uint32_t> source_vertex; ///< [V' - V] the vertex that each appended one copies
     std::uint32_t degenerate_faces = 0;       ///< faces without a vote: zero area or a non-finite corner
     std::uint32_t isolated_vertices = 0;      ///< vertices that no face with a vote touches
+    /// [degrees] how far summed tangents were from perpendicular to their normals in the world, before Gram-Schmidt; 0 unless
+    /// AttributeOptions::measure_orthogonality.
+    double orthogonality_loss_max_deg = 0, orthogonality_loss_mean_deg = 0;
 };
 
 /// Which corners share a normal: made once, used for any positions of the same meshes (poses, morphs).
@@ -86,5 +114,56 @@ std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<cons
 /// Both steps. All corners of a group get bit-equal vectors (in the world; each object's own space after its matrix).
 std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                Context& context);
+
+/// Where compute_attributes_into() writes for one mesh, by the input's vertex numbers; entries beyond V are left alone.
+struct AttributeBuffers {
+    std::span<vec3> normals;   ///< [>= V]
+    std::span<vec4> tangents;  ///< [>= V] where the mesh has texcoords and tangents are asked for; else not looked at
+};
+
+/// A corner (3 * triangle + 0, 1 or 2) that uses another vertex than the input's index says.
+struct CornerVertex {
+    std::uint32_t corner, vertex;
+    bool operator==(const CornerVertex&) const = default;
+};
+
+/// What the buffers of one mesh have no place for: the vertices that had to be split. All empty where none was (V' = V); else
+/// append normals and tangents to the buffers' first V entries and change the listed corners, and MeshAttributes is complete.
+struct SplitAttributes {
+    std::vector<std::uint32_t> source_vertex;  ///< [V' - V] the vertex that each appended one copies; ascending
+    std::vector<vec3> normals;                 ///< [V' - V]
+    std::vector<vec4> tangents;                ///< [V' - V], or empty as the mesh has none
+    std::vector<CornerVertex> corners;         ///< ascending; each vertex is >= V
+    std::uint32_t degenerate_faces = 0;        ///< as in MeshAttributes
+    std::uint32_t isolated_vertices = 0;
+};
+
+/// Scratch memory of compute_attributes_into(), kept for the next call (of any sizes): 16 bytes a vertex for normals, 32 for
+/// normals and tangents, 8 more for the weld. For one call at a time.
+class AttributeWorkspace {
+public:
+    AttributeWorkspace();
+    AttributeWorkspace(AttributeWorkspace&&) noexcept;
+    AttributeWorkspace& operator=(AttributeWorkspace&&) noexcept;
+    ~AttributeWorkspace();
+    std::size_t bytes() const;  ///< held now
+    struct Impl;
+    Impl& impl() { return *impl_; }
+
+private:
+    std::unique_ptr<Impl> impl_;
+};
+
+/// compute_attributes() into the caller's own buffers. Where everything at a place is joined (crease angle pi, weight uniform, scope
+/// model or object, no smoothing groups or hints, weld exact, all meshes by one matrix that keeps angles) nothing of the
+/// size of the model is allocated once the workspace has grown to it; other options cost what compute_attributes() costs.
+///
+/// @param out  [meshes] the same buffer must not stand twice, nor overlap the input
+/// @return what was split and counted, one entry a mesh; the same values as compute_attributes() gives
+/// @throws Error usage: a buffer too small (mesh and sizes in the message), and what compute_attributes() throws; then the
+///         buffers hold anything
+std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                                     std::span<const AttributeBuffers> out, AttributeWorkspace& workspace,
+                                                     Context& context);
 
 }  // namespace rakelight

@@ -3,6 +3,7 @@
 // none.
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include <rakelight/attributes.h>
 #include <rakelight/scene.h>
@@ -20,6 +21,10 @@ struct PrepareOptions {
     CornerWeight weight = CornerWeight::angle;
     double crease_angle_rad = radians(60);
     UvProjection uv = UvProjection::none;  ///< for meshes without texture coordinates
+    /// How tangents are made, in place of the file's too. Unset: the file's; else as MikkTSpace where the file's normals are kept
+    /// (that is what its maps were baked for); else averaged.
+    std::optional<TangentMode> tangents;
+    Orthogonalize orthogonalize = Orthogonalize::attribute;
 };
 
 /// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height

@@ -3,6 +3,7 @@
 // frame).
 #pragma once
 #include <rakelight/attributes.h>
+#include <rakelight/bench.h>
 #include <rakelight/block.h>
 #include <rakelight/context.h>
 #include <rakelight/engine.h>
@@ -14,5 +15,6 @@
 #include <rakelight/render.h>
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
+#include <rakelight/smooth_file.h>
 #include <rakelight/vector.h>
 #include <rakelight/version.h>

@@ -25,6 +25,9 @@ void check_mesh(std::size_t m, const AttributeMesh& mesh) {
     const std::uint64_t triangles = mesh.indices.size() / 3;
     check_size(m, "texture coordinates", mesh.texcoords.size(), mesh.positions.size(), "vertices");
     check_size(m, "normals", mesh.normals.size(), mesh.positions.size(), "vertices");
+    check_size(m, "locks", mesh.locked.size(), mesh.positions.size(), "vertices");
+    if (!mesh.locked.empty() && mesh.normals.empty()) fail(m, "locked vertices, but no normals to keep");
+    if (!(mesh.position_step >= 0) || !std::isfinite(mesh.position_step)) fail(m, "the step of the positions is not a length");
     check_size(m, "smoothing groups", mesh.smoothing.size(), triangles, "triangles");
     check_size(m, "smoothing hints", mesh.smoothing_hint.size(), 3 * triangles, "corners");
     for (int c = 0; c < 4; ++c)
@@ -50,7 +53,9 @@ Placement place(const dmat4& to_world) {
     return p;
 }
 
-// The first bad index of all, whichever thread meets one first.
+}  // namespace
+
+// Whichever thread meets one first.
 void check_indices(const AttributeInput& input, Context& context) {
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     std::vector<std::uint32_t> first_bad(chunks.size(), none);
@@ -75,9 +80,7 @@ void check_indices(const AttributeInput& input, Context& context) {
                 " exceeds " + std::to_string(input.meshes[m].positions.size()) + " vertices");
 }
 
-}  // namespace
-
-AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& context) {
+AttributeInput number_input(std::span<const AttributeMesh> meshes) {
     AttributeInput input;
     input.meshes = meshes;
     std::uint64_t vertices = 0, triangles = 0;
@@ -94,6 +97,11 @@ AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& conte
     }
     input.vertex_base.push_back(std::uint32_t(vertices));
     input.triangle_base.push_back(std::uint32_t(triangles));
+    return input;
+}
+
+AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& context) {
+    AttributeInput input = number_input(meshes);
     check_indices(input, context);
     return input;
 }

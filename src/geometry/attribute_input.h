@@ -50,6 +50,9 @@ private:
 /// Checks sizes, indices, matrices and options.
 /// @throws Error as the door says: code bad_file, place "mesh N"
 AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& context);
+/// The two halves of check_input(): all but the indices, and the indices (the first bad one of all is named).
+AttributeInput number_input(std::span<const AttributeMesh> meshes);
+void check_indices(const AttributeInput& input, Context& context);
 void check_options(const AttributeOptions& options);
 
 /// A share of the work that depends on the sizes alone, never on the threads: one piece of a large mesh (`pieces` > 1), or

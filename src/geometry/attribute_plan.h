@@ -7,7 +7,8 @@
 namespace rakelight {
 
 struct AttributePlan::Impl {
-    AttributeOptions options;
+    AttributeOptions options;                        ///< without tangents where another stage makes them
+    bool tangents_after = false;                     ///< by options.tangent_mode, from the finished normals
     std::vector<std::uint32_t> vertices, triangles;  ///< [meshes] counts that accumulate() insists on
     std::vector<std::uint8_t> textured;              ///< [meshes] had texture coordinates
     geometry::Topology topology;

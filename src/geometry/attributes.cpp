@@ -9,11 +9,13 @@
 
 #include "geometry/attribute_input.h"
 #include "geometry/attribute_plan.h"
+#include "geometry/fast_attributes.h"
 #include "geometry/finish_vertices.h"
 #include "geometry/mirror_split.h"
 #include "geometry/near_weld.h"
 #include "geometry/position_weld.h"
 #include "geometry/refine_groups.h"
+#include "geometry/tangent_modes.h"
 #include "geometry/vote_sums.h"
 
 namespace rakelight {
@@ -49,7 +51,7 @@ void check_sums_memory(const AttributePlan::Impl& plan, Context& context) {
 Topology group_positions(const AttributeInput& input, const AttributeOptions& options, Context& context) {
     const bool groups = has_groups(input.meshes);
     const bool flat = options.scope == Scope::face || (options.crease_angle_rad == 0 && !groups);
-    const bool refines = options.normals && (flat || groups || options.crease_angle_rad + 1e-6 < pi);
+    const bool refines = options.normals && (flat || groups || options.fans || options.crease_angle_rad + 1e-6 < pi);
     check_grouping_memory(input, refines, context);
     Topology topology;
     if (options.normals && flat) {
@@ -106,21 +108,24 @@ Outcome run(std::span<const AttributeMesh> meshes, const AttributeOptions& optio
     outcome.plan = std::make_shared<AttributePlan::Impl>();
     AttributePlan::Impl& plan = *outcome.plan;
     plan.options = options;
+    plan.tangents_after = options.tangents && options.tangent_mode != TangentMode::averaged;
+    if (plan.tangents_after) plan.options.tangents = false;
     for (const AttributeMesh& mesh : meshes) {
         plan.vertices.push_back(std::uint32_t(mesh.positions.size()));
         plan.triangles.push_back(std::uint32_t(mesh.indices.size() / 3));
         plan.textured.push_back(mesh.texcoords.empty() ? 0 : 1);
     }
-    plan.topology = group_positions(input, options, context);
+    plan.topology = group_positions(input, plan.options, context);
     plan.groups = make_vertex_groups(plan.topology.group);
     std::vector<std::uint8_t> cancelled;
     outcome.meshes = add_up(plan, input, context, cancelled);
     for (const JoinRule rule : {JoinRule::side, JoinRule::apart}) {
         if (cancelled.empty()) break;
-        refine_groups(plan.topology, input, options, rule, face_normals(input, context), cancelled, context);
+        refine_groups(plan.topology, input, plan.options, rule, face_normals(input, context), cancelled, context);
         plan.groups = make_vertex_groups(plan.topology.group);
         outcome.meshes = add_up(plan, input, context, cancelled);
     }
+    if (plan.tangents_after) add_tangents(outcome.meshes, plan, input, context);
     return outcome;
 }
 
@@ -143,11 +148,20 @@ std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<cons
         if (!fits) throw Error(ErrorCode::bad_file, "not the mesh that was grouped", "mesh " + std::to_string(m));
     }
     std::vector<std::uint8_t> cancelled;  // by a pose: such vertices keep what their own faces say
-    return add_up(impl, input, context, cancelled);
+    std::vector<MeshAttributes> out = add_up(impl, input, context, cancelled);
+    if (impl.tangents_after) add_tangents(out, impl, input, context);
+    return out;
 }
 
 std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                Context& context) {
+    check_options(options);
+    if (geometry::takes_fast_path(meshes, options)) return geometry::fast_attributes(meshes, options, context);
+    return geometry::general_attributes(meshes, options, context);
+}
+
+std::vector<MeshAttributes> geometry::general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                                         Context& context) {
     return run(meshes, options, context).meshes;
 }
 

@@ -56,6 +56,11 @@ inline dvec3 given_normal(const Placement& placement, vec3 normal) {
     return direction_of(placement.normal_to_world * cast<double>(normal)).unit;
 }
 
+/// The vertex keeps a normal that is of use.
+inline bool is_locked(const AttributeMesh& mesh, std::uint32_t vertex) {
+    return !mesh.locked.empty() && mesh.locked[vertex] != 0 && is_finite(mesh.normals[vertex]) && !(mesh.normals[vertex] == vec3{});
+}
+
 /// Weights of the three corners of a face whose doubled area in the world is `area2`.
 template <CornerWeight weight>
 inline dvec3 corner_weights(const Placement& placement, const FaceCorners& face, double area2) {

@@ -4,19 +4,13 @@
 #include <cmath>
 
 #include "geometry/face_vote.h"
+#include "geometry/orthogonality.h"
+#include "geometry/perpendicular.h"
 
 namespace rakelight::geometry {
 namespace {
 
 constexpr dvec3 no_normal{0, 0, 1};
-
-dvec3 times_transposed(const dmat3& m, dvec3 v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
-
-dvec3 perpendicular(dvec3 n) {
-    const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
-    const dvec3 axis = x <= y && x <= z ? dvec3{1, 0, 0} : y <= z ? dvec3{0, 1, 0} : dvec3{0, 0, 1};
-    return normalize_or(axis - n * dot(n, axis), dvec3{1, 0, 0});
-}
 
 // A matrix that flattens has no inverse; its normals lie along the only direction that its cofactor matrix takes anywhere.
 dvec3 to_object(const Placement& placement, dvec3 normal) {
@@ -26,12 +20,20 @@ dvec3 to_object(const Placement& placement, dvec3 normal) {
     return normalize_or(times_transposed(placement.normal_to_world, normal), no_normal);
 }
 
-vec4 tangent_of(const Placement& placement, const TangentRow& row, dvec3 normal, dvec3 object_normal) {
+struct TangentRules {
+    bool orthogonal;  // Gram-Schmidt
+    float* skew;      // [degrees] out: how far the sum is from perpendicular; or null
+};
+
+vec4 tangent_of(const Placement& placement, const TangentRow& row, dvec3 normal, dvec3 object_normal, TangentRules rules) {
     dvec3 t = row.tangent - normal * dot(normal, row.tangent);
-    if (!(length(t) > cancelled_share * std::fabs(row.hand))) t = perpendicular(normal);
-    dvec3 back = times_transposed(placement.normal_to_world, t);
+    const bool vanished = !(length(t) > cancelled_share * std::fabs(row.hand));
+    if (vanished) t = perpendicular(normal);
+    else if (rules.skew) *rules.skew = float(skew_deg(normal, direction_of(row.tangent).unit));
+    const bool orthogonal = rules.orthogonal || vanished;
+    dvec3 back = times_transposed(placement.normal_to_world, orthogonal ? t : row.tangent);
     back = direction_of(back).unit;
-    back = direction_of(back - object_normal * dot(object_normal, back)).unit;
+    if (orthogonal) back = direction_of(back - object_normal * dot(object_normal, back)).unit;
     if (back == dvec3{}) back = perpendicular(object_normal);
     const double hand = row.hand * placement.flip;
     return {float(back.x), float(back.y), float(back.z), hand < 0 ? -1.0f : 1.0f};
@@ -40,7 +42,8 @@ vec4 tangent_of(const Placement& placement, const TangentRow& row, dvec3 normal,
 class Finish {
 public:
     Finish(const VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options)
-        : sums_(sums), input_(input), options_(options), topology_(topology), appended_base_(appended_base(topology, input)) {}
+        : sums_(sums), input_(input), options_(options), topology_(topology), appended_base_(appended_base(topology, input)),
+          skew_(options.measure_orthogonality && sums.tangents ? topology.group.size() : 0, 0) {}
 
     void allocate(std::uint32_t m, MeshAttributes& out) const {
         const std::size_t count = input_.meshes[m].positions.size() + appended_base_[m + 1] - appended_base_[m];
@@ -60,7 +63,7 @@ public:
         }
     }
 
-    void vertices(const Chunk& chunk, std::vector<MeshAttributes>& out, std::vector<std::uint32_t>& cancelled) const {
+    void vertices(const Chunk& chunk, std::vector<MeshAttributes>& out, std::vector<std::uint32_t>& cancelled) {
         for_each_range(chunk, input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
             for (std::uint32_t v = first; v != last; ++v) vertex(m, input_.vertex_base[m] + v, v, v, out[m], cancelled);
         });
@@ -74,15 +77,25 @@ public:
         });
     }
 
+    /// Of all vertices of a mesh, in their order.
+    void measure(std::uint32_t m, MeshAttributes& out) const {
+        if (skew_.empty() || out.tangents.empty()) return;
+        const std::uint32_t fixed = input_.vertex_count();
+        OrthogonalityLoss loss;
+        for (std::uint32_t v = input_.vertex_base[m]; v != input_.vertex_base[m + 1]; ++v) loss.add(skew_[v]);
+        for (std::uint32_t a = appended_base_[m]; a != appended_base_[m + 1]; ++a) loss.add(skew_[fixed + a]);
+        loss.tell(out);
+    }
+
 private:
     bool makes_tangents(std::uint32_t m) const { return options_.tangents && !input_.meshes[m].texcoords.empty(); }
 
     void vertex(std::uint32_t m, std::uint32_t row, std::uint32_t to, std::uint32_t source, MeshAttributes& out,
-                std::vector<std::uint32_t>& cancelled) const {
+                std::vector<std::uint32_t>& cancelled) {
         const NormalRow& sum = sums_.normals[row];
         const Placement& placement = input_.placements[m];
         dvec3 normal, object_normal = no_normal;
-        if (!options_.normals) {
+        if (!options_.normals || is_locked(input_.meshes[m], source)) {
             const vec3 given = input_.meshes[m].normals[source];
             normal = given_normal(placement, given);
             if (normal != dvec3{}) object_normal = direction_of(cast<double>(given)).unit;
@@ -98,7 +111,8 @@ private:
             out.normals[to] = cast<float>(object_normal);
         }
         if (!makes_tangents(m)) return;
-        if (normal != dvec3{}) out.tangents[to] = tangent_of(placement, sums_.tangents[row], normal, object_normal);
+        const TangentRules rules{options_.orthogonalize == Orthogonalize::attribute, skew_.empty() ? nullptr : &skew_[row]};
+        if (normal != dvec3{}) out.tangents[to] = tangent_of(placement, sums_.tangents[row], normal, object_normal, rules);
         else out.tangents[to] = {1, 0, 0, 1};
     }
 
@@ -107,13 +121,14 @@ private:
     const AttributeOptions& options_;
     const Topology& topology_;
     std::vector<std::uint32_t> appended_base_;
+    std::vector<float> skew_;  // [output vertices] degrees, or empty
 };
 
 }  // namespace
 
 Finished finish_vertices(const VoteSums& sums, const Topology& topology, const AttributeInput& input,
                          const AttributeOptions& options, Context& context) {
-    const Finish finish(sums, topology, input, options);
+    Finish finish(sums, topology, input, options);
     Finished finished;
     finished.meshes.resize(input.meshes.size());
     const std::vector<Chunk> chunks = make_chunks(input.vertex_base, vertices_per_chunk);
@@ -123,6 +138,7 @@ Finished finish_vertices(const VoteSums& sums, const Topology& topology, const A
     });
     std::vector<std::vector<std::uint32_t>> cancelled(chunks.size());
     context.parallel_for(chunks.size(), [&](std::size_t c) { finish.vertices(chunks[c], finished.meshes, cancelled[c]); });
+    context.parallel_for(input.meshes.size(), [&](std::size_t m) { finish.measure(std::uint32_t(m), finished.meshes[m]); });
     for (const auto& part : cancelled) finished.cancelled.insert(finished.cancelled.end(), part.begin(), part.end());
     return finished;
 }

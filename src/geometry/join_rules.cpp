@@ -27,8 +27,8 @@ JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, cons
                      const std::vector<dvec3>& normals)
     : input_(input), topology_(topology), normals_(normals), rule_(rule), groups_across_(options.groups_across) {
     const double limit = options.crease_angle_rad + crease_slack;
-    joins_all_ = limit >= pi;
-    least_cos_ = joins_all_ ? -2 : math::cos(limit);
+    joins_all_ = limit >= pi && !options.fans;
+    least_cos_ = limit >= pi ? -2 : math::cos(limit);
     for (const AttributeMesh& mesh : input.meshes) {
         has_hints_ |= is_hinted(mesh);
         has_groups_ |= is_hinted(mesh) || is_grouped(mesh);

@@ -42,12 +42,14 @@ public:
 
     void run(double distance) {
         number_matrices();
-        only_between_matrices_ = distance < 0;
+        const double half_step = distance < 0 ? widest_half_step() : 0;
+        only_between_matrices_ = distance < 0 && half_step == 0;
         if (only_between_matrices_ && matrices_ < 2) return;
         const Box box = bounds();
         const double diagonal = length(box.high - box.low);
         if (!(diagonal > 0) || !(diagonal < std::numeric_limits<float>::max())) return;
-        distance_ = only_between_matrices_ ? 4 * (double(std::nextafter(float(diagonal), INFINITY)) - float(diagonal)) : distance;
+        const double rounding = 4 * (double(std::nextafter(float(diagonal), INFINITY)) - float(diagonal));
+        distance_ = distance < 0 ? std::fmax(rounding, half_step) : distance;
         origin_ = box.low;
         if (!(diagonal / distance_ < 1e15)) return;  // below the rounding of the positions: exact
         if (distance_ * cell_width > diagonal) origin_ = box.low - dvec3{1, 1, 1} * distance_;
@@ -63,6 +65,14 @@ private:
             matrix_.push_back(number.try_emplace(key, std::uint32_t(number.size())).first->second);
         }
         matrices_ = number.size();
+    }
+
+    // Quantized positions stand up to half a step from where they were.
+    double widest_half_step() const {
+        double widest = 0;
+        for (std::size_t m = 0; m < input_.meshes.size(); ++m)
+            widest = std::fmax(widest, 0.5 * input_.meshes[m].position_step * input_.placements[m].scale);
+        return std::isfinite(widest) ? widest : 0;
     }
 
     // Calls body(mesh, vertex, position) for each place of finite position, once.

@@ -12,7 +12,8 @@ namespace rakelight::geometry {
 /// whatever the order of the vertices. A component wider than twice the distance, and places in cells crowded beyond reason,
 /// stay as they are, with a remark in the report. Expected O(n).
 /// @param distance  [m] in the world; 0: nothing is joined; < 0: 4 float ulps of the diagonal of the bounding box, and only
-///                  between objects with different matrices (equal matrices keep equal numbers equal)
+///                  between objects with different matrices (equal matrices keep equal numbers equal); where meshes are
+///                  quantized, half of their widest step if that is more, between all places
 void weld_near(std::vector<std::uint32_t>& representative, const AttributeInput& input, WeldKey key, double distance,
                Context& context);
 

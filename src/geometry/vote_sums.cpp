@@ -182,6 +182,13 @@ VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const 
 void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
                 const AttributeOptions& options, Context& context) {
     constexpr std::size_t step = 1u << 13;
+    const bool skips_locked = !options.locked_vote && std::any_of(input.meshes.begin(), input.meshes.end(),
+                                                                  [](const AttributeMesh& m) { return !m.locked.empty(); });
+    const auto has_no_say = [&](std::uint32_t vertex) {
+        if (!skips_locked) return false;
+        const std::uint32_t v = topology.source_of(input, vertex), m = input.mesh_of_vertex(v);
+        return is_locked(input.meshes[m], v - input.vertex_base[m]);
+    };
     const std::size_t chunks = (groups.size() + step - 1) / step;
     std::vector<std::vector<std::uint32_t>> cancelled(chunks);
     context.parallel_for(chunks, [&](std::size_t c) {
@@ -192,6 +199,7 @@ void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topo
             dvec3 normal;
             double weight = 0;
             for (const std::uint32_t v : members) {
+                if (has_no_say(v)) continue;
                 normal += sums.normals[v].normal;
                 weight += sums.normals[v].weight;
             }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene -> scene, before an engine sees it: texture coordinates, normals and tangents. Untouched blocks are shared.
 #pragma once
+#include <optional>
+
 #include <rakelight/attributes.h>
 #include <rakelight/prepare.h>
 #include <rakelight/scene.h>
@@ -14,6 +16,8 @@ Scene project_texcoords(const Scene& scene, UvProjection projection, Context& co
 struct SmoothSceneOptions {
     AttributeOptions attributes;
     bool only_missing = false;  ///< keep normals that are there; make the others
+    /// In place of attributes.tangent_mode, for all. Unset: that mode where normals are made, MikkTSpace where they are kept.
+    std::optional<TangentMode> tangents;
 };
 Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Context& context);
 

@@ -21,6 +21,8 @@ SmoothRequest request_for(const Scene& scene, const PrepareOptions& options) {
     SmoothRequest request;
     request.attributes.weight = options.weight;
     request.attributes.crease_angle_rad = options.crease_angle_rad;
+    request.attributes.orthogonalize = options.orthogonalize;
+    if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
     request.only_missing = true;
     request.groups = false;
     switch (options.normals) {
@@ -91,6 +93,8 @@ Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& 
     warn_of_tangents(out, context.report());
     if (options.normals == NormalSource::automatic) note_flat_meshes(out, context.report());
     const SmoothRequest request = request_for(out, options);
+    for (Mesh& mesh : out.meshes)
+        if (options.tangents && wants_tangents(out, mesh)) mesh.tangents = {};  // the file's do not count
     context.throw_if_cancelled();
     out = smooth_meshes(out, request, context);
     return add_missing_tangents(out, request, context);

@@ -14,6 +14,7 @@ struct SmoothRequest {
     TangentWish tangents = TangentWish::where_needed;
     bool only_missing = false;     ///< leave meshes alone that have normals
     bool groups = true;            ///< smoothing groups of the file count
+    TangentMode kept_tangents = TangentMode::mikktspace;  ///< of add_missing_tangents(), in place of attributes.tangent_mode
 };
 
 /// The coordinate set on which a mesh's tangents are to be made: that of the normal texture, else of the height texture, else
@@ -23,7 +24,8 @@ std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish
 /// New normals (and tangents by the wish) for the drawn triangle meshes. The scene must be valid.
 Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& context);
 
-/// Tangents, by the wish, for drawn meshes that have normals but no tangents; normals stay.
+/// Tangents, by the wish, for drawn meshes that have normals but no tangents; normals stay. Each mesh by itself, so that instances
+/// stay shared; published ones over everything at a place in the world, for all meshes by the wish.
 Scene add_missing_tangents(const Scene& scene, const SmoothRequest& request, Context& context);
 
 }  // namespace rakelight

@@ -53,7 +53,7 @@ std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<boo
 Selection select(const Scene& scene, const SmoothRequest& request, const std::vector<dmat4>& world) {
     Selection s;
     for (const Instance& instance : drawn_instances(scene))
-        if (!request.only_missing || scene.meshes[instance.mesh].normals.empty()) s.instances.push_back(instance);
+        if (scene.meshes[instance.mesh].normals.empty() ? request.attributes.normals : !request.only_missing) s.instances.push_back(instance);
     const Scope scope = request.attributes.scope;
     std::vector<bool> even(scene.nodes.size(), false);
     if (scope != Scope::model)
@@ -120,6 +120,19 @@ Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_n
     return mesh;
 }
 
+// Offsets from the old normals and tangents say nothing about the new ones. Positions of targets stay.
+void refuse_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals, Report& report) {
+    bool refused = false;
+    for (MorphTarget& target : mesh.targets) {
+        refused = refused || (new_normals && !target.normals.empty()) || !target.tangents.empty();
+        if (new_normals) target.normals = {};
+        target.tangents = {};
+    }
+    if (refused)
+        report.add(Remark::dropped, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
+                   "normals and tangents of morph targets do not fit the new ones and are left out");
+}
+
 AttributeOptions options_for(const SmoothRequest& request, const std::vector<AttributeMesh>& meshes) {
     AttributeOptions options = request.attributes;
     options.tangents = false;
@@ -175,7 +188,9 @@ Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& c
         if (placed[r] != none) {
             variants.share(s.instances[i], placed[r]);
         } else {
-            Mesh mesh = with_attributes(scene.meshes[s.instances[i].mesh], std::move(results[r]), request.attributes.normals, context);
+            const std::uint32_t number = s.instances[i].mesh;
+            Mesh mesh = with_attributes(scene.meshes[number], std::move(results[r]), request.attributes.normals, context);
+            refuse_target_directions(scene, mesh, number, request.attributes.normals, context.report());
             placed[r] = variants.place(s.instances[i], std::move(mesh));
         }
     }
@@ -185,12 +200,29 @@ Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& c
     return out;
 }
 
+namespace {
+
+// The normals of the scene as it stands; the sums of the publication run over everything that is placed.
+Scene add_published_tangents(const Scene& scene, const SmoothRequest& request, Context& context) {
+    SmoothRequest all = request;
+    all.attributes.normals = false;
+    all.attributes.tangent_mode = TangentMode::published;
+    if (all.attributes.scope == Scope::face) all.attributes.scope = Scope::model;
+    all.only_missing = false;
+    return smooth_meshes(scene, all, context);
+}
+
+}  // namespace
+
 Scene add_missing_tangents(const Scene& scene, const SmoothRequest& request, Context& context) {
+    if (request.tangents == TangentWish::none) return scene;
+    if (request.kept_tangents == TangentMode::published) return add_published_tangents(scene, request, context);
     std::vector<std::uint32_t> numbers;
     std::vector<bool> seen(scene.meshes.size(), false);
     std::vector<AttributeMesh> meshes;
     SmoothRequest only = request;
     only.attributes.normals = false;
+    only.attributes.tangent_mode = request.kept_tangents;
     only.attributes.scope = Scope::object;  // kept normals: each mesh by itself, so that instances stay shared
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
@@ -216,6 +248,9 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
     request.attributes = options.attributes;
     request.tangents = options.attributes.tangents ? TangentWish::everywhere : TangentWish::none;
     request.only_missing = options.only_missing;
+    if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
+    const bool published = request.attributes.tangent_mode == TangentMode::published;
+    if (published) request.kept_tangents = TangentMode::published;
     Scene out = options.attributes.normals ? smooth_meshes(scene, request, context) : scene;
     if (request.tangents == TangentWish::none) return out;
     if (!options.attributes.normals && !options.only_missing)

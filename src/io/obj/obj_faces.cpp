@@ -45,13 +45,14 @@ std::uint32_t resolved(std::int64_t written, std::uint64_t seen, std::uint64_t t
 class ElementReader {
 public:
     ElementReader(std::string_view file, const Contents& contents, const VertexData& data,
-                  const FindMaterial& find_material, Remarks& remarks, Context& context)
+                  const FindMaterial& find_material, Remarks& remarks, Context& context, const FaceObserver& observe)
         : file_(file),
           contents_(contents),
           data_(data),
           find_material_(find_material),
           remarks_(remarks),
-          context_(context) {}
+          context_(context),
+          observe_(observe) {}
 
     Elements read(const std::string& default_object) {
         name_ = default_object;
@@ -62,6 +63,7 @@ public:
                 context_.progress("load", 0.4 + 0.6 * double(line.begin) / double(file_.size()));
             }
             line_ = line.number;
+            at_ = &line;
             if (!line.keyword.text.empty()) statement(line, lines.arguments(line));
         }
         return std::move(elements_);
@@ -180,6 +182,10 @@ private:
             for (Corner& c : corners_) c.normal = none;
         cut();
         GrowingMesh& target = mesh(Topology::triangles, has_normals);
+        if (observe_) {
+            const auto number = std::size_t(&target - elements_.meshes.meshes().data());
+            observe_({*at_, number, target.indices.size(), corners_, triangles_});
+        }
         for (std::size_t i = 0; i < triangles_.size(); i += 3) {
             bool is_drawable = true;
             for (std::size_t k = i; k < i + 3; ++k) {
@@ -243,6 +249,8 @@ private:
     const FindMaterial& find_material_;
     Remarks& remarks_;
     Context& context_;
+    const FaceObserver& observe_;
+    const Line* at_ = nullptr;  ///< the line at hand
     Elements elements_;
     std::uint64_t line_ = 0, material_line_ = 0, seen_positions_ = 0, seen_texcoords_ = 0, seen_normals_ = 0;
     std::string name_, material_name_;
@@ -258,8 +266,8 @@ private:
 
 Elements read_elements(std::string_view file, const Contents& contents, const VertexData& data,
                        const std::string& default_object, const FindMaterial& find_material, Remarks& remarks,
-                       Context& context) {
-    return ElementReader(file, contents, data, find_material, remarks, context).read(default_object);
+                       Context& context, const FaceObserver& observe) {
+    return ElementReader(file, contents, data, find_material, remarks, context, observe).read(default_object);
 }
 
 }  // namespace rakelight::io::obj

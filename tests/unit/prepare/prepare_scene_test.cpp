@@ -208,6 +208,52 @@ TEST(PrepareScene, KeepsTheFilesTangentsWithItsNormalsOnly) {
     expect_tangents(prepared(scene, by(NormalSource::model)).meshes[0], {1, 0, 0, 1});
 }
 
+/// A strip of two quads, bent, whose charts meet at 30 degrees: averaged over position they differ from MikkTSpace's.
+Mesh turned_charts(bool with_normals) {
+    Mesh mesh;
+    mesh.positions = std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}};
+    mesh.indices = std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    const float c = 0.8660254f, s = 0.5f;
+    mesh.texcoords = {std::vector<vec2>{{0, 1}, {1, 1}, {1, 0}, {0, 0}, {-s, c}, {c - s, s + c}, {c, s}, {0, 0}}};
+    if (with_normals) mesh.normals = std::vector<vec3>(8, {0, 0, 1});
+    return mesh;
+}
+
+TEST(PrepareScene, TangentsAreTheFilesElseMikktspaceForKeptNormalsElseAveraged) {
+    Scene scene = scene_of({turned_charts(true)});
+    test::give_texture(scene, &Material::normal_texture);
+    const auto turn = [](const Mesh& m) { return std::fabs(m.tangents[1].y - m.tangents[4].y); };
+    EXPECT_GT(turn(prepared(scene).meshes[0]), 0.4) << "MikkTSpace keeps charts apart";
+    EXPECT_LT(turn(prepared(scene, by(NormalSource::model)).meshes[0]), 1e-6) << "averaged over the place";
+    PrepareOptions options;
+    options.tangents = TangentMode::averaged;
+    scene.meshes[0].normals = std::vector<vec3>(8, {0, 0, 1});
+    EXPECT_LT(turn(prepared(scene, options).meshes[0]), 1e-6);
+    options = by(NormalSource::model);
+    options.tangents = TangentMode::mikktspace;
+    EXPECT_GT(turn(prepared(scene, options).meshes[0]), 0.4);
+    options.tangents = TangentMode::published;
+    EXPECT_LT(turn(prepared(scene, options).meshes[0]), 1e-6);
+    scene.meshes[0].tangents = std::vector<vec4>(8, {0, 1, 0, -1});
+    EXPECT_EQ(prepared(scene).meshes[0].tangents[0], (vec4{0, 1, 0, -1})) << "the file's";
+    options = {};
+    options.tangents = TangentMode::mikktspace;
+    EXPECT_NEAR(prepared(scene, options).meshes[0].tangents[0].x, 1, 1e-6) << "said explicitly, the file's do not count";
+}
+
+TEST(PrepareScene, PublishedTangentsRunOverObjectsWithKeptNormals) {
+    Mesh left = turned_charts(true), right = left;
+    left.indices = std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3};
+    right.indices = std::vector<std::uint32_t>{4, 5, 6, 4, 6, 7};
+    Scene scene = scene_of({left, right});
+    test::give_texture(scene, &Material::normal_texture);
+    PrepareOptions options;
+    options.tangents = TangentMode::published;
+    const Scene out = prepared(scene, options);
+    EXPECT_EQ(out.meshes[0].tangents[1], out.meshes[1].tangents[4]);
+    EXPECT_NE(out.meshes[0].tangents[1], out.meshes[0].tangents[0]);
+}
+
 TEST(PrepareScene, ComputesTangentsWhereTheFilesAreBroken) {
     Mesh mesh = textured_quad();
     mesh.normals = std::vector<vec3>(4, {0, 0, 1});

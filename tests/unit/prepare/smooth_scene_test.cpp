@@ -129,6 +129,24 @@ TEST(SmoothScene, WithoutNormalsAskedForMakesOnlyTangentsAnew) {
     EXPECT_NEAR(after.tangents[0].x, 1, 1e-6);
 }
 
+TEST(SmoothScene, MorphTargetsKeepTheirPositionsAndLoseNormalsAloud) {
+    Mesh mesh = cube_mesh();
+    mesh.targets.resize(2);
+    mesh.targets[0].positions = std::vector<vec3>(8, {1, 0, 0});
+    mesh.targets[0].normals = std::vector<vec3>(8, {0, 0.5f, 0});
+    mesh.targets[1].positions = std::vector<vec3>(8, {0, 1, 0});
+    Context context;
+    const Mesh after = smooth_scene(scene_of({mesh}), {}, context).meshes[0];
+    ASSERT_EQ(after.targets.size(), 2u);
+    EXPECT_EQ(after.targets[0].positions.size(), after.positions.size()) << "split vertices move with their sources";
+    EXPECT_TRUE(after.targets[0].normals.empty());
+    EXPECT_EQ(test::remarks(context, Remark::dropped, "morph targets"), 1u);
+    mesh.targets.erase(mesh.targets.begin());
+    Context quiet;
+    smooth_scene(scene_of({mesh}), {}, quiet);
+    EXPECT_EQ(test::remarks(quiet, Remark::dropped, "morph targets"), 0u) << "nothing was left out";
+}
+
 TEST(SmoothScene, LooksAtModelsFarFromTheOriginAsAtNearOnes) {
     Scene scene = scene_of({quad_mesh(), quad_mesh()});
     for (Mesh& mesh : scene.meshes) mesh.origin = {1e6, 2e6, 3e6};

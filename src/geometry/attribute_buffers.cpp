@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The door for callers who own the buffers.
+#include <string>
+
+#include "geometry/fast_attributes.h"
+
+namespace rakelight {
+namespace {
+
+void check_buffers(std::span<const AttributeMesh> meshes, const AttributeOptions& options, std::span<const AttributeBuffers> out) {
+    if (out.size() != meshes.size())
+        throw Error(ErrorCode::usage, std::to_string(out.size()) + " buffers for " + std::to_string(meshes.size()) + " meshes");
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        const auto need = [&](std::size_t given, const char* what) {
+            if (given >= meshes[m].positions.size()) return;
+            throw Error(ErrorCode::usage, "room for " + std::to_string(given) + " " + what + " of " +
+                                              std::to_string(meshes[m].positions.size()) + " vertices", "mesh " + std::to_string(m));
+        };
+        need(out[m].normals.size(), "normals");
+        if (options.tangents && !meshes[m].texcoords.empty()) need(out[m].tangents.size(), "tangents");
+    }
+}
+
+}  // namespace
+
+struct AttributeWorkspace::Impl {
+    geometry::FastScratch scratch;
+};
+
+AttributeWorkspace::AttributeWorkspace() : impl_(std::make_unique<Impl>()) {}
+AttributeWorkspace::AttributeWorkspace(AttributeWorkspace&&) noexcept = default;
+AttributeWorkspace& AttributeWorkspace::operator=(AttributeWorkspace&&) noexcept = default;
+AttributeWorkspace::~AttributeWorkspace() = default;
+std::size_t AttributeWorkspace::bytes() const { return impl_->scratch.bytes(); }
+
+std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                                     std::span<const AttributeBuffers> out, AttributeWorkspace& workspace,
+                                                     Context& context) {
+    geometry::check_options(options);
+    check_buffers(meshes, options, out);
+    if (geometry::takes_fast_path(meshes, options))
+        return geometry::fast_attributes(meshes, options, out, workspace.impl().scratch, context);
+    const std::vector<MeshAttributes> results = geometry::general_attributes(meshes, options, context);
+    std::vector<SplitAttributes> splits;
+    for (std::size_t m = 0; m < meshes.size(); ++m) splits.push_back(geometry::split_from(meshes[m], results[m], out[m]));
+    return splits;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/fast_attributes.h"
+
+#include <cmath>
+
+#include "geometry/fast_finish.h"
+#include "geometry/fast_hard_places.h"
+#include "geometry/fast_scatter.h"
+#include "geometry/fast_weld.h"
+#include "math/isa.h"
+
+namespace rakelight::geometry {
+namespace {
+
+// Rotation, uniform scale, mirroring, shift: unit normals and tangents of object space are those of the world, turned.
+bool keeps_angles(const dmat4& m) {
+    constexpr double slack = 1e-12;
+    const dvec3 x = m[0].xyz(), y = m[1].xyz(), z = m[2].xyz();
+    const double size = dot(x, x);
+    if (!(size > 1e-60 && size < 1e60)) return false;
+    const auto near = [&](double a, double b) { return std::fabs(a - b) <= slack * size; };
+    return near(dot(y, y), size) && near(dot(z, z), size) && near(dot(x, y), 0) && near(dot(y, z), 0) && near(dot(z, x), 0);
+}
+
+// Without what only the general path has.
+bool is_plain(const AttributeOptions& o) {
+    return o.tangent_mode == TangentMode::averaged && o.orthogonalize == Orthogonalize::attribute && !o.measure_orthogonality &&
+           !o.fans;
+}
+bool is_plain(const AttributeMesh& m) {
+    return m.locked.empty() && m.position_step == 0 && m.smoothing_hint.empty() &&
+           (m.smoothing.empty() || m.group_kind == GroupKind::none);
+}
+
+const FastKernels& kernels_for(Isa isa) {
+    switch (isa) {
+        case Isa::scalar: return *scalar::fast_kernels();
+        case Isa::sse2: return *sse2::fast_kernels();
+        case Isa::avx2: return *avx2::fast_kernels();
+        case Isa::avx512: return *avx512::fast_kernels();
+    }
+    return *scalar::fast_kernels();
+}
+
+std::vector<SplitAttributes> without_splits(const FastState& state) {
+    std::vector<SplitAttributes> splits(state.input.meshes.size());
+    for (std::size_t m = 0; m < splits.size(); ++m) {
+        splits[m].degenerate_faces = state.degenerate[m];
+        splits[m].isolated_vertices = state.isolated[m];
+    }
+    return splits;
+}
+
+// The general path's result, in the form of the buffers.
+std::vector<SplitAttributes> give_to_general(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                             std::span<const AttributeBuffers> out, Context& context) {
+    const std::vector<MeshAttributes> results = general_attributes(meshes, options, context);
+    std::vector<SplitAttributes> splits(meshes.size());
+    for (std::size_t m = 0; m < meshes.size(); ++m) splits[m] = split_from(meshes[m], results[m], out[m]);
+    return splits;
+}
+
+}  // namespace
+
+std::size_t FastScratch::bytes() const {
+    std::size_t sum = rows.bytes() + records.bytes() + cursors.capacity() * sizeof(std::uint32_t);
+    for (const auto& box : outbox) sum += box.capacity();
+    for (const LaneScratch& lane : lanes)
+        sum += lane.table.bytes() + lane.duplicates.capacity() * sizeof(Duplicate) + lane.parcels.capacity() +
+               (lane.cursor.capacity() + lane.odd.capacity()) * sizeof(std::uint32_t);
+    return sum;
+}
+
+bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptions& options) {
+    const bool fits = options.normals && options.scope != Scope::face && options.crease_angle_rad + 1e-6 >= pi &&
+                      options.weight == CornerWeight::uniform && options.weld_distance <= 0;
+    if (!fits || !is_plain(options) || meshes.empty() || !keeps_angles(meshes[0].to_world)) return false;
+    return std::all_of(meshes.begin(), meshes.end(), [&](const AttributeMesh& m) {
+        return m.to_world == meshes[0].to_world && is_plain(m);
+    });
+}
+
+SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& result, const AttributeBuffers& out) {
+    const std::size_t count = mesh.positions.size();
+    SplitAttributes split;
+    std::copy_n(result.normals.begin(), count, out.normals.begin());
+    split.normals.assign(result.normals.begin() + std::ptrdiff_t(count), result.normals.end());
+    if (!result.tangents.empty()) {
+        std::copy_n(result.tangents.begin(), count, out.tangents.begin());
+        split.tangents.assign(result.tangents.begin() + std::ptrdiff_t(count), result.tangents.end());
+    }
+    split.source_vertex = result.source_vertex;
+    for (std::size_t i = 0; i < result.indices.size(); ++i)
+        if (result.indices[i] != mesh.indices[i]) split.corners.push_back({std::uint32_t(i), result.indices[i]});
+    split.degenerate_faces = result.degenerate_faces;
+    split.isolated_vertices = result.isolated_vertices;
+    return split;
+}
+
+std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                             std::span<const AttributeBuffers> out, FastScratch& scratch, Context& context) {
+    const AttributeInput input = number_input(meshes);
+    const bool tangents = options.tangents && std::any_of(meshes.begin(), meshes.end(), [](const AttributeMesh& m) {
+                              return !m.texcoords.empty();
+                          });
+    const std::size_t vertices = input.vertex_count();
+    const std::size_t floats = tangents ? tangent_row_floats : normal_row_floats;
+    context.memory().check(vertices * (floats * sizeof(float) + 16), "smoothing normals");
+    scratch.rows.reserve(vertices * floats);
+    FastState state{input, options, scratch, kernels_for(isa_from_environment()), context, tangents, {}, {}};
+    state.degenerate.assign(meshes.size(), 0);
+    state.isolated.assign(meshes.size(), 0);
+    if (!scatter_votes(state)) check_indices(input, context);
+    weld_rows(state);
+    context.throw_if_cancelled();
+    const std::vector<std::uint32_t> hard = finish_rows(state, out);
+    context.throw_if_cancelled();
+    if (hard.size() > vertices / 4) return give_to_general(meshes, options, out, context);
+    std::vector<SplitAttributes> splits = without_splits(state);
+    if (!hard.empty()) redo_places(state, hard, out, splits);
+    return splits;
+}
+
+std::vector<MeshAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                            Context& context) {
+    std::vector<MeshAttributes> results(meshes.size());
+    std::vector<AttributeBuffers> out(meshes.size());
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        results[m].normals.resize(meshes[m].positions.size());
+        if (options.tangents && !meshes[m].texcoords.empty()) results[m].tangents.resize(meshes[m].positions.size());
+        out[m] = {results[m].normals, results[m].tangents};
+    }
+    FastScratch scratch;
+    std::vector<SplitAttributes> splits = fast_attributes(meshes, options, out, scratch, context);
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        MeshAttributes& r = results[m];
+        SplitAttributes& s = splits[m];
+        r.degenerate_faces = s.degenerate_faces;
+        r.isolated_vertices = s.isolated_vertices;
+        r.normals.insert(r.normals.end(), s.normals.begin(), s.normals.end());
+        r.tangents.insert(r.tangents.end(), s.tangents.begin(), s.tangents.end());
+        r.source_vertex = std::move(s.source_vertex);
+        if (s.corners.empty()) continue;
+        r.indices.assign(meshes[m].indices.begin(), meshes[m].indices.end());
+        for (const CornerVertex& c : s.corners) r.indices[c.corner] = c.vertex;
+    }
+    return results;
+}
+
+}  // namespace rakelight::geometry

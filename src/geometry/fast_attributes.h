@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fast path: where a crease angle of pi joins everything at a place, no smoothing groups part anything and all meshes stand by
+// one matrix that keeps angles, votes are summed in float inside each mesh, only vertices are welded, and places at which
+// float could decide otherwise than double are given to the general path.
+#pragma once
+#include "geometry/fast_state.h"
+
+namespace rakelight::geometry {
+
+/// The general path (attributes.cpp): every option, in double.
+std::vector<MeshAttributes> general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                               Context& context);
+
+/// Whether the fast path covers these options and matrices.
+bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptions& options);
+
+/// The general path's result for one mesh, in the form of the buffers.
+SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& result, const AttributeBuffers& out);
+
+/// @param out  [meshes] large enough: checked by the caller
+/// @throws Error as the door says
+std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                             std::span<const AttributeBuffers> out, FastScratch& scratch, Context& context);
+
+/// The same as arrays.
+std::vector<MeshAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                            Context& context);
+
+}  // namespace rakelight::geometry

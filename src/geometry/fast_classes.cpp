@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/fast_classes.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace rakelight::geometry {
+namespace {
+
+// Stricter than the finish, which sees the very sums that passed here.
+constexpr float class_normal_share = weak_normal_share * 1.01f, class_tangent_share = weak_tangent_share * 1.01f;
+constexpr float cos_45 = 0.70710678f, cos_margin = 1e-4f;
+constexpr std::size_t most_members = 16;  // whose tangents are compared pairwise; larger classes go to the general path
+
+struct TangentRow8 {
+    vec3 normal;
+    float hand;
+    vec3 tangent;
+    float weight;
+};
+static_assert(sizeof(TangentRow8) == tangent_row_floats * sizeof(float));
+
+class ClassJoin {
+public:
+    ClassJoin(FastState& state, std::span<const Duplicate> duplicates) : state_(state), duplicates_(duplicates) {}
+
+    void run() {
+        const std::size_t count = duplicates_.size() + 1;
+        vec3 normal;
+        float weight = 0;
+        std::size_t silent = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const float* row = state_.row(member(i));
+            normal += vec3{row[0], row[1], row[2]};
+            weight += row[state_.floats() - 1];
+            silent += row[state_.floats() - 1] == 0;
+        }
+        if (weight == 0) return;
+        if (silent != 0) count_isolated();
+        const bool is_weak = !(dot(normal, normal) >= weight * weight * class_normal_share * class_normal_share);
+        if (is_weak || (state_.tangents && !join_tangents(normal * (1 / length(normal))))) return leave();
+        for (std::size_t i = 0; i < count; ++i) {
+            float* row = state_.row(member(i));
+            std::memcpy(row, &normal, sizeof normal);
+            // The finish compares hand with weight; the tangents of this class have been judged.
+            float& own = row[state_.floats() - 1];
+            own = state_.tangents && row[3] != 0 ? std::fabs(row[3]) : weight;
+        }
+    }
+
+private:
+    std::uint32_t member(std::size_t i) const { return i == 0 ? duplicates_[0].rep : duplicates_[i - 1].vertex; }
+
+    void count_isolated() const {
+        for (std::size_t i = 0; i <= duplicates_.size(); ++i)
+            if (state_.row(member(i))[state_.floats() - 1] == 0)
+                std::atomic_ref(state_.isolated[state_.input.mesh_of_vertex(member(i))]).fetch_add(1, std::memory_order_relaxed);
+    }
+
+    void leave() const {
+        for (std::size_t i = 0; i <= duplicates_.size(); ++i) state_.row(member(i))[state_.floats() - 1] = -1;
+    }
+
+    // False: not to be decided here.
+    bool join_tangents(vec3 n) const {
+        const std::size_t count = duplicates_.size() + 1;
+        if (count > most_members) return false;
+        TangentRow8* rows[most_members];
+        vec3 direction[most_members];
+        std::size_t set[most_members];
+        for (std::size_t i = 0; i < count; ++i) {
+            rows[i] = reinterpret_cast<TangentRow8*>(state_.row(member(i)));
+            set[i] = i;
+            if (rows[i]->hand == 0 && !state_.is_textured(state_.input.mesh_of_vertex(member(i)))) continue;
+            if (rows[i]->hand == 0 || std::fabs(rows[i]->hand) != rows[i]->weight) return false;
+            direction[i] = across(n, rows[i]->tangent);
+            if (is_weak(direction[i], rows[i]->hand)) return false;
+            direction[i] = direction[i] * (1 / length(direction[i]));
+        }
+        for (std::size_t a = 0; a < count; ++a)
+            for (std::size_t b = a + 1; b < count; ++b) {
+                if (!(rows[a]->hand * rows[b]->hand > 0)) continue;
+                const float cosine = dot(direction[a], direction[b]);
+                if (std::fabs(cosine - cos_45) < cos_margin) return false;
+                if (cosine > cos_45) join(set, count, set[a], set[b]);
+            }
+        return add_sets(n, rows, set, count);
+    }
+
+    static void join(std::size_t* set, std::size_t count, std::size_t a, std::size_t b) {
+        const std::size_t low = std::min(a, b), high = std::max(a, b);
+        for (std::size_t i = 0; i < count; ++i)
+            if (set[i] == high) set[i] = low;
+    }
+
+    static bool add_sets(vec3 n, TangentRow8* const* rows, const std::size_t* set, std::size_t count) {
+        vec3 tangent[most_members];
+        float hand[most_members] = {};
+        for (std::size_t i = 0; i < count; ++i) {
+            tangent[set[i]] += rows[i]->tangent;
+            hand[set[i]] += rows[i]->hand;
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            if (hand[i] != 0 && is_weak(across(n, tangent[i]), hand[i])) return false;
+        for (std::size_t i = 0; i < count; ++i) {
+            rows[i]->tangent = tangent[set[i]];
+            rows[i]->hand = hand[set[i]];
+        }
+        return true;
+    }
+
+    static vec3 across(vec3 n, vec3 t) { return t - n * dot(n, t); }
+    static bool is_weak(vec3 t, float hand) { return !(dot(t, t) >= hand * hand * class_tangent_share * class_tangent_share); }
+
+    FastState& state_;
+    std::span<const Duplicate> duplicates_;
+};
+
+}  // namespace
+
+void join_classes(FastState& state, std::vector<Duplicate>& duplicates) {
+    std::sort(duplicates.begin(), duplicates.end(), [](const Duplicate& a, const Duplicate& b) {
+        return a.rep != b.rep ? a.rep < b.rep : a.vertex < b.vertex;
+    });
+    for (std::size_t first = 0, last = 0; first < duplicates.size(); first = last) {
+        while (last < duplicates.size() && duplicates[last].rep == duplicates[first].rep) ++last;
+        ClassJoin(state, std::span(duplicates).subspan(first, last - first)).run();
+    }
+}
+
+}  // namespace rakelight::geometry

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/glb_writer.h"
+
+#include <algorithm>
+#include <map>
+
+#include "io/file.h"
+#include "io/glb_writer_materials.h"
+#include "io/gltf/save_data.h"
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight::io {
+namespace gltf {
+namespace {
+
+OrderedJson json_of(const dmat4& m) {
+    OrderedJson json = OrderedJson::array();
+    for (int column = 0; column < 4; ++column)
+        for (const double x : {m[column].x, m[column].y, m[column].z, m[column].w}) json.push_back(x);
+    return json;
+}
+
+/// A rotation and a translation whose -Z is `direction`.
+dmat4 placed_light(const Light& light) {
+    const dvec3 z = normalize_or(-light.direction, dvec3{0, 0, 1});
+    const dvec3 x = normalize_or(cross(std::abs(z.y) < 0.9 ? dvec3{0, 1, 0} : dvec3{1, 0, 0}, z), dvec3{1, 0, 0});
+    const dvec3 y = cross(z, x), p = light.position;
+    return {{{x.x, x.y, x.z, 0}, {y.x, y.y, y.z, 0}, {z.x, z.y, z.z, 0}, {p.x, p.y, p.z, 1}}};
+}
+
+class GlbWriter {
+public:
+    GlbWriter(const Scene& scene, Context& context) : scene_(scene), context_(context) {
+        root_["asset"] = {{"version", "2.0"}, {"generator", "Rakelight"}};
+        root_["scene"] = 0;
+        root_["scenes"] = OrderedJson::array({OrderedJson::object()});
+        for (const char* name : {"nodes", "meshes", "accessors", "bufferViews"}) root_[name] = OrderedJson::array();
+    }
+
+    void write(const std::string& path) {
+        say_what_is_lost();
+        std::vector<std::byte> binary;
+        MaterialWriter materials(root_, scene_, context_);
+        materials.write(binary);
+        while (binary.size() % 4 != 0) binary.push_back(std::byte{0});
+        NewData data(root_, 0, binary.size());
+        nodes(data);
+        cameras();
+        lights();
+        extensions_.insert(extensions_.end(), materials.extensions().begin(), materials.extensions().end());
+        if (!extensions_.empty()) root_["extensionsUsed"] = extensions_;
+        if (std::find(extensions_.begin(), extensions_.end(), "EXT_texture_webp") != extensions_.end())
+            root_["extensionsRequired"] = {"EXT_texture_webp"};  // the textures have no other source
+        binary.insert(binary.end(), data.bytes().begin(), data.bytes().end());
+        if (root_["meshes"].empty()) throw Error(ErrorCode::bad_file, "nothing to write: there is no mesh");
+        root_["buffers"] = OrderedJson::array({{{"byteLength", binary.size()}}});
+        write_container(path, binary);
+    }
+
+private:
+    void lost(const char* what) { context_.report().add(Remark::dropped, scene_.source, {}, what); }
+
+    void say_what_is_lost() {
+        if (!scene_.skins.empty()) lost("skins are not written: the model stands in its bind pose");
+        if (!scene_.animations.empty()) lost("animations are not written");
+        const auto has_groups = [](const Mesh& m) { return !m.smoothing.empty() || !m.smoothing_hint.empty(); };
+        if (std::any_of(scene_.meshes.begin(), scene_.meshes.end(), has_groups))
+            context_.report().add(Remark::note, scene_.source, {},
+                                  "smoothing groups have no place in glTF: they are in the normals, and gone for a later run");
+        const auto has_targets = [](const Mesh& m) { return !m.targets.empty(); };
+        if (std::any_of(scene_.meshes.begin(), scene_.meshes.end(), has_targets)) lost("morph targets are not written");
+    }
+
+    OrderedJson primitive(const Mesh& mesh, NewData& data) {
+        const auto floats = [&](const auto& block, const char* type) {
+            using T = std::remove_cvref_t<decltype(block[0])>;
+            Elements e;
+            e.data = reinterpret_cast<const std::byte*>(block.data());
+            e.count = block.size();
+            e.stride = sizeof(T);
+            e.components = sizeof(T) / sizeof(float);
+            return data.extended(e, {}, {{"componentType", 5126}, {"type", type}});
+        };
+        OrderedJson attributes;
+        vec3 low = mesh.positions[0], high = low;
+        for (const vec3& p : mesh.positions) low = min(low, p), high = max(high, p);
+        Elements positions;
+        positions.data = reinterpret_cast<const std::byte*>(mesh.positions.data());
+        positions.count = mesh.positions.size();
+        positions.stride = sizeof(vec3);
+        positions.components = 3;
+        attributes["POSITION"] =
+            data.extended(positions, {}, {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
+        if (!mesh.normals.empty()) attributes["NORMAL"] = data.normals(mesh.normals);
+        if (!mesh.normals.empty() && !mesh.tangents.empty()) attributes["TANGENT"] = data.tangents(mesh.tangents);
+        for (std::size_t set = 0; set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); ++set)
+            attributes["TEXCOORD_" + std::to_string(set)] = floats(mesh.texcoords[set], "VEC2");
+        if (!mesh.colors.empty()) attributes["COLOR_0"] = floats(mesh.colors, "VEC4");
+        OrderedJson json = {{"attributes", std::move(attributes)},
+                            {"indices", data.indices(mesh.indices, ComponentType::u16)}};
+        if (mesh.material != none) json["material"] = mesh.material;
+        if (mesh.topology != Topology::triangles) json["mode"] = mesh.topology == Topology::lines ? 1 : 0;
+        return json;
+    }
+
+    /// The glTF mesh of a node's meshes; nodes with the same list share it. `none` when they hold nothing.
+    std::uint32_t mesh_of(const std::vector<std::uint32_t>& list, NewData& data) {
+        if (const auto known = meshes_.find(list); known != meshes_.end()) return known->second;
+        OrderedJson primitives = OrderedJson::array();
+        for (const std::uint32_t m : list)
+            if (!scene_.meshes[m].indices.empty() && !scene_.meshes[m].positions.empty())
+                primitives.push_back(primitive(scene_.meshes[m], data));
+        if (primitives.empty()) return meshes_[list] = none;
+        OrderedJson mesh = OrderedJson::object();
+        if (!scene_.meshes[list[0]].name.empty()) mesh["name"] = one_line(scene_.meshes[list[0]].name);
+        mesh["primitives"] = std::move(primitives);
+        const auto number = std::uint32_t(root_["meshes"].size());
+        root_["meshes"].push_back(std::move(mesh));
+        return meshes_[list] = number;
+    }
+
+    std::size_t add_node(OrderedJson node, std::uint32_t parent) {
+        OrderedJson& list = root_["nodes"];
+        const std::size_t number = list.size();
+        list.push_back(std::move(node));
+        (parent == none ? root_["scenes"][0]["nodes"] : list[parent]["children"]).push_back(number);
+        return number;
+    }
+
+    static void add_placement(OrderedJson& json, const Transform& local) {
+        if (local.matrix) {
+            if (!(*local.matrix == dmat4{})) json["matrix"] = json_of(*local.matrix);
+            return;
+        }
+        const auto& [t, r, s] = std::tie(local.translation, local.rotation, local.scale);
+        if (!(t == dvec3{})) json["translation"] = {t.x, t.y, t.z};
+        if (!(r == dquat{})) json["rotation"] = {r.x, r.y, r.z, r.w};
+        if (!(s == dvec3{1, 1, 1})) json["scale"] = {s.x, s.y, s.z};
+    }
+
+    void nodes(NewData& data) {
+        std::vector<std::pair<std::size_t, dvec3>>
+            away;  // meshes that do not count from zero: each on a child of its own
+        for (std::size_t n = 0; n < scene_.nodes.size(); ++n) {
+            context_.throw_if_cancelled();
+            const Node& node = scene_.nodes[n];
+            OrderedJson json = OrderedJson::object();
+            if (!node.name.empty()) json["name"] = one_line(node.name);
+            add_placement(json, node.local);
+            const dvec3 origin = node.meshes.empty() ? dvec3{} : scene_.meshes[node.meshes[0]].origin;
+            const std::uint32_t mesh = node.meshes.empty() ? none : mesh_of(node.meshes, data);
+            const bool is_away = mesh != none && !(origin == dvec3{});
+            if (mesh != none && !is_away) json["mesh"] = mesh;
+            add_node(std::move(json), node.parent);
+            if (is_away) away.emplace_back(n, origin);
+        }
+        for (const auto& [n, origin] : away)
+            add_node({{"translation", {origin.x, origin.y, origin.z}}, {"mesh", mesh_of(scene_.nodes[n].meshes, data)}},
+                     std::uint32_t(n));
+    }
+
+    void cameras() {
+        for (std::size_t c = 0; c < scene_.cameras.size(); ++c) {
+            root_["cameras"].push_back(camera_json(scene_.cameras[c]));
+            const Camera& camera = scene_.cameras[c];
+            OrderedJson node = {{"camera", c}};
+            if (camera.node == none) node["matrix"] = json_of(camera.to_world);
+            add_node(std::move(node), camera.node);
+        }
+    }
+
+    void lights() {
+        OrderedJson list = OrderedJson::array();
+        bool is_converted = false;
+        for (const Light& light : scene_.lights) {
+            if (light.type == LightType::ambient) {
+                lost("ambient lights have no place in glTF");
+                continue;
+            }
+            is_converted = is_converted || light.units == LightUnits::classical;
+            OrderedJson node = {{"extensions", {{"KHR_lights_punctual", {{"light", list.size()}}}}}};
+            if (light.node == none) node["matrix"] = json_of(placed_light(light));
+            list.push_back(light_json(light));
+            add_node(std::move(node), light.node);
+        }
+        if (list.empty()) return;
+        root_["extensions"]["KHR_lights_punctual"]["lights"] = std::move(list);
+        extensions_.push_back("KHR_lights_punctual");
+        if (is_converted)
+            context_.report().add(Remark::changed, scene_.source, {},
+                                  "classical lights became photometric ones; of their attenuation the part that falls "
+                                  "with the square was kept");
+    }
+
+    void write_container(const std::string& path, const std::vector<std::byte>& binary) {
+        std::string json = root_.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+        while (json.size() % 4 != 0) json += ' ';
+        const std::uint64_t padded = (binary.size() + 3) / 4 * 4, size = 12 + 8 + json.size() + 8 + padded;
+        if (size > 0xFFFFFFFFu)
+            throw Error(ErrorCode::failed, "a GLB file cannot be larger than 4 GiB").with_file(path);
+        OutputFile file(path);
+        const auto words = [&](std::initializer_list<std::uint32_t> list) {
+            file.write(std::as_bytes(std::span(list.begin(), list.size())));
+        };
+        words({0x46546C67, 2, std::uint32_t(size), std::uint32_t(json.size()), 0x4E4F534A});
+        file.write(std::as_bytes(std::span(json)));
+        words({std::uint32_t(padded), 0x004E4942});
+        file.write(binary);
+        const std::array<std::byte, 3> zeros{};
+        file.write(std::span(zeros).first(std::size_t(padded - binary.size())));
+        file.commit();
+    }
+
+    const Scene& scene_;
+    Context& context_;
+    OrderedJson root_;
+    std::map<std::vector<std::uint32_t>, std::uint32_t> meshes_;
+    std::vector<std::string> extensions_;
+};
+
+}  // namespace
+}  // namespace gltf
+
+void write_glb(const Scene& scene, const std::string& path, Context& context) {
+    gltf::GlbWriter(scene, context).write(path);
+}
+
+}  // namespace rakelight::io

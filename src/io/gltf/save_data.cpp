@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/save_data.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace rakelight::io::gltf {
+namespace {
+
+constexpr int vertex_target = 34962, index_target = 34963;  // ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER
+
+std::uint64_t hash_of(std::span<const std::byte> bytes) {  // FNV-1a
+    std::uint64_t h = 0xcbf29ce484222325u;
+    for (const std::byte b : bytes) h = (h ^ std::uint64_t(b)) * 0x100000001b3u;
+    return h;
+}
+
+template <class T>
+std::vector<std::byte> bytes_of(std::span<const T> values) {
+    const auto raw = std::as_bytes(values);
+    return {raw.begin(), raw.end()};
+}
+
+template <class T>
+std::vector<std::byte> narrowed(std::span<const std::uint32_t> values) {
+    std::vector<T> narrow(values.begin(), values.end());
+    return bytes_of(std::span<const T>(narrow));
+}
+
+const char* type_name(std::uint32_t components) {
+    switch (components) {
+        case 1:
+            return "SCALAR";
+        case 2:
+            return "VEC2";
+        case 3:
+            return "VEC3";
+        case 4:
+            return "VEC4";
+        default:
+            return "MAT4";
+    }
+}
+
+}  // namespace
+
+std::uint32_t NewData::accessor(std::vector<std::byte> data, std::uint32_t stride, int target,
+                                OrderedJson description) {
+    // 1. a view of the same bytes, or a new one; every view begins at a multiple of 4
+    const std::uint64_t hash = hash_of(data);
+    const auto is_same = [&](const Known& k) {
+        return k.size == data.size() && k.stride == stride && k.target == target &&
+               std::equal(data.begin(), data.end(), bytes_.begin() + std::ptrdiff_t(k.begin));
+    };
+    std::uint32_t view = none;
+    for (auto [at, end] = views_.equal_range(hash); at != end && view == none; ++at)
+        if (is_same(at->second)) view = at->second.view;
+    if (view == none) {
+        OrderedJson json = {{"buffer", buffer_}, {"byteOffset", offset_ + bytes_.size()}, {"byteLength", data.size()}};
+        if (stride != 0) json["byteStride"] = stride;
+        json["target"] = target;
+        OrderedJson& views = root_["bufferViews"];
+        view = std::uint32_t(views.size());
+        views.push_back(std::move(json));
+        views_.emplace(hash, Known{bytes_.size(), data.size(), stride, target, view});
+        bytes_.insert(bytes_.end(), data.begin(), data.end());
+        bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    }
+    // 2. the accessor
+    description["bufferView"] = view;
+    const auto [entry, is_new] = accessors_.try_emplace(description.dump(), 0u);
+    if (is_new) {
+        OrderedJson& accessors = root_["accessors"];
+        entry->second = std::uint32_t(accessors.size());
+        accessors.push_back(std::move(description));
+    }
+    return entry->second;
+}
+
+std::uint32_t NewData::normals(std::span<const vec3> values) {
+    return accessor(bytes_of(values), 0, vertex_target,
+                    {{"componentType", 5126}, {"count", values.size()}, {"type", "VEC3"}});
+}
+
+std::uint32_t NewData::tangents(std::span<const vec4> values) {
+    return accessor(bytes_of(values), 0, vertex_target,
+                    {{"componentType", 5126}, {"count", values.size()}, {"type", "VEC4"}});
+}
+
+std::uint32_t NewData::indices(std::span<const std::uint32_t> values, ComponentType least) {
+    // The largest value of a type means "restart" to some systems; glTF forbids it.
+    const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+    const ComponentType type = largest >= 0xFFFF || least == ComponentType::u32 ? ComponentType::u32
+                               : largest >= 0xFF || least == ComponentType::u16 ? ComponentType::u16
+                                                                                : ComponentType::u8;
+    std::vector<std::byte> data = type == ComponentType::u32   ? bytes_of(values)
+                                  : type == ComponentType::u16 ? narrowed<std::uint16_t>(values)
+                                                               : narrowed<std::uint8_t>(values);
+    return accessor(std::move(data), 0, index_target,
+                    {{"componentType", int(type)}, {"count", values.size()}, {"type", "SCALAR"}});
+}
+
+std::uint32_t NewData::extended(const Elements& elements, std::span<const std::uint32_t> copied,
+                                const OrderedJson& model) {
+    const std::size_t size = elements.element_bytes(), stride = (size + 3) / 4 * 4, count = std::size_t(elements.count);
+    std::vector<std::byte> data((count + copied.size()) * stride);
+    const auto copy = [&](std::size_t to, std::size_t from) {
+        if (elements.data) std::memcpy(data.data() + to * stride, elements.data + from * elements.stride, size);
+    };
+    for (std::size_t i = 0; i < count; ++i) copy(i, i);
+    for (std::size_t i = 0; i < copied.size(); ++i) copy(count + i, copied[i]);
+    OrderedJson description = model;
+    for (const char* name : {"byteOffset", "sparse"}) description.erase(name);
+    description["componentType"] = int(elements.type);
+    description["count"] = count + copied.size();
+    description["type"] = type_name(elements.components);
+    return accessor(std::move(data), stride == size ? 0 : std::uint32_t(stride), vertex_target, std::move(description));
+}
+
+}  // namespace rakelight::io::gltf

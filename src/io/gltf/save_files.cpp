@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/save_files.h"
+
+#include <cstring>
+#include <filesystem>
+#include <set>
+
+#include "io/gltf/container.h"
+
+namespace rakelight::io::gltf {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t magic = 0x46546C67, json_type = 0x4E4F534A, binary_type = 0x004E4942;
+
+std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, bytes.data() + offset, 4);
+    return word;
+}
+
+void add_word(std::vector<std::byte>& out, std::uint64_t word) {
+    const auto narrow = std::uint32_t(word);
+    const auto* raw = reinterpret_cast<const std::byte*>(&narrow);
+    out.insert(out.end(), raw, raw + 4);
+}
+
+void add(std::vector<std::byte>& out, std::span<const std::byte> bytes) {
+    out.insert(out.end(), bytes.begin(), bytes.end());
+}
+
+void pad(std::vector<std::byte>& out, char filler = 0) {
+    while (out.size() % 4 != 0) out.push_back(std::byte(filler));
+}
+
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+std::string lower_ending(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return ending;
+}
+
+/// Chunks that are neither JSON nor BIN, as they lie after those (open_container has checked all sizes).
+std::span<const std::byte> other_chunks(std::span<const std::byte> file) {
+    const auto whole = file.first(word_at(file, 8));
+    std::size_t at = 12;
+    for (int chunk = 0; at + 8 <= whole.size(); ++chunk) {
+        const std::uint32_t type = word_at(whole, at + 4);
+        if (type != (chunk == 0 ? json_type : binary_type) || chunk > 1) return whole.subspan(at);
+        at += 8 + std::size_t(word_at(whole, at));
+    }
+    return {};
+}
+
+fs::path folder_of(const std::string& path) {
+    const fs::path parent = fs::path(path).parent_path();
+    return parent.empty() ? fs::path(".") : parent;
+}
+
+bool same_folder(const std::string& a, const std::string& b) {
+    std::error_code error;
+    return fs::equivalent(folder_of(a), folder_of(b), error) && !error;
+}
+
+/// A reference inside the model as a relative path; empty for a data URI.
+std::string relative_name(const std::string& uri) {
+    if (uri.starts_with("data:")) return {};
+    std::string name = percent_decode(uri).value_or(uri);
+    for (char& c : name)
+        if (c == '\\') c = '/';
+    return fs::path(name).lexically_normal().string();
+}
+
+std::string percent_encoded(const std::string& name) {
+    constexpr const char* digits = "0123456789ABCDEF";
+    std::string out;
+    for (const char c : name) {
+        const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
+                              c == '_' || c == '.' || c == '~';
+        const auto u = static_cast<unsigned char>(c);
+        if (is_plain)
+            out += c;
+        else
+            out += {'%', digits[u >> 4], digits[u & 15]};
+    }
+    return out;
+}
+
+void write_file(const std::string& path, std::span<const std::byte> bytes) {
+    OutputFile file(path);
+    file.write(bytes);
+    file.commit();
+}
+
+bool is_fallback(const OrderedJson& buffer) {
+    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+        if (buffer.contains("extensions") && buffer["extensions"].contains(name)) return !buffer.contains("uri");
+    return false;
+}
+
+}  // namespace
+
+OutputModel::OutputModel(const Document& document, Buffers& buffers, OrderedJson& tree, const std::string& output)
+    : document_(document), tree_(tree), output_(output), is_glb_(lower_ending(output) == ".glb") {
+    const std::span<const std::byte> file = *document.file();
+    const bool source_is_glb = word_at(file, 0) == magic;
+    repacked_ = is_glb_ != source_is_glb;
+    if (source_is_glb && is_glb_) more_chunks_ = other_chunks(file);
+    const std::size_t count = document.count(buffer_kind);
+    const bool has_own = source_is_glb && count > 0 && document.has_binary() && !tree_["buffers"][0].contains("uri");
+    if (has_own) {
+        add(base_, buffers.buffer(0, document.root()).bytes);
+    } else if (is_glb_) {
+        take_in_buffers(buffers);
+    } else {
+        buffer_ = count;
+    }
+    pad(base_);
+}
+
+/// All buffers that have bytes become one, the first; views follow.
+void OutputModel::take_in_buffers(Buffers& buffers) {
+    repacked_ = true;
+    const std::size_t count = document_.count(buffer_kind);
+    std::vector<std::pair<std::size_t, std::uint64_t>> moved;  // new number, shift
+    OrderedJson list = OrderedJson::array({OrderedJson::object()});
+    for (std::size_t b = 0; b < count; ++b) {
+        const OrderedJson& buffer = tree_["buffers"][b];
+        if (is_fallback(buffer)) {
+            moved.emplace_back(list.size(), 0);
+            list.push_back(buffer);
+            continue;
+        }
+        pad(base_);
+        moved.emplace_back(0, base_.size());
+        add(base_, buffers.buffer(std::uint32_t(b), document_.root()).bytes);
+    }
+    tree_["buffers"] = std::move(list);
+    const auto move = [&](OrderedJson& view) {
+        if (!view.contains("buffer")) return;
+        const auto& [number, shift] = moved.at(view["buffer"].get<std::size_t>());
+        view["buffer"] = number;
+        if (shift > 0) view["byteOffset"] = view.value("byteOffset", std::uint64_t(0)) + shift;
+    };
+    if (!tree_.contains("bufferViews")) return;
+    for (OrderedJson& view : tree_["bufferViews"]) {
+        move(view);
+        if (view.contains("extensions"))
+            for (OrderedJson& extension : view["extensions"])
+                if (extension.is_object()) move(extension);
+    }
+}
+
+/// NAME.bin, or NAME.normals.bin, NAME.normals2.bin, ... where the model refers to a file of that name already.
+std::string OutputModel::free_name() const {
+    std::set<std::string> taken;
+    for_each_member(tree_, [&](const std::string& name, const OrderedJson& value) {
+        if (name == "uri" && value.is_string()) taken.insert(relative_name(value.get_ref<const std::string&>()));
+    });
+    const std::string stem = fs::path(output_).stem().string();
+    std::string name = stem + ".bin";
+    for (int n = 1; taken.contains(name); ++n) name = stem + ".normals" + (n > 1 ? std::to_string(n) : "") + ".bin";
+    return name;
+}
+
+void OutputModel::copy_references(Context& context) const {
+    if (same_folder(document_.path(), output_)) return;
+    std::set<std::string> names;
+    for_each_member(tree_, [&](const std::string& name, const OrderedJson& value) {
+        if (name == "uri" && value.is_string()) names.insert(relative_name(value.get_ref<const std::string&>()));
+    });
+    names.erase("");
+    for (const std::string& name : names) {
+        const bool is_inside =
+            fs::path(name).is_relative() && !name.starts_with("..") && name.find("://") == std::string::npos;
+        const std::string from = (folder_of(document_.path()) / name).string(),
+                          to = (folder_of(output_) / name).string();
+        if (!is_inside || !is_regular_file(from)) {
+            context.report().add(
+                Remark::warning, document_.path(), {},
+                "the file '" + one_line(name, 80) + "' is not copied: it is missing or not in the model's folder");
+            continue;
+        }
+        const Bytes bytes =
+            read_file(resolve_reference(document_.path(), name, document_.options().allow_outside), context);
+        if (is_regular_file(to)) {
+            if (*read_file(to, context) == *bytes) continue;
+            throw Error(ErrorCode::failed,
+                        "'" + one_line(name, 80) + "' is there already and differs from the model's file", {},
+                        "write to the model's own folder, to an empty one, or as .glb");
+        }
+        std::error_code error;
+        fs::create_directories(fs::path(to).parent_path(), error);
+        write_file(to, *bytes);
+    }
+}
+
+void OutputModel::write(std::span<const std::byte> new_data, bool unchanged, Context& context) {
+    copy_references(context);
+    if (unchanged && !repacked_)
+        write_file(output_, *document_.file());
+    else if (is_glb_)
+        write_glb(new_data);
+    else
+        write_gltf(new_data);
+}
+
+void OutputModel::write_glb(std::span<const std::byte> new_data) const {
+    std::vector<std::byte> binary = base_;
+    add(binary, new_data);
+    if (!binary.empty())
+        tree_["buffers"][0]["byteLength"] = binary.size();
+    else if (tree_.contains("buffers") && tree_["buffers"].size() == 1)
+        tree_.erase("buffers");  // the one that was to hold new data
+    pad(binary);
+    std::vector<std::byte> json;
+    add(json, bytes_of(tree_.dump()));
+    pad(json, ' ');
+    const std::uint64_t size = 12 + 8 + json.size() + (binary.empty() ? 0 : 8 + binary.size()) + more_chunks_.size();
+    if (size > 0xFFFFFFFFu)
+        throw Error(ErrorCode::failed, "a GLB file cannot be larger than 4 GiB", {}, "write a .gltf file instead")
+            .with_file(output_);
+    std::vector<std::byte> out;
+    out.reserve(std::size_t(size));
+    add_word(out, magic), add_word(out, 2), add_word(out, size);
+    add_word(out, json.size()), add_word(out, json_type), add(out, json);
+    if (!binary.empty()) add_word(out, binary.size()), add_word(out, binary_type), add(out, binary);
+    add(out, more_chunks_);
+    write_file(output_, out);
+}
+
+void OutputModel::write_gltf(std::span<const std::byte> new_data) {
+    std::vector<std::byte> binary = base_;
+    add(binary, new_data);
+    if (!binary.empty()) {
+        const std::string name = free_name();
+        OrderedJson& buffer = tree_["buffers"][buffer_];
+        buffer["uri"] = percent_encoded(name);
+        buffer["byteLength"] = binary.size();
+        write_file((folder_of(output_) / name).string(), binary);
+    }
+    const std::span<const std::byte> file = *document_.file();
+    const bool is_text = word_at(file, 0) != magic;
+    write_file(output_, bytes_of(to_text(tree_, is_text ? file : std::span<const std::byte>{})));
+}
+
+}  // namespace rakelight::io::gltf

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/save_gltf.h"
+
+#include <algorithm>
+#include <map>
+
+#include "io/file.h"
+#include "io/gltf/container.h"
+#include "io/gltf/save_files.h"
+#include "io/gltf/save_placements.h"
+#include "io/gltf/save_primitive.h"
+
+namespace rakelight::io {
+namespace gltf {
+namespace {
+
+constexpr const char* draco_name = "KHR_draco_mesh_compression";
+
+class Saver {
+public:
+    Saver(const std::string& source, Bytes file, const Scene& before, const Scene& after,
+          const GltfSaveOptions& options, Context& context)
+        : before_(before),
+          after_(after),
+          context_(context),
+          document_(source, file, options.read, quiet_),
+          tree_(parse_ordered(open_container(*file, source, quiet_).json)),
+          buffers_(document_),
+          accessors_(document_, buffers_),
+          versions_(mesh_versions(before, after, options.keep_instances, context)),
+          origin_(origins(before, after)) {}
+
+    GltfSaveResult save(const std::string& output) {
+        find_changes();
+        OutputModel model(document_, buffers_, tree_, output);
+        NewData data(tree_, model.buffer(), model.offset());
+        if (result_.changed) {
+            PrimitiveEditor editor(accessors_, tree_, data);
+            for (const MeshVersion& version : versions_) edit(version, editor);
+            drop_unused_extension();
+        } else {
+            for (const MeshVersion& version : versions_) list(version, version.source_mesh);
+        }
+        context_.throw_if_cancelled();
+        model.write(data.bytes(), !result_.changed, context_);
+        return std::move(result_);
+    }
+
+private:
+    bool is_changed(std::uint32_t mesh) const { return changed_[mesh]; }
+
+    /// Bits count only when some difference is more than rounding: a second run over what the first wrote finds none.
+    void find_changes() {
+        changed_.assign(after_.meshes.size(), false);
+        for (const MeshVersion& version : versions_) {
+            result_.changed = result_.changed || !version.in_place;
+            for (const std::uint32_t m : version.meshes) {
+                const Mesh &a = before_.meshes[origin_[m]], &b = after_.meshes[m];
+                if (b.topology != Topology::triangles || b.normals.empty()) continue;
+                changed_[m] = !is_equal(a, b);
+                result_.changed = result_.changed || !is_same_to_rounding(a, b);
+            }
+        }
+    }
+
+    static bool is_equal(const Mesh& a, const Mesh& b) {
+        const auto same = [](const auto& x, const auto& y) {
+            return x == y || std::equal(x.begin(), x.end(), y.begin(), y.end());
+        };
+        return a.positions.size() == b.positions.size() && same(a.normals, b.normals) && same(a.tangents, b.tangents) &&
+               same(a.indices, b.indices);
+    }
+
+    void list(const MeshVersion& version, std::uint32_t mesh) {
+        for (const std::uint32_t m : version.meshes)
+            result_.primitives.push_back({mesh, after_.meshes[m].source_primitive, m, result_.changed && changed_[m]});
+    }
+
+    void edit(const MeshVersion& version, PrimitiveEditor& editor) {
+        context_.throw_if_cancelled();
+        OrderedJson& meshes = tree_["meshes"];
+        if (version.in_place) originals_.emplace(version.source_mesh, meshes[version.source_mesh]);
+        OrderedJson mesh = originals_.at(version.source_mesh);
+        for (const std::uint32_t m : version.meshes)
+            if (changed_[m]) mesh["primitives"][after_.meshes[m].source_primitive] = edited(m, editor);
+        std::uint32_t number = version.source_mesh;
+        if (version.in_place) {
+            tree_["meshes"][number] = std::move(mesh);
+        } else {
+            number = std::uint32_t(tree_["meshes"].size());
+            tree_["meshes"].push_back(std::move(mesh));
+            for (const std::uint32_t node : version.nodes) tree_["nodes"][node]["mesh"] = number;
+            ++result_.meshes_added;
+        }
+        list(version, number);
+    }
+
+    const OrderedJson& edited(std::uint32_t m, PrimitiveEditor& editor) {
+        if (const auto known = edited_.find(m); known != edited_.end()) return known->second;
+        const Mesh& mesh = after_.meshes[m];
+        const Value source_mesh = document_.element(mesh_kind, mesh.source_mesh, document_.root());
+        const std::string place = source_mesh.place() + ", primitive " + std::to_string(mesh.source_primitive);
+        const Value source = source_mesh.list("primitives").element(mesh.source_primitive, place);
+        OrderedJson json = originals_.at(mesh.source_mesh)["primitives"][mesh.source_primitive];
+        const PrimitiveEdit done = editor.edit(json, source, before_.meshes[origin_[m]], mesh);
+        Report& report = context_.report();
+        if (done.unpacked)
+            report.add(Remark::changed, before_.source, place, "Draco compression was undone where normals changed");
+        if (done.tangents_removed)
+            report.add(Remark::dropped, before_.source, place,
+                       "tangents that belong to the old normals were removed (unwanted, or no texture coordinates to "
+                       "make new ones from)");
+        if (done.keeps_target_normals)
+            report.add(Remark::warning, before_.source, place,
+                       "the normals of morph targets are kept: they are offsets from the old normals");
+        return edited_.emplace(m, std::move(json)).first->second;
+    }
+
+    /// What no primitive uses any more is not to be named as used or required.
+    void drop_unused_extension() {
+        for (const OrderedJson& mesh : tree_["meshes"])
+            for (const OrderedJson& primitive : mesh.value("primitives", OrderedJson::array()))
+                if (primitive.contains("extensions") && primitive["extensions"].contains(draco_name)) return;
+        for (const char* name : {"extensionsUsed", "extensionsRequired"}) {
+            const auto list = tree_.find(name);
+            if (list == tree_.end()) continue;
+            OrderedJson kept = OrderedJson::array();
+            for (OrderedJson& entry : *list)
+                if (entry != draco_name) kept.push_back(entry);
+            if (kept.size() == list->size()) continue;
+            if (kept.empty())
+                tree_.erase(name);
+            else
+                *list = std::move(kept);
+        }
+    }
+
+    const Scene &before_, &after_;
+    Context& context_;
+    Context quiet_{
+        {.threads = 1, .max_memory = context_.memory().limit()}};  // the remarks were made when the scene was read
+    const Document document_;
+    OrderedJson tree_;
+    Buffers buffers_;
+    Accessors accessors_;
+    std::vector<MeshVersion> versions_;
+    std::vector<std::uint32_t> origin_;
+    std::vector<bool> changed_;  ///< [meshes of after_] by any bit
+    std::map<std::uint32_t, OrderedJson> originals_, edited_;
+    GltfSaveResult result_;
+};
+
+}  // namespace
+}  // namespace gltf
+
+GltfSaveResult save_gltf(const std::string& source, const Scene& before, const Scene& after, const std::string& output,
+                         const GltfSaveOptions& options, Context& context) {
+    const Bytes file = read_file(source, context);
+    try {
+        return gltf::Saver(source, file, before, after, options, context).save(output);
+    } catch (const Error& error) {
+        throw error.with_file(source);
+    }
+}
+
+}  // namespace rakelight::io

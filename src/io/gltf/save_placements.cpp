@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/save_placements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rakelight::io::gltf {
+namespace {
+
+/// Two sums of the same terms in two orders, made unit and stored as float, differ by far less.
+constexpr float rounding = 4e-6f;
+
+bool near(float a, float b) { return std::fabs(a - b) <= rounding; }  // false for NaN
+bool near(vec3 a, vec3 b) { return near(a.x, b.x) && near(a.y, b.y) && near(a.z, b.z); }
+bool near(vec4 a, vec4 b) { return near(a.xyz(), b.xyz()) && a.w == b.w; }
+
+template <class T>
+bool all_near(const Block<T>& a, const Block<T>& b) {
+    return a == b ||
+           std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return near(x, y); });
+}
+
+}  // namespace
+
+bool is_same_to_rounding(const Mesh& a, const Mesh& b) {
+    if (a.positions.size() != b.positions.size() || !all_near(a.normals, b.normals) ||
+        !all_near(a.tangents, b.tangents))
+        return false;
+    return a.indices == b.indices || std::equal(a.indices.begin(), a.indices.end(), b.indices.begin(), b.indices.end());
+}
+
+std::vector<std::uint32_t> origins(const Scene& before, const Scene& after) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> by_source;
+    for (std::uint32_t i = 0; i < before.meshes.size(); ++i)
+        by_source.emplace(std::pair(before.meshes[i].source_mesh, before.meshes[i].source_primitive), i);
+    std::vector<std::uint32_t> result(after.meshes.size());
+    for (std::uint32_t i = 0; i < result.size(); ++i)
+        result[i] = i < before.meshes.size()
+                        ? i
+                        : by_source.at({after.meshes[i].source_mesh, after.meshes[i].source_primitive});
+    return result;
+}
+
+std::vector<MeshVersion> mesh_versions(const Scene& before, const Scene& after, bool keep_instances, Context& context) {
+    std::vector<MeshVersion> versions;
+    std::map<std::uint32_t, std::map<std::vector<std::uint32_t>, std::size_t>>
+        of_mesh;  // by the file's mesh: its versions
+    std::map<std::uint32_t, std::size_t> of_node;
+    bool is_kept = false, is_stuck = false;
+    for (std::size_t n = 0; n < before.nodes.size(); ++n) {
+        const Node& node = before.nodes[n];
+        if (node.meshes.empty() || node.source_node == none) continue;
+        const std::uint32_t mesh = before.meshes[node.meshes[0]].source_mesh;
+        auto& known = of_mesh[mesh];
+        const auto placed = of_node.find(node.source_node);
+        const std::vector<std::uint32_t>& wanted = after.nodes[n].meshes;
+        auto version = known.find(wanted);
+        if (placed != of_node.end()) {
+            is_stuck = is_stuck || version == known.end() || version->second != placed->second;
+            continue;
+        }
+        if (keep_instances && !known.empty() && version == known.end()) {
+            is_kept = true;
+            version = known.begin();
+        }
+        if (version == known.end()) {
+            // The first result of smooth_scene() stands in the place of the mesh that it came from.
+            versions.push_back({mesh, wanted, {}, known.empty()});
+            version = known.emplace(wanted, versions.size() - 1).first;
+        }
+        versions[version->second].nodes.push_back(node.source_node);
+        of_node[node.source_node] = version->second;
+    }
+    Report& report = context.report();
+    if (is_kept)
+        report.add(
+            Remark::warning, before.source, {},
+            "instances that touch different things share one mesh: its normals are right at the first of them only");
+    if (is_stuck)
+        report.add(
+            Remark::warning, before.source, {},
+            "the instances of EXT_mesh_gpu_instancing share one mesh: its normals are right at the first of them only");
+    return versions;
+}
+
+}  // namespace rakelight::io::gltf

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// An OBJ file written back with other normals: `vn` lines and the references of faces change, every other byte stays.
+#pragma once
+#include <string>
+
+#include <rakelight/scene.h>
+
+#include "io/reader.h"
+
+namespace rakelight::io {
+
+/// The file's own `vn` lines go; each object gets a block of new ones, after the last `v`, `vt` or `vn` line before its
+/// first face (else right before that face). Numbers in the shortest form that reads back as the same float. Faces that
+/// the reader skips lose their reference to a normal. A corner of a polygon has the normal of the first triangle that
+/// the polygon was cut into there.
+///
+/// @param after  the scene that read_obj() makes of `source`, with other normals and splits
+/// @param output may be `source`
+/// @return false when all faces had these normals already, to rounding: the file was copied byte by byte
+/// @throws Error as read_obj(); failed: cannot write
+bool rewrite_obj_normals(const std::string& source, const Scene& after, const std::string& output,
+                         const ReadOptions& options, Context& context);
+
+}  // namespace rakelight::io

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/ply_writer.h"
+
+#include <cstring>
+
+#include "io/file.h"
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight::io {
+namespace {
+
+struct Layout {
+    bool normals = true, texcoords = true;
+    std::uint64_t vertices = 0, faces = 0;
+    std::uint64_t vertex_bytes() const { return 12 + (normals ? 12 : 0) + (texcoords ? 8 : 0); }
+};
+
+Layout layout_of(const Scene& scene) {
+    Layout layout;
+    for (const Node& node : scene.nodes)
+        for (const std::uint32_t m : node.meshes) {
+            const Mesh& mesh = scene.meshes[m];
+            if (mesh.triangle_count() == 0) continue;
+            layout.vertices += mesh.positions.size();
+            layout.faces += mesh.triangle_count();
+            layout.normals = layout.normals && !mesh.normals.empty();
+            layout.texcoords = layout.texcoords && !mesh.texcoords.empty() && !mesh.texcoords[0].empty();
+        }
+    return layout;
+}
+
+std::string header_of(const Layout& layout) {
+    std::string text = "ply\nformat binary_little_endian 1.0\ncomment one mesh, in world space\nelement vertex " +
+                       std::to_string(layout.vertices) + "\nproperty float x\nproperty float y\nproperty float z\n";
+    if (layout.normals) text += "property float nx\nproperty float ny\nproperty float nz\n";
+    if (layout.texcoords) text += "property float s\nproperty float t\n";
+    return text + "element face " + std::to_string(layout.faces) +
+           "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+template <class T>
+void put(std::vector<std::byte>& out, const T& value) {  // little-endian, as every machine we build for
+    const auto* raw = reinterpret_cast<const std::byte*>(&value);
+    out.insert(out.end(), raw, raw + sizeof value);
+}
+
+void put_vertices(std::vector<std::byte>& out, const Mesh& mesh, const dmat4& place, const Layout& layout) {
+    const dmat3 linear = upper_left(place);
+    const double sign = determinant(linear) < 0 ? -1.0 : 1.0;
+    const dmat3 turn = cofactor(linear);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        put(out, cast<float>(transform_point(place, cast<double>(mesh.positions[v]) + mesh.origin)));
+        if (layout.normals)
+            put(out, cast<float>(normalize_or((turn * cast<double>(mesh.normals[v])) * sign, dvec3{0, 0, 1})));
+        if (layout.texcoords) put(out, vec2{mesh.texcoords[0][v].x, 1 - mesh.texcoords[0][v].y});
+    }
+}
+
+/// A mirroring matrix turns triangles inside out: their corners go the other way round.
+void put_faces(std::vector<std::byte>& out, const Mesh& mesh, const dmat4& place, std::uint32_t first) {
+    const bool mirrored = determinant(upper_left(place)) < 0;
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+        const std::uint32_t* c = mesh.indices.data() + 3 * t;
+        put(out, std::uint8_t(3));
+        put(out, first + c[0]);
+        put(out, first + c[mirrored ? 2 : 1]);
+        put(out, first + c[mirrored ? 1 : 2]);
+    }
+}
+
+void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) {
+    const auto lost = [&](const char* what) {
+        report.add(Remark::dropped, scene.source, {}, std::string("PLY has no place for ") + what);
+    };
+    std::size_t objects = 0;
+    bool texcoords = false, tangents = false, others = false;
+    for (const Node& node : scene.nodes) {
+        objects += !node.meshes.empty();
+        for (const std::uint32_t m : node.meshes) {
+            const Mesh& mesh = scene.meshes[m];
+            texcoords = texcoords || mesh.texcoords.size() > (layout.texcoords ? 1u : 0u);
+            tangents = tangents || !mesh.tangents.empty();
+            others = others || mesh.topology != Topology::triangles;
+        }
+    }
+    if (objects > 1) lost("separate objects: they became one mesh");
+    if (!scene.materials.empty()) lost("materials and textures");
+    if (texcoords)
+        lost(layout.texcoords ? "more than one set of texture coordinates"
+                              : "texture coordinates that only some meshes have");
+    if (tangents) lost("tangents");
+    if (others) lost("lines and points here");
+    if (!scene.cameras.empty() || !scene.lights.empty()) lost("cameras and lights");
+    if (!scene.skins.empty() || !scene.animations.empty()) lost("skins and animations: the bind pose was written");
+}
+
+}  // namespace
+
+void write_ply(const Scene& scene, const std::string& path, Context& context) {
+    const Layout layout = layout_of(scene);
+    if (layout.faces == 0) throw Error(ErrorCode::bad_file, "nothing to write: there is no triangle");
+    if (layout.vertices > 0x7FFFFFFFu)
+        throw Error(ErrorCode::bad_file, "more than 2147483647 vertices do not fit in a PLY file");
+    say_what_is_lost(scene, layout, context.report());
+    const std::vector<dmat4> world = world_matrices(scene);
+    OutputFile file(path);
+    const std::string header = header_of(layout);
+    file.write(std::as_bytes(std::span(header)));
+    std::vector<std::byte> out;
+    const auto for_each_mesh = [&](auto use) {
+        for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+            for (const std::uint32_t m : scene.nodes[n].meshes) {
+                const Mesh& mesh = scene.meshes[m];
+                if (mesh.triangle_count() == 0) continue;
+                context.throw_if_cancelled();
+                context.memory().check(mesh.positions.size() * 64 + mesh.triangle_count() * 26, "writing a mesh");
+                out.clear();
+                use(mesh, world[n]);
+                file.write(out);
+            }
+    };
+    for_each_mesh([&](const Mesh& mesh, const dmat4& place) { put_vertices(out, mesh, place, layout); });
+    std::uint32_t first = 0;
+    for_each_mesh([&](const Mesh& mesh, const dmat4& place) {
+        put_faces(out, mesh, place, first);
+        first += std::uint32_t(mesh.positions.size());
+    });
+    file.commit();
+}
+
+}  // namespace rakelight::io

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/smooth_file.h>
+
+#include <filesystem>
+
+#include "io/glb_writer.h"
+#include "io/gltf/save_gltf.h"
+#include "io/obj/rewrite_normals.h"
+#include "io/ply_writer.h"
+#include "tools/smooth_file_scene.h"
+
+namespace rakelight {
+namespace {
+
+using Change = SmoothedMesh::Change;
+
+enum class Way : std::uint8_t { gltf_in_place, obj_in_place, new_glb, new_ply };
+
+std::string ending_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return ending;
+}
+
+bool is_gltf(const std::string& ending) { return ending == ".glb" || ending == ".gltf"; }
+
+Way way_of(const std::string& input, const std::string& output) {
+    const std::string from = ending_of(input), to = ending_of(output);
+    if (is_gltf(from) && is_gltf(to)) return Way::gltf_in_place;
+    if (from == ".obj" && to == ".obj") return Way::obj_in_place;
+    if (to == ".glb") return Way::new_glb;
+    if (to == ".ply") return Way::new_ply;
+    throw Error(
+        ErrorCode::usage,
+        "cannot write '" + one_line(std::filesystem::path(output).filename().string(), 80) + "' from this model", {},
+        is_gltf(from)    ? "write .glb, .gltf or .ply"
+        : from == ".obj" ? "write .obj, .glb or .ply"
+                         : "write .glb or .ply");
+}
+
+Change change_of(bool had, bool has, bool changed) {
+    if (!has) return had ? Change::removed : Change::none;
+    return !had ? Change::made : changed ? Change::replaced : Change::kept;
+}
+
+/// @param before  the mesh that `after` came from
+SmoothedMesh describe(const Mesh& before, const Mesh& after, bool changed) {
+    SmoothedMesh m;
+    m.name = before.name;
+    m.vertices = before.positions.size();
+    if (!changed) {  // what the file has stays, and it is what was computed
+        m.normals = before.normals.empty() ? Change::none : Change::kept;
+        m.tangents = before.tangents.empty() ? Change::none : Change::kept;
+        return m;
+    }
+    m.vertices_split = after.positions.size() - before.positions.size();
+    m.normals = change_of(!before.normals.empty(), !after.normals.empty(), true);
+    m.tangents = change_of(!before.tangents.empty(), !after.tangents.empty(), true);
+    return m;
+}
+
+/// [meshes of `after`] the mesh of `before`, by the nodes that show them.
+std::vector<std::uint32_t> shown_before(const Scene& before, const Scene& after) {
+    std::vector<std::uint32_t> origin(after.meshes.size(), none);
+    for (std::size_t n = 0; n < after.nodes.size(); ++n)
+        for (std::size_t slot = 0; slot < after.nodes[n].meshes.size(); ++slot)
+            origin[after.nodes[n].meshes[slot]] = before.nodes[n].meshes[slot];
+    return origin;
+}
+
+void describe_all(const Scene& before, const Scene& after, SmoothedFile& result) {
+    const std::vector<std::uint32_t> origin = shown_before(before, after);
+    for (std::size_t i = 0; i < origin.size(); ++i)
+        if (origin[i] != none)
+            result.meshes.push_back(describe(before.meshes[origin[i]], after.meshes[i], result.changed));
+}
+
+void save_as_gltf(const Scene& before, const Scene& after, const SmoothFileOptions& options, SmoothedFile& result,
+                  Context& context) {
+    const io::GltfSaveOptions save{{.allow_outside = options.load.allow_outside}, options.keep_instances};
+    const io::GltfSaveResult done = io::save_gltf(result.file, before, after, result.output, save, context);
+    result.changed = done.changed;
+    result.meshes_added = done.meshes_added;
+    const std::vector<std::uint32_t> origin = shown_before(before, after);
+    for (const io::SavedPrimitive& p : done.primitives) {
+        if (origin[p.scene_mesh] == none) continue;
+        SmoothedMesh m = describe(before.meshes[origin[p.scene_mesh]], after.meshes[p.scene_mesh], p.changed);
+        m.mesh = p.mesh;
+        m.primitive = p.primitive;
+        result.meshes.push_back(std::move(m));
+    }
+}
+
+}  // namespace
+
+SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
+                         Context& context) {
+    const Way way = way_of(input, output);
+    SmoothedFile result{.file = input, .output = output};
+    const Scene before = load(input, options.load, context);
+    const Scene after = smooth_for_file(before, options, context);
+    context.throw_if_cancelled();
+    switch (way) {
+        case Way::gltf_in_place:
+            save_as_gltf(before, after, options, result, context);
+            return result;
+        case Way::obj_in_place:
+            result.changed =
+                io::rewrite_obj_normals(input, after, output, {.allow_outside = options.load.allow_outside}, context);
+            break;
+        case Way::new_glb:
+            io::write_glb(after, output, context);
+            result.changed = true;
+            break;
+        case Way::new_ply:
+            io::write_ply(after, output, context);
+            result.changed = true;
+            break;
+    }
+    describe_all(before, after, result);
+    return result;
+}
+
+}  // namespace rakelight

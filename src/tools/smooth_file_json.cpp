@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/smooth_file.h>
+
+#include "render/report_json.h"
+
+namespace rakelight {
+namespace {
+
+const char* name_of(SmoothedMesh::Change change) {
+    switch (change) {
+        case SmoothedMesh::Change::none:
+            return "none";
+        case SmoothedMesh::Change::kept:
+            return "kept";
+        case SmoothedMesh::Change::made:
+            return "made";
+        case SmoothedMesh::Change::replaced:
+            return "replaced";
+        case SmoothedMesh::Change::removed:
+            return "removed";
+    }
+    return "";
+}
+
+Json number_or_null(std::uint32_t n) { return n == none ? Json() : Json(n); }
+
+Json json_of(const SmoothedMesh& m) {
+    return {{"name", m.name},
+            {"mesh", number_or_null(m.mesh)},
+            {"primitive", number_or_null(m.primitive)},
+            {"vertices", m.vertices},
+            {"vertices_split", m.vertices_split},
+            {"normals", name_of(m.normals)},
+            {"tangents", name_of(m.tangents)}};
+}
+
+std::uint64_t split_of(const SmoothedFile& result) {
+    std::uint64_t split = 0;
+    for (const SmoothedMesh& m : result.meshes) split += m.vertices_split;
+    return split;
+}
+
+}  // namespace
+
+std::string to_json(std::span<const SmoothedFileRow> rows) {
+    Json array = Json::array();
+    for (const SmoothedFileRow& r : rows) {
+        Json row = {{"file", r.file}};
+        if (r.error) row["error"] = error_json(*r.error);
+        if (r.result) {
+            row["output"] = r.result->output;
+            row["changed"] = r.result->changed;
+            row["vertices_split"] = split_of(*r.result);
+            row["meshes_added"] = r.result->meshes_added;
+            Json meshes = Json::array();
+            for (const SmoothedMesh& m : r.result->meshes) meshes.push_back(json_of(m));
+            row["meshes"] = std::move(meshes);
+        }
+        row["remarks"] = remarks_json(r.remarks);
+        row["remarks_left_out"] = r.remarks_left_out;
+        array.push_back(std::move(row));
+    }
+    return document("rakelight.smooth/1", std::move(array));
+}
+
+std::string summary(const SmoothedFile& result) {
+    if (!result.changed) return result.output + ": nothing to change, the normals and tangents are these already";
+    std::uint64_t normals = 0, tangents = 0;
+    for (const SmoothedMesh& m : result.meshes) {
+        normals += m.normals == SmoothedMesh::Change::made || m.normals == SmoothedMesh::Change::replaced;
+        tangents += m.tangents == SmoothedMesh::Change::made || m.tangents == SmoothedMesh::Change::replaced;
+    }
+    return result.output + ": normals of " + std::to_string(normals) + " meshes and tangents of " +
+           std::to_string(tangents) + " written, " + std::to_string(split_of(result)) + " vertices split, " +
+           std::to_string(result.meshes_added) + " meshes added";
+}
+
+}  // namespace rakelight

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/smooth_file_scene.h"
+
+#include "prepare/smooth_request.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+bool wants_tangents(const Scene& scene, const Mesh& mesh, TangentChoice choice) {
+    if (choice != TangentChoice::automatic) return choice == TangentChoice::always;
+    if (!mesh.tangents.empty()) return true;
+    if (mesh.material == none) return false;
+    const Material& m = scene.materials[mesh.material];
+    return bool(m.normal_texture) || bool(m.height_texture);
+}
+
+/// The sets of `before`, with the vertices that were split off in `after` as copies.
+std::vector<Block<vec2>> followed(const Mesh& before, const Mesh& after) {
+    if (after.positions.size() == before.positions.size()) return before.texcoords;
+    std::vector<std::uint32_t> source(after.positions.size() - before.positions.size(), 0);
+    for (std::size_t c = 0; c < after.indices.size(); ++c)
+        if (after.indices[c] >= before.positions.size())
+            source[after.indices[c] - before.positions.size()] = before.indices[c];
+    std::vector<Block<vec2>> sets;
+    for (const Block<vec2>& set : before.texcoords) {
+        std::vector<vec2> values(set.begin(), set.end());
+        if (!values.empty())
+            for (const std::uint32_t v : source) values.push_back(set[v]);
+        sets.emplace_back(std::move(values));
+    }
+    return sets;
+}
+
+}  // namespace
+
+Scene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Context& context) {
+    validate(scene);
+    SmoothRequest request;
+    request.attributes = options.attributes;
+    request.attributes.normals = true;
+    request.tangents = TangentWish::everywhere;
+    Scene open =
+        scene;  // without texture coordinates where no tangents are wanted: a mirrored chart then splits no vertex
+    std::vector<bool> hidden(scene.meshes.size(), false);
+    for (std::size_t i = 0; i < hidden.size(); ++i) {
+        hidden[i] = !wants_tangents(scene, scene.meshes[i], options.tangents);
+        if (hidden[i]) open.meshes[i].texcoords.clear();
+    }
+    Scene out = smooth_meshes(open, request, context);
+    // A copy stands for the mesh that its node showed in the same slot.
+    for (std::size_t n = 0; n < out.nodes.size(); ++n)
+        for (std::size_t slot = 0; slot < out.nodes[n].meshes.size(); ++slot) {
+            const std::uint32_t was = scene.nodes[n].meshes[slot];
+            Mesh& mesh = out.meshes[out.nodes[n].meshes[slot]];
+            if (hidden[was] && mesh.texcoords.empty()) mesh.texcoords = followed(scene.meshes[was], mesh);
+        }
+    return out;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fast path against the general one, which it must equal: same topology, vectors within the rounding of float, seams
+// bit-equal, the same bits for all threads and instruction sets.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdlib>
+#include <limits>
+
+#include "geometry/fast_attributes.h"
+#include "math/isa.h"
+#include "unit/geometry/shapes.h"
+
+namespace rakelight::test {
+namespace {
+
+constexpr double as_general = 2e-6;  // rounding of float in the worst face that the fast path takes itself
+
+std::vector<MeshAttributes> general(const std::vector<Shape>& shapes, const AttributeOptions& options) {
+    Context context({.threads = 1});
+    return geometry::general_attributes(views(shapes), options, context);
+}
+
+void expect_equal(const std::vector<MeshAttributes>& a, const std::vector<MeshAttributes>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t m = 0; m < a.size(); ++m) {
+        EXPECT_EQ(a[m].normals, b[m].normals) << "mesh " << m;
+        EXPECT_EQ(a[m].tangents, b[m].tangents) << "mesh " << m;
+        EXPECT_EQ(a[m].indices, b[m].indices) << "mesh " << m;
+        EXPECT_EQ(a[m].source_vertex, b[m].source_vertex) << "mesh " << m;
+        EXPECT_EQ(a[m].degenerate_faces, b[m].degenerate_faces) << "mesh " << m;
+        EXPECT_EQ(a[m].isolated_vertices, b[m].isolated_vertices) << "mesh " << m;
+    }
+}
+
+void expect_as_general(const std::vector<Shape>& shapes, const AttributeOptions& options, double tolerance = as_general) {
+    ASSERT_TRUE(geometry::takes_fast_path(views(shapes), options));
+    const auto fast = compute(shapes, options), exact = general(shapes, options);
+    ASSERT_EQ(fast.size(), exact.size());
+    for (std::size_t m = 0; m < fast.size(); ++m) {
+        EXPECT_EQ(fast[m].indices, exact[m].indices) << "mesh " << m;
+        EXPECT_EQ(fast[m].source_vertex, exact[m].source_vertex) << "mesh " << m;
+        EXPECT_EQ(fast[m].degenerate_faces, exact[m].degenerate_faces) << "mesh " << m;
+        EXPECT_EQ(fast[m].isolated_vertices, exact[m].isolated_vertices) << "mesh " << m;
+        ASSERT_EQ(fast[m].normals.size(), exact[m].normals.size());
+        ASSERT_EQ(fast[m].tangents.size(), exact[m].tangents.size());
+        double worst = 0, worst_tangent = 0;
+        for (std::size_t v = 0; v < fast[m].normals.size(); ++v)
+            worst = std::fmax(worst, length(cast<double>(fast[m].normals[v]) - cast<double>(exact[m].normals[v])));
+        for (std::size_t v = 0; v < fast[m].tangents.size(); ++v) {
+            const vec4 a = fast[m].tangents[v], b = exact[m].tangents[v];
+            EXPECT_EQ(a.w, b.w) << "mesh " << m << " vertex " << v;
+            worst_tangent = std::fmax(worst_tangent, length(cast<double>(a.xyz()) - cast<double>(b.xyz())));
+        }
+        EXPECT_LE(worst, tolerance) << "mesh " << m;
+        EXPECT_LE(worst_tangent, 4 * tolerance) << "mesh " << m;
+    }
+}
+
+// Vertices anywhere on a coarse lattice: shared places, slivers, degenerate and opposite faces, mirrored texture in plenty.
+std::vector<Shape> random_model(std::uint32_t seed, std::uint32_t meshes, std::uint32_t faces) {
+    std::mt19937 random(seed);
+    std::vector<Shape> all(meshes);
+    for (std::uint32_t m = 0; m < meshes; ++m) {
+        Shape& s = all[m];
+        s.object = m / 2;
+        const std::uint32_t vertices = 3 + random() % (faces + 1);
+        const bool textured = random() % 4 != 0;
+        for (std::uint32_t v = 0; v < vertices; ++v) {
+            const auto coordinate = [&] { return float(int(random() % 7) - 3) * 0.37f; };
+            s.positions.push_back({coordinate(), coordinate(), coordinate()});
+            if (textured) s.texcoords.push_back({float(random() % 5) * 0.2f, float(random() % 5) * 0.2f});
+        }
+        for (std::uint32_t i = 0; i < 3 * faces; ++i) s.indices.push_back(random() % vertices);
+    }
+    return all;
+}
+
+Shape displaced(Shape s, std::uint32_t seed) {
+    for (vec3& p : s.positions) {  // by a hash of the position: equal places stay equal
+        std::uint32_t h = seed;
+        for (const float c : {p.x, p.y, p.z}) h = (h ^ std::bit_cast<std::uint32_t>(c + 0.0f)) * 2654435761u, h ^= h >> 15;
+        p = p * (1 + float(h % 1000) * 1e-5f);
+    }
+    return s;
+}
+
+struct IsaGuard {
+    explicit IsaGuard(const char* isa) { setenv("RAKELIGHT_ISA", isa, 1); }
+    ~IsaGuard() { unsetenv("RAKELIGHT_ISA"); }
+};
+
+TEST(FastPath, EqualsTheGeneralOneOnRandomModels) {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        AttributeOptions options = published();
+        options.scope = seed % 3 == 0 ? Scope::object : Scope::model;
+        options.tangents = seed % 5 != 0;
+        expect_as_general(random_model(seed, 1 + seed % 7, 1 + seed * 3 % 97), options, 1e-5);
+    }
+}
+
+TEST(FastPath, EqualsTheGeneralOneOnCutSurfaces) {
+    for (const std::uint32_t parts : {1u, 2u, 16u})
+        for (const Shape& whole : {make_sphere(60, 30), make_torus(50, 30), make_cylinder(40, 12), make_cube()}) {
+            expect_as_general(cut_at_random(displaced(whole, parts), parts, parts), published());
+            expect_as_general(cut_by_planes(displaced(whole, parts), parts), published());
+        }
+}
+
+TEST(FastPath, SeamsAreBitEqual) {
+    const auto parts = cut_at_random(displaced(make_torus(90, 60), 1), 16, 5);
+    const auto out = compute(parts, published());
+    std::map<std::tuple<float, float, float>, vec3> normal_at;
+    std::size_t shared = 0;
+    for (std::size_t m = 0; m < parts.size(); ++m)
+        for (std::size_t v = 0; v < parts[m].positions.size(); ++v) {
+            const vec3 p = parts[m].positions[v];
+            const auto [at, is_new] = normal_at.try_emplace({p.x, p.y, p.z}, out[m].normals[v]);
+            EXPECT_EQ(at->second, out[m].normals[v]);
+            shared += is_new ? 0 : 1;
+        }
+    EXPECT_GT(shared, 5000u);
+}
+
+TEST(FastPath, HasTheSameBitsForAllThreadsAndInstructionSets) {
+    std::vector<Shape> parts = cut_by_planes(displaced(make_torus(900, 400), 3), 3);  // 720 000 triangles: several pieces each
+    const auto more = random_model(7, 6, 3000);
+    parts.insert(parts.end(), more.begin(), more.end());
+    for (const bool tangents : {false, true}) {
+        AttributeOptions options = published();
+        options.tangents = tangents;
+        const auto expected = compute(parts, options, 1);
+        for (const int threads : {2, 4}) expect_equal(expected, compute(parts, options, threads));
+        for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
+            if (!is_available(isa)) continue;
+            const IsaGuard guard(name(isa));
+            expect_equal(expected, compute(parts, options, 2));
+        }
+    }
+}
+
+TEST(FastPath, TakesShuffledMeshesOfManyPieces) {
+    Shape s = displaced(make_torus(700, 300), 9);
+    std::mt19937 random(3);
+    std::vector<std::uint32_t> order(s.positions.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::shuffle(order.begin(), order.end(), random);
+    Shape mixed = s;
+    for (std::uint32_t v = 0; v < order.size(); ++v) {
+        mixed.positions[order[v]] = s.positions[v];
+        mixed.texcoords[order[v]] = s.texcoords[v];
+    }
+    for (std::uint32_t& i : mixed.indices) i = order[i];
+    for (std::size_t t = mixed.indices.size() / 3; t-- > 1;)
+        std::swap_ranges(&mixed.indices[3 * t], &mixed.indices[3 * t] + 3, &mixed.indices[3 * (random() % t)]);
+    expect_as_general({mixed}, published());
+}
+
+TEST(FastPath, HardNumbersComeOutAsFromTheGeneralPath) {
+    Shape tiny = make_sphere(20, 10), huge = tiny, far = tiny, broken = tiny;
+    for (vec3& p : tiny.positions) p = p * 1e-20f;
+    for (vec3& p : huge.positions) p = p * 1e15f;
+    for (vec3& p : far.positions) p = p + vec3{1000, 0, 0};
+    broken.positions[37].y = std::numeric_limits<float>::quiet_NaN();
+    broken.positions[70].x = std::numeric_limits<float>::infinity();
+    broken.indices[8] = broken.indices[6];
+    for (Shape s : {tiny, huge, far, broken}) {
+        expect_as_general({s}, published());
+        for (vec2& uv : s.texcoords) uv = uv * 1e-18f;
+        expect_as_general({s}, published());
+        for (vec2& uv : s.texcoords) uv = {0.5f, 0.5f};
+        expect_as_general({s}, published());
+        s.texcoords[40].x = std::numeric_limits<float>::quiet_NaN();
+        expect_as_general({s}, published());
+    }
+}
+
+TEST(FastPath, OppositeShellsKeepTheirSides) {
+    Shape outside = displaced(make_sphere(24, 12), 1), inside = outside;
+    for (std::size_t i = 0; i < inside.indices.size(); i += 3) std::swap(inside.indices[i], inside.indices[i + 1]);
+    inside.object = 1;
+    expect_as_general({outside, inside}, published());
+    const auto out = compute({outside, inside}, published());
+    for (std::size_t v = 30; v < 200; ++v) EXPECT_LT(dot(out[0].normals[v], out[1].normals[v]), -0.99f);
+}
+
+TEST(FastPath, MirroredTextureSplitsVertices) {
+    Shape s = displaced(make_torus(40, 20), 2);
+    for (vec2& uv : s.texcoords) uv.x = uv.x < 0.5f ? uv.x : 1 - uv.x;
+    expect_as_general({s}, published());
+    EXPECT_FALSE(compute({s}, published())[0].source_vertex.empty());
+    auto parts = cut_at_random(s, 5, 1);
+    for (Shape& p : parts) p.object = 0;
+    expect_as_general(parts, published());
+}
+
+TEST(FastPath, MatricesThatKeepAnglesAreTaken) {
+    dmat4 m;
+    m[0] = {0, 2.5, 0, 0};
+    m[1] = {0, 0, -2.5, 0};
+    m[2] = {2.5, 0, 0, 0};  // mirrors
+    m[3] = {1e6, -3, 0.1, 1};
+    auto parts = cut_by_planes(displaced(make_sphere(40, 20), 4), 3);
+    for (Shape& p : parts) p.to_world = m;
+    expect_as_general(parts, published());
+    parts[1].to_world[3].x += 1;
+    EXPECT_FALSE(geometry::takes_fast_path(views(parts), published()));
+    for (Shape& p : parts) p.to_world[0] = {0, 2.4, 0, 0};
+    EXPECT_FALSE(geometry::takes_fast_path(views(parts), published()));
+}
+
+TEST(FastPath, EmptyAndSmallInputIsTaken) {
+    Shape empty, lonely, one;
+    lonely.positions = {{1, 2, 3}};
+    one.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    one.indices = {0, 1, 2};
+    expect_as_general({empty}, published());
+    expect_as_general({lonely, empty, one, lonely}, published());
+    EXPECT_EQ(compute({lonely}, published())[0].isolated_vertices, 1u);
+    one.indices = {0, 1, 3};
+    EXPECT_THROW(compute({one}, published()), Error);
+    empty.indices = {0, 0, 0};
+    EXPECT_THROW(compute({empty}, published()), Error);
+}
+
+TEST(AttributeBuffers, HoldWhatTheArraysHold) {
+    for (const double crease : {180.0, 40.0}) {
+        Shape s = displaced(make_torus(40, 20), 2);
+        for (vec2& uv : s.texcoords) uv.x = uv.x < 0.5f ? uv.x : 1 - uv.x;
+        auto parts = cut_at_random(s, 3, 1);
+        parts.push_back(make_cube());
+        AttributeOptions options = published();
+        options.crease_angle_rad = radians(crease);
+        const auto expected = compute(parts, options);
+        Context context({.threads = 2});
+        AttributeWorkspace workspace;
+        std::vector<std::vector<vec3>> normals;
+        std::vector<std::vector<vec4>> tangents;
+        std::vector<AttributeBuffers> out;
+        for (const Shape& p : parts) {
+            normals.emplace_back(p.positions.size() + 1, vec3{7, 7, 7});
+            tangents.emplace_back(p.texcoords.size() + 1, vec4{7, 7, 7, 7});
+        }
+        for (std::size_t m = 0; m < parts.size(); ++m) out.push_back({normals[m], tangents[m]});
+        const auto splits = compute_attributes_into(views(parts), options, out, workspace, context);
+        for (std::size_t m = 0; m < parts.size(); ++m) {
+            EXPECT_EQ(normals[m].back(), (vec3{7, 7, 7}));
+            EXPECT_EQ(tangents[m].back(), (vec4{7, 7, 7, 7}));
+            normals[m].pop_back();
+            tangents[m].pop_back();
+            normals[m].insert(normals[m].end(), splits[m].normals.begin(), splits[m].normals.end());
+            tangents[m].insert(tangents[m].end(), splits[m].tangents.begin(), splits[m].tangents.end());
+            auto indices = parts[m].indices;
+            for (const CornerVertex& c : splits[m].corners) indices[c.corner] = c.vertex;
+            EXPECT_EQ(normals[m], expected[m].normals);
+            EXPECT_EQ(tangents[m], expected[m].tangents);
+            EXPECT_EQ(indices, expected[m].indices.empty() ? parts[m].indices : expected[m].indices);
+            EXPECT_EQ(splits[m].source_vertex, expected[m].source_vertex);
+        }
+    }
+}
+
+TEST(AttributeBuffers, AWorkspaceServesModelsOfOtherSizes) {
+    Context context({.threads = 2});
+    AttributeWorkspace workspace;
+    for (const std::uint32_t columns : {10u, 300u, 6u, 500u, 20u}) {
+        for (const bool tangents : {true, false}) {
+            const auto parts = cut_by_planes(displaced(make_torus(columns, columns), 1), 4);
+            AttributeOptions options = published();
+            options.tangents = tangents;
+            const auto expected = compute(parts, options);
+            std::vector<std::vector<vec3>> normals;
+            std::vector<std::vector<vec4>> tangent_arrays;
+            std::vector<AttributeBuffers> out;
+            for (const Shape& p : parts) {
+                normals.emplace_back(p.positions.size());
+                tangent_arrays.emplace_back(tangents ? p.positions.size() : 0);
+            }
+            for (std::size_t m = 0; m < parts.size(); ++m) out.push_back({normals[m], tangent_arrays[m]});
+            const auto splits = compute_attributes_into(views(parts), options, out, workspace, context);
+            for (std::size_t m = 0; m < parts.size(); ++m) {
+                EXPECT_TRUE(splits[m].source_vertex.empty());
+                EXPECT_EQ(normals[m], expected[m].normals);
+                EXPECT_EQ(tangent_arrays[m], expected[m].tangents);
+            }
+        }
+    }
+    EXPECT_GT(workspace.bytes(), 500u * 500u * 40u);
+}
+
+TEST(AttributeBuffers, TooSmallOnesAreRefused) {
+    Context context({.threads = 1});
+    AttributeWorkspace workspace;
+    const std::vector<Shape> shapes{make_sphere(8, 4)};
+    const std::size_t count = shapes[0].positions.size();
+    std::vector<vec3> normals(count);
+    std::vector<vec4> tangents(count);
+    const auto into = [&](std::size_t n, std::size_t t, const AttributeOptions& options) {
+        const std::vector<AttributeBuffers> out{{std::span(normals).first(n), std::span(tangents).first(t)}};
+        compute_attributes_into(views(shapes), options, out, workspace, context);
+    };
+    for (const AttributeOptions& options : {published(), AttributeOptions{}}) {
+        EXPECT_THROW(into(count - 1, count, options), Error);
+        EXPECT_THROW(into(count, count - 1, options), Error);
+        EXPECT_NO_THROW(into(count, count, options));
+        AttributeOptions no_tangents = options;
+        no_tangents.tangents = false;
+        EXPECT_NO_THROW(into(count, 0, no_tangents));
+    }
+    EXPECT_THROW(compute_attributes_into(views(shapes), published(), {}, workspace, context), Error);
+}
+
+}  // namespace
+}  // namespace rakelight::test
