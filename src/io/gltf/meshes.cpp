@@ -94,8 +94,6 @@ void Meshes::read_primitive(const Value& mesh, const Value& primitive, Mesh& res
 
     // 3. remarks
     remark_on_quantization(document(), accessors_, primitive);
-    remark_on_mesh(document(), result, result.material == none ? nullptr : &scene_.materials[result.material],
-                   primitive.place());
 }
 
 void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& result) {
