@@ -39,6 +39,7 @@ const LoadedMesh& Meshes::load(std::uint32_t index, const Value& from) {
         const Value primitive = primitives.element(p, mesh.place() + ", primitive " + std::to_string(p));
         Mesh result;
         result.name = Document::name_of(mesh, mesh_kind, index);
+        document().context().memory().charge(sizeof(Mesh) + result.name.size(), "meshes");  // each has its own copy
         result.source_mesh = index;
         result.source_primitive = std::uint32_t(p);
         read_primitive(mesh, primitive, result);

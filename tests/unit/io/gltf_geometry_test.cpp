@@ -255,6 +255,14 @@ TEST(GltfGeometry, APrimitiveWithoutPositionsIsLeftOutAndSaid) {
     EXPECT_NE(file.refusal().find("nothing to draw"), std::string::npos);
 }
 
+TEST(GltfGeometry, ALongNameCountsForEachMeshThatHasIt) {
+    GltfFile file;
+    file.triangle();
+    for (int i = 0; i < 3000; ++i) file.primitive(0);
+    file.root["meshes"][0]["name"] = std::string(1 << 20, 'n');
+    EXPECT_NE(file.refusal().find("more than the limit"), std::string::npos);
+}
+
 // prepare says these, for every format.
 TEST(GltfGeometry, ValuesThatAreNotFiniteStayAsTheyAre) {
     GltfFile file;
