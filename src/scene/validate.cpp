@@ -133,7 +133,7 @@ void validate(const Scene& scene) {
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) check_camera(scene, i);
     for (std::size_t i = 0; i < scene.skins.size(); ++i) check_skin(scene, i);
     check_influences(scene, joints_needed);
-    for (std::size_t i = 0; i < scene.animations.size(); ++i) check_animation(scene, i);
+    check_animations(scene);
     check_world_matrices(scene);
 }
 

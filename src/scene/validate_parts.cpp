@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include <rakelight/error.h>
 
@@ -99,14 +100,21 @@ std::size_t channel_width(const Scene& scene, const AnimationChannel& channel) {
     return targets;
 }
 
-void check_channel(const Scene& scene, const Place& place, const AnimationChannel& channel) {
+/// Blocks whose numbers were looked at: a small file may use one large block in thousands of channels.
+struct SeenNumbers {
+    std::unordered_set<const void*> times, values;
+};
+
+void check_channel(const Scene& scene, const Place& place, const AnimationChannel& channel, SeenNumbers& seen) {
     place.index_or_none("node", channel.node, scene.nodes.size());
     if (channel.node == none) return;
-    for (std::size_t k = 0; k < channel.times.size(); ++k) {
-        place.finite("a key's time", channel.times[k]);
-        if (k > 0 && channel.times[k] < channel.times[k - 1]) place.fail("the times of a channel do not ascend");
-    }
-    for (const float value : channel.values) place.finite("a key's value", value);
+    if (seen.times.insert(channel.times.identity()).second)
+        for (std::size_t k = 0; k < channel.times.size(); ++k) {
+            place.finite("a key's time", channel.times[k]);
+            if (k > 0 && channel.times[k] < channel.times[k - 1]) place.fail("the times of a channel do not ascend");
+        }
+    if (seen.values.insert(channel.values.identity()).second)
+        for (const float value : channel.values) place.finite("a key's value", value);
     const std::size_t per_key = channel_width(scene, channel) * (channel.interpolation == Interpolation::cubic_spline ? 3 : 1);
     place.size("values of a channel", channel.values.size(), channel.times.size() * per_key, "expected");
 }
@@ -136,10 +144,13 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number) {
     return check_influences(place, mesh);
 }
 
-void check_animation(const Scene& scene, std::size_t number) {
-    const Animation& animation = scene.animations[number];
-    const Place place{"animation", number, animation.name};
-    for (const AnimationChannel& channel : animation.channels) check_channel(scene, place, channel);
+void check_animations(const Scene& scene) {
+    SeenNumbers seen;
+    for (std::size_t i = 0; i < scene.animations.size(); ++i) {
+        const Animation& animation = scene.animations[i];
+        const Place place{"animation", i, animation.name};
+        for (const AnimationChannel& channel : animation.channels) check_channel(scene, place, channel, seen);
+    }
 }
 
 }  // namespace rakelight

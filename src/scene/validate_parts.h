@@ -32,7 +32,7 @@ struct Place {
 /// @return 1 + the largest joint that an influence of weight > 0 names; 0 without influences
 std::uint32_t check_mesh(const Scene& scene, std::size_t number);
 
-/// Nodes, sizes, and times that are finite and ascending.
-void check_animation(const Scene& scene, std::size_t number);
+/// Nodes, sizes, and times that are finite and ascending. Numbers that channels share are looked at once.
+void check_animations(const Scene& scene);
 
 }  // namespace rakelight

@@ -38,14 +38,13 @@ private:
         if (index >= samplers.size()) channel.fail("sampler " + std::to_string(index) + " does not exist");
         const Value sampler = samplers.element(index, channel.place());
         result.interpolation = interpolation_of(sampler);
-        result.times =
-            numbers(times_, sampler.required_index("input"), {"key times", components(1), float_only}, sampler);
-        check_times(result.times, sampler);
+        result.times = numbers(times_, sampler.required_index("input"), {"key times", components(1), float_only},
+                               sampler, check_times);
         const std::uint32_t width = result.path == AnimationPath::rotation        ? 4
                                     : result.path == AnimationPath::morph_weights ? 1
                                                                                   : 3;
         result.values = numbers(values_, sampler.required_index("output"),
-                                {"key values", components(width), float_or_small}, sampler);
+                                {"key values", components(width), float_or_small}, sampler, check_values);
         check_size(result, sampler);
         return result;
     }
@@ -67,14 +66,17 @@ private:
         sampler.fail("its interpolation '" + one_line(word, 30) + "' is unknown");
     }
 
-    /// Accessors of animations are shared by many channels, so each becomes one block.
+    /// Accessors of animations are shared by many channels, so each becomes one block, checked once.
+    template <class Check>
     Block<float> numbers(std::map<std::uint32_t, Block<float>>& cache, std::uint32_t accessor, const Expected& expected,
-                         const Value& from) {
+                         const Value& from, Check check) {
         const Elements shape = accessors_.description(accessor, expected, from);
         if (const auto known = cache.find(accessor); known != cache.end()) return known->second;
         const Elements elements = accessors_.elements(accessor, expected, from);
         document().context().memory().charge(elements.count * shape.components * sizeof(float), "animations");
-        return cache.emplace(accessor, to_scalars(elements)).first->second;
+        Block<float> read(to_scalars(elements));
+        check(read, from);
+        return cache.emplace(accessor, std::move(read)).first->second;
     }
 
     static void check_times(const Block<float>& times, const Value& sampler) {
@@ -82,6 +84,11 @@ private:
         for (std::size_t k = 0; k < times.size(); ++k)
             if (!std::isfinite(times[k]) || (k > 0 && times[k] < times[k - 1]))
                 sampler.fail("its key times do not ascend at key " + std::to_string(k));
+    }
+
+    static void check_values(const Block<float>& values, const Value& sampler) {
+        for (const float value : values)
+            if (!std::isfinite(value)) sampler.fail("a key value is not finite");
     }
 
     void check_size(const AnimationChannel& channel, const Value& sampler) const {
@@ -94,8 +101,6 @@ private:
             channel.values.size() % per_key != 0)
             sampler.fail("it has " + std::to_string(channel.times.size()) + " keys of " + std::to_string(per_key) +
                          " numbers, but " + std::to_string(channel.values.size()) + " numbers");
-        for (const float value : channel.values)
-            if (!std::isfinite(value)) sampler.fail("a key value is not finite");
     }
 
     Accessors& accessors_;

@@ -60,13 +60,6 @@ std::string Document::name_of(const Value& element, Kind kind, std::uint32_t ind
     return name.empty() ? std::string(kind.word) + " " + std::to_string(index) : name;
 }
 
-bool Document::uses(const std::string& extension) const {
-    const Value used = root_.list("extensionsUsed");
-    for (std::size_t i = 0; i < used.size(); ++i)
-        if (used.text_at(i) == extension) return true;
-    return false;
-}
-
 void Document::remark(Remark kind, const std::string& place, std::string message) const {
     context_.report().add(kind, path_, one_line(place, 120), one_line(message, 400));
 }
@@ -83,7 +76,7 @@ void Document::check_version() const {
                     "the file asks for glTF version '" + one_line(least, 20) + "', only 2.0 is supported", "asset");
 }
 
-void Document::check_extensions() const {
+void Document::check_extensions() {
     const Value required = root_.list("extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
         const std::string name = required.text_at(i);
@@ -94,6 +87,7 @@ void Document::check_extensions() const {
     const Value used = root_.list("extensionsUsed");
     for (std::size_t i = 0; i < used.size(); ++i) {
         const std::string name = used.text_at(i);
+        uses_quantization_ = uses_quantization_ || name == "KHR_mesh_quantization";
         if (contains(supported, name)) continue;
         remark(contains(harmless, name) ? Remark::note : Remark::dropped, {},
                "the glTF extension " + one_line(name, 80) + " is not supported; what it says is left out");

@@ -42,7 +42,7 @@ public:
     /// The element's own name, or "mesh 3".
     static std::string name_of(const Value& element, Kind kind, std::uint32_t index);
 
-    bool uses(const std::string& extension) const;  ///< listed in extensionsUsed
+    bool uses_quantization() const { return uses_quantization_; }  ///< KHR_mesh_quantization in extensionsUsed
     void remark(Remark remark, const std::string& place, std::string message) const;
 
     const std::string& path() const { return path_; }
@@ -55,14 +55,14 @@ public:
 
 private:
     void check_version() const;
-    void check_extensions() const;
+    void check_extensions();
 
     std::string path_;
     const ReadOptions& options_;
     Context& context_;
     Bytes file_;
     std::span<const std::byte> binary_;
-    bool has_binary_ = false;
+    bool has_binary_ = false, uses_quantization_ = false;
     std::shared_ptr<const Json> tree_;
     Value root_;
 };

@@ -39,6 +39,7 @@ const LoadedMesh& Meshes::load(std::uint32_t index, const Value& from) {
         const Value primitive = primitives.element(p, mesh.place() + ", primitive " + std::to_string(p));
         Mesh result;
         result.name = Document::name_of(mesh, mesh_kind, index);
+        document().context().memory().charge(sizeof(Mesh) + result.name.size(), "meshes");  // each has its own copy
         result.source_mesh = index;
         result.source_primitive = std::uint32_t(p);
         read_primitive(mesh, primitive, result);
@@ -94,8 +95,6 @@ void Meshes::read_primitive(const Value& mesh, const Value& primitive, Mesh& res
 
     // 3. remarks
     remark_on_quantization(document(), accessors_, primitive);
-    remark_on_mesh(document(), result, result.material == none ? nullptr : &scene_.materials[result.material],
-                   primitive.place());
 }
 
 void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& result) {

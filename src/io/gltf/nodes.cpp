@@ -20,13 +20,15 @@ std::vector<std::uint32_t> indices_of(const Value& list) {
 
 }  // namespace
 
-std::vector<Nodes::Waiting> Nodes::roots() const {
+std::vector<Nodes::Waiting> Nodes::roots() {
     const Value& root = document().root();
+    roots_from_ = root;
     std::vector<Waiting> result;
     if (document().count(scene_kind) > 0 || root.has("scene")) {
         const std::uint32_t chosen = root.index("scene");
         const Value scene = document().element(scene_kind, chosen == none ? 0 : chosen, root);
-        for (const std::uint32_t node : indices_of(scene.list("nodes"))) result.push_back({node, none, scene});
+        for (const std::uint32_t node : indices_of(scene.list("nodes"))) result.push_back({node, none});
+        roots_from_ = scene;
         return result;
     }
     const std::size_t count = document().count(node_kind);
@@ -37,7 +39,7 @@ std::vector<Nodes::Waiting> Nodes::roots() const {
             if (child < count) is_child[child] = true;
     }
     for (std::uint32_t n = 0; n < count; ++n)
-        if (!is_child[n]) result.push_back({n, none, root});
+        if (!is_child[n]) result.push_back({n, none});
     if (count > 0) document().remark(Remark::guessed, {}, "the file has no scene; all its root nodes are shown");
     return result;
 }
@@ -47,14 +49,17 @@ void Nodes::read() {
     std::vector<Waiting> stack = roots();
     std::reverse(stack.begin(), stack.end());
     while (!stack.empty()) {
-        const Waiting next = std::move(stack.back());
+        const Waiting next = stack.back();
         stack.pop_back();
         place(next, stack);
     }
 }
 
 void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {
-    const Value source = document().element(node_kind, waiting.file, waiting.from);
+    const Value from = waiting.parent == none
+                           ? roots_from_
+                           : document().element(node_kind, scene_.nodes[waiting.parent].source_node, roots_from_);
+    const Value source = document().element(node_kind, waiting.file, from);
     if (scene_of_[waiting.file] != none)
         throw Error(ErrorCode::bad_file,
                     "it is placed twice: the node hierarchy has a cycle or a node with two parents", source.place());
@@ -70,7 +75,8 @@ void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {
     scene_.nodes.push_back(std::move(node));
     attach_mesh(source, index);
     const std::vector<std::uint32_t> children = indices_of(source.list("children"));
-    for (auto child = children.rbegin(); child != children.rend(); ++child) stack.push_back({*child, index, source});
+    document().context().memory().charge(children.size() * (sizeof(Waiting) + sizeof(std::uint32_t)), "nodes");
+    for (auto child = children.rbegin(); child != children.rend(); ++child) stack.push_back({*child, index});
 }
 
 void Nodes::attach_mesh(const Value& source, std::uint32_t node) {
@@ -115,8 +121,8 @@ void Nodes::add_instances(const Value& source, const Value& extension, std::uint
     const Node group = scene_.nodes[node];
     scene_.nodes[node].meshes.clear();
     scene_.nodes[node].morph_weights.clear();
-    const std::uint64_t each =
-        sizeof(Node) + 64 + group.meshes.size() * bytes_per_placement + group.morph_weights.size() * sizeof(float);
+    const std::uint64_t each = sizeof(Node) + 64 + group.name.size() + group.meshes.size() * bytes_per_placement +
+                               group.morph_weights.size() * sizeof(float);
     if (*count > (1ull << 40) / each) source.fail(std::to_string(*count) + " instances are too many");
     document().context().memory().charge(*count * each, "instances");
     for (std::size_t i = 0; i < *count; ++i) {

@@ -26,11 +26,11 @@ public:
     std::uint32_t scene_index(std::uint32_t file) const { return file < scene_of_.size() ? scene_of_[file] : none; }
 
 private:
+    /// Small: a list of children may be longer than the file has nodes.
     struct Waiting {
         std::uint32_t file, parent;
-        Value from;
     };
-    std::vector<Waiting> roots() const;
+    std::vector<Waiting> roots();
     void place(const Waiting& waiting, std::vector<Waiting>& stack);
     void attach_mesh(const Value& source, std::uint32_t node);
     void add_instances(const Value& source, const Value& extension, std::uint32_t node);
@@ -41,6 +41,7 @@ private:
     Scene& scene_;
     std::vector<PlacedNode> placed_;
     std::vector<std::uint32_t> scene_of_;
+    Value roots_from_;  ///< what lists the roots: the place of messages about them
 };
 
 }  // namespace rakelight::io::gltf

@@ -61,13 +61,13 @@ TextureUse Textures::use(const Value& owner, const char* name) {
     if (!info) return result;
     read_or_drop(document_, std::string(name), [&] {
         TextureUse use;
-        use.texcoord_set = std::uint32_t(info.count("texCoord", 0));
+        std::uint64_t set = info.count("texCoord", 0);
         if (const Value transform = info.extension("KHR_texture_transform")) {
             use.transform = transform_of(transform);
-            use.texcoord_set = std::uint32_t(transform.count("texCoord", use.texcoord_set));
+            set = transform.count("texCoord", set);
         }
-        if (use.texcoord_set > max_texcoord_set)
-            info.fail("texture coordinate set " + std::to_string(use.texcoord_set) + " is more than 7");
+        if (set > max_texcoord_set) info.fail("texture coordinate set " + std::to_string(set) + " is more than 7");
+        use.texcoord_set = std::uint32_t(set);
         use.texture = load(info.required_index("index"), info);
         result = use;
     });

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "math/linear.h"
-
 namespace rakelight::io::gltf {
 namespace {
 
@@ -19,8 +17,6 @@ dmat4 affine_matrix(const Document& document, const Value& node, const std::arra
         matrix[0].w = matrix[1].w = matrix[2].w = 0;
         matrix[3].w = 1;
     }
-    if (determinant(upper_left(matrix)) == 0)
-        document.remark(Remark::warning, node.place(), "its matrix is singular: what it places is flat");
     return matrix;
 }
 
@@ -48,12 +44,8 @@ Transform read_transform(const Document& document, const Value& node) {
     }
     if (const auto t = node.numbers<3>("translation")) transform.translation = {(*t)[0], (*t)[1], (*t)[2]};
     if (const auto r = node.numbers<4>("rotation")) transform.rotation = rotation_of(document, node, *r);
-    if (const auto s = node.numbers<3>("scale")) {
-        transform.scale = {(*s)[0], (*s)[1], (*s)[2]};
-        if (transform.scale.x == 0 || transform.scale.y == 0 || transform.scale.z == 0)
-            document.remark(Remark::warning, node.place(), "its scale is zero: what it places is flat");
-    }
-    return transform;
+    if (const auto s = node.numbers<3>("scale")) transform.scale = {(*s)[0], (*s)[1], (*s)[2]};
+    return transform;  // a matrix or scale that flattens what it places: prepare says it, for every format
 }
 
 }  // namespace rakelight::io::gltf

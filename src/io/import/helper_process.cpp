@@ -183,8 +183,15 @@ void HelperProcess::read(std::span<std::byte> to) {
 }
 
 void HelperProcess::ended_early() {
+    // Most often it is ending; but one that only closed its end may run on, and still has no longer than the others.
     int status = 0;
-    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {}  // it closed its end, so it is ending
+    for (;;) {
+        const pid_t ended = waitpid(child_, &status, WNOHANG);
+        if (ended > 0 || (ended < 0 && errno != EINTR)) break;
+        context_.throw_if_cancelled();
+        if (std::chrono::steady_clock::now() >= deadline_) too_slow(limits_.seconds);
+        poll(nullptr, 0, 1);
+    }
     child_ = -1;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) too_slow(limits_.seconds);
     if (WIFSIGNALED(status)) {

@@ -28,7 +28,9 @@ void add_objects(Scene& scene, Elements& elements, const VertexData& data, bool 
         const MeshKey& key = growing.key;
         scene.nodes[key.object].meshes.push_back(std::uint32_t(scene.meshes.size()));
         scene.meshes.push_back(finish_mesh(growing, data, origin, has_smoothing, remarks, context));
-        scene.meshes.back().name = elements.objects[key.object];
+        const std::string& name = elements.objects[key.object];
+        context.memory().charge(name.size(), "the names of an OBJ file");  // each mesh has its own copy
+        scene.meshes.back().name = name;
         if (key.topology == Topology::triangles && !key.has_normals) without_normals.emplace(key.object, key.material);
     }
     for (const GrowingMesh& m : elements.meshes.meshes())

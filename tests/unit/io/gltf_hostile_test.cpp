@@ -38,8 +38,13 @@ void expect_one_line(const Error& error, const std::filesystem::path& path) {
     EXPECT_FALSE(error.reason().empty());
 }
 
-/// What decoding a picture or repairing an attribute says comes later than the reader.
+/// What repairing attributes and nodes (the list) or decoding a picture says comes later than the reader.
+/// The acceptance test over the whole program holds these files to their verdict too.
 bool is_said_later(const std::string& name) {
+    for (const char* known : {"nan_positions", "inf_positions", "huge_positions", "tiny_positions", "nan_normals",
+                              "zero_normals", "tangent_w0", "nan_uv", "huge_uv", "constant_uv", "degenerate_all",
+                              "coincident", "scale_zero", "matrix_singular"})
+        if (name == std::string("gltf/") + known + ".gltf") return true;
     return name.find("texture_png") != std::string::npos || name.find("texture_not_an_image") != std::string::npos ||
            name.starts_with("pngsuite/");
 }

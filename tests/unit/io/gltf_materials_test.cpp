@@ -82,6 +82,16 @@ GltfFile textured(const char* textures, const char* images, const char* info = R
 
 constexpr const char* embedded_image = R"([{"uri": "data:image/png;base64,AAAA"}])";
 
+TEST(GltfTextures, ACoordinateSetBeyondTheLastLeavesTheTextureOut) {
+    for (const char* use : {R"({"index": 0, "texCoord": 8})", R"({"index": 0, "texCoord": 4294967296})",
+                            R"({"index": 0, "extensions": {"KHR_texture_transform": {"texCoord": 4294967297}}})"}) {
+        Context context({.threads = 1});
+        GltfFile file = textured(R"([{"source": 0}])", embedded_image, use);
+        EXPECT_FALSE(file.load(context).materials[0].normal_texture) << use;
+        EXPECT_TRUE(is_said(context, Remark::dropped, "is more than 7")) << use;
+    }
+}
+
 TEST(GltfTextures, TransformsAndTheirCoordinateSetAreRead) {
     GltfFile file = textured(
         R"([{"source": 0}])", embedded_image,

@@ -54,7 +54,15 @@ TEST(GltfNodes, CyclesAndSecondParentsAreRefused) {
     file.root["nodes"] = {{{"children", {1, 2}}}, {{"children", {3}}}, {{"children", {3}}}, {{"mesh", 0}}};
     EXPECT_NE(file.refusal().find("two parents"), std::string::npos);
     file.root["nodes"] = {{{"mesh", 0}, {"children", {9}}}};
-    EXPECT_NE(file.refusal().find("node 9 does not exist"), std::string::npos);
+    try {
+        file.load();
+        ADD_FAILURE() << "was not refused";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.place(), "node 0");
+        EXPECT_NE(error.reason().find("node 9 does not exist"), std::string::npos);
+    }
+    file.root["nodes"] = {{{"mesh", 0}, {"children", std::vector<int>(100000, 1)}}, {{"name", "twice"}}};
+    EXPECT_NE(file.refusal().find("two parents"), std::string::npos);
 }
 
 TEST(GltfNodes, MatricesAreDouble) {
@@ -86,6 +94,15 @@ TEST(GltfNodes, InstancesBecomeChildrenThatShareTheMesh) {
     EXPECT_EQ(scene.nodes[2].meshes, scene.nodes[1].meshes);
     EXPECT_EQ(scene.nodes[2].local.translation.x, 2);
     EXPECT_EQ(scene.nodes[2].local.rotation, (dquat{1, 0, 0, 0}));
+}
+
+TEST(GltfNodes, ALongNameCountsForEachInstance) {
+    GltfFile file;
+    file.triangle();
+    file.root["accessors"].push_back({{"componentType", f32}, {"count", 100000}, {"type", "VEC3"}});
+    file.root["nodes"][0]["name"] = std::string(100000, 'n');
+    file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", 1}};
+    EXPECT_NE(file.refusal().find("more than the limit"), std::string::npos);
 }
 
 TEST(GltfNodes, InstancesThatAreNotFiniteAreRefused) {
@@ -207,6 +224,21 @@ TEST(GltfAnimations, ChannelsHaveTheirKeys) {
     EXPECT_EQ(channel.times.size(), 2u);
     EXPECT_EQ(channel.values.size(), 24u);
     EXPECT_EQ(animated("scale", "STEP", 3, 6).load().animations.size(), 1u);
+}
+
+// Checked once, these are a blink; checked for each channel they would take minutes.
+TEST(GltfAnimations, ManyChannelsOverOneLargeSamplerAreReadInTheTimeOfOne) {
+    GltfFile file = animated("weights", "LINEAR", 1, 2);
+    file.root["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
+    file.root["accessors"].push_back({{"componentType", f32}, {"count", 4000000}, {"type", "SCALAR"}});
+    const auto zeros = file.root["accessors"].size() - 1;
+    auto& animation = file.root["animations"][0];
+    animation["samplers"] = {{{"input", zeros}, {"output", zeros}}};
+    animation["channels"] = std::vector<GltfFile::Json>(20000, animation["channels"][0]);
+    const Scene scene = file.load();
+    ASSERT_EQ(scene.animations.size(), 1u);
+    EXPECT_EQ(scene.animations[0].channels.size(), 20000u);
+    EXPECT_EQ(scene.animations[0].channels[19999].times.data(), scene.animations[0].channels[0].times.data());
 }
 
 TEST(GltfAnimations, BrokenChannelsAreLeftOut) {

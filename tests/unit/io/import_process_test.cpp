@@ -61,6 +61,15 @@ TEST_F(ImportProcess, OutputThatTricklesDoesNotMoveTheDeadline) {
     EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file);
 }
 
+TEST_F(ImportProcess, ClosingTheStreamAndRunningOnEndsAtTheTimeLimit) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome outcome = read_by("exec sleep 60 >&-", {.import_seconds = 0.3});
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    ASSERT_TRUE(outcome.error);
+    EXPECT_NE(outcome.what().find("longer than 0.3 s"), std::string::npos) << outcome.what();
+    EXPECT_LT(took.count(), 30);
+}
+
 TEST_F(ImportProcess, EndingWithoutAWordIsABadFile) {
     const Outcome outcome = read_by("exit 7");
     ASSERT_TRUE(outcome.error);

@@ -110,6 +110,10 @@ TEST(ImportStream, SizesThatDoNotFitAreRefused) {
     expect_refused("hint", [](Document&, Part& p) { p.smoothing_hint.resize(5); });
     expect_refused("shape", [](Document&, Part& p) { p.shapes[0].positions.resize(3); });
     expect_refused("values", [](Document& d, Part&) { d.motions[0].tracks[0].values.pop_back(); });
+    expect_refused("raw picture whose size overflows", [](Document& d, Part&) {
+        d.pictures[0].width = d.pictures[0].height = 1u << 31;
+        d.pictures[0].bytes.clear();
+    });
     expect_refused("raw picture", [](Document& d, Part&) { d.pictures[0].width = d.pictures[0].height = 4; });
 }
 

@@ -234,6 +234,16 @@ TEST_F(ObjFaces, MaterialChangesByTheThousandStayInTwoMeshes) {
     EXPECT_EQ(load(text).meshes.size(), 2u);
 }
 
+TEST_F(ObjFaces, ALongNameCountsForEachMeshThatHasIt) {
+    std::string materials, text = "mtllib m.mtl\no " + std::string(1 << 20, 'n') + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (int i = 0; i < 3000; ++i) {
+        materials += "newmtl m" + std::to_string(i) + "\n";
+        text += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
+    }
+    write("m.mtl", materials);
+    EXPECT_NE(error_of(text).find("more than the limit"), std::string::npos);
+}
+
 TEST_F(ObjFaces, MemoryIsChargedBeforeItIsAskedFor) {
     std::string text;
     for (int i = 0; i < 10'000; ++i) text += "v 0 1 2\n";

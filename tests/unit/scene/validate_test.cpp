@@ -181,6 +181,25 @@ TEST(Validate, ChecksKeysOfAnimations) {
     expect_fault("a key's time", channel({0, nan_f}, 8));
 }
 
+TEST(Validate, ChecksSharedNumbersOnceInEachUse) {
+    const Block<float> ascending(std::vector<float>{0, 1}), falling(std::vector<float>{1, 0});
+    const auto channels = [](Block<float> times, Block<float> first_values, Block<float> second_times, Block<float> second_values) {
+        return [=](Scene& s) {
+            AnimationChannel a, b;
+            a.node = b.node = 0;
+            a.path = b.path = AnimationPath::morph_weights;
+            s.nodes[0].morph_weights = {0};
+            for (std::uint32_t m : s.nodes[0].meshes) s.meshes[m].targets.resize(1);
+            a.times = times, a.values = first_values, b.times = second_times, b.values = second_values;
+            s.animations.push_back({"one", {a}});
+            s.animations.push_back({"two", {b}});
+        };
+    };
+    EXPECT_EQ(fault(channels(ascending, falling, ascending, falling)), "");
+    expect_fault("animation 1 'two': the times of a channel do not ascend", channels(ascending, falling, falling, falling));
+    expect_fault("animation 1 'two': 3 values", channels(ascending, falling, ascending, std::vector<float>{0, 0, 0}));
+}
+
 TEST(Validate, MakesNamesSafeForOneLine) {
     expect_fault("mesh 0 'a?b'", [](Scene& s) {
         s.meshes[0].name = "a\nb";
