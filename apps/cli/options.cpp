@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -15,6 +16,7 @@ namespace rakelight::cli {
 namespace {
 
 constexpr std::size_t column_width = 32, page_width = 100;
+constexpr std::string_view verbs[] = {"render", "inspect", "smooth", "bench"};
 
 /// CLI11's layout with descriptions wrapped to the page and single blank lines.
 class HelpLayout final : public CLI::Formatter {
@@ -158,9 +160,9 @@ Options finish(Options options, const CommonWords& common) {
 /// The words that CLI11 would not explain: a verb that is none, an empty value, a file that looks like an option.
 void check_words(int argc, const char* const* argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
-    if (argc > 1 && !first.starts_with('-') && first != "render" && first != "inspect")
+    if (argc > 1 && !first.starts_with('-') && std::find(std::begin(verbs), std::end(verbs), first) == std::end(verbs))
         throw Error(ErrorCode::usage, "unknown command '" + one_line(std::string(first), 40) + "'", {},
-                    "use render or inspect, see rakelight --help");
+                    "use render, smooth, inspect or bench, see rakelight --help");
     for (int i = 2; i < argc && std::string_view(argv[i]) != "--"; ++i) {
         const std::string_view word = argv[i], option = argv[i - 1];
         const bool is_value = option.starts_with('-') && option.find('=') == option.npos;

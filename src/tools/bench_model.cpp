@@ -19,12 +19,12 @@ struct Grid {
 
     Grid(std::uint32_t r, std::uint32_t c) : rows(r), columns(c) {
         for (std::uint32_t i = 0; i < columns; ++i) {
-            sin_a.push_back(sin(2 * pi * i / columns));
-            cos_a.push_back(cos(2 * pi * i / columns));
+            sin_a.push_back(math::sin(2 * pi * i / columns));
+            cos_a.push_back(math::cos(2 * pi * i / columns));
         }
         for (std::uint32_t i = 0; i <= rows; ++i) {
-            sin_b.push_back(sin(pi * (i + 1) / (rows + 2)));
-            cos_b.push_back(cos(pi * (i + 1) / (rows + 2)));
+            sin_b.push_back(math::sin(pi * (i + 1) / (rows + 2)));
+            cos_b.push_back(math::cos(pi * (i + 1) / (rows + 2)));
         }
     }
     // The height is a hash of the place, so every part finds the same.
