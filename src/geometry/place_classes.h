@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes with their vertices' places in the world: what questions about a model's surface are asked of.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/attribute_input.h"
+
+namespace rakelight::geometry {
+
+/// Vertices are numbered through all meshes, as are triangles (see AttributeInput).
+struct PlacedMeshes {
+    AttributeInput input;
+    std::vector<std::uint32_t> place;  ///< [vertices] the smallest vertex at the same place in the world
+
+    std::uint32_t object_of_triangle(std::uint32_t triangle) const {
+        return input.meshes[input.mesh_of_triangle(triangle)].object;
+    }
+    /// [m] in the world
+    dvec3 position(std::uint32_t vertex) const {
+        const std::uint32_t m = input.mesh_of_vertex(vertex);
+        return input.placements[m].position(input.meshes[m].positions[vertex - input.vertex_base[m]]);
+    }
+};
+
+/// Welds as the attribute door does (AttributeOptions::weld_distance). The meshes' arrays must outlive the result.
+/// O(n).
+/// @throws Error bad_file: sizes that do not fit, an index out of range, a matrix that is not finite, more than 2^32
+///         vertices and corners
+PlacedMeshes place_vertices(std::span<const AttributeMesh> meshes, double weld_distance, Context& context);
+
+/// The places of a triangle's corners. False where it has none to speak of: a corner is not finite, or two are at one
+/// place.
+struct FacePlaces {
+    std::uint32_t corner[3];
+};
+bool face_places(const PlacedMeshes& placed, std::uint32_t mesh, std::uint32_t triangle, FacePlaces& out);
+
+}  // namespace rakelight::geometry

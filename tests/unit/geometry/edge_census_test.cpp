@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/edge_census.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "unit/geometry/shapes.h"
+
+namespace rakelight::test {
+namespace {
+
+using geometry::EdgeCensus;
+
+/// Views must outlive the census, so both are made here.
+EdgeCensus census_of(const std::vector<Shape>& shapes, std::uint32_t objects = 1) {
+    Context context;
+    const std::vector<AttributeMesh> meshes = views(shapes);
+    return count_edges(geometry::place_vertices(meshes, -1, context), objects);
+}
+
+std::uint32_t object_count(const std::vector<Shape>& shapes) { return std::uint32_t(shapes.size()); }
+
+/// Every corner its own vertex.
+Shape unshared(const Shape& s) {
+    Shape out;
+    for (const std::uint32_t i : s.indices) {
+        out.indices.push_back(std::uint32_t(out.positions.size()));
+        out.positions.push_back(s.positions[i]);
+    }
+    return out;
+}
+
+TEST(EdgeCensus, ACubeIsClosedWith18EdgesHoweverItsVerticesAreShared) {
+    for (const Shape& cube : {make_cube(), unshared(make_cube())}) {
+        const EdgeCensus c = census_of({cube});
+        EXPECT_EQ(c.objects[0].edges, 18u);
+        EXPECT_TRUE(c.objects[0].is_closed());
+        EXPECT_EQ(c.objects[0].inconsistent, 0u);
+        EXPECT_EQ(c.objects[0].non_manifold, 0u);
+        EXPECT_TRUE(c.open_corners.empty());
+        EXPECT_TRUE(c.border_edges.empty());
+    }
+}
+
+TEST(EdgeCensus, ACubeWithoutASideHasFourOpenEdges) {
+    Shape cube = make_cube();
+    cube.indices.resize(30);
+    const EdgeCensus c = census_of({cube});
+    EXPECT_EQ(c.objects[0].open, 4u);
+    EXPECT_FALSE(c.objects[0].is_closed());
+    EXPECT_EQ(c.open_corners.size(), 4u);
+    for (const std::uint32_t corner : c.open_corners) {  // all of them lie in the plane x = 1
+        const std::uint32_t next = corner - corner % 3 + (corner + 1) % 3;
+        EXPECT_EQ(cube.positions[cube.indices[corner]].x, 1);
+        EXPECT_EQ(cube.positions[cube.indices[next]].x, 1);
+    }
+}
+
+TEST(EdgeCensus, AFaceTurnedRoundIsInconsistentAtItsThreeEdges) {
+    Shape cube = make_cube();
+    std::swap(cube.indices[0], cube.indices[1]);
+    const EdgeCensus c = census_of({cube});
+    EXPECT_EQ(c.objects[0].inconsistent, 3u);
+    EXPECT_TRUE(c.objects[0].is_closed());
+}
+
+TEST(EdgeCensus, TheBackOfABookOfThreePagesIsNotManifold) {
+    Shape book;
+    book.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
+    book.indices = {0, 1, 2, 0, 1, 3, 1, 0, 4};
+    const EdgeCensus c = census_of({book});
+    EXPECT_EQ(c.objects[0].non_manifold, 1u);
+    EXPECT_EQ(c.objects[0].edges, 7u);
+    EXPECT_EQ(c.objects[0].open, 6u);
+    EXPECT_EQ(c.objects[0].inconsistent, 0u);
+}
+
+TEST(EdgeCensus, ObjectsAreCountedApartAndTheirBorderIsFound) {
+    const std::vector<Shape> hinge = make_hinge(1);
+    const EdgeCensus c = census_of(hinge, 2);
+    for (const auto& object : c.objects) {
+        EXPECT_EQ(object.edges, 5u);
+        EXPECT_EQ(object.open, 4u);
+    }
+    ASSERT_EQ(c.border_edges.size(), 1u);
+    EXPECT_EQ(c.border_edges[0], (geometry::PlaceEdge{0, 1}));
+    EXPECT_EQ(c.open_corners.size(), 6u);  // the border is not open in the model
+    EXPECT_EQ(c.inconsistent_between, 0u);
+}
+
+TEST(EdgeCensus, AnObjectInsideOutIsFoundAtItsBorder) {
+    std::vector<Shape> hinge = make_hinge(1);
+    for (std::size_t i = 0; i < 6; i += 3) std::swap(hinge[1].indices[i], hinge[1].indices[i + 1]);
+    const EdgeCensus c = census_of(hinge, 2);
+    EXPECT_EQ(c.inconsistent_between, 1u);
+    EXPECT_EQ(c.objects[1].inconsistent, 0u);
+}
+
+TEST(EdgeCensus, PartsOfACutTorusHaveTheirBordersAsOpenEdges) {
+    const Shape torus = make_torus(24, 12);
+    EXPECT_TRUE(census_of({torus}).objects[0].is_closed());
+    EXPECT_EQ(census_of({torus}).objects[0].edges, 24u * 12 * 3);
+    const std::vector<Shape> parts = cut_at_random(torus, 7, 5);
+    const EdgeCensus c = census_of(parts, object_count(parts));
+    std::uint64_t open = 0, edges = 0;
+    for (const auto& object : c.objects) open += object.open, edges += object.edges;
+    EXPECT_EQ(open, 2 * c.border_edges.size());
+    EXPECT_EQ(edges, 24u * 12 * 3 + c.border_edges.size());
+    EXPECT_TRUE(c.open_corners.empty());
+}
+
+TEST(EdgeCensus, FacesThatAreNoneCountForNothing) {
+    Shape s;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    s.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {nan, 0, 0}, {0, 0, 0}};
+    s.indices = {0, 1, 3, 0, 1, 4, 2, 2, 2};
+    const EdgeCensus c = census_of({s});
+    EXPECT_EQ(c.objects[0].edges, 0u);
+    EXPECT_FALSE(c.objects[0].is_closed());
+    EXPECT_TRUE(census_of({}, 0).objects.empty());
+    EXPECT_EQ(census_of({Shape{}}).objects[0].edges, 0u);
+}
+
+TEST(EdgeCensus, ManyCopiesOnOneSpotAreOneNonManifoldEdgeForNobody) {
+    std::vector<Shape> copies(1000, make_cube());
+    for (std::uint32_t i = 0; i < copies.size(); ++i) copies[i].object = i;
+    const EdgeCensus c = census_of(copies, object_count(copies));
+    EXPECT_EQ(c.border_edges.size(), 18u);
+    for (const auto& object : c.objects) EXPECT_TRUE(object.is_closed() && object.non_manifold == 0);
+}
+
+}  // namespace
+}  // namespace rakelight::test
