@@ -35,9 +35,12 @@ struct AttributeOptions {
     /// [rad] 0..pi. Faces that share an edge are joined if their normals differ by at most this much (inclusive, with 1e-5 rad
     /// of slack for the rounding of positions); pi joins everything at a position, 0 is flat.
     double crease_angle_rad = radians(60);
-    /// [m] in the world, over exact equality. < 0: between objects with different matrices, whose equal places differ by rounding, 4
-    /// float ulps of the diagonal of the model's bounding box; 0: exact only. Connected components of close pairs are
-    /// one place; those wider than twice the distance are kept exact, with a warning in the report. Positions never move.
+    /// [m] in the world, over exact equality; 0: exact only. < 0: what rounding makes of one place, by the two meshes that meet, the
+    /// sum of what each may be off. Where their matrices differ: 2 float ulps of the mesh's largest local coordinate (as long as in
+    /// the world) and 1 of its pivot's distance from the center of the model's box, or from the world's origin if that is less;
+    /// at most 2^-14 of the box's diagonal. Where positions were quantized: see AttributeMesh::position_step. Connected components
+    /// of close pairs are one place; those wider than twice the distance are kept exact, with a warning in the report. Positions
+    /// never move.
     double weld_distance = -1;
     bool normals = true;             ///< false: keep the given normals (every mesh must have them) and make only tangents
     bool tangents = true;            ///< where texture coordinates exist
@@ -68,8 +71,9 @@ struct AttributeMesh {
     dmat4 to_world;                            ///< object -> world, affine, including `origin`; det < 0 mirrors
     /// [V] or empty: not 0: the vertex keeps its entry of `normals` (which must then be there); ignored where that is zero or not finite.
     std::span<const std::uint8_t> locked;
-    /// [m] in object space, >= 0: the step on which positions were rounded (quantized files), 0: none. AttributeOptions::
-    /// weld_distance < 0 then welds within half of the widest step in the world, between all meshes.
+    /// [m] in object space, >= 0: the step on which positions were rounded (quantized files), 0: none. A position may then be half a
+    /// step off in every axis: AttributeOptions::weld_distance < 0 takes half of its diagonal for this mesh, and welds it with
+    /// any other mesh but one that has a vertex at that very place already (the next code then is another place).
     double position_step = 0;
 };
 
@@ -90,8 +94,8 @@ struct MeshAttributes {
     double orthogonality_loss_max_deg = 0, orthogonality_loss_mean_deg = 0;
 };
 
-/// Which corners share a normal: made once, used for any positions of the same meshes (poses, morphs).
-/// Immutable; cheap to copy.
+/// Which corners share a normal: made once, used for any positions of the same meshes (poses, morphs), and the start of the next
+/// one when the crease angle moves. Immutable; cheap to copy. Holds about 40 bytes a triangle.
 class AttributePlan {
 public:
     struct Impl;
@@ -104,10 +108,22 @@ private:
 
 /// First step: border classes by position (exact in the world, compared in double, -0 equal to +0), faces joined by crease
 /// angle and smoothing groups, vertices that must split. Expected O(n), deterministic for any number of threads.
+/// Sums are made only where the faces of a group look so far away from one another that their normals may cancel.
 /// @throws Error bad_file: sizes that do not fit, an index out of range (first one in the message), a matrix that is not finite.
 AttributePlan group(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context);
 
-/// Second step: the sums, over the same meshes (positions may have moved; counts may not).
+/// The first step again, for other options (a crease slider): the same plan as group(meshes, options, context), sooner. What does not
+/// change with the crease angle is taken from the old plan: places, face normals and the faces around each place. Another
+/// scope (but face), weld_distance or `normals` makes the weld anew.
+/// @param plan    of group() or regroup()
+/// @param meshes  as they were given to group(), unmoved; only their smoothing groups, hints and locks may have changed
+/// @throws Error bad_file: other counts than were grouped, and what group() throws
+AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                      Context& context);
+
+/// Second step: the sums, over the same meshes (positions may have moved; counts may not). The same vectors, to the bit, as
+/// compute_attributes() where nothing has moved and the crease angle is below pi or the weight is not uniform (else compute_attributes()
+/// sums in float).
 /// @return one entry a mesh, in the order of the input
 std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes, Context& context);
 

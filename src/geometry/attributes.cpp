@@ -4,17 +4,14 @@
 // vertices are welded, never corners: the fast path.
 #include <rakelight/attributes.h>
 
-#include <numeric>
+#include <algorithm>
 #include <string>
 
 #include "geometry/attribute_input.h"
 #include "geometry/attribute_plan.h"
 #include "geometry/fast_attributes.h"
 #include "geometry/finish_vertices.h"
-#include "geometry/mirror_split.h"
-#include "geometry/near_weld.h"
-#include "geometry/position_weld.h"
-#include "geometry/refine_groups.h"
+#include "geometry/grouping.h"
 #include "geometry/tangent_modes.h"
 #include "geometry/vote_sums.h"
 
@@ -23,24 +20,9 @@ namespace {
 
 using namespace geometry;
 
-struct Outcome {
-    std::shared_ptr<AttributePlan::Impl> plan;
-    std::vector<MeshAttributes> meshes;
-};
+using Plan = AttributePlan::Impl;
 
-bool has_groups(std::span<const AttributeMesh> meshes) {
-    return std::any_of(meshes.begin(), meshes.end(), [](const AttributeMesh& m) {
-        return m.smoothing.empty() ? !m.smoothing_hint.empty() : m.group_kind != GroupKind::none;
-    });
-}
-
-// A rough sum of what grouping holds at once: numbers and grid entries per vertex, lists and normals per triangle.
-void check_grouping_memory(const AttributeInput& input, bool refines, Context& context) {
-    const std::uint64_t vertices = input.vertex_count(), triangles = input.triangle_count();
-    context.memory().check(vertices * 112 + (refines ? triangles * 112 : 0), "smoothing normals");
-}
-
-// The same for the sums and the result, when it is known how many vertices there are after splitting.
+// A rough sum of what the sums and the result hold, when it is known how many vertices there are after splitting.
 void check_sums_memory(const AttributePlan::Impl& plan, Context& context) {
     std::uint64_t row = sizeof(NormalRow) + sizeof(vec3) + 2 * sizeof(std::uint32_t);
     const bool textured = std::find(plan.textured.begin(), plan.textured.end(), 1) != plan.textured.end();
@@ -48,109 +30,138 @@ void check_sums_memory(const AttributePlan::Impl& plan, Context& context) {
     context.memory().check(plan.topology.group.size() * row + plan.topology.corner_vertex.size() * 8, "smoothing normals");
 }
 
-Topology group_positions(const AttributeInput& input, const AttributeOptions& options, Context& context) {
-    const bool groups = has_groups(input.meshes);
-    const bool flat = options.scope == Scope::face || (options.crease_angle_rad == 0 && !groups);
-    const bool refines = options.normals && (flat || groups || options.fans || options.crease_angle_rad + 1e-6 < pi);
-    check_grouping_memory(input, refines, context);
-    Topology topology;
-    if (options.normals && flat) {
-        topology.position_class.resize(input.vertex_count());
-        std::iota(topology.position_class.begin(), topology.position_class.end(), 0u);
-    } else {
-        const WeldKey key{.object = options.scope != Scope::model, .normal = !options.normals};
-        topology.position_class = weld_positions(input, key, context);
-        if (options.normals) weld_near(topology.position_class, input, key, options.weld_distance, context);
-    }
-    topology.group = topology.position_class;
-    context.throw_if_cancelled();
-    if (refines)
-        refine_groups(topology, input, options, flat ? JoinRule::apart : JoinRule::crease, face_normals(input, context), {},
-                      context);
-    context.throw_if_cancelled();
-    const bool textured = std::any_of(input.meshes.begin(), input.meshes.end(),
-                                      [](const AttributeMesh& m) { return !m.texcoords.empty(); });
-    if (options.tangents && textured) split_mirrored(topology, input, !options.normals, context);
-    return topology;
-}
-
 // Groups whose normals cancelled, as marks on their vertices' common representative.
-std::vector<std::uint8_t> marks_of(const VoteSums& sums, const VertexGroups& groups, const Finished& finished,
-                                   const Topology& topology) {
+std::vector<std::uint8_t> marks_of(const VoteSums& sums, const std::vector<std::uint32_t>& vertices, const Plan& plan) {
     std::vector<std::uint8_t> marks;
-    if (sums.cancelled_groups.empty() && finished.cancelled.empty()) return marks;
-    marks.assign(topology.group.size(), 0);
-    for (const std::uint32_t g : sums.cancelled_groups) marks[topology.group[groups.members[groups.begin[g]]]] = 1;
-    for (const std::uint32_t v : finished.cancelled) marks[topology.group[v]] = 1;
+    if (sums.cancelled_groups.empty() && vertices.empty()) return marks;
+    const VertexGroups& groups = plan.groups;
+    const std::vector<std::uint32_t>& group = plan.topology.group;
+    marks.assign(group.size(), 0);
+    for (const std::uint32_t g : sums.cancelled_groups) marks[group[groups.members[groups.begin[g]]]] = 1;
+    for (const std::uint32_t v : vertices) marks[group[v]] = 1;
     return marks;
 }
 
-std::vector<MeshAttributes> add_up(const AttributePlan::Impl& plan, const AttributeInput& input, Context& context,
-                                   std::vector<std::uint8_t>& cancelled) {
+struct Sums {
+    std::vector<MeshAttributes> meshes;
+    std::vector<std::uint8_t> cancelled;  ///< as marks_of(); empty: none
+};
+
+Sums add_up(const Plan& plan, const AttributeInput& input, Context& context) {
     check_sums_memory(plan, context);
     VoteSums sums = sum_votes(plan.topology, input, plan.options, context);
     sum_groups(sums, plan.groups, plan.topology, input, plan.options, context);
     context.throw_if_cancelled();
     Finished finished = finish_vertices(sums, plan.topology, input, plan.options, context);
-    cancelled = marks_of(sums, plan.groups, finished, plan.topology);
-    return std::move(finished.meshes);
+    return {std::move(finished.meshes), marks_of(sums, finished.cancelled, plan)};
+}
+
+// What add_up() would find cancelled, from the sums of normals alone.
+std::vector<std::uint8_t> find_cancelled(const Plan& plan, const AttributeInput& input, Context& context) {
+    AttributeOptions options = plan.options;
+    options.tangents = false;
+    VoteSums sums = sum_votes(plan.topology, input, options, context);
+    sum_groups(sums, plan.groups, plan.topology, input, options, context);
+    return marks_of(sums, cancelled_vertices(sums, plan.topology, input, context), plan);
+}
+
+std::shared_ptr<Plan> describe(std::span<const AttributeMesh> meshes, const AttributeOptions& options) {
+    auto plan = std::make_shared<Plan>();
+    plan->options = options;
+    plan->tangents_after = options.tangents && options.tangent_mode != TangentMode::averaged;
+    if (plan->tangents_after) plan->options.tangents = false;
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        if (!options.normals && meshes[m].normals.empty() && !meshes[m].positions.empty())
+            throw Error(ErrorCode::bad_file, "no normals to keep", "mesh " + std::to_string(m));
+        plan->vertices.push_back(std::uint32_t(meshes[m].positions.size()));
+        plan->triangles.push_back(std::uint32_t(meshes[m].indices.size() / 3));
+        plan->textured.push_back(meshes[m].texcoords.empty() ? 0 : 1);
+    }
+    return plan;
+}
+
+bool make_plan(Plan& plan, const AttributeInput& input, Context& context) {
+    Grouped grouped = make_groups(plan.base, input, plan.options, context);
+    plan.topology = std::move(grouped.topology);
+    plan.groups = make_vertex_groups(plan.topology.group);
+    return grouped.may_cancel;
 }
 
 // Coincident shells that face opposite ways cancel where all is joined. Such places are grouped again by sides; what cancels
-// even then is left flat, which cannot cancel.
-Outcome run(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context) {
+// even then is left flat, which cannot cancel. @param cancelled  the marks of a plan -> the marks of the mended one
+template <class Again>
+void mend_cancelled(Plan& plan, const AttributeInput& input, std::vector<std::uint8_t> cancelled, Context& context,
+                    const Again& again) {
+    for (const JoinRule rule : {JoinRule::side, JoinRule::apart}) {
+        if (cancelled.empty()) return;
+        take_apart(plan.topology, plan.base, input, plan.options, rule, cancelled, context);
+        plan.groups = make_vertex_groups(plan.topology.group);
+        cancelled = again();
+    }
+}
+
+// Both steps at once: the sums that show what cancels are the result.
+std::vector<MeshAttributes> run(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context) {
     check_options(options);
     const AttributeInput input = check_input(meshes, context);
-    for (std::size_t m = 0; m < meshes.size() && !options.normals; ++m)
-        if (meshes[m].normals.empty() && !meshes[m].positions.empty())
-            throw Error(ErrorCode::bad_file, "no normals to keep", "mesh " + std::to_string(m));
-    Outcome outcome;
-    outcome.plan = std::make_shared<AttributePlan::Impl>();
-    AttributePlan::Impl& plan = *outcome.plan;
-    plan.options = options;
-    plan.tangents_after = options.tangents && options.tangent_mode != TangentMode::averaged;
-    if (plan.tangents_after) plan.options.tangents = false;
-    for (const AttributeMesh& mesh : meshes) {
-        plan.vertices.push_back(std::uint32_t(mesh.positions.size()));
-        plan.triangles.push_back(std::uint32_t(mesh.indices.size() / 3));
-        plan.textured.push_back(mesh.texcoords.empty() ? 0 : 1);
+    const std::shared_ptr<Plan> plan = describe(meshes, options);
+    make_plan(*plan, input, context);
+    plan->base = {};
+    Sums sums = add_up(*plan, input, context);
+    mend_cancelled(*plan, input, std::move(sums.cancelled), context, [&] {
+        sums = add_up(*plan, input, context);
+        return std::move(sums.cancelled);
+    });
+    if (plan->tangents_after) add_tangents(sums.meshes, *plan, input, context);
+    return std::move(sums.meshes);
+}
+
+AttributePlan plan_from(GroupingBase base, std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                        Context& context) {
+    check_options(options);
+    const AttributeInput input = check_input(meshes, context);
+    const std::shared_ptr<Plan> plan = describe(meshes, options);
+    plan->base = std::move(base);
+    if (make_plan(*plan, input, context))
+        mend_cancelled(*plan, input, find_cancelled(*plan, input, context), context,
+                       [&] { return find_cancelled(*plan, input, context); });
+    return AttributePlan(plan);
+}
+
+void check_same(const Plan& plan, std::span<const AttributeMesh> meshes, bool needs_normals) {
+    if (meshes.size() != plan.vertices.size())
+        throw Error(ErrorCode::bad_file, std::to_string(meshes.size()) + " meshes, but they were grouped as " +
+                                             std::to_string(plan.vertices.size()));
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        const bool fits = meshes[m].positions.size() == plan.vertices[m] && meshes[m].indices.size() / 3 == plan.triangles[m] &&
+                          meshes[m].texcoords.empty() == (plan.textured[m] == 0) &&
+                          (!needs_normals || meshes[m].normals.size() == meshes[m].positions.size());
+        if (!fits) throw Error(ErrorCode::bad_file, "not the mesh that was grouped", "mesh " + std::to_string(m));
     }
-    plan.topology = group_positions(input, plan.options, context);
-    plan.groups = make_vertex_groups(plan.topology.group);
-    std::vector<std::uint8_t> cancelled;
-    outcome.meshes = add_up(plan, input, context, cancelled);
-    for (const JoinRule rule : {JoinRule::side, JoinRule::apart}) {
-        if (cancelled.empty()) break;
-        refine_groups(plan.topology, input, plan.options, rule, face_normals(input, context), cancelled, context);
-        plan.groups = make_vertex_groups(plan.topology.group);
-        outcome.meshes = add_up(plan, input, context, cancelled);
-    }
-    if (plan.tangents_after) add_tangents(outcome.meshes, plan, input, context);
-    return outcome;
 }
 
 }  // namespace
 
 AttributePlan group(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context) {
-    return AttributePlan(run(meshes, options, context).plan);
+    return plan_from({}, meshes, options, context);
+}
+
+AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                      Context& context) {
+    const Plan& old = plan.impl();
+    check_same(old, meshes, false);
+    GroupingBase base = old.base;
+    if (!same_weld(old.options, options)) base.places = nullptr, base.corners = nullptr;
+    return plan_from(std::move(base), meshes, options, context);
 }
 
 std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes, Context& context) {
-    const AttributePlan::Impl& impl = plan.impl();
+    const Plan& impl = plan.impl();
     const AttributeInput input = check_input(meshes, context);
-    if (meshes.size() != impl.vertices.size())
-        throw Error(ErrorCode::bad_file, std::to_string(meshes.size()) + " meshes, but they were grouped as " +
-                                             std::to_string(impl.vertices.size()));
-    for (std::size_t m = 0; m < meshes.size(); ++m) {
-        const bool fits = meshes[m].positions.size() == impl.vertices[m] && meshes[m].indices.size() / 3 == impl.triangles[m] &&
-                          meshes[m].texcoords.empty() == (impl.textured[m] == 0) &&
-                          (impl.options.normals || meshes[m].normals.size() == meshes[m].positions.size());
-        if (!fits) throw Error(ErrorCode::bad_file, "not the mesh that was grouped", "mesh " + std::to_string(m));
-    }
-    std::vector<std::uint8_t> cancelled;  // by a pose: such vertices keep what their own faces say
-    std::vector<MeshAttributes> out = add_up(impl, input, context, cancelled);
-    if (impl.tangents_after) add_tangents(out, impl, input, context);
-    return out;
+    check_same(impl, meshes, !impl.options.normals);
+    Sums sums = add_up(impl, input, context);  // what cancels by a pose keeps what its own faces say
+    if (impl.tangents_after) add_tangents(sums.meshes, impl, input, context);
+    return std::move(sums.meshes);
 }
 
 std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
@@ -162,7 +173,7 @@ std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> me
 
 std::vector<MeshAttributes> geometry::general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                          Context& context) {
-    return run(meshes, options, context).meshes;
+    return run(meshes, options, context);
 }
 
 }  // namespace rakelight

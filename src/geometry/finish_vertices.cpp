@@ -43,7 +43,7 @@ class Finish {
 public:
     Finish(const VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options)
         : sums_(sums), input_(input), options_(options), topology_(topology), appended_base_(appended_base(topology, input)),
-          skew_(options.measure_orthogonality && sums.tangents ? topology.group.size() : 0, 0) {}
+          skew_(options.measure_orthogonality && sums.has_tangents() ? topology.group.size() : 0, 0) {}
 
     void allocate(std::uint32_t m, MeshAttributes& out) const {
         const std::size_t count = input_.meshes[m].positions.size() + appended_base_[m + 1] - appended_base_[m];

@@ -24,8 +24,9 @@ bool is_grouped(const AttributeMesh& mesh) { return !mesh.smoothing.empty() && m
 }  // namespace
 
 JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options, JoinRule rule,
-                     const std::vector<dvec3>& normals)
-    : input_(input), topology_(topology), normals_(normals), rule_(rule), groups_across_(options.groups_across) {
+                     const FaceNormals& normals)
+    : input_(input), places_(topology.places->data()), normals_(normals.data()), rule_(rule),
+      groups_across_(options.groups_across) {
     const double limit = options.crease_angle_rad + crease_slack;
     joins_all_ = limit >= pi && !options.fans;
     least_cos_ = limit >= pi ? -2 : math::cos(limit);
@@ -82,16 +83,46 @@ void JoinRules::join(Fan& fan, UnionFind& sets) const {
     sets.reset(fan.size());
     if (rule_ == JoinRule::apart || fan.size() < 2) return;
     if (rule_ == JoinRule::crease && joins_all_) join_everything(fan, sets);
+    gather_places(fan);
+    if (fan.size() <= few) join_pairs(fan, sets);
+    else join_edges(fan, sets);
+    if (has_hints_ && rule_ == JoinRule::crease) join_hints(fan, sets);
+}
+
+void JoinRules::gather_places(Fan& fan) const {
+    constexpr std::uint32_t after[] = {1, 2, 0};
+    fan.next.resize(fan.size());
+    fan.previous.resize(fan.size());
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+        const std::uint32_t k = fan.corner[i] % 3, m = fan.mesh[i];
+        const std::uint32_t* const face = input_.meshes[m].indices.data() + (fan.corner[i] - k - 3 * input_.triangle_base[m]);
+        const std::uint32_t* const places = places_ + input_.vertex_base[m];
+        fan.next[i] = places[face[after[k]]];
+        fan.previous[i] = places[face[after[after[k]]]];
+    }
+}
+
+// Every face with every other: quicker than sorting edges while there are few.
+void JoinRules::join_pairs(const Fan& fan, UnionFind& sets) const {
+    const std::uint32_t count = std::uint32_t(fan.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t next = fan.next[i], previous = fan.previous[i];
+        for (std::uint32_t j = i + 1; j < count; ++j) {
+            const bool opposite = next == fan.previous[j] || previous == fan.next[j];
+            const bool alike = next == fan.next[j] || previous == fan.previous[j];
+            if (!(opposite || (alike && rule_ == JoinRule::crease))) continue;
+            if (fan.votes(i) && fan.votes(j) && joined(fan, i, j)) sets.join(i, j);
+        }
+    }
+}
+
+void JoinRules::join_edges(Fan& fan, UnionFind& sets) const {
     std::vector<Spoke>& spokes = fan.spokes;
     spokes.clear();
-    for (std::size_t i = 0; i < fan.size(); ++i) {
+    for (std::uint32_t i = 0; i < fan.size(); ++i) {
         if (!fan.votes(i)) continue;
-        const std::uint32_t triangle = fan.corner[i] / 3, k = fan.corner[i] % 3, m = fan.mesh[i];
-        const auto place = [&](std::uint32_t corner) {
-            return topology_.position_class[input_.corner_vertex(m, 3 * triangle + corner)];
-        };
-        spokes.push_back({place((k + 1) % 3), std::uint32_t(i), true});
-        spokes.push_back({place((k + 2) % 3), std::uint32_t(i), false});
+        spokes.push_back({fan.next[i], i, true});
+        spokes.push_back({fan.previous[i], i, false});
     }
     std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
         return std::tuple(a.place, a.index, a.outgoing) < std::tuple(b.place, b.index, b.outgoing);
@@ -102,16 +133,18 @@ void JoinRules::join(Fan& fan, UnionFind& sets) const {
         if (last - first > 1) join_edge(fan, std::span(spokes).subspan(first, last - first), sets);
         first = last;
     }
-    if (has_hints_ && rule_ == JoinRule::crease) join_hints(fan, sets);
 }
 
-bool JoinRules::joined(const Fan& fan, const Spoke& a, const Spoke& b) const {
-    const std::uint32_t i = a.index, j = b.index;
+// Of two faces with a common edge; on sides of a shell they run along it in opposite ways.
+bool JoinRules::joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
     const double cosine = dot(fan.normal[i], fan.normal[j]);
-    if (rule_ == JoinRule::side) return a.outgoing != b.outgoing && cosine > turned_back;
+    if (rule_ == JoinRule::side) return cosine > turned_back;
     if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[j]) return cosine >= least_cos_;
     if (fan.kind[i] == GroupKind::masks) return (fan.group[i] & fan.group[j]) != 0;
     return fan.kind[i] == GroupKind::numbers && fan.group[i] != 0 && fan.group[i] == fan.group[j];
+}
+bool JoinRules::joined(const Fan& fan, const Spoke& a, const Spoke& b) const {
+    return (rule_ == JoinRule::crease || a.outgoing != b.outgoing) && joined(fan, a.index, b.index);
 }
 
 void JoinRules::join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {

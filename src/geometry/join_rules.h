@@ -32,7 +32,8 @@ struct Fan {
     std::vector<std::uint32_t> group;        ///< smoothing group or mask
     std::vector<GroupKind> kind;             ///< none with an authority: the hint rules
     std::vector<vec3> hint;
-    std::vector<Spoke> spokes;               ///< scratch of JoinRules
+    std::vector<std::uint32_t> next, previous;  ///< scratch of JoinRules: places of a face's other corners
+    std::vector<Spoke> spokes;                  ///< scratch of JoinRules
 
     std::size_t size() const { return corner.size(); }
     bool votes(std::size_t i) const { return normal[i] != dvec3{}; }
@@ -41,7 +42,7 @@ struct Fan {
 class JoinRules {
 public:
     JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options, JoinRule rule,
-              const std::vector<dvec3>& normals);
+              const FaceNormals& normals);
 
     /// Reads what the rules need about the corners of one place.
     void gather(std::span<const std::uint32_t> corners, Fan& fan) const;
@@ -50,7 +51,11 @@ public:
 
 private:
     void gather_groups(Fan& fan) const;
+    bool joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
     bool joined(const Fan& fan, const Spoke& a, const Spoke& b) const;
+    void gather_places(Fan& fan) const;
+    void join_pairs(const Fan& fan, UnionFind& sets) const;
+    void join_edges(Fan& fan, UnionFind& sets) const;
     void join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
     void join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
     void join_many_by_group(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
@@ -59,8 +64,8 @@ private:
     std::uint64_t authority_of(std::uint32_t mesh) const;
 
     const AttributeInput& input_;
-    const Topology& topology_;
-    const std::vector<dvec3>& normals_;
+    const std::uint32_t* places_;  ///< [input vertices]
+    const dvec3* normals_;         ///< [triangles]
     JoinRule rule_;
     bool groups_across_;
     bool joins_all_;    ///< crease angle pi

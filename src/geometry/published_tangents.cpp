@@ -68,10 +68,10 @@ private:
         Topology places = plan.topology;
         if (options_.normals && options_.scope == Scope::face) return places;
         if (!options_.normals)  // then the plan's classes are of equal normals too
-            places.position_class =
-                weld_positions(input_, {.object = options_.scope != Scope::model, .normal = false}, context_);
+            places.places = std::make_shared<const std::vector<std::uint32_t>>(
+                weld_positions(input_, {.object = options_.scope != Scope::model, .normal = false}, context_));
         for (std::uint32_t v = 0; v < places.group.size(); ++v)
-            places.group[v] = places.position_class[places.source_of(input_, v)];
+            places.group[v] = (*places.places)[places.source_of(input_, v)];
         return places;
     }
 

@@ -9,6 +9,9 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
+// Cosine of 89.4 degrees: while each face of a group looks less far away from its first one, the sum of their weighted normals
+// is longer than a hundredth of the weights.
+constexpr double away = 0.01;
 
 struct BinScratch {
     Fan fan;
@@ -16,47 +19,51 @@ struct BinScratch {
     std::vector<std::uint32_t> vertex, root, order;
 };
 
+// What one chunk of groups has to take apart. Most groups stay whole and leave nothing here.
+struct Splits {
+    std::vector<std::uint32_t> bins;
+    std::vector<std::uint32_t> leads;   // [corners of these bins] first corner of its group
+    std::vector<std::uint32_t> fresh;   // [corners of these bins] appended vertex it goes to, counted in the chunk, or none
+    std::vector<std::uint32_t> leader;  // [bins] first voting corner
+    std::uint32_t appended = 0;
+    bool may_cancel = false;
+};
+
 class Refinement {
 public:
     Refinement(Topology& topology, const AttributeInput& input, const JoinRules& rules, const CornerBins& bins, Context& context)
-        : topology_(topology), input_(input), rules_(rules), bins_(bins), context_(context), groups_(topology.group.size()),
-          chunks_((groups_ + vertices_per_chunk - 1) / vertices_per_chunk), lead_(bins.corners.size()),
-          fresh_(bins.corners.size()), leader_(groups_, none), appended_(chunks_ + 1, 0) {}
+        : topology_(topology), input_(input), rules_(rules), bins_(bins), context_(context),
+          old_count_(std::uint32_t(topology.group.size())), splits_((old_count_ + vertices_per_chunk - 1) / vertices_per_chunk) {}
 
-    void run() {
-        context_.parallel_for(chunks_, [&](std::size_t c) {
+    bool run() {
+        context_.parallel_for(splits_.size(), [&](std::size_t c) {
             BinScratch scratch;
-            std::uint32_t appended = 0;
-            for_each_bin(c, [&](std::uint32_t g) { group_bin(g, scratch, appended); });
-            appended_[c + 1] = appended;
+            Splits splits;
+            const std::uint32_t first = std::uint32_t(c) * vertices_per_chunk;
+            for (std::uint32_t g = first; g != first + std::min(old_count_ - first, vertices_per_chunk); ++g)
+                if (bins_.size(g) > 1) group_bin(g, scratch, splits);
+            splits_[c] = std::move(splits);
         });
-        std::partial_sum(appended_.begin(), appended_.end(), appended_.begin());
-        const std::uint32_t old_count = std::uint32_t(groups_), added = appended_.back();
-        if (added != 0) {
-            materialize_corners(topology_, input_, context_);
-            topology_.source.resize(topology_.source.size() + added);
+        std::vector<std::uint32_t> first_new{old_count_};
+        bool any = false, may_cancel = false;
+        for (const Splits& s : splits_) {
+            first_new.push_back(first_new.back() + s.appended);
+            any |= !s.bins.empty();
+            may_cancel |= s.may_cancel;
         }
-        old_group_ = std::move(topology_.group);
-        topology_.group.assign(std::size_t(old_count) + added, none);
-        if (added != 0) append(old_count);
-        regroup();
+        if (any) apply(first_new);
+        if (first_new.back() != old_count_) sort_appended(topology_, input_, context_);
+        return may_cancel;
     }
 
 private:
-    template <class Body>
-    void for_each_bin(std::size_t chunk, const Body& body) const {
-        const std::size_t last = std::min(groups_, (chunk + 1) * std::size_t(vertices_per_chunk));
-        for (std::size_t g = chunk * vertices_per_chunk; g < last; ++g)
-            if (bins_.begin[g] != bins_.begin[g + 1]) body(std::uint32_t(g));
-    }
-    bool stays_whole(std::uint32_t g) const { return lead_[bins_.begin[g]] == none; }
     std::uint32_t vertex_of(std::uint32_t corner) const {
         return topology_.vertex_of(input_, input_.mesh_of_triangle(corner / 3), corner);
     }
 
-    void group_bin(std::uint32_t g, BinScratch& s, std::uint32_t& appended) {
-        const std::uint32_t begin = bins_.begin[g], count = bins_.begin[g + 1] - begin;
-        const std::span<const std::uint32_t> corners(bins_.corners.data() + begin, count);
+    void group_bin(std::uint32_t g, BinScratch& s, Splits& out) const {
+        const std::span<const std::uint32_t> corners = bins_[g];
+        const std::uint32_t count = std::uint32_t(corners.size());
         rules_.gather(corners, s.fan);
         rules_.join(s.fan, s.sets);
         std::uint32_t first_vote = none;
@@ -64,23 +71,25 @@ private:
         s.root.resize(count);
         for (std::uint32_t i = 0; i < count; ++i) {
             s.root[i] = s.sets.root(i);
-            if (!s.fan.votes(i)) all_vote = false;
-            else if (first_vote == none) first_vote = i;
-            else one_group &= s.root[i] == s.root[first_vote];
+            if (!s.fan.votes(i)) {
+                all_vote = false;
+                continue;
+            }
+            if (first_vote == none) first_vote = i;
+            one_group &= s.root[i] == s.root[first_vote];
+            out.may_cancel |= dot(s.fan.normal[i], s.fan.normal[s.root[i]]) < away;
         }
-        if (first_vote == none) first_vote = 0;
-        leader_[g] = corners[first_vote];
-        if (one_group) {
-            lead_[begin] = none;  // the bin stays whole: its leader says all
-            return;
-        }
+        if (one_group) return;
         s.vertex.resize(count);
         for (std::uint32_t i = 0; i < count; ++i) s.vertex[i] = vertex_of(corners[i]);
         s.order.resize(count);
         std::iota(s.order.begin(), s.order.end(), 0u);
         if (!all_vote) follow(s, first_vote);
-        assign_vertices(s, begin, appended);
-        for (std::uint32_t i = 0; i < count; ++i) lead_[begin + i] = corners[s.root[i]];
+        out.bins.push_back(g);
+        out.leader.push_back(corners[first_vote]);
+        out.fresh.resize(out.fresh.size() + count);
+        assign_vertices(s, out.fresh.data() + out.fresh.size() - count, out.appended);
+        for (std::uint32_t i = 0; i < count; ++i) out.leads.push_back(corners[s.root[i]]);
     }
 
     // Corners without a vote go with the first voting corner of their vertex, else of their mesh, else of the bin.
@@ -105,7 +114,7 @@ private:
     }
 
     // Each vertex keeps its number for the group of its first corner; every other group of it gets an appended vertex.
-    void assign_vertices(BinScratch& s, std::uint32_t begin, std::uint32_t& appended) {
+    static void assign_vertices(BinScratch& s, std::uint32_t* fresh, std::uint32_t& appended) {
         std::sort(s.order.begin(), s.order.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::tuple(s.vertex[a], s.root[a], a) < std::tuple(s.vertex[b], s.root[b], b);
         });
@@ -118,42 +127,54 @@ private:
                 const std::uint32_t at = s.order[i];
                 const bool kept = s.root[at] == s.root[keeper];
                 if (!kept && (i == first || s.root[at] != s.root[s.order[i - 1]])) ++appended;
-                fresh_[begin + at] = kept ? none : appended - 1;
+                fresh[at] = kept ? none : appended - 1;
             }
             first = last;
         }
     }
 
-    void append(std::uint32_t old_count) {
-        const std::uint32_t fixed = input_.vertex_count();
-        context_.parallel_for(chunks_, [&](std::size_t c) {
-            for_each_bin(c, [&](std::uint32_t g) {
-                for (std::uint32_t i = bins_.begin[g]; i != bins_.begin[g + 1] && !stays_whole(g); ++i) {
-                    if (fresh_[i] == none) continue;
-                    std::uint32_t& vertex = topology_.corner_vertex[bins_.corners[i]];
-                    // Corners of one appended vertex come from one vertex, and are met one after the other by this thread.
-                    const std::uint32_t made = old_count + appended_[c] + fresh_[i];
-                    topology_.source[made - fixed] = topology_.source_of(input_, vertex);
-                    vertex = made;
-                }
+    // Calls body(corner, lead, fresh) for each corner of the chunk's split bins.
+    template <class Body>
+    void for_each_split(const Splits& splits, const Body& body) const {
+        std::size_t at = 0;
+        for (const std::uint32_t g : splits.bins)
+            for (const std::uint32_t corner : bins_[g]) {
+                body(corner, splits.leads[at], splits.fresh[at]);
+                ++at;
+            }
+    }
+
+    void apply(const std::vector<std::uint32_t>& first_new) {
+        std::vector<std::uint32_t> leader(old_count_, none);
+        for (const Splits& s : splits_)
+            for (std::size_t i = 0; i < s.bins.size(); ++i) leader[s.bins[i]] = s.leader[i];
+        if (first_new.back() != old_count_) append(first_new);
+        // The vertex of a group's first corner stands for the group. A vertex without corners goes with the bin's leader.
+        context_.parallel_for(splits_.size(), [&](std::size_t c) {
+            const std::size_t first = c * vertices_per_chunk;
+            for (std::size_t v = first; v < std::min<std::size_t>(old_count_, first + vertices_per_chunk); ++v)
+                if (const std::uint32_t corner = leader[topology_.group[v]]; corner != none) topology_.group[v] = vertex_of(corner);
+        });
+        context_.parallel_for(splits_.size(), [&](std::size_t c) {
+            for_each_split(splits_[c], [&](std::uint32_t corner, std::uint32_t lead, std::uint32_t) {
+                topology_.group[vertex_of(corner)] = vertex_of(lead);
             });
         });
     }
 
-    // The vertex of a group's first corner stands for the group. A vertex without corners in a bin keeps to its old group's
-    // leader.
-    void regroup() {
-        context_.parallel_for(chunks_, [&](std::size_t c) {
-            const std::size_t last = std::min(groups_, (c + 1) * std::size_t(vertices_per_chunk));
-            for (std::size_t v = c * vertices_per_chunk; v < last; ++v) {
-                const std::uint32_t old = old_group_[v], leader = leader_[old];
-                topology_.group[v] = leader == none ? old : vertex_of(leader);
-            }
-        });
-        context_.parallel_for(chunks_, [&](std::size_t c) {
-            for_each_bin(c, [&](std::uint32_t g) {
-                for (std::uint32_t i = bins_.begin[g]; i != bins_.begin[g + 1] && !stays_whole(g); ++i)
-                    topology_.group[vertex_of(bins_.corners[i])] = vertex_of(lead_[i]);
+    void append(const std::vector<std::uint32_t>& first_new) {
+        materialize_corners(topology_, input_, context_);
+        topology_.group.resize(first_new.back(), none);
+        topology_.source.resize(topology_.source.size() + (first_new.back() - old_count_));
+        const std::uint32_t fixed = input_.vertex_count();
+        context_.parallel_for(splits_.size(), [&](std::size_t c) {
+            for_each_split(splits_[c], [&](std::uint32_t corner, std::uint32_t, std::uint32_t fresh) {
+                if (fresh == none) return;
+                std::uint32_t& vertex = topology_.corner_vertex[corner];
+                // Corners of one appended vertex come from one vertex, and are met one after the other by this thread.
+                const std::uint32_t made = first_new[c] + fresh;
+                topology_.source[made - fixed] = topology_.source_of(input_, vertex);
+                vertex = made;
             });
         });
     }
@@ -163,22 +184,15 @@ private:
     const JoinRules& rules_;
     const CornerBins& bins_;
     Context& context_;
-    std::size_t groups_, chunks_;
-    std::vector<std::uint32_t> lead_;          // [binned corners] first corner of its group
-    std::vector<std::uint32_t> fresh_;         // [binned corners] appended vertex it goes to, counted in the chunk, or none
-    std::vector<std::uint32_t> leader_;        // [groups] first voting corner
-    std::vector<std::uint32_t> appended_;      // [chunks + 1]
-    std::vector<std::uint32_t> old_group_;
+    std::uint32_t old_count_;
+    std::vector<Splits> splits_;  // [chunks of groups]
 };
 
 }  // namespace
 
-void refine_groups(Topology& topology, const AttributeInput& input, const AttributeOptions& options, JoinRule rule,
-                   const std::vector<dvec3>& normals, const std::vector<std::uint8_t>& selected, Context& context) {
-    const CornerBins bins = bin_corners(topology, input, selected, context);
-    const JoinRules rules(input, topology, options, rule, normals);
-    Refinement(topology, input, rules, bins, context).run();
-    if (!topology.source.empty()) sort_appended(topology, input, context);
+bool refine_groups(Topology& topology, const AttributeInput& input, const JoinRules& rules, const CornerBins& bins,
+                   Context& context) {
+    return Refinement(topology, input, rules, bins, context).run();
 }
 
 }  // namespace rakelight::geometry

@@ -5,10 +5,11 @@
 
 namespace rakelight::geometry {
 
-/// @param selected  [output vertices] which groups to look at; empty: all
+/// @param bins  the corners at each group that is to be looked at
 /// A degenerate face follows the first voting face of its vertex (else of its mesh there, else of its place), so it never splits
 /// anything; a vertex that no face uses follows the first of its place.
-void refine_groups(Topology& topology, const AttributeInput& input, const AttributeOptions& options, JoinRule rule,
-                   const std::vector<dvec3>& normals, const std::vector<std::uint8_t>& selected, Context& context);
+/// @return whether normals may cancel in a group that was made: two of its faces look away from each other by 89 degrees or more
+bool refine_groups(Topology& topology, const AttributeInput& input, const JoinRules& rules, const CornerBins& bins,
+                   Context& context);
 
 }  // namespace rakelight::geometry

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/topology.h"
 
-#include <atomic>
 #include <numeric>
 
 #include "geometry/face_vote.h"
@@ -24,62 +23,43 @@ void materialize_corners(Topology& topology, const AttributeInput& input, Contex
 void sort_appended(Topology& topology, const AttributeInput& input, Context& context) {
     const std::uint32_t fixed = input.vertex_count();
     const std::size_t count = topology.source.size();
-    std::vector<std::uint32_t> order(count), number(count), group = topology.group;
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return topology.source[a] < topology.source[b]; });
-    std::vector<std::uint32_t> source(count);
+    std::vector<std::uint32_t> number(count), source(count), group(topology.group.size());
+    std::vector<std::uint32_t> at(std::size_t(fixed) + 1, 0);  // counting sort; equal sources keep their order
+    for (const std::uint32_t v : topology.source) ++at[v + 1];
+    std::partial_sum(at.begin(), at.end(), at.begin());
     for (std::size_t i = 0; i < count; ++i) {
-        number[order[i]] = std::uint32_t(i);
-        source[i] = topology.source[order[i]];
+        number[i] = at[topology.source[i]]++;
+        source[number[i]] = topology.source[i];
     }
     const auto renumbered = [&](std::uint32_t v) { return v < fixed ? v : fixed + number[v - fixed]; };
-    for (std::uint32_t v = 0; v < topology.group.size(); ++v) group[renumbered(v)] = renumbered(topology.group[v]);
-    topology.group = std::move(group);
-    topology.source = std::move(source);
-    const std::size_t corners = topology.corner_vertex.size(), step = 3 * triangles_per_chunk;
+    const std::size_t vertices = group.size(), corners = topology.corner_vertex.size(), step = 3 * triangles_per_chunk;
+    context.parallel_for((vertices + step - 1) / step, [&](std::size_t c) {
+        for (std::size_t v = c * step; v < std::min(vertices, (c + 1) * step); ++v)
+            group[renumbered(std::uint32_t(v))] = renumbered(topology.group[v]);
+    });
     context.parallel_for((corners + step - 1) / step, [&](std::size_t c) {
         for (std::size_t i = c * step; i < std::min(corners, (c + 1) * step); ++i)
             topology.corner_vertex[i] = renumbered(topology.corner_vertex[i]);
     });
+    topology.group = std::move(group);
+    topology.source = std::move(source);
 }
 
-// Counting sort. Integer counts may be added in any order; the order inside a bin is restored by sorting it.
 CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
                        Context& context) {
-    CornerBins bins;
-    bins.begin.assign(topology.group.size() + 1, 0);
-    const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
-    const auto for_each_corner = [&](const auto& body) {
-        context.parallel_for(chunks.size(), [&](std::size_t c) {
-            for_each_range(chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-                const std::uint32_t base = 3 * input.triangle_base[m];
-                for (std::uint32_t corner = base + 3 * first; corner != base + 3 * last; ++corner) {
-                    const std::uint32_t g = topology.group[topology.vertex_of(input, m, corner)];
-                    if (selected.empty() || selected[g] != 0) body(corner, g);
-                }
-            });
-        });
-    };
-    for_each_corner([&](std::uint32_t, std::uint32_t g) {
-        std::atomic_ref(bins.begin[g + 1]).fetch_add(1, std::memory_order_relaxed);
+    CornerSort sort(input, std::uint32_t(topology.group.size()), context);
+    const std::uint32_t* const group = topology.group.data();
+    if (selected.empty())
+        return sort.run([&](std::uint32_t m, std::uint32_t corner) { return group[topology.vertex_of(input, m, corner)]; });
+    return sort.run([&](std::uint32_t m, std::uint32_t corner) {
+        const std::uint32_t g = group[topology.vertex_of(input, m, corner)];
+        return selected[g] != 0 ? g : CornerSort::no_bin;
     });
-    std::partial_sum(bins.begin.begin(), bins.begin.end(), bins.begin.begin());
-    bins.corners.resize(bins.begin.back());
-    std::vector<std::uint32_t> cursor(bins.begin.begin(), bins.begin.end() - 1);
-    for_each_corner([&](std::uint32_t corner, std::uint32_t g) {
-        bins.corners[std::atomic_ref(cursor[g]).fetch_add(1, std::memory_order_relaxed)] = corner;
-    });
-    const std::size_t count = topology.group.size(), step = vertices_per_chunk;
-    context.parallel_for((count + step - 1) / step, [&](std::size_t c) {
-        for (std::size_t g = c * step; g < std::min(count, (c + 1) * step); ++g)
-            std::sort(bins.corners.begin() + bins.begin[g], bins.corners.begin() + bins.begin[g + 1]);
-    });
-    return bins;
 }
 
-std::vector<dvec3> face_normals(const AttributeInput& input, Context& context) {
-    std::vector<dvec3> normals(input.triangle_count());
+FaceNormals face_normals(const AttributeInput& input, Context& context) {
+    FaceNormals normals;
+    normals.reserve(input.triangle_count());
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     context.parallel_for(chunks.size(), [&](std::size_t c) {
         for_each_range(chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {

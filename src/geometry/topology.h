@@ -3,18 +3,21 @@
 // one after the other (weld, creases and smoothing groups, mirrored texture coordinates, cancelling shells).
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "geometry/attribute_input.h"
+#include "geometry/corner_bins.h"
+#include "geometry/fast_memory.h"
 
 namespace rakelight::geometry {
 
 /// Output vertices are numbered through: the input's first (AttributeInput's numbers), then the appended ones.
 struct Topology {
-    std::vector<std::uint32_t> position_class;  ///< [input vertices] smallest input vertex at the same place
-    std::vector<std::uint32_t> group;           ///< [output vertices] one of the vertices that share its normal; group[g] == g
-    std::vector<std::uint32_t> source;          ///< [appended] the input vertex that each copies
-    std::vector<std::uint32_t> corner_vertex;   ///< [3 * triangles] output vertex; empty: nothing was split
+    std::shared_ptr<const std::vector<std::uint32_t>> places;  ///< [input vertices] smallest one at the same place; never null
+    std::vector<std::uint32_t> group;          ///< [output vertices] one of the vertices that share its normal; group[g] == g
+    std::vector<std::uint32_t> source;         ///< [appended] the input vertex that each copies
+    std::vector<std::uint32_t> corner_vertex;  ///< [3 * triangles] output vertex; empty: nothing was split
 
     std::uint32_t vertex_of(const AttributeInput& input, std::uint32_t mesh, std::uint32_t corner) const {
         return corner_vertex.empty() ? input.corner_vertex(mesh, corner) : corner_vertex[corner];
@@ -31,16 +34,12 @@ void materialize_corners(Topology& topology, const AttributeInput& input, Contex
 void sort_appended(Topology& topology, const AttributeInput& input, Context& context);
 
 /// The corners at each group of vertices.
-struct CornerBins {
-    std::vector<std::uint32_t> begin;    ///< [output vertices + 1] bin g holds corners[begin[g] .. begin[g + 1])
-    std::vector<std::uint32_t> corners;  ///< ascending inside a bin
-};
-
 /// @param selected  [output vertices] only groups g with selected[g] != 0 get a bin; empty: all
 CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
                        Context& context);
 
-/// Unit normal of each face in the world; zero where it has no vote. [triangles]
-std::vector<dvec3> face_normals(const AttributeInput& input, Context& context);
+/// [triangles] Unit normal of each face in the world; zero where it has no vote.
+using FaceNormals = LargeArray<dvec3>;
+FaceNormals face_normals(const AttributeInput& input, Context& context);
 
 }  // namespace rakelight::geometry

@@ -66,7 +66,7 @@ private:
         for_each_range(chunk, input_.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
             const Owned own = owned_by(chunk, m);
             clear(own);
-            const bool tangents = sums_.tangents != nullptr && !input_.meshes[m].texcoords.empty();
+            const bool tangents = sums_.has_tangents() && !input_.meshes[m].texcoords.empty();
             switch (options_.weight) {
                 case CornerWeight::uniform: return scatter_as<CornerWeight::uniform>(tangents, c, m, first, last, own);
                 case CornerWeight::area: return scatter_as<CornerWeight::area>(tangents, c, m, first, last, own);
@@ -77,11 +77,11 @@ private:
     }
 
     void clear(const Owned& own) {
-        std::fill(sums_.normals.get() + own.begin, sums_.normals.get() + own.end, NormalRow{});
-        std::fill(sums_.normals.get() + own.appended_begin, sums_.normals.get() + own.appended_end, NormalRow{});
-        if (!sums_.tangents) return;
-        std::fill(sums_.tangents.get() + own.begin, sums_.tangents.get() + own.end, TangentRow{});
-        std::fill(sums_.tangents.get() + own.appended_begin, sums_.tangents.get() + own.appended_end, TangentRow{});
+        std::fill(sums_.normals.data() + own.begin, sums_.normals.data() + own.end, NormalRow{});
+        std::fill(sums_.normals.data() + own.appended_begin, sums_.normals.data() + own.appended_end, NormalRow{});
+        if (!sums_.has_tangents()) return;
+        std::fill(sums_.tangents.data() + own.begin, sums_.tangents.data() + own.end, TangentRow{});
+        std::fill(sums_.tangents.data() + own.appended_begin, sums_.tangents.data() + own.appended_end, TangentRow{});
     }
 
     template <CornerWeight weight>
@@ -100,8 +100,8 @@ private:
                                          ? nullptr
                                          : topology_.corner_vertex.data() + 3 * std::size_t(input_.triangle_base[m]);
         const bool keep_normals = !options_.normals, owns_all = pieces == 1;
-        NormalRow* normals = sums_.normals.get();
-        TangentRow* tangent_rows = sums_.tangents.get();
+        NormalRow* normals = sums_.normals.data();
+        TangentRow* tangent_rows = sums_.tangents.data();
         std::uint32_t degenerate = 0;
         for (std::uint32_t t = first; t != last; ++t) {
             const std::uint32_t* index = &mesh.indices[3 * std::size_t(t)];
@@ -133,11 +133,12 @@ private:
 
     void drain(std::size_t c) {
         const Chunk chunk = chunks_[c];
-        const NormalRow* normals = sums_.normals.get();
+        const NormalRow* normals = sums_.normals.data();
+        const bool tangents = sums_.has_tangents();
         for (std::uint32_t p = 0; p < chunk.pieces && chunk.pieces > 1; ++p)
             for (const Parcel& parcel : outbox_[c - chunk.piece + p][chunk.piece]) {
                 add(sums_.normals[parcel.row], parcel.normal.normal, parcel.normal.weight);
-                if (sums_.tangents) add(sums_.tangents[parcel.row], parcel.tangent.tangent, parcel.tangent.hand);
+                if (tangents) add(sums_.tangents[parcel.row], parcel.tangent.tangent, parcel.tangent.hand);
             }
         for (std::uint32_t m = chunk.mesh_begin; m != chunk.mesh_end; ++m) {
             const Owned own = owned_by(chunk, m);
@@ -169,10 +170,10 @@ std::vector<std::uint32_t> appended_base(const Topology& topology, const Attribu
 
 VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context) {
     VoteSums sums;
-    sums.normals = std::make_unique_for_overwrite<NormalRow[]>(topology.group.size());
+    sums.normals.reserve(topology.group.size());
     const bool textured = std::any_of(input.meshes.begin(), input.meshes.end(),
                                       [](const AttributeMesh& m) { return !m.texcoords.empty(); });
-    if (options.tangents && textured) sums.tangents = std::make_unique_for_overwrite<TangentRow[]>(topology.group.size());
+    if (options.tangents && textured) sums.tangents.reserve(topology.group.size());
     sums.degenerate_faces.assign(input.meshes.size(), 0);
     sums.isolated_vertices.assign(input.meshes.size(), 0);
     Scatter(sums, topology, input, options, context).run();
@@ -216,10 +217,26 @@ void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topo
                     sums.normals[v].weight = weight;
                 }
             }
-            if (sums.tangents) tangents.average(direction_of(normal).unit, members, sums.tangents.get());
+            if (sums.has_tangents()) tangents.average(direction_of(normal).unit, members, sums.tangents.data());
         }
     });
     for (const auto& part : cancelled) sums.cancelled_groups.insert(sums.cancelled_groups.end(), part.begin(), part.end());
+}
+
+std::vector<std::uint32_t> cancelled_vertices(const VoteSums& sums, const Topology& topology, const AttributeInput& input,
+                                              Context& context) {
+    const std::size_t count = topology.group.size(), step = vertices_per_chunk;
+    std::vector<std::vector<std::uint32_t>> found((count + step - 1) / step);
+    context.parallel_for(found.size(), [&](std::size_t c) {
+        for (std::size_t row = c * step; row < std::min(count, (c + 1) * step); ++row) {
+            if (!(sums.normals[row].weight > 0) || !has_cancelled(sums.normals[row])) continue;
+            const std::uint32_t v = topology.source_of(input, std::uint32_t(row)), m = input.mesh_of_vertex(v);
+            if (!is_locked(input.meshes[m], v - input.vertex_base[m])) found[c].push_back(std::uint32_t(row));
+        }
+    });
+    std::vector<std::uint32_t> all;
+    for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+    return all;
 }
 
 }  // namespace rakelight::geometry

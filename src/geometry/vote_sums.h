@@ -2,7 +2,6 @@
 // The sums: every face adds its votes to its three vertices, vertices of one group add theirs together.
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "geometry/topology.h"
@@ -27,10 +26,11 @@ inline bool has_cancelled(const NormalRow& row) {
 }
 
 struct VoteSums {
-    std::unique_ptr<NormalRow[]> normals;                            ///< [output vertices]
-    std::unique_ptr<TangentRow[]> tangents;                          ///< [output vertices], or null: none are asked for
+    LargeArray<NormalRow> normals;                                   ///< [output vertices]
+    LargeArray<TangentRow> tangents;                                 ///< [output vertices], or null: none are asked for
     std::vector<std::uint32_t> degenerate_faces, isolated_vertices;  ///< [meshes]
     std::vector<std::uint32_t> cancelled_groups;                     ///< indices of VertexGroups whose normals cancelled
+    bool has_tangents() const { return tangents.data() != nullptr; }
 };
 
 /// Where the appended vertices of each mesh begin, counted from the first appended one. [meshes + 1]
@@ -45,5 +45,9 @@ VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const 
 /// whose normals cancel are listed and left as they are.
 void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
                 const AttributeOptions& options, Context& context);
+
+/// Output vertices, not locked, whose sum of normals (after sum_groups()) has cancelled though faces vote; ascending.
+std::vector<std::uint32_t> cancelled_vertices(const VoteSums& sums, const Topology& topology, const AttributeInput& input,
+                                              Context& context);
 
 }  // namespace rakelight::geometry

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/grouping.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/mirror_split.h"
+#include "geometry/near_weld.h"
+#include "geometry/position_weld.h"
+#include "geometry/refine_groups.h"
+
+namespace rakelight::geometry {
+namespace {
+
+bool has_groups(std::span<const AttributeMesh> meshes) {
+    return std::any_of(meshes.begin(), meshes.end(), [](const AttributeMesh& m) {
+        return m.smoothing.empty() ? !m.smoothing_hint.empty() : m.group_kind != GroupKind::none;
+    });
+}
+
+// A rough sum of what grouping holds at once: numbers and grid entries per vertex, lists and normals per triangle.
+void check_memory(const AttributeInput& input, bool refines, Context& context) {
+    const std::uint64_t vertices = input.vertex_count(), triangles = input.triangle_count();
+    context.memory().check(vertices * 112 + (refines ? triangles * 72 : 0), "smoothing normals");
+}
+
+std::shared_ptr<const std::vector<std::uint32_t>> weld(const AttributeInput& input, const AttributeOptions& options,
+                                                       Context& context) {
+    const WeldKey key{.object = options.scope != Scope::model, .normal = !options.normals};
+    auto places = std::make_shared<std::vector<std::uint32_t>>(weld_positions(input, key, context));
+    if (options.normals) weld_near(*places, input, key, options.weld_distance, context);
+    context.throw_if_cancelled();
+    return places;
+}
+
+std::shared_ptr<const std::vector<std::uint32_t>> each_vertex_alone(const AttributeInput& input) {
+    auto places = std::make_shared<std::vector<std::uint32_t>>(input.vertex_count());
+    std::iota(places->begin(), places->end(), 0u);
+    return places;
+}
+
+}  // namespace
+
+const FaceNormals& GroupingBase::face_normals(const AttributeInput& input, Context& context) {
+    if (!normals) normals = std::make_shared<const FaceNormals>(geometry::face_normals(input, context));
+    return *normals;
+}
+
+bool same_weld(const AttributeOptions& a, const AttributeOptions& b) {
+    return (a.scope == Scope::model) == (b.scope == Scope::model) && a.normals == b.normals && a.weld_distance == b.weld_distance;
+}
+
+Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options, Context& context) {
+    const bool groups = has_groups(input.meshes);
+    const bool flat = options.normals && (options.scope == Scope::face || (options.crease_angle_rad == 0 && !groups));
+    const bool refines = options.normals && (flat || groups || options.fans || options.crease_angle_rad + 1e-6 < pi);
+    check_memory(input, refines, context);
+    if (!flat && !base.places) base.places = weld(input, options, context);
+    Grouped made;
+    made.topology.places = flat ? each_vertex_alone(input) : base.places;
+    made.topology.group = *made.topology.places;
+    if (refines) {
+        const JoinRules rules(input, made.topology, options, flat ? JoinRule::apart : JoinRule::crease,
+                              base.face_normals(input, context));
+        context.throw_if_cancelled();
+        CornerBins flat_bins;
+        if (flat) flat_bins = bin_corners(made.topology, input, {}, context);
+        else if (!base.corners)
+            base.corners = std::make_shared<const CornerBins>(bin_corners(made.topology, input, {}, context));
+        made.may_cancel = refine_groups(made.topology, input, rules, flat ? flat_bins : *base.corners, context);
+    }
+    context.throw_if_cancelled();
+    const bool textured = std::any_of(input.meshes.begin(), input.meshes.end(),
+                                      [](const AttributeMesh& m) { return !m.texcoords.empty(); });
+    if (options.tangents && textured) split_mirrored(made.topology, input, !options.normals, context);
+    made.may_cancel &= options.normals;
+    return made;
+}
+
+void take_apart(Topology& topology, GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
+                JoinRule rule, const std::vector<std::uint8_t>& selected, Context& context) {
+    const JoinRules rules(input, topology, options, rule, base.face_normals(input, context));
+    refine_groups(topology, input, rules, bin_corners(topology, input, selected, context), context);
+}
+
+}  // namespace rakelight::geometry
