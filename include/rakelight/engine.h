@@ -44,6 +44,7 @@ struct RenderSettings {
     Cull cull = Cull::automatic;
     vec4 background{0.18f, 0.18f, 0.2f, 1};  ///< linear RGB and alpha
     bool specular_horizon = true;    ///< no highlight where the light is below the surface (false: as printed)
+    bool orthogonalize = true;       ///< normal maps: the tangent is made perpendicular to the normal at every pixel
 };
 
 /// A finished rectangle: arrays are [width * height], row by row; those not asked for are empty.

@@ -25,6 +25,10 @@ struct PrepareOptions {
     /// (that is what its maps were baked for); else averaged.
     std::optional<TangentMode> tangents;
     Orthogonalize orthogonalize = Orthogonalize::attribute;
+    /// Say in the report how far from perpendicular to the normals the tangents were, before that was put right.
+    bool measure_orthogonality = false;
+    /// Placements of one mesh go on sharing it, with the normals of the first, even where they touch different things.
+    bool keep_instances = false;
 };
 
 /// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height

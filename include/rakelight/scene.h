@@ -123,6 +123,9 @@ struct Mesh {
     Topology topology = Topology::triangles;
     dvec3 origin{0, 0, 0};        ///< positions count from here; one for all meshes of a file, zero unless its numbers need it
     Block<vec3> positions;        ///< [V] about `origin`
+    /// [m] object space: the step between two codes where the file stores positions as codes (KHR_mesh_quantization, Draco); each
+    /// then stands up to half a step from where it was, in every axis. 0: stored as floats, or not known.
+    double position_step = 0;
     Block<std::uint32_t> indices; ///< [3T], [2L] or [P], each < V
     Block<vec3> normals;          ///< [V] unit, or empty; those of the file until prepare replaces them
     Block<vec4> tangents;         ///< [V] xyz unit, w = +1 or -1, or empty

@@ -99,6 +99,7 @@ AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const
         out.smoothing_hint = mesh.smoothing_hint;
     }
     out.to_world = place * translation(mesh.origin);
+    out.position_step = mesh.position_step;
     return out;
 }
 

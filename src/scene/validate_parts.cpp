@@ -127,6 +127,8 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number) {
     const std::size_t vertices = mesh.positions.size();
     if (vertices >= none) place.fail("too many vertices for 32-bit indices");
     place.finite("the origin", mesh.origin);
+    place.finite("the step of the positions", mesh.position_step);
+    if (mesh.position_step < 0) place.fail("the step of the positions is negative");
     place.index_or_none("material", mesh.material, scene.materials.size());
     place.size_or_empty("normals", mesh.normals.size(), vertices, "vertices");
     place.size_or_empty("tangents", mesh.tangents.size(), vertices, "vertices");

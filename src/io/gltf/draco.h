@@ -26,6 +26,8 @@ public:
     /// `description`.
     /// @throws Error: no such attribute, another number of components.
     Elements attribute(std::uint32_t id, const Elements& description, const Value& from, Context& context) const;
+    /// The step between two codes of positions that were stored as floats of fewer bits; 0: another attribute, or not so.
+    double step(std::uint32_t id) const;
 
 private:
     struct Impl;

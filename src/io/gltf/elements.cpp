@@ -90,6 +90,13 @@ std::vector<float> to_scalars(const Elements& elements) {
     return result;
 }
 
+double step_of(const Elements& elements) {
+    if (elements.type == ComponentType::f32) return 0;
+    double largest = 1;
+    with_component_type(elements.type, [&](auto zero) { largest = double(std::numeric_limits<decltype(zero)>::max()); });
+    return elements.normalized ? 1 / largest : 1;
+}
+
 std::vector<std::uint32_t> to_integers(const Elements& elements) {
     std::vector<std::uint32_t> result(std::size_t(elements.count) * elements.components);
     if (!elements.data) return result;

@@ -42,6 +42,9 @@ std::vector<vec3> to_vec3(const Elements& elements);
 std::vector<vec4> to_vec4(const Elements& elements, float missing_w);  ///< w where the elements have 3 components
 std::vector<float> to_scalars(const Elements& elements);               ///< [count * components]
 
+/// Between two neighboring codes after conversion; 0 for floats.
+double step_of(const Elements& elements);
+
 /// Unsigned integers as they are. Only for u8, u16, u32; [count * components].
 std::vector<std::uint32_t> to_integers(const Elements& elements);
 

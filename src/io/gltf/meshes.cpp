@@ -73,6 +73,7 @@ void Meshes::read_primitive(const Value& mesh, const Value& primitive, Mesh& res
         document().remark(Remark::dropped, primitive.place(), "a primitive without vertices is left out");
         return;
     }
+    result.position_step = vertices.position_step();
     result.normals = vertices.vec3s("NORMAL");
     result.tangents = vertices.tangents();
     result.colors = vertices.colors();

@@ -184,6 +184,76 @@ TEST(NearWeld, SmallPartsOfAWideSceneHaveNoSeam) {
     EXPECT_LT(seam(parts, framed, within(-1)), 1e-3);
 }
 
+// Each part is stored about a pivot 500 of its sizes away: its floats are rounded to what that distance leaves.
+TEST(NearWeld, PartsWhosePivotLiesFarOutsideHaveNoSeam) {
+    const auto parts = cut_by_planes(make_sphere(40, 20), 2);
+    auto framed = parts;
+    for (std::size_t m = 0; m < parts.size(); ++m) {
+        const dmat4 to_world = translation(dvec3{300, -700, 640}) * rotation_about_y(0.7 * double(m) + 0.1);
+        dmat4 back;
+        ASSERT_TRUE(inverse_affine(to_world, back));
+        for (vec3& p : framed[m].positions) p = cast<float>(transform_point(back, cast<double>(p)));
+        framed[m].to_world = to_world;
+    }
+    EXPECT_GT(seam(parts, framed, within(0)), 1);
+    EXPECT_LT(seam(parts, framed, within(-1)), 1e-3);
+}
+
+// The plates lie 0.1 mm apart, which is less than the floats of the ground of 4 km can tell.
+TEST(NearWeld, DefaultKeepsApartWhatTheSmallPartsOfAWideSceneTellApart) {
+    auto plates = make_hinge(radians(40));
+    for (vec3& p : plates[1].positions) p.y += 1e-4f;
+    plates[1].to_world = translation(dvec3{0, 0, 1e-12});  // another matrix
+    Shape ground;
+    ground.positions = {{-2000, -1, -2000}, {2000, -1, -2000}, {0, -1, 2000}};
+    ground.indices = {0, 1, 2};
+    ground.object = 2;
+    plates.push_back(ground);
+    const auto out = compute(plates, within(-1));
+    EXPECT_NE(out[0].normals[0], out[1].normals[0]);
+    for (vec3& p : plates[1].positions) p.y -= 1e-4f;
+    const auto joined = compute(plates, within(-1));
+    EXPECT_EQ(joined[0].normals[0], joined[1].normals[0]);
+}
+
+TEST(NearWeld, CodesOfQuantizedMeshesThatDifferByOneStepAreOnePlace) {
+    auto hinge = make_hinge(radians(40));
+    const float step = 1.0f / 1024;
+    for (const vec3 shift : {vec3{0, step, 0}, vec3{-step, step, step}}) {
+        auto shifted = hinge;
+        for (vec3& p : shifted[1].positions) p = p + shift;
+        auto meshes = views(shifted);
+        Context context({.threads = 2});
+        for (AttributeMesh& m : meshes) m.position_step = step;
+        const auto joined = compute_attributes(meshes, within(-1), context);
+        EXPECT_EQ(joined[0].normals[0], joined[1].normals[0]);
+        EXPECT_EQ(joined[0].normals[1], joined[1].normals[1]);
+        meshes[1].position_step = 0;  // this one is exact: half of the distance remains
+        EXPECT_NE(compute_attributes(meshes, within(-1), context)[0].normals[0], joined[0].normals[0]);
+    }
+}
+
+// Both halves have the border's codes; the next row of vertices of each lies one step away from it.
+TEST(NearWeld, QuantizedMeshesThatMeetExactlyAreNotWeldedBeyondThat) {
+    const float step = 1.0f / 1024;
+    Shape left, right;
+    left.positions = {{0, 0, 0}, {0, 0, 1}, {-step, 0, 0}, {-step, 0, 1}, {-1, -0.5f, 0}, {-1, -0.5f, 1}};
+    left.indices = {0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3};
+    right.positions = {{0, 0, 0}, {0, 0, 1}, {step, 0, 0}, {step, 0, 1}, {1, -1, 0}, {1, -1, 1}};
+    right.indices = {0, 1, 3, 0, 3, 2, 2, 3, 5, 2, 5, 4};
+    right.object = 1;
+    const std::vector<Shape> parts{left, right};
+    auto meshes = views(parts);
+    Context context({.threads = 2});
+    const auto exact = compute_attributes(meshes, within(0), context);
+    EXPECT_EQ(exact[0].normals[0], exact[1].normals[0]);
+    for (AttributeMesh& m : meshes) m.position_step = step;
+    const auto stepped = compute_attributes(meshes, within(-1), context);
+    for (std::size_t m = 0; m < 2; ++m)
+        for (std::size_t v = 0; v < 6; ++v)
+            EXPECT_LT(angle_between(exact[m].normals[v], stepped[m].normals[v]), 1e-6) << m << " " << v;
+}
+
 TEST(NearWeld, OrderOfObjectsDoesNotMatter) {
     const auto parts = cut_at_random(make_torus(30, 16), 6, 3);
     auto framed = in_own_frames(parts, {});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draco and meshopt data: what their own encoders wrote comes back, and what is damaged is refused.
+#include <draco/compression/decode.h>
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <meshoptimizer.h>
@@ -51,7 +52,7 @@ std::set<std::array<float, 9>> triangles_of(const Mesh& mesh) {
     return triangles_of(p, mesh.indices.span());
 }
 
-std::vector<char> draco_encode(const Grid& grid, int method) {
+std::vector<char> draco_encode(const Grid& grid, int method, int bits = -1) {
     draco::TriangleSoupMeshBuilder builder;
     builder.Start(int(grid.indices.size() / 3));
     const int id = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
@@ -62,6 +63,7 @@ std::vector<char> draco_encode(const Grid& grid, int method) {
     const auto mesh = builder.Finalize();
     draco::Encoder encoder;
     encoder.SetEncodingMethod(method);
+    if (bits > 0) encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, bits);
     draco::EncoderBuffer buffer;
     EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
     return {buffer.data(), buffer.data() + buffer.size()};
@@ -93,6 +95,50 @@ TEST(GltfDraco, BothConnectivitiesComeBack) {
         EXPECT_EQ(header->faces, 162u);
         EXPECT_EQ(header->points, 100u);
     }
+}
+
+// The library's own decoding is the expected value: ours scales the codes back apart from it, to know the step.
+TEST(GltfDraco, QuantizedPositionsAreThoseOfTheLibraryAndTellTheirStep) {
+    const Grid grid(9);
+    for (const int method : {int(draco::MESH_SEQUENTIAL_ENCODING), int(draco::MESH_EDGEBREAKER_ENCODING)})
+        for (const int bits : {5, 11, 16}) {
+            const auto data = draco_encode(grid, method, bits);
+            draco::DecoderBuffer buffer;
+            buffer.Init(data.data(), data.size());
+            draco::Decoder decoder;
+            const auto expected = std::move(decoder.DecodeMeshFromBuffer(&buffer)).value();
+            const Mesh mesh = draco_file(data, 100, 486).load().meshes[0];
+            ASSERT_EQ(mesh.positions.size(), expected->num_points());
+            const draco::PointAttribute* p = expected->GetNamedAttribute(draco::GeometryAttribute::POSITION);
+            for (std::uint32_t v = 0; v < expected->num_points(); ++v) {
+                vec3 value;
+                p->GetMappedValue(draco::PointIndex(v), &value);
+                EXPECT_EQ(mesh.positions[v], value) << bits << " bits, vertex " << v;
+            }
+            EXPECT_NEAR(mesh.position_step, 9.0 / double((1 << bits) - 1), 1e-6);
+        }
+    EXPECT_EQ(draco_file(draco_encode(grid, draco::MESH_SEQUENTIAL_ENCODING), 100, 486).load().meshes[0].position_step, 0);
+}
+
+TEST(GltfDraco, PositionsOfIntegersKeepTheirType) {
+    draco::TriangleSoupMeshBuilder builder;
+    builder.Start(1);
+    const int id = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_INT16);
+    const std::int16_t corners[3][3] = {{0, 0, -32768}, {32767, 0, 0}, {0, 5, 0}};
+    builder.SetAttributeValuesForFace(id, draco::FaceIndex(0), corners[0], corners[1], corners[2]);
+    const auto mesh = builder.Finalize();
+    draco::Encoder encoder;
+    draco::EncoderBuffer buffer;
+    ASSERT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
+    GltfFile file = draco_file({buffer.data(), buffer.data() + buffer.size()}, 3, 3);
+    file.root["accessors"][0]["componentType"] = i16;
+    const Mesh loaded = file.load().meshes[0];
+    std::set<std::array<float, 3>> positions;
+    for (const vec3& p : loaded.positions) positions.insert({p.x, p.y, p.z});
+    EXPECT_EQ(positions, (std::set<std::array<float, 3>>{{0, 0, -32768}, {32767, 0, 0}, {0, 5, 0}}));
+    EXPECT_EQ(loaded.position_step, 1);
+    file.root["accessors"][0]["componentType"] = i8;
+    EXPECT_NE(file.refusal().find("beyond its accessor's type"), std::string::npos);
 }
 
 TEST(GltfDraco, DamagedDataNeverCrashes) {

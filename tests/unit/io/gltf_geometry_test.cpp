@@ -188,6 +188,23 @@ TEST(GltfGeometry, QuantizedPositionsAreReadByValueOrNormalized) {
     EXPECT_EQ(file.load().meshes[0].positions[1], (vec3{1 / 32767.0f, 0, 0}));
 }
 
+TEST(GltfGeometry, QuantizedPositionsTellTheStepBetweenTwoCodes) {
+    const auto step = [](int type, bool normalized) {
+        GltfFile file;
+        file.root["extensionsUsed"] = file.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+        const std::vector<std::uint16_t> words(18, 0);  // enough for each of the types
+        const int accessor = file.accessor<std::uint16_t>(words, type, 3, normalized);
+        file.root["accessors"][accessor]["count"] = 3;
+        file.primitive(accessor);
+        return file.load().meshes[0].position_step;
+    };
+    EXPECT_EQ(step(f32, false), 0);
+    for (const auto& [type, largest] : {std::pair(i8, 127.0), {u8, 255.0}, {i16, 32767.0}, {u16, 65535.0}}) {
+        EXPECT_EQ(step(type, false), 1) << type;
+        EXPECT_EQ(step(type, true), 1 / largest) << type;
+    }
+}
+
 TEST(GltfGeometry, TheFourStrongestJointsAreKept) {
     GltfFile file;
     auto& attributes = file.triangle()["attributes"];
