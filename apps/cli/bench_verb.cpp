@@ -2,6 +2,7 @@
 #include "bench_verb.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 
 #include "console.h"
@@ -21,6 +22,20 @@ int count(const char* option, std::string word, int low, int high) {
     return int(integer(option, word + zeros, low, high));
 }
 
+// Words separated by commas.
+void add_rows(const std::string& words, SmoothBenchOptions& o) {
+    for (std::size_t first = 0; first <= words.size();) {
+        const std::size_t last = std::min(words.find(',', first), words.size());
+        const int row = word<int>("--with", words.substr(first, last - first),
+                                  {{"crease", 1}, {"tolerance", 2}, {"order", 4}, {"plan", 8}, {"all", 15}});
+        o.crease |= (row & 1) != 0;
+        o.tolerance |= (row & 2) != 0;
+        o.order |= (row & 4) != 0;
+        o.plan |= (row & 8) != 0;
+        first = last + 1;
+    }
+}
+
 }  // namespace
 
 void add_bench_options(CLI::App& app, BenchWords& w) {
@@ -36,6 +51,8 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     add("--crease-angle,--crease", w.crease_angle, "DEG", "Edges bent more than this stay sharp (default 180)");
     add("--tolerance", w.tolerance, "X", "Weld within X edge lengths, up to 0.25 (default 0: exact)");
     add("--repetitions", w.repetitions, "N", "Counted runs of each row (default 10)");
+    add("--with", w.with, "ROWS",
+        "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, regroup); all");
     app.add_flag("--brute-force", w.brute_force, "Also every vertex against every face, up to 50k triangles")
         ->group(group);
 }
@@ -55,6 +72,7 @@ void apply(const BenchWords& w, SmoothBenchOptions& o) {
     if (!w.crease_angle.empty()) o.crease_angle_rad = radians(number("--crease-angle", w.crease_angle));
     if (!w.tolerance.empty()) o.weld_distance = number("--tolerance", w.tolerance);
     if (!w.repetitions.empty()) o.repetitions = std::uint32_t(count("--repetitions", w.repetitions, 1, 1000));
+    if (!w.with.empty()) add_rows(w.with, o);
     o.brute_force = w.brute_force;
 }
 
@@ -62,7 +80,7 @@ int run_bench(const Options& options) {
     ProgressLine progress("bench", options.loudness);
     // The model is the program's own: no file asks for memory here.
     const std::uint64_t memory =
-        options.max_memory != 0 ? options.max_memory : options.bench.triangles * 400 + (1u << 30);
+        options.max_memory != 0 ? options.max_memory : options.bench.triangles * (options.bench.order ? 500 : 400) + (1u << 30);
     Context context({.threads = options.threads, .max_memory = memory, .progress = progress.callback()});
     const CancelOnInterrupt guard(context);
     const SmoothBenchReport report = bench_smooth(options.bench, context);

@@ -14,7 +14,7 @@ namespace rakelight::cli {
 struct Options;
 
 struct BenchWords {
-    std::string what, triangles, objects, order, weight, crease_angle, tolerance, repetitions;
+    std::string what, triangles, objects, order, weight, crease_angle, tolerance, repetitions, with;
     bool brute_force = false;
 };
 

@@ -19,6 +19,12 @@ struct SmoothBenchOptions {
     double crease_angle_rad = pi;
     double weld_distance = 0;  ///< [edge lengths of the model's grid] 0: exact
     bool brute_force = false;  ///< also every vertex against every face, up to 50 000 triangles
+    bool crease = false;       ///< also crease_row_rad and the weight, whatever crease_angle_rad is
+    bool tolerance = false;    ///< also a weld within tolerance_row edge lengths
+    bool order = false;        ///< also plain loop, normals, and normals and tangents of the other order (a second model)
+    bool plan = false;         ///< also the steps apart, at crease_row_rad: group, accumulate, regroup
+    static constexpr double crease_row_rad = radians(60);
+    static constexpr double tolerance_row = 0.1;
 };
 
 /// One thing measured. Times are wall clock; repetitions of all rows are interleaved.
@@ -31,6 +37,7 @@ struct BenchRow {
     double cold_ns_per_triangle = 0;  ///< the first run, into memory never used before; 0: not measured
     double bytes_per_triangle = 0;    ///< held at most beyond input and output; 0: none or not measured
     double ratio_to_plain = 0;        ///< of medians, to the row "plain loop, normals"; 0: none
+    double ratio_to_brute_force = 0;  ///< the same, to the row "brute force, normals"; 0: none
 };
 
 struct SmoothBenchReport {
@@ -44,7 +51,7 @@ struct SmoothBenchReport {
 
 /// Makes the model and measures: the plain loop (one thread, objects apart, face normals summed per vertex and
 /// normalized: what everybody writes, with seams), then normals, and normals and tangents, by compute_attributes_into()
-/// with buffers and a workspace that were used before, scope model.
+/// with buffers and a workspace that were used before, scope model. Rows that are asked for besides: see SmoothBenchOptions.
 /// @throws Error usage: options out of range; bad_file where the context's memory budget is too small
 SmoothBenchReport bench_smooth(const SmoothBenchOptions& options, Context& context);
 

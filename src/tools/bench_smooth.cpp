@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <ctime>
 #include <functional>
 #include <memory>
 
 #include "geometry/fast_memory.h"
 #include "math/isa.h"
-#include "math/linear.h"
+#include "tools/bench_baselines.h"
 #include "tools/bench_memory.h"
-#include "tools/bench_model.h"
 
 namespace rakelight {
 namespace {
@@ -43,71 +41,15 @@ struct Outputs {
     }
 };
 
-// What everybody writes.
-void plain_loop(const BenchModel& model, const std::vector<AttributeBuffers>& out) {
-    for (std::size_t k = 0; k < model.parts.size(); ++k) {
-        const BenchPart& part = model.parts[k];
-        vec3* const normals = out[k].normals.data();
-        std::fill_n(normals, part.positions.size(), vec3{});
-        const vec3* const positions = part.positions.data();
-        const std::uint32_t* const indices = part.indices.data();
-        const std::size_t corners = part.indices.size();
-        for (std::size_t i = 0; i < corners; i += 3) {
-            const vec3 a = positions[indices[i]];
-            vec3 n = cross(positions[indices[i + 1]] - a, positions[indices[i + 2]] - a);
-            n = n * (1 / length(n));
-            for (std::size_t c = 0; c < 3; ++c) normals[indices[i + c]] += n;
-        }
-        for (std::size_t v = 0; v < part.positions.size(); ++v) normals[v] = normals[v] * (1 / length(normals[v]));
-    }
-}
-
-// The publication's way: for every vertex, all faces of all objects, by equal positions.
-void brute_force(const BenchModel& model, const std::vector<AttributeBuffers>& out) {
-    struct Face {
-        vec3 corner[3], normal;
-    };
-    std::vector<Face> faces;
-    for (const BenchPart& part : model.parts)
-        for (std::size_t i = 0; i < part.indices.size(); i += 3) {
-            Face f;
-            for (std::size_t k = 0; k < 3; ++k) f.corner[k] = part.positions[part.indices[i + k]];
-            f.normal = normalize_or(cross(f.corner[1] - f.corner[0], f.corner[2] - f.corner[0]), vec3{});
-            faces.push_back(f);
-        }
-    for (std::size_t k = 0; k < model.parts.size(); ++k)
-        for (std::size_t v = 0; v < model.parts[k].positions.size(); ++v) {
-            const vec3 p = model.parts[k].positions[v];
-            vec3 sum;
-            for (const Face& f : faces)
-                if (f.corner[0] == p || f.corner[1] == p || f.corner[2] == p) sum += f.normal;
-            out[k].normals[v] = normalize_or(sum, vec3{0, 0, 1});
-        }
-}
-
-double copy_bandwidth(Context& context) {
-    constexpr std::size_t bytes = std::size_t(1) << 28, piece = std::size_t(1) << 24;
-    geometry::LargeArray<char> from, to;
-    from.reserve(bytes);
-    to.reserve(bytes);
-    std::memset(from.data(), 1, bytes);
-    std::memset(to.data(), 2, bytes);
-    double best = 0;
-    for (int i = 0; i < 5; ++i) {
-        const auto start = Clock::now();
-        context.parallel_for(
-            bytes / piece, [&](std::size_t p) { std::memcpy(to.data() + p * piece, from.data() + p * piece, piece); });
-        best = std::max(best, 2.0 * double(bytes) / seconds_since(start));
-    }
-    return best * 1e-9;
-}
-
 struct Measured {
     BenchRow row;
     std::function<void()> run;
     std::uint32_t most_repetitions = 1000;
     std::vector<double> seconds, cpu_seconds;
 };
+
+constexpr const char* plain_name = "plain loop, normals";
+constexpr const char* brute_force_name = "brute force, normals";
 
 void check(const SmoothBenchOptions& o) {
     const auto refuse = [](const char* text) { throw Error(ErrorCode::usage, text); };
@@ -127,8 +69,7 @@ public:
         : options_(options),
           context_(context),
           model_(make_bench_sphere(options.triangles, options.objects, options.shuffled)),
-          triangles_(double(model_.triangles())),
-          plain_out_(model_, false) {}
+          triangles_(double(model_.triangles())) {}
 
     SmoothBenchReport run() {
         SmoothBenchReport report{.triangles = model_.triangles(),
@@ -138,15 +79,31 @@ public:
                                  .isa = name(isa_from_environment()),
                                  .huge_pages = true};
         report.copy_gb_per_s = copy_bandwidth(context_);
-        add("plain loop, normals", 1, [this] { plain_loop(model_, plain_out_.spans); });
-        add_smooth("normals", false);
-        add_smooth("normals + tangents", true);
+        AttributeOptions plain;
+        plain.weight = options_.weight;
+        plain.crease_angle_rad = options_.crease_angle_rad;
+        plain.weld_distance = options_.weld_distance * model_.grid_step;
+        add_pair("", model_, plain);
+        AttributeOptions creased = plain;
+        creased.crease_angle_rad = SmoothBenchOptions::crease_row_rad;
+        if (options_.crease) add_smooth("crease 60, ", model_, creased);
+        if (options_.tolerance) {
+            AttributeOptions within = plain;
+            within.weld_distance = SmoothBenchOptions::tolerance_row * model_.grid_step;
+            add_smooth("tolerance 0.1 edges, ", model_, within);
+        }
+        if (options_.plan) add_plan(creased);
+        if (options_.order) {
+            other_ = make_bench_sphere(options_.triangles, options_.objects, !options_.shuffled);
+            add_pair(options_.shuffled ? "coherent, " : "shuffled, ", other_, plain);
+        }
         if (options_.brute_force) {
-            add("brute force, normals", 1, [this] { brute_force(model_, plain_out_.spans); });
+            add_loop(brute_force_name, model_, brute_force);
             measured_.back().most_repetitions = 1;
         }
         repeat();
         for (Measured& m : measured_) report.rows.push_back(finished(m));
+        add_ratios(report.rows);
         return report;
     }
 
@@ -159,24 +116,59 @@ private:
         const auto start = Clock::now();
         m.run();
         m.row.cold_ns_per_triangle = seconds_since(start) * 1e9 / triangles_;
+        context_.throw_if_cancelled();
     }
 
-    void add_smooth(const char* what, bool tangents) {
-        AttributeOptions attributes;
-        attributes.weight = options_.weight;
-        attributes.crease_angle_rad = options_.crease_angle_rad;
-        attributes.weld_distance = options_.weld_distance * model_.grid_step;
-        attributes.tangents = tangents;
-        const MemoryPeak peak;
-        auto out = std::make_shared<Outputs>(model_, tangents);
-        auto workspace = std::make_shared<AttributeWorkspace>();
-        const auto meshes = model_.meshes(tangents);
-        add(what, context_.threads(),
-            [=, this] { compute_attributes_into(meshes, attributes, out->spans, *workspace, context_); });
-        const double held = double(peak.bytes()) - double(out->bytes());
-        measured_.back().row.bytes_per_triangle = std::max(held, double(workspace->bytes())) / triangles_;
+    void add_loop(const std::string& what, const BenchModel& model,
+                  void (*loop)(const BenchModel&, std::span<const AttributeBuffers>)) {
+        auto out = std::make_shared<Outputs>(model, false);
+        add(what, 1, [=, &model] { loop(model, out->spans); });
     }
 
+    void add_pair(const std::string& prefix, const BenchModel& model, const AttributeOptions& attributes) {
+        add_loop(prefix + plain_name, model, plain_loop);
+        add_smooth(prefix, model, attributes);
+    }
+
+    // Normals, then normals and tangents, into buffers.
+    void add_smooth(const std::string& prefix, const BenchModel& model, AttributeOptions attributes) {
+        for (const bool tangents : {false, true}) {
+            attributes.tangents = tangents;
+            const MemoryPeak peak;
+            auto out = std::make_shared<Outputs>(model, tangents);
+            auto workspace = std::make_shared<AttributeWorkspace>();
+            const auto meshes = model.meshes(tangents);
+            add(prefix + (tangents ? "normals + tangents" : "normals"), context_.threads(),
+                [=, this] { compute_attributes_into(meshes, attributes, out->spans, *workspace, context_); });
+            const double held = double(peak.bytes()) - double(out->bytes());
+            measured_.back().row.bytes_per_triangle = std::max(held, double(workspace->bytes())) / triangles_;
+        }
+    }
+
+    // The steps apart, normals only: what a pose saves, and what a moved crease saves.
+    void add_plan(AttributeOptions attributes) {
+        attributes.tangents = false;
+        const auto meshes = model_.meshes(false);
+        const auto plan = std::make_shared<AttributePlan>(group(meshes, attributes, context_));
+        const auto step = [&](const char* what, std::function<void()> body) {
+            const MemoryPeak peak;
+            add(std::string("crease 60, ") + what, context_.threads(), std::move(body));
+            measured_.back().row.bytes_per_triangle = double(peak.bytes()) / triangles_;
+        };
+        step("group + accumulate", [=, this] { accumulate(group(meshes, attributes, context_), meshes, context_); });
+        step("accumulate only (pose)", [=, this] { accumulate(*plan, meshes, context_); });
+        step("regroup + accumulate", [=, this]() mutable {
+            attributes.crease_angle_rad += radians(0.01);
+            accumulate(regroup(*plan, meshes, attributes, context_), meshes, context_);
+        });
+        step("group", [=, this] { group(meshes, attributes, context_); });
+        step("regroup (crease moved)", [=, this]() mutable {
+            attributes.crease_angle_rad += radians(0.01);
+            regroup(*plan, meshes, attributes, context_);
+        });
+    }
+
+    // What one repetition measures is interleaved over all rows.
     void repeat() {
         for (std::uint32_t r = 0; r < options_.repetitions; ++r) {
             context_.throw_if_cancelled();
@@ -201,16 +193,26 @@ private:
         m.row.cpu_ns_per_triangle = ns(m.cpu_seconds[n / 2]);
         m.row.fastest_ns = ns(m.seconds.front());
         m.row.slowest_ns = ns(m.seconds.back());
-        const double plain = measured_.front().row.ns_per_triangle;
-        m.row.ratio_to_plain = plain > 0 ? m.row.ns_per_triangle / plain : 1;
         return m.row;
+    }
+
+    static void add_ratios(std::vector<BenchRow>& rows) {
+        const auto ns_of = [&](const char* what) {
+            for (const BenchRow& row : rows)
+                if (row.what == what) return row.ns_per_triangle;
+            return 0.0;
+        };
+        const double plain = ns_of(plain_name), brute = ns_of(brute_force_name);
+        for (BenchRow& row : rows) {
+            row.ratio_to_plain = plain > 0 ? row.ns_per_triangle / plain : 0;
+            row.ratio_to_brute_force = brute > 0 ? row.ns_per_triangle / brute : 0;
+        }
     }
 
     SmoothBenchOptions options_;
     Context& context_;
-    BenchModel model_;
+    BenchModel model_, other_;  ///< other_: in the other order
     double triangles_;
-    Outputs plain_out_;
     std::vector<Measured> measured_;
 };
 
@@ -219,7 +221,7 @@ private:
 SmoothBenchReport bench_smooth(const SmoothBenchOptions& options, Context& context) {
     check(options);
     // 36 bytes a triangle of input, 14 of output, twice the normals, and the scratch of the stages.
-    context.memory().check(options.triangles * 100, "the model to measure");
+    context.memory().check(options.triangles * (options.order ? 160 : 100), "the model to measure");
     return SmoothBench(options, context).run();
 }
 

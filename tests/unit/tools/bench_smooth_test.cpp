@@ -61,7 +61,30 @@ TEST(BenchSmooth, ReportsEveryRowWithTimesAndMemory) {
         EXPECT_EQ(rows, (std::vector<std::string>{"plain loop, normals", "normals", "normals + tangents",
                                                   "brute force, normals"}));
         EXPECT_EQ(json["rows"][0]["ratio_to_plain"], 1);
+        EXPECT_EQ(json["rows"][3]["ratio_to_brute_force"], 1);
     }
+}
+
+TEST(BenchSmooth, RowsThatAreAskedForComeBesides) {
+    SmoothBenchOptions options;
+    options.triangles = 5000;
+    options.repetitions = 1;
+    options.crease = options.tolerance = options.order = options.plan = true;
+    Context context({.threads = 2});
+    const SmoothBenchReport report = bench_smooth(options, context);
+    std::vector<std::string> rows;
+    for (const BenchRow& row : report.rows) {
+        rows.push_back(row.what);
+        EXPECT_GT(row.ns_per_triangle, 0) << row.what;
+        EXPECT_GT(row.ratio_to_plain, 0) << row.what;
+    }
+    EXPECT_EQ(rows, (std::vector<std::string>{
+                        "plain loop, normals", "normals", "normals + tangents", "crease 60, normals", "crease 60, normals + tangents",
+                        "tolerance 0.1 edges, normals", "tolerance 0.1 edges, normals + tangents", "crease 60, group + accumulate",
+                        "crease 60, accumulate only (pose)", "crease 60, regroup + accumulate", "crease 60, group",
+                        "crease 60, regroup (crease moved)", "shuffled, plain loop, normals", "shuffled, normals",
+                        "shuffled, normals + tangents"}));
+    EXPECT_NE(to_text(report).find("regroup (crease moved)"), std::string::npos);
 }
 
 TEST(BenchSmooth, RefusesWhatItCannotMeasure) {
