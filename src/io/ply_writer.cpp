@@ -12,16 +12,29 @@ namespace {
 
 struct Layout {
     bool normals = true, texcoords = true;
+    bool pad = false;  ///< vertices begin with a byte of 1
     std::uint64_t vertices = 0, faces = 0;
-    std::uint64_t vertex_bytes() const { return 12 + (normals ? 12 : 0) + (texcoords ? 8 : 0); }
 };
 
-Layout layout_of(const Scene& scene) {
+vec3 world_position(const Mesh& mesh, std::size_t v, const dmat4& place) {
+    return cast<float>(transform_point(place, cast<double>(mesh.positions[v]) + mesh.origin));
+}
+
+/// Readers that skip white space after the header lose such a first byte of the data: Assimp drops a line feed there, for
+/// the sake of headers with \r\n.
+bool begins_like_white_space(vec3 first) {
+    std::uint8_t byte = 0;
+    std::memcpy(&byte, &first, 1);
+    return byte == ' ' || (byte >= '\t' && byte <= '\r');
+}
+
+Layout layout_of(const Scene& scene, const std::vector<dmat4>& world) {
     Layout layout;
-    for (const Node& node : scene.nodes)
-        for (const std::uint32_t m : node.meshes) {
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+        for (const std::uint32_t m : scene.nodes[n].meshes) {
             const Mesh& mesh = scene.meshes[m];
             if (mesh.triangle_count() == 0) continue;
+            if (layout.faces == 0) layout.pad = begins_like_white_space(world_position(mesh, 0, world[n]));
             layout.vertices += mesh.positions.size();
             layout.faces += mesh.triangle_count();
             layout.normals = layout.normals && !mesh.normals.empty();
@@ -32,7 +45,9 @@ Layout layout_of(const Scene& scene) {
 
 std::string header_of(const Layout& layout) {
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment one mesh, in world space\nelement vertex " +
-                       std::to_string(layout.vertices) + "\nproperty float x\nproperty float y\nproperty float z\n";
+                       std::to_string(layout.vertices) + "\n";
+    if (layout.pad) text += "property uchar pad\n";
+    text += "property float x\nproperty float y\nproperty float z\n";
     if (layout.normals) text += "property float nx\nproperty float ny\nproperty float nz\n";
     if (layout.texcoords) text += "property float s\nproperty float t\n";
     return text + "element face " + std::to_string(layout.faces) +
@@ -50,7 +65,8 @@ void put_vertices(std::vector<std::byte>& out, const Mesh& mesh, const dmat4& pl
     const double sign = determinant(linear) < 0 ? -1.0 : 1.0;
     const dmat3 turn = cofactor(linear);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-        put(out, cast<float>(transform_point(place, cast<double>(mesh.positions[v]) + mesh.origin)));
+        if (layout.pad) put(out, std::uint8_t(1));
+        put(out, world_position(mesh, v, place));
         if (layout.normals)
             put(out, cast<float>(normalize_or((turn * cast<double>(mesh.normals[v])) * sign, dvec3{0, 0, 1})));
         if (layout.texcoords) put(out, vec2{mesh.texcoords[0][v].x, 1 - mesh.texcoords[0][v].y});
@@ -98,12 +114,12 @@ void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) 
 }  // namespace
 
 void write_ply(const Scene& scene, const std::string& path, Context& context) {
-    const Layout layout = layout_of(scene);
+    const std::vector<dmat4> world = world_matrices(scene);
+    const Layout layout = layout_of(scene, world);
     if (layout.faces == 0) throw Error(ErrorCode::bad_file, "nothing to write: there is no triangle");
     if (layout.vertices > 0x7FFFFFFFu)
         throw Error(ErrorCode::bad_file, "more than 2147483647 vertices do not fit in a PLY file");
     say_what_is_lost(scene, layout, context.report());
-    const std::vector<dmat4> world = world_matrices(scene);
     OutputFile file(path);
     const std::string header = header_of(layout);
     file.write(std::as_bytes(std::span(header)));

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/smooth_file.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "io/file.h"
 #include "io/glb_writer.h"
 #include "io/gltf/save_gltf.h"
 #include "io/obj/rewrite_normals.h"
 #include "io/ply_writer.h"
+#include "io/same_attributes.h"
 #include "tools/smooth_file_scene.h"
+#include "tools/smooth_file_world.h"
 
 namespace rakelight {
 namespace {
@@ -31,6 +35,11 @@ Way way_of(const std::string& input, const std::string& output) {
     if (from == ".obj" && to == ".obj") return Way::obj_in_place;
     if (to == ".glb") return Way::new_glb;
     if (to == ".ply") return Way::new_ply;
+    if (to == ".stl")
+        throw Error(ErrorCode::usage,
+                    "cannot write '" + one_line(std::filesystem::path(output).filename().string(), 80) +
+                        "': STL has no place for the normals of vertices, only for one a triangle",
+                    {}, "write .glb or .ply");
     throw Error(
         ErrorCode::usage,
         "cannot write '" + one_line(std::filesystem::path(output).filename().string(), 80) + "' from this model", {},
@@ -92,14 +101,38 @@ void save_as_gltf(const Scene& before, const Scene& after, const SmoothFileOptio
     }
 }
 
+/// A PLY file has these normals at every corner; how its vertices are numbered does not count.
+bool has_these_normals(const Scene& before, const Scene& after) {
+    const auto same = [](const Mesh& a, const Mesh& b) {
+        if (a.topology != Topology::triangles) return true;
+        if (a.indices.size() != b.indices.size() || (a.normals.empty() && !a.indices.empty())) return false;
+        for (std::size_t c = 0; c < a.indices.size(); ++c)
+            if (!io::is_near(a.normals[a.indices[c]], b.normals[b.indices[c]])) return false;
+        return true;
+    };
+    return std::equal(before.meshes.begin(), before.meshes.end(), after.meshes.begin(), after.meshes.end(), same);
+}
+
+void copy_file(const std::string& from, const std::string& to, Context& context) {
+    const io::Bytes bytes = io::read_file(from, context);
+    io::OutputFile file(to);
+    file.write(*bytes);
+    file.commit();
+}
+
 }  // namespace
 
 SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
                          Context& context) {
     const Way way = way_of(input, output);
     SmoothedFile result{.file = input, .output = output};
-    const Scene before = load(input, options.load, context);
-    const Scene after = smooth_for_file(before, options, context);
+    SmoothFileOptions smoothing = options;
+    Scene before = load(input, options.load, context);
+    if (way == Way::new_ply) {
+        before = placed_in_world(before, context);
+        if (options.attributes.weld_distance < 0) smoothing.attributes.weld_distance = world_rounding(before);
+    }
+    const Scene after = smooth_for_file(before, smoothing, context);
     context.throw_if_cancelled();
     switch (way) {
         case Way::gltf_in_place:
@@ -114,8 +147,11 @@ SmoothedFile smooth_file(const std::string& input, const std::string& output, co
             result.changed = true;
             break;
         case Way::new_ply:
-            io::write_ply(after, output, context);
-            result.changed = true;
+            result.changed = !has_these_normals(before, after) || ending_of(input) != ".ply";
+            if (result.changed)
+                io::write_ply(after, output, context);
+            else
+                copy_file(input, output, context);
             break;
     }
     describe_all(before, after, result);

@@ -1,33 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/save_placements.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 
+#include "io/same_attributes.h"
+
 namespace rakelight::io::gltf {
-namespace {
-
-/// Two sums of the same terms in two orders, made unit and stored as float, differ by far less.
-constexpr float rounding = 4e-6f;
-
-bool near(float a, float b) { return std::fabs(a - b) <= rounding; }  // false for NaN
-bool near(vec3 a, vec3 b) { return near(a.x, b.x) && near(a.y, b.y) && near(a.z, b.z); }
-bool near(vec4 a, vec4 b) { return near(a.xyz(), b.xyz()) && a.w == b.w; }
-
-template <class T>
-bool all_near(const Block<T>& a, const Block<T>& b) {
-    return a == b ||
-           std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return near(x, y); });
-}
-
-}  // namespace
-
 bool is_same_to_rounding(const Mesh& a, const Mesh& b) {
-    if (a.positions.size() != b.positions.size() || !all_near(a.normals, b.normals) ||
-        !all_near(a.tangents, b.tangents))
-        return false;
-    return a.indices == b.indices || std::equal(a.indices.begin(), a.indices.end(), b.indices.begin(), b.indices.end());
+    return same_corners(a, b) && all_near(a.normals, b.normals) && all_near(a.tangents, b.tangents);
 }
 
 std::vector<std::uint32_t> origins(const Scene& before, const Scene& after) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <unordered_map>
 
@@ -14,17 +13,11 @@
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"
 #include "io/obj/obj_vertices.h"
+#include "io/same_attributes.h"
 
 namespace rakelight::io {
 namespace obj {
 namespace {
-
-/// Two sums of the same terms in two orders, made unit and stored as float, differ by far less.
-constexpr float rounding = 4e-6f;
-
-bool near(vec3 a, vec3 b) {
-    return std::fabs(a.x - b.x) <= rounding && std::fabs(a.y - b.y) <= rounding && std::fabs(a.z - b.z) <= rounding;
-}
 
 /// The normals of one object, each once.
 class NormalBlock {
@@ -127,7 +120,7 @@ private:
                 if (corner_places_[k] == none || at >= mesh.indices.size() || mesh.normals.empty())
                     throw Error(ErrorCode::failed, "the file changed while it was worked on");
                 const vec3 n = mesh.normals[mesh.indices[at]];
-                is_changed_ = is_changed_ || old_normals_[k] == none || !near(data_.normals[old_normals_[k]], n);
+                is_changed_ = is_changed_ || old_normals_[k] == none || !is_near(data_.normals[old_normals_[k]], n);
                 corner_places_[k] = blocks_[faces_[f].object].number_of(n);
             }
         }

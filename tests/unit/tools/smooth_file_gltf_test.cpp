@@ -3,34 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
-#include <nlohmann/json.hpp>
-
-#include <rakelight/rakelight.h>
+#include "smooth_file_support.h"
 
 namespace rakelight {
 namespace {
 
-namespace fs = std::filesystem;
+using namespace test;
 using Json = nlohmann::ordered_json;
-
-std::string bytes_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
-
-fs::path folder() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    fs::path path = fs::path(testing::TempDir()) / (std::string("rl_smooth_gltf_") + test->name());
-    fs::remove_all(path);
-    fs::create_directories(path);
-    return path;
-}
 
 void put(std::string& out, std::initializer_list<float> values) {
     for (const float v : values) out.append(reinterpret_cast<const char*>(&v), 4);
@@ -156,10 +136,7 @@ TEST(SmoothFileGltf, KeptInstancesShareTheMeshOfTheFirstAndItIsSaid) {
     EXPECT_EQ(smooth_file(files.model.string(), out.string(), options, context).meshes_added, 0u);
     const Scene scene = load(out.string(), {}, context);
     EXPECT_EQ(scene.nodes[0].meshes, scene.nodes[1].meshes);
-    bool said = false;
-    for (const ReportEntry& e : context.report().entries())
-        said = said || e.message.find("share one mesh") != std::string::npos;
-    EXPECT_TRUE(said);
+    EXPECT_TRUE(is_said(context, Remark::warning, "share one mesh"));
     EXPECT_FALSE(smooth_file(out.string(), (files.dir / "again.gltf").string(), options, context).changed);
 }
 
