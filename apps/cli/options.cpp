@@ -88,7 +88,10 @@ void add_normal_options(CLI::App& app, RenderWords& w) {
         "mikktspace");
     add(app, group, "--orthogonalize", w.orthogonalize, "WHERE",
         "Make tangents perpendicular to normals: attribute (default: once, per vertex, and per pixel), shader (per pixel "
-        "only)");
+        "only), off. When given, how far off they were is said");
+    app.add_flag("--keep-instances", w.keep_instances,
+                 "Instances go on sharing a mesh, with the normals of the first, even where they touch different things")
+        ->group(group);
 }
 
 }  // namespace

@@ -62,6 +62,7 @@ void apply_lighting(const RenderWords& w, RenderSettings& s) {
     if (!w.front_face.empty())
         s.front_face = word<FrontFace>("--front-face", w.front_face,
                                        {{"ccw", FrontFace::counter_clockwise}, {"cw", FrontFace::clockwise}});
+    s.orthogonalize = w.orthogonalize != "off";
     if (!w.cull.empty())
         s.cull =
             word<Cull>("--cull", w.cull,
@@ -93,10 +94,14 @@ void apply_normals(const RenderWords& w, PrepareOptions& p) {
                                        {{"averaged", TangentMode::averaged},
                                         {"published", TangentMode::published},
                                         {"mikktspace", TangentMode::mikktspace}});
-    not_yet("--orthogonalize", w.orthogonalize, {"off"}, "shader leaves the attributes as summed");
-    if (!w.orthogonalize.empty())
+    if (!w.orthogonalize.empty()) {
         p.orthogonalize = word<Orthogonalize>("--orthogonalize", w.orthogonalize,
-                                              {{"attribute", Orthogonalize::attribute}, {"shader", Orthogonalize::off}});
+                                              {{"attribute", Orthogonalize::attribute},
+                                               {"shader", Orthogonalize::off},
+                                               {"off", Orthogonalize::off}});
+        p.measure_orthogonality = true;  // who chooses wants to know what it costs
+    }
+    p.keep_instances = w.keep_instances;
     if (w.crease_angle.empty()) return;
     const double angle = number("--crease-angle", w.crease_angle);
     if (!(angle >= 0 && angle <= 180)) throw Error(ErrorCode::usage, "--crease-angle: must be 0 to 180 degrees");

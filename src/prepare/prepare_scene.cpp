@@ -9,6 +9,7 @@
 #include "prepare/prepare.h"
 #include "prepare/repair.h"
 #include "prepare/smooth_request.h"
+#include "prepare/tangent_report.h"
 #include "prepare/variants.h"
 #include "scene/scene_tools.h"
 #include "scene/validate_parts.h"
@@ -22,6 +23,8 @@ SmoothRequest request_for(const Scene& scene, const PrepareOptions& options) {
     request.attributes.weight = options.weight;
     request.attributes.crease_angle_rad = options.crease_angle_rad;
     request.attributes.orthogonalize = options.orthogonalize;
+    request.attributes.measure_orthogonality = options.measure_orthogonality;
+    request.keep_instances = options.keep_instances;
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
     request.only_missing = true;
     request.groups = false;
@@ -96,6 +99,7 @@ Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& 
     for (Mesh& mesh : out.meshes)
         if (options.tangents && wants_tangents(out, mesh)) mesh.tangents = {};  // the file's do not count
     context.throw_if_cancelled();
+    if (options.measure_orthogonality) report_kept_tangents(out, context.report());
     out = smooth_meshes(out, request, context);
     return add_missing_tangents(out, request, context);
 }

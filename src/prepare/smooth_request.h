@@ -14,6 +14,7 @@ struct SmoothRequest {
     TangentWish tangents = TangentWish::where_needed;
     bool only_missing = false;     ///< leave meshes alone that have normals
     bool groups = true;            ///< smoothing groups of the file count
+    bool keep_instances = false;   ///< instances share the first one's mesh even where they touch different things; said
     TangentMode kept_tangents = TangentMode::mikktspace;  ///< of add_missing_tangents(), in place of attributes.tangent_mode
 };
 

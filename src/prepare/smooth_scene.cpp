@@ -1,87 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals and tangents of a scene by the door of <rakelight/attributes.h>: which placements go in, where the results go.
-//
-// Scope model: every placement goes in at its place in the world. Scopes face and object do not look beyond the object, so
-// a placement that only moves, turns, mirrors or scales evenly has the results of the first one of its kind: it is computed
-// once, about its own origin, and instances stay shared to the bit. Under an uneven scale angles differ: computed apart.
-#include <cmath>
+// Normals and tangents of a scene by the door of <rakelight/attributes.h>: what goes in, and where the results go.
 #include <string>
 
 #include "math/linear.h"
+#include "prepare/bind_pose.h"
+#include "prepare/morph_normals.h"
 #include "prepare/prepare.h"
 #include "prepare/smooth_request.h"
+#include "prepare/smooth_selection.h"
 #include "prepare/split_vertices.h"
+#include "prepare/tangent_report.h"
 #include "prepare/variants.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
-
-/// Moves, turns, mirrors and scales evenly (to nine digits).
-bool is_similarity(const dmat4& m) {
-    const dvec3 a = m[0].xyz(), b = m[1].xyz(), c = m[2].xyz();
-    const double size = dot(a, a), slack = 1e-9 * size;
-    return size > 0 && std::fabs(dot(b, b) - size) <= slack && std::fabs(dot(c, c) - size) <= slack && std::fabs(dot(a, b)) <= slack &&
-           std::fabs(dot(b, c)) <= slack && std::fabs(dot(c, a)) <= slack;
-}
-
-/// The placements that are computed, and for each placement which of them has its result.
-struct Selection {
-    std::vector<Instance> instances;
-    std::vector<std::size_t> result_of;   ///< [instances] into `computed`
-    std::vector<std::size_t> computed;    ///< into `instances`
-    std::vector<bool> in_world;           ///< [computed] at its place in the world, else about its own origin
-};
-
-/// For scope object: the first earlier node that lists the same meshes evenly placed too, or the node itself.
-std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<bool>& even) {
-    std::vector<std::uint32_t> alike(scene.nodes.size());
-    // Candidates by their first mesh: nodes that list the same meshes share it.
-    std::vector<std::vector<std::uint32_t>> seen(scene.meshes.size());
-    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-        alike[i] = i;
-        const auto& meshes = scene.nodes[i].meshes;
-        if (meshes.empty() || !even[i]) continue;
-        auto& candidates = seen[meshes[0]];
-        for (const std::uint32_t c : candidates)
-            if (scene.nodes[c].meshes == meshes) alike[i] = c;
-        if (alike[i] == i && candidates.size() < 64) candidates.push_back(i);
-    }
-    return alike;
-}
-
-Selection select(const Scene& scene, const SmoothRequest& request, const std::vector<dmat4>& world) {
-    Selection s;
-    for (const Instance& instance : drawn_instances(scene))
-        if (scene.meshes[instance.mesh].normals.empty() ? request.attributes.normals : !request.only_missing) s.instances.push_back(instance);
-    const Scope scope = request.attributes.scope;
-    std::vector<bool> even(scene.nodes.size(), false);
-    if (scope != Scope::model)
-        for (std::size_t i = 0; i < even.size(); ++i) even[i] = scope == Scope::face || is_similarity(world[i]);
-    const auto alike = scope == Scope::object ? alike_nodes(scene, even) : std::vector<std::uint32_t>{};
-    // Where results can be shared: by mesh (face) or by leading node and slot (object).
-    std::vector<std::size_t> by_mesh(scene.meshes.size(), none);
-    std::vector<std::vector<std::size_t>> by_slot(scope == Scope::object ? scene.nodes.size() : 0);
-    for (std::size_t i = 0; i < s.instances.size(); ++i) {
-        const Instance& instance = s.instances[i];
-        std::size_t* shared = nullptr;
-        if (scope == Scope::face) shared = &by_mesh[instance.mesh];
-        if (scope == Scope::object) {
-            auto& slots = by_slot[alike[instance.node]];
-            slots.resize(scene.nodes[instance.node].meshes.size(), none);
-            shared = &slots[instance.slot];
-        }
-        if (!shared || *shared == none) {
-            if (shared) *shared = s.computed.size();
-            s.result_of.push_back(s.computed.size());
-            s.computed.push_back(i);
-            s.in_world.push_back(!even[instance.node]);
-        } else {
-            s.result_of.push_back(*shared);
-        }
-    }
-    return s;
-}
 
 AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const dmat4& place, const SmoothRequest& request) {
     const Mesh& mesh = scene.meshes[instance.mesh];
@@ -121,13 +54,21 @@ Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_n
     return mesh;
 }
 
-// Offsets from the old normals and tangents say nothing about the new ones. Positions of targets stay.
-void refuse_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals, Report& report) {
+/// Offsets from the old normals and tangents say nothing about the new ones. Positions of targets stay.
+/// @param directions  of the new normals, or null: none were made
+void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals, TargetDirections* directions,
+                           Report& report) {
     bool refused = false;
-    for (MorphTarget& target : mesh.targets) {
-        refused = refused || (new_normals && !target.normals.empty()) || !target.tangents.empty();
-        if (new_normals) target.normals = {};
-        target.tangents = {};
+    for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
+        MorphTarget& target = mesh.targets[t];
+        std::vector<vec3> normals, tangents;
+        if (directions) {
+            normals = std::move(directions->normals[t]);
+            tangents = std::move(directions->tangents[t]);
+        }
+        refused = refused || (new_normals && !target.normals.empty() && normals.empty()) || (!target.tangents.empty() && tangents.empty());
+        if (new_normals) target.normals = std::move(normals);
+        target.tangents = std::move(tangents);
     }
     if (refused)
         report.add(Remark::dropped, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
@@ -141,14 +82,41 @@ AttributeOptions options_for(const SmoothRequest& request, const std::vector<Att
     return options;
 }
 
-void report_faults(const Scene& scene, const Selection& s, const std::vector<MeshAttributes>& results, Report& report) {
+struct Computed {
+    std::vector<MeshAttributes> attributes;
+    std::vector<TargetDirections> targets;  ///< [attributes], or none: no target gets new normals
+};
+
+/// In two steps where there are morph targets, so that what does not move has offsets of exactly 0.
+Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers, const std::vector<AttributeMesh>& meshes,
+                 const AttributeOptions& options, Context& context) {
+    bool has_targets = false;
+    for (const std::uint32_t number : numbers)
+        for (const MorphTarget& target : scene.meshes[number].targets)
+            has_targets = has_targets || wants_normals(scene.meshes[number], target);
+    Computed computed;
+    if (!has_targets || !options.normals) {
+        computed.attributes = compute_attributes(meshes, options, context);
+        return computed;
+    }
+    const AttributePlan plan = group(meshes, options, context);
+    computed.attributes = accumulate(plan, meshes, context);
+    computed.targets = target_directions(scene, numbers, meshes, plan, computed.attributes, context);
+    return computed;
+}
+
+/// @param numbers  [results] their meshes
+void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers, const std::vector<MeshAttributes>& results,
+                   const AttributeOptions& options, Report& report) {
     for (std::size_t r = 0; r < results.size(); ++r) {
-        const std::uint32_t number = s.instances[s.computed[r]].mesh;
+        const std::uint32_t number = numbers[r];
         const Mesh& mesh = scene.meshes[number];
         // That all of them are degenerate is a warning of prepare's own check.
-        if (results[r].degenerate_faces > 0 && results[r].degenerate_faces < mesh.triangle_count())
+        if (options.normals && results[r].degenerate_faces > 0 && results[r].degenerate_faces < mesh.triangle_count())
             report.add(Remark::note, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
                        std::to_string(results[r].degenerate_faces) + " triangles of no area have no say in the normals");
+        if (options.measure_orthogonality && !results[r].tangents.empty())
+            report_orthogonality(scene, number, results[r].orthogonality_loss_max_deg, results[r].orthogonality_loss_mean_deg, report);
     }
 }
 
@@ -169,20 +137,25 @@ std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish
 }
 
 Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& context) {
-    const std::vector<dmat4> world = world_matrices(scene);
-    const Selection s = select(scene, request, world);
+    const std::vector<dmat4> world = bind_pose_matrices(scene);
+    const SmoothSelection s = select_instances(scene, request, world);
     if (s.instances.empty()) return scene;
     std::vector<AttributeMesh> meshes;
+    std::vector<std::uint32_t> numbers;
     for (std::size_t r = 0; r < s.computed.size(); ++r) {
         const Instance& instance = s.instances[s.computed[r]];
+        numbers.push_back(instance.mesh);
         meshes.push_back(attribute_mesh(scene, instance, s.in_world[r] ? world[instance.node] : dmat4{}, request));
     }
     check_memory(meshes, context);
-    std::vector<MeshAttributes> results = compute_attributes(meshes, options_for(request, meshes), context);
-    report_faults(scene, s, results, context.report());
+    const bool new_normals = request.attributes.normals;
+    Computed computed = compute(scene, numbers, meshes, options_for(request, meshes), context);
+    std::vector<MeshAttributes>& results = computed.attributes;
+    report_faults(scene, numbers, results, request.attributes, context.report());
+    if (new_normals) warn_of_parting_vertices(scene, s.instances, world, context.report());
 
     Scene out = scene;
-    MeshVariants variants(out);
+    MeshVariants variants(out, request.keep_instances);
     std::vector<std::uint32_t> placed(results.size(), none);  // the mesh that shows each result
     for (std::size_t i = 0; i < s.instances.size(); ++i) {
         const std::size_t r = s.result_of[i];
@@ -190,11 +163,16 @@ Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& c
             variants.share(s.instances[i], placed[r]);
         } else {
             const std::uint32_t number = s.instances[i].mesh;
-            Mesh mesh = with_attributes(scene.meshes[number], std::move(results[r]), request.attributes.normals, context);
-            refuse_target_directions(scene, mesh, number, request.attributes.normals, context.report());
+            Mesh mesh = with_attributes(scene.meshes[number], std::move(results[r]), new_normals, context);
+            set_target_directions(scene, mesh, number, new_normals, computed.targets.empty() ? nullptr : &computed.targets[r],
+                                  context.report());
             placed[r] = variants.place(s.instances[i], std::move(mesh));
         }
     }
+    if (variants.kept() > 0)
+        context.report().add(Remark::warning, scene.source, {},
+                             std::to_string(variants.kept()) +
+                                 " instances that touch other things keep the normals of the first of their mesh: kept shared as asked");
     if (variants.copies() > 0)
         context.report().add(Remark::note, scene.source, {},
                              std::to_string(variants.copies()) + " instances got a mesh of their own: their normals differ by what they touch");
@@ -237,6 +215,7 @@ Scene add_missing_tangents(const Scene& scene, const SmoothRequest& request, Con
     if (meshes.empty()) return scene;
     check_memory(meshes, context);
     std::vector<MeshAttributes> results = compute_attributes(meshes, options_for(only, meshes), context);
+    report_faults(scene, numbers, results, only.attributes, context.report());
     Scene out = scene;
     for (std::size_t i = 0; i < numbers.size(); ++i)
         out.meshes[numbers[i]] = with_attributes(scene.meshes[numbers[i]], std::move(results[i]), false, context);

@@ -47,6 +47,10 @@ std::uint32_t MeshVariants::place(const Instance& instance, Mesh result) {
     std::uint32_t number = none;
     for (std::size_t i = 0; i < std::min(made.size(), searched) && number == none; ++i)
         if (same_surface(scene_.meshes[made[i]], result)) number = made[i];
+    if (number == none && keep_shared_ && !made.empty()) {
+        number = made[0];
+        ++kept_;
+    }
     if (number == none) {
         if (made.empty()) {
             number = instance.mesh;

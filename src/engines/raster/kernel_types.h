@@ -70,6 +70,7 @@ struct ShadeJob {
     int32_t reflection_form;               ///< RL_TEXTBOOK, RL_NORMALIZED: 0, 1
     int32_t specular_horizon;
     int32_t bump;                          ///< 0: normal maps are ignored
+    int32_t orthogonalize;                 ///< 0: tangents are used as they are interpolated, only made unit
     int32_t unlit;                         ///< own color: no lighting
     int32_t orthographic;
     float view_direction[3];               ///< towards the viewer, for orthographic views

@@ -82,6 +82,7 @@ ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count,
     out.reflection_form = settings.specular_form == SpecularForm::automatic ? view.metallic_roughness
                                                                        : settings.specular_form == SpecularForm::normalized;
     out.specular_horizon = settings.specular_horizon;
+    out.orthogonalize = settings.orthogonalize;
     out.bump = settings.bump != Bump::none;
     out.unlit = view.unlit || settings.shading == Shading::unlit;
     out.orthographic = job.front.view.orthographic;

@@ -328,5 +328,43 @@ TEST(PrepareScene, MakesProjectedCoordinatesAndTheirTangents) {
     for (const vec4& t : after.tangents) EXPECT_EQ(t.w, 1) << "no side of the box is mirrored";
 }
 
+TEST(PrepareScene, SaysHowFarTangentsWereFromPerpendicularWhenAsked) {
+    Mesh sheet = test::ball_mesh(7, 5);
+    std::vector<vec2> uv;
+    for (const vec3& p : sheet.positions) uv.push_back({p.x + 0.5f * p.z, p.y * p.y - p.z});
+    sheet.texcoords = {Block<vec2>(std::move(uv))};
+    Scene scene = scene_of({sheet});
+    test::give_texture(scene, &Material::normal_texture);
+    PrepareOptions options = by(NormalSource::model);
+    options.measure_orthogonality = true;
+    Context asked, quiet;
+    const Mesh made = prepare_scene(scene, options, asked).meshes[0];
+    EXPECT_EQ(remarks(asked, Remark::note, "from perpendicular to the normals"), 1u) << test::all_remarks(asked);
+    EXPECT_EQ(remarks(asked, Remark::note, "at most 0.00 degrees"), 0u) << "told as it was before";
+    for (std::size_t v = 0; v < made.positions.size(); ++v) EXPECT_NEAR(dot(made.normals[v], made.tangents[v].xyz()), 0, 1e-6);
+    options.orthogonalize = Orthogonalize::off;
+    float skew = 0;
+    const Mesh raw = prepare_scene(scene, options, asked).meshes[0];
+    for (std::size_t v = 0; v < raw.positions.size(); ++v) skew = std::max(skew, std::fabs(dot(raw.normals[v], raw.tangents[v].xyz())));
+    EXPECT_GT(skew, 0.01f);
+    options.measure_orthogonality = false;
+    prepare_scene(scene, options, quiet);
+    EXPECT_EQ(remarks(quiet, Remark::note, "from perpendicular"), 0u);
+}
+
+TEST(PrepareScene, TangentsOfTheFileAreMeasuredAsTheyAre) {
+    Mesh mesh = quad_mesh();
+    mesh.normals = std::vector<vec3>(4, {0, 0, 1});
+    mesh.tangents = std::vector<vec4>{{1, 0, 0, 1}, {1, 0, 0, 1}, {0.8f, 0, 0.6f, 1}, {1, 0, 0, 1}};
+    mesh.texcoords = {Block<vec2>(std::vector<vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}})};
+    Scene scene = scene_of({mesh});
+    test::give_texture(scene, &Material::normal_texture);
+    PrepareOptions options;
+    options.measure_orthogonality = true;
+    Context context;
+    prepare_scene(scene, options, context);
+    EXPECT_EQ(remarks(context, Remark::note, "at most 36.87 degrees (mean 9.22)"), 1u) << test::all_remarks(context);
+}
+
 }  // namespace
 }  // namespace rakelight

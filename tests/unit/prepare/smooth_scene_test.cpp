@@ -2,6 +2,7 @@
 // Instances, scopes and what a smoothed scene shares with the one it came from.
 #include <gtest/gtest.h>
 
+#include "math/linear.h"
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
 #include "unit/prepare/meshes.h"
@@ -129,22 +130,23 @@ TEST(SmoothScene, WithoutNormalsAskedForMakesOnlyTangentsAnew) {
     EXPECT_NEAR(after.tangents[0].x, 1, 1e-6);
 }
 
-TEST(SmoothScene, MorphTargetsKeepTheirPositionsAndLoseNormalsAloud) {
-    Mesh mesh = cube_mesh();
-    mesh.targets.resize(2);
-    mesh.targets[0].positions = std::vector<vec3>(8, {1, 0, 0});
-    mesh.targets[0].normals = std::vector<vec3>(8, {0, 0.5f, 0});
-    mesh.targets[1].positions = std::vector<vec3>(8, {0, 1, 0});
+TEST(SmoothScene, KeptInstancesShareTheFirstOnesNormalsAloud) {
+    const double half = radians(15);
+    const Scene scene = instances(quad_mesh(), {at({0, 0, 0}), at({1, 0, 0}, {1, 1, 1}, {0, std::sin(half), 0, std::cos(half)})});
+    const Scene apart = smoothed(scene, Scope::model);
+    ASSERT_EQ(apart.meshes.size(), 2u);
+    PrepareOptions options;
+    options.normals = NormalSource::model;
+    options.keep_instances = true;
     Context context;
-    const Mesh after = smooth_scene(scene_of({mesh}), {}, context).meshes[0];
-    ASSERT_EQ(after.targets.size(), 2u);
-    EXPECT_EQ(after.targets[0].positions.size(), after.positions.size()) << "split vertices move with their sources";
-    EXPECT_TRUE(after.targets[0].normals.empty());
-    EXPECT_EQ(test::remarks(context, Remark::dropped, "morph targets"), 1u);
-    mesh.targets.erase(mesh.targets.begin());
-    Context quiet;
-    smooth_scene(scene_of({mesh}), {}, quiet);
-    EXPECT_EQ(test::remarks(quiet, Remark::dropped, "morph targets"), 0u) << "nothing was left out";
+    const Scene kept = prepare_scene(scene, options, context);
+    ASSERT_EQ(kept.meshes.size(), 1u);
+    for (std::size_t v = 0; v < 4; ++v) EXPECT_NEAR(length(kept.meshes[0].normals[v] - apart.meshes[0].normals[v]), 0, 0.1f);
+    for (const Node& node : kept.nodes) EXPECT_EQ(node.meshes, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(test::remarks(context, Remark::warning, "1 instances that touch other things keep"), 1u) << test::all_remarks(context);
+    Context alike;
+    prepare_scene(instances(quad_mesh(), {at({0, 0, 0}), at({9, 0, 0})}), options, alike);
+    EXPECT_EQ(test::remarks(alike, Remark::warning, "keep the normals"), 0u) << "nothing was given up";
 }
 
 TEST(SmoothScene, LooksAtModelsFarFromTheOriginAsAtNearOnes) {

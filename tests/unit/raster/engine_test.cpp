@@ -233,6 +233,35 @@ TEST(SoftEngine, ANormalMapTurnsTheNormalTowardsGreenUp) {
     EXPECT_NEAR(pixel(render(scene, flat_camera(), flat), 32, 32).x, 0.7071f, 0.01f);
 }
 
+// A tangent that leans 45 degrees out of the surface: put right it lies in it, left alone the bump along it leans too.
+TEST(SoftEngine, TangentsAreUsedAsTheyAreWhereTheyAreNotToBeMadePerpendicular) {
+    Scene scene;
+    Material bumpy = matte();
+    const auto along = [](int, int) { return std::array<int, 3>{218, 128, 218}; };  // (0.71, 0, 0.71)
+    bumpy.normal_texture = add_texture(scene, picture(rgb_pixels(4, 4, along)));
+    scene.materials = {bumpy};
+    Mesh square = square_mesh(0);
+    const float half = std::sqrt(0.5f);
+    square.tangents = std::vector<vec4>(square.positions.size(), {half, 0, half, 1});
+    add_object(scene, square);
+    scene.lights = {directional({0, 0, -1})};  // along the normal
+    RenderSettings settings = small;
+    EXPECT_NEAR(pixel(render(scene, flat_camera(), settings), 32, 32).x, std::sqrt(0.5f), 0.01f);
+    settings.orthogonalize = false;
+    const Frame raw = render(scene, flat_camera(), settings);
+    // m.x T + m.z N = 0.71 (0.71, 0, 1.71), made unit
+    EXPECT_NEAR(pixel(raw, 32, 32).x, (half + 1) / std::sqrt(0.5f + (half + 1) * (half + 1)), 0.01f);
+    for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
+        if (!is_available(isa)) continue;
+        const IsaGuard guard(isa);
+        for (const int threads : {1, 4}) EXPECT_TRUE(same_bits(raw, render(scene, flat_camera(), settings, threads))) << name(isa) << threads;
+    }
+    Mesh without = square_mesh(0);
+    without.tangents = std::vector<vec4>(without.positions.size(), {0, 0, 0, 1});
+    scene.meshes[0] = without;
+    EXPECT_TRUE(is_finite(pixel(render(scene, flat_camera(), settings), 32, 32).xyz())) << "a tangent of no length falls back";
+}
+
 TEST(SoftEngine, AWindowHasTheBitsOfTheWhole) {
     const Scene scene = busy_scene();
     RenderSettings settings = small;

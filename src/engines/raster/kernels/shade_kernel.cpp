@@ -55,7 +55,9 @@ inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
     const MaterialView& m = *job.material;
     vec3 n = safe_normalize(interpolate3(p.records, p.b, offsetof(ShadeTriangle, normal)));
     if (job.bump != 0 && m.normal_map.view != nullptr) {
-        const vec3 t = lit::orthogonal_tangent(n, interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent)));
+        const vec3 along = interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent));
+        const vec3 across = lit::orthogonal_tangent(n, along);
+        const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(along, across);
         const vec3 mapped = lit::decode_normal(rgb(texel(m.normal_map, p)), real(m.normal_scale));
         n = lit::perturb_normal(n, t, p.records(offsetof(ShadeTriangle, handedness)), mapped);
     }

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/bind_pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+constexpr float weight_slack = 0.01f;  // weights of 8 bits are this near to what was meant
+
+/// [skins] for each joint, whether a drawn vertex follows it.
+std::vector<std::vector<bool>> used_joints(const Scene& scene) {
+    std::vector<std::vector<bool>> used(scene.skins.size());
+    for (std::size_t s = 0; s < used.size(); ++s) used[s].assign(scene.skins[s].joints.size(), false);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // skin, mesh: instances look at a mesh once
+    for (const Instance& instance : drawn_instances(scene))
+        if (const std::uint32_t skin = scene.nodes[instance.node].skin; skin != none)
+            seen.emplace_back(skin, instance.mesh);
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    for (const auto& [skin, mesh] : seen)
+        for (const JointInfluence& influence : scene.meshes[mesh].influences)
+            for (std::size_t k = 0; k < 4; ++k)
+                if (influence.weights[k] != 0) used[skin][influence.joints[k]] = true;
+    return used;
+}
+
+/// The bottom row is put right where rounding left it beside 0, 0, 0, 1.
+bool is_placement(dmat4& m) {
+    for (std::size_t c = 0; c < 4; ++c) {
+        const double wanted = c == 3 ? 1 : 0;
+        if (!is_finite(m[c].xyz()) || !(std::fabs(m[c].w - wanted) <= 1e-6)) return false;
+        m[c].w = wanted;
+    }
+    dmat4 unused;
+    return inverse_affine(m, unused);
+}
+
+class BindPose {
+public:
+    explicit BindPose(const Scene& scene)
+        : scene_(scene),
+          world_(world_matrices(scene)),
+          used_(used_joints(scene)),
+          place_(scene.skins.size()),
+          is_placed_(scene.skins.size()) {
+        for (std::uint32_t s = 0; s < scene.skins.size(); ++s) is_placed_[s] = place(s);
+    }
+
+    std::vector<dmat4> matrices() const {
+        std::vector<dmat4> result = world_;
+        for (std::size_t n = 0; n < result.size(); ++n)
+            if (const std::uint32_t skin = scene_.nodes[n].skin; skin != none && is_placed_[skin])
+                result[n] = place_[skin];
+        return result;
+    }
+
+private:
+    struct Joint {
+        std::uint32_t skin, index;
+    };
+
+    bool place(std::uint32_t s) {
+        const Skin& skin = scene_.skins[s];
+        bool placed = false;
+        for (std::uint32_t j = 0; j < skin.joints.size() && !placed; ++j)
+            if (const auto known = first_.find(skin.joints[j]); used_[s][j] && known != first_.end())
+                placed = beside(known->second, s, j);
+        for (std::uint32_t j = 0; j < skin.joints.size() && !placed; ++j) {
+            place_[s] = world_[skin.joints[j]] * skin.inverse_bind[j];
+            placed = used_[s][j] && is_placement(place_[s]);
+        }
+        for (std::uint32_t j = 0; j < skin.joints.size() && placed; ++j)
+            if (used_[s][j]) first_.try_emplace(skin.joints[j], Joint{s, j});
+        return placed;
+    }
+
+    /// As the joint that both skins have holds them: not by way of its matrix, so that equal ones give equal places to
+    /// the bit.
+    bool beside(const Joint& other, std::uint32_t s, std::uint32_t j) {
+        const dmat4 &theirs = scene_.skins[other.skin].inverse_bind[other.index],
+                    &ours = scene_.skins[s].inverse_bind[j];
+        if (theirs == ours) {
+            place_[s] = place_[other.skin];
+            return true;
+        }
+        dmat4 joint_to_theirs;
+        if (!inverse_affine(theirs, joint_to_theirs)) return false;
+        place_[s] = place_[other.skin] * joint_to_theirs * ours;
+        return is_placement(place_[s]);
+    }
+
+    const Scene& scene_;
+    std::vector<dmat4> world_;
+    std::vector<std::vector<bool>> used_;
+    std::vector<dmat4> place_;  // [skins]
+    std::vector<bool> is_placed_;
+    std::map<std::uint32_t, Joint> first_;  // by joint node: the first placed skin that uses it
+};
+
+/// A vertex as the skeleton moves it: joints as nodes, ascending; weights that are not 0.
+struct Follower {
+    std::array<std::uint32_t, 4> joint{none, none, none, none};
+    std::array<float, 4> weight{};
+
+    Follower(const Skin& skin, const JointInfluence& influence) {
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (influence.weights[k] == 0) continue;
+            const std::uint32_t node = skin.joints[influence.joints[k]];
+            const auto same = std::find(joint.begin(), joint.begin() + std::ptrdiff_t(count), node);
+            const auto at = std::size_t(same - joint.begin());
+            joint[at] = node;
+            weight[at] += influence.weights[k];
+            count = std::max(count, at + 1);
+        }
+    }
+    float weight_of(std::uint32_t node) const {
+        for (std::size_t k = 0; k < 4; ++k)
+            if (joint[k] == node) return weight[k];
+        return 0;
+    }
+    bool agrees(const Follower& other) const {
+        for (std::size_t k = 0; k < 4; ++k)
+            if (joint[k] != none && std::fabs(weight[k] - other.weight_of(joint[k])) > weight_slack) return false;
+        return true;
+    }
+};
+
+struct SkinnedVertex {
+    dvec3 position;
+    std::uint32_t instance, vertex;
+    auto key() const { return std::tuple(position.x, position.y, position.z, instance, vertex); }
+    bool operator<(const SkinnedVertex& other) const { return key() < other.key(); }
+};
+
+}  // namespace
+
+std::vector<dmat4> bind_pose_matrices(const Scene& scene) { return BindPose(scene).matrices(); }
+
+void warn_of_parting_vertices(const Scene& scene, const std::vector<Instance>& instances,
+                              const std::vector<dmat4>& place, Report& report) {
+    std::vector<SkinnedVertex> vertices;
+    for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        const Mesh& mesh = scene.meshes[instances[i].mesh];
+        if (scene.nodes[instances[i].node].skin == none || mesh.influences.empty()) continue;
+        const dmat4 to_world = place[instances[i].node] * translation(mesh.origin);
+        std::vector<bool> used(mesh.positions.size(), false);
+        for (const std::uint32_t v : mesh.indices) used[v] = true;
+        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+            if (!used[v]) continue;
+            const dvec3 p =
+                transform_point(to_world, cast<double>(mesh.positions[v])) + dvec3{0, 0, 0};  // -0 becomes +0
+            if (is_finite(p)) vertices.push_back({p, i, v});
+        }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    const auto follower = [&](const SkinnedVertex& v) {
+        const Instance& instance = instances[v.instance];
+        return Follower(scene.skins[scene.nodes[instance.node].skin], scene.meshes[instance.mesh].influences[v.vertex]);
+    };
+    std::uint64_t parting = 0;
+    for (std::size_t first = 0, last = 0; first < vertices.size(); first = last) {
+        const Follower leader = follower(vertices[first]);
+        bool parts = false;
+        for (last = first; last < vertices.size() && vertices[last].position == vertices[first].position; ++last) {
+            const Follower other = follower(vertices[last]);
+            parts = parts || !leader.agrees(other) || !other.agrees(leader);
+        }
+        parting += parts;
+    }
+    if (parting > 0)
+        report.add(
+            Remark::warning, scene.source, {},
+            std::to_string(parting) +
+                " places where vertices of skinned meshes meet have different joint weights: they will part in motion");
+}
+
+}  // namespace rakelight

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/morph_normals.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "math/linear.h"
+
+namespace rakelight {
+namespace {
+
+/// Targets that move at once: at most one of each mesh.
+struct Movement {
+    std::vector<std::pair<std::size_t, std::size_t>> targets;  ///< mesh of the call, target of that mesh
+};
+
+/// By name, and by how often a mesh had that name before, in the order of their first appearance.
+std::vector<Movement> movements_of(const Scene& scene, std::span<const std::uint32_t> numbers) {
+    std::vector<Movement> movements;
+    std::map<std::pair<std::string, std::size_t>, std::size_t> known;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const Mesh& mesh = scene.meshes[numbers[i]];
+        std::map<std::string, std::size_t> before;
+        for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
+            const MorphTarget& target = mesh.targets[t];
+            const std::size_t occurrence = before[target.name]++;
+            if (!wants_normals(mesh, target)) continue;
+            const auto [at, is_new] = known.try_emplace({target.name, occurrence}, movements.size());
+            if (is_new) movements.emplace_back();
+            movements[at->second].targets.emplace_back(i, t);
+        }
+    }
+    return movements;
+}
+
+std::vector<vec3> moved(const Block<vec3>& positions, const Block<vec3>& offsets) {
+    std::vector<vec3> result;
+    result.reserve(positions.size());
+    for (std::size_t v = 0; v < positions.size(); ++v) result.push_back(positions[v] + offsets[v]);
+    return result;
+}
+
+template <class T>
+std::vector<vec3> difference(const std::vector<T>& to, const std::vector<T>& from) {
+    std::vector<vec3> result;
+    result.reserve(to.size());
+    for (std::size_t v = 0; v < to.size(); ++v)
+        result.push_back({to[v].x - from[v].x, to[v].y - from[v].y, to[v].z - from[v].z});
+    return result;
+}
+
+void check_memory(const std::vector<Movement>& movements, std::span<const MeshAttributes> base, Context& context) {
+    std::uint64_t bytes = 0;
+    for (const Movement& movement : movements)
+        for (const auto& [i, t] : movement.targets) bytes += 2 * sizeof(vec3) * std::uint64_t(base[i].normals.size());
+    context.memory().check(bytes, "normals of morph targets");
+}
+
+}  // namespace
+
+bool wants_normals(const Mesh& mesh, const MorphTarget& target) {
+    return !target.positions.empty() && (!target.normals.empty() || mesh.normals.empty());
+}
+
+std::vector<TargetDirections> target_directions(const Scene& scene, std::span<const std::uint32_t> numbers,
+                                                std::span<const AttributeMesh> meshes, const AttributePlan& plan,
+                                                std::span<const MeshAttributes> base, Context& context) {
+    std::vector<TargetDirections> result(meshes.size());
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        result[i].normals.resize(scene.meshes[numbers[i]].targets.size());
+        result[i].tangents.resize(scene.meshes[numbers[i]].targets.size());
+    }
+    const std::vector<Movement> movements = movements_of(scene, numbers);
+    check_memory(movements, base, context);
+    for (const Movement& movement : movements) {
+        context.throw_if_cancelled();
+        std::vector<AttributeMesh> pose(meshes.begin(), meshes.end());
+        std::vector<std::vector<vec3>> positions;
+        positions.reserve(movement.targets.size());  // the spans point into it
+        for (const auto& [i, t] : movement.targets) {
+            const Mesh& mesh = scene.meshes[numbers[i]];
+            pose[i].positions = positions.emplace_back(moved(mesh.positions, mesh.targets[t].positions));
+        }
+        const std::vector<MeshAttributes> posed = accumulate(plan, pose, context);
+        for (const auto& [i, t] : movement.targets) {
+            result[i].normals[t] = difference(posed[i].normals, base[i].normals);
+            if (!scene.meshes[numbers[i]].targets[t].tangents.empty() && !posed[i].tangents.empty())
+                result[i].tangents[t] = difference(posed[i].tangents, base[i].tangents);
+        }
+    }
+    return result;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which placements of meshes are computed, and which share the result of another.
+#pragma once
+#include <vector>
+
+#include <rakelight/scene.h>
+
+#include "prepare/smooth_request.h"
+#include "prepare/variants.h"
+
+namespace rakelight {
+
+/// The placements that are computed, and for each placement which of them has its result.
+struct SmoothSelection {
+    std::vector<Instance> instances;
+    std::vector<std::size_t> result_of;  ///< [instances] into `computed`
+    std::vector<std::size_t> computed;   ///< into `instances`
+    std::vector<bool> in_world;          ///< [computed] at its place in the world, else about its own origin
+};
+
+/// @param world  [nodes] where the placements stand
+SmoothSelection select_instances(const Scene& scene, const SmoothRequest& request, const std::vector<dmat4>& world);
+
+}  // namespace rakelight
