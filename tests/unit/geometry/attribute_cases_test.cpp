@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One test for each row of the table of hard cases, under the row's name; other files look at most of them more
-// closely. Instancing, skinning and morph targets need a scene: tests/unit/prepare/attribute_cases_test.cpp.
+// One test for each row of the table of hard cases, under the row's name, at the door; other files look at most of them more
+// closely. What a scene makes of instances, skins and morph targets: tests/unit/prepare.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -77,7 +77,7 @@ TEST(AttributeCases, TinyAndHugeEdges) {
         }
 }
 
-TEST(AttributeCases, NanAndInfinitePositions) {
+TEST(AttributeCases, NanAndInfinitePosition) {
     for (const float bad : {std::nanf(""), INFINITY})
         for (const TangentMode mode : all_modes) {
             Shape s = quad();
@@ -102,7 +102,7 @@ TEST(AttributeCases, NegativeZeroEqualsZero) {
     EXPECT_NEAR(degrees(angle_between(out[0].normals[0], vec3{0, 1, 0})), 20, 1e-4);
 }
 
-TEST(AttributeCases, ZeroAreaTexture) {
+TEST(AttributeCases, ZeroAreaUv) {
     // The second triangle has none; its own vertex has nothing else.
     Shape s = quad();
     s.texcoords = {{0, 1}, {1, 1}, {1, 0}, {0.5f, 0.5f}};
@@ -124,7 +124,7 @@ TEST(AttributeCases, ZeroAreaTexture) {
     }
 }
 
-TEST(AttributeCases, MirroredTextureAtOnePosition) {
+TEST(AttributeCases, MirroredUvsAtOnePosition) {
     Shape s;
     s.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, 1, 0}};
     s.texcoords = {{0, 1}, {0, 0}, {1, 1}, {1, 0}, {1, 1}, {1, 0}};
@@ -171,8 +171,10 @@ TEST(AttributeCases, OppositeFacesThatAreTriangulatedDifferently) {
         std::copy_n(turned, 6, back.indices.begin() + std::ptrdiff_t(q));
     }
     ASSERT_NE(edge_product(back, 0), dvec3{});
-    for (const CornerWeight weight : {CornerWeight::angle})
+    // Joined by 180 degrees only angles, which do not see the diagonals, cancel; below, every weight leaves the sides apart.
+    for (const CornerWeight weight : {CornerWeight::angle, CornerWeight::uniform, CornerWeight::area, CornerWeight::angle_area})
         for (const double deg : {60.0, 180.0}) {
+            if (deg == 180 && weight != CornerWeight::angle) continue;
             AttributeOptions options = crease(deg);
             options.weight = weight;
             const auto out = compute({sheet, back}, options);
@@ -183,7 +185,7 @@ TEST(AttributeCases, OppositeFacesThatAreTriangulatedDifferently) {
         }
 }
 
-TEST(AttributeCases, NearCoincidentVertices) {
+TEST(AttributeCases, NearCoincident) {
     auto parts = make_hinge(radians(30));
     for (vec3& p : parts[1].positions) p.x += 1e-7f;
     AttributeOptions exact = published(), within = published();
@@ -229,6 +231,33 @@ TEST(AttributeCases, EqualWorldPointsFromDifferentMatrices) {
     EXPECT_LT(degrees(angle_between(by_default[0].normals[0], by_default[1].normals[0])), 1e-4);
 }
 
+TEST(AttributeCases, Instancing) {
+    // One mesh placed twice: beside a neighbor, and alone. Each place gets normals of its own in the mesh's space.
+    const auto hinge = make_hinge(radians(50));
+    Shape alone = hinge[0];
+    alone.to_world = translation(dvec3{0, 7, 0});
+    alone.object = 2;
+    const auto out = compute({hinge[0], hinge[1], alone}, published());
+    EXPECT_EQ(out[0].normals[0], out[1].normals[0]);
+    EXPECT_NEAR(degrees(angle_between(out[0].normals[0], vec3{0, 1, 0})), 25, 1e-4);
+    EXPECT_EQ(out[2].normals[0], (vec3{0, 1, 0}));
+    EXPECT_EQ(out[0].normals[2], out[2].normals[2]) << "away from the neighbor they agree";
+}
+
+TEST(AttributeCases, SkinningAndMorphs) {
+    // Grouped in the bind pose once; in each pose the border stays closed, whatever the crease angle would say to it.
+    const auto bind = make_hinge(radians(20));
+    Context context({.threads = 2});
+    const AttributePlan plan = group(views(bind), crease(30), context);
+    for (const double bend : {0.0, 50.0, 90.0, 150.0}) {
+        const auto posed = make_hinge(radians(bend));
+        const auto out = accumulate(plan, views(posed), context);
+        EXPECT_EQ(out[0].normals[0], out[1].normals[0]) << bend;
+        EXPECT_NEAR(degrees(angle_between(out[0].normals[0], vec3{0, 1, 0})), bend / 2, 1e-3) << bend;
+        EXPECT_EQ(out[0].normals[2], (vec3{0, 1, 0})) << bend;
+    }
+}
+
 TEST(AttributeCases, BowTie) {
     // Two tents of two triangles that touch in one vertex.
     Shape s;
@@ -250,7 +279,7 @@ TEST(AttributeCases, BowTie) {
     EXPECT_EQ(corner_normal(s, two, 6), compute({second}, options).front().normals[0]);
 }
 
-TEST(AttributeCases, NonManifoldEdge) {
+TEST(AttributeCases, NonManifold) {
     // Three pages on one spine are one fan.
     Shape s;
     s.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0.2f, 0}, {0.5f, 1, 0}};
@@ -399,7 +428,7 @@ TEST(AttributeCases, LargeCoordinates) {
     for (std::size_t m = 0; m < 3; ++m) EXPECT_EQ(a[m].normals, b[m].normals) << "georeferenced: exact";
 }
 
-TEST(AttributeCases, TransitivityOfTheTolerance) {
+TEST(AttributeCases, ToleranceTransitivity) {
     // A chain of points closer than the tolerance but wider in all than twice it stays exact, and is reported.
     std::vector<Shape> chain;
     for (std::uint32_t i = 0; i < 6; ++i)

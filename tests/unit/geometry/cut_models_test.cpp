@@ -2,6 +2,7 @@
 // A real model, whole and cut into objects with vertices of their own.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -77,6 +78,48 @@ TEST(CutModels, SpotInPartsHasTheNormalsOfTheWhole) {
                     const auto [before, is_new] = seen.try_emplace(at, n);
                     EXPECT_TRUE(crease < 180 || is_new || before->second == n) << name;
                 }
+        }
+    }
+}
+
+// A corner by the three places of its triangle, from its own on.
+using CornerPlaces = std::array<std::tuple<float, float, float>, 3>;
+CornerPlaces places_of(const Shape& s, std::size_t corner) {
+    CornerPlaces places;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const vec3 p = s.positions[s.indices[corner - corner % 3 + (corner + k) % 3]];
+        places[k] = {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f};
+    }
+    return places;
+}
+
+TEST(CutModels, SpotInPartsHasTheTangentsOfTheWhole) {
+    RL_NEEDS_SHARED("assets/derived/spot");
+    const auto folder = shared_dir() / "assets/derived/spot";
+    const auto whole = read_obj(folder / "spot_whole.obj");
+    for (const TangentMode mode : {TangentMode::averaged, TangentMode::published}) {
+        AttributeOptions options;
+        options.tangent_mode = mode;
+        const MeshAttributes reference = compute(whole, options).front();
+        std::map<CornerPlaces, vec4> truth;
+        for (std::size_t i = 0; i < whole[0].indices.size(); ++i)
+            truth[places_of(whole[0], i)] = reference.tangents[output_vertex(whole[0], reference, i)];
+        for (const auto& name : {"spot_slab5.obj", "spot_checker6.obj", "spot_noise7.obj"}) {
+            const auto parts = read_obj(folder / name);
+            const auto out = compute(parts, options);
+            std::size_t corners = 0, off = 0, other_hand = 0;
+            for (std::size_t m = 0; m < parts.size(); ++m)
+                for (std::size_t i = 0; i < parts[m].indices.size(); ++i) {
+                    const vec4 t = out[m].tangents[output_vertex(parts[m], out[m], i)], of_whole = truth.at(places_of(parts[m], i));
+                    ++corners;
+                    off += degrees(angle_between(t.xyz(), of_whole.xyz())) > 0.01 ? 1 : 0;
+                    other_hand += t.w != of_whole.w ? 1 : 0;
+                }
+            EXPECT_EQ(corners, whole[0].indices.size()) << name;
+            EXPECT_EQ(other_hand, 0u) << name;
+            // Averaged: vertices of one place are joined by their own tangents, and these are of fewer faces where a cut runs through a
+            // vertex; on charts that spread by more than 45 degrees at a place it shows. Measured: 18, 107 and 300 of 17,568.
+            EXPECT_LE(off, mode == TangentMode::published ? 0 : corners / 50) << name << ", mode " << int(mode);
         }
     }
 }
