@@ -73,7 +73,8 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     for (const std::uint32_t node : objects) result.objects.push_back(summarize(scene, node));
     const Bounds bounds = world_bounds(scene);
     if (!bounds.empty()) result.low = bounds.low, result.high = bounds.high;
-    if (options.borders && objects.size() > 1) {
+    // One object has no border, but what prepare says of its tangents may have been asked for.
+    if (options.borders && (objects.size() > 1 || (options.prepare.measure_orthogonality && result.triangles > 0))) {
         SharedPositions shared = find_borders(prepare_scene(scene, options.prepare, context), objects, context);
         result.shared_positions = shared.positions;
         result.borders = std::move(shared.borders);
