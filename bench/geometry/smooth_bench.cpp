@@ -1,133 +1,179 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seam-free normals and tangents of a displaced sphere cut into objects, beside the plain loop that everybody writes: one
-// thread, face normals summed per vertex, objects apart (so with seams). per_triangle is the figure to compare; run with
-//   smooth_bench --benchmark_repetitions=10 --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true
+// Seam-free normals and tangents of a displaced sphere cut into objects, beside what they are measured against: the
+// plain loop that everybody writes, the brute force of the publication, Assimp's generators. per_triangle is the figure
+// to compare.
+//   RAKELIGHT_BENCH_LARGE=1 smooth_bench --benchmark_filter='T:10000000/K:16/'     10M and 50M triangles are made only
+//   when asked for
 #include <benchmark/benchmark.h>
-#include <rakelight/attributes.h>
 
-#include <cmath>
+#include <compare>
+#include <cstdlib>
+#include <functional>
 #include <map>
-#include <memory>
-#include <random>
+#include <string>
 
-#include "math/linear.h"
+#include "tools/bench_baselines.h"
+#ifdef RL_HAVE_ASSIMP
+#include "geometry/assimp_generators.h"
+#endif
 
 namespace {
 
 using namespace rakelight;
 
-struct Part {
-    std::vector<vec3> positions;
-    std::vector<vec2> texcoords;
-    std::vector<std::uint32_t> indices;
+struct Case {
+    std::uint64_t triangles;
+    std::uint32_t objects;
+    bool shuffled;
+    auto operator<=>(const Case&) const = default;
 };
 
-// Rows of a UV sphere go to `objects` parts; each vertex is moved along its normal by up to a quarter of the grid's step, the
-// same in all parts. Poles are left out, so no face is degenerate.
-std::vector<Part> make_model(std::uint32_t triangles, std::uint32_t objects) {
-    const std::uint32_t rows = std::uint32_t(std::sqrt(triangles / 4.0)), columns = 2 * rows;
-    std::vector<vec3> ring((std::size_t(rows) + 1) * (columns + 1));
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> height(0, 0.25 * pi / rows);
-    for (std::uint32_t r = 0; r <= rows; ++r)
-        for (std::uint32_t c = 0; c <= columns; ++c) {
-            const double a = 2 * pi * (c % columns) / columns, b = pi * (r + 1) / (rows + 2), size = 1 + height(random);
-            ring[std::size_t(r) * (columns + 1) + c] =
-                c == columns ? ring[std::size_t(r) * (columns + 1)]
-                             : vec3{float(size * std::sin(b) * std::cos(a)), float(-size * std::cos(b)), float(-size * std::sin(b) * std::sin(a))};
-        }
-    std::vector<Part> parts(objects);
-    for (std::uint32_t k = 0; k < objects; ++k) {
-        const std::uint32_t first = rows * k / objects, last = rows * (k + 1) / objects;
-        for (std::uint32_t r = first; r <= last; ++r)
-            for (std::uint32_t c = 0; c <= columns; ++c) {
-                parts[k].positions.push_back(ring[std::size_t(r) * (columns + 1) + c]);
-                parts[k].texcoords.push_back({float(c) / float(columns), float(r) / float(rows)});
-            }
-        for (std::uint32_t r = 0; r < last - first; ++r)
-            for (std::uint32_t c = 0; c < columns; ++c) {
-                const std::uint32_t a = r * (columns + 1) + c, d = a + columns + 1;
-                parts[k].indices.insert(parts[k].indices.end(), {a, a + 1, d + 1, a, d + 1, d});
-            }
-    }
-    return parts;
+constexpr std::uint64_t large = 1'000'001;
+
+// Repetitions are interleaved, so models are kept; of large ones only the last: 50 million triangles are two gigabytes.
+const BenchModel& model_of(const Case& c) {
+    static std::map<Case, BenchModel> made;
+    if (const auto at = made.find(c); at != made.end()) return at->second;
+    if (c.triangles >= large) std::erase_if(made, [](const auto& m) { return m.first.triangles >= large; });
+    return made[c] = make_bench_sphere(c.triangles, c.objects, c.shuffled);
 }
 
-const std::vector<Part>& model(std::int64_t triangles, std::int64_t objects) {
-    static std::map<std::pair<std::int64_t, std::int64_t>, std::vector<Part>> made;
-    auto& parts = made[{triangles, objects}];
-    if (parts.empty()) parts = make_model(std::uint32_t(triangles), std::uint32_t(objects));
-    return parts;
-}
-
-void report(benchmark::State& state, const std::vector<Part>& parts) {
-    double triangles = 0;
-    for (const Part& p : parts) triangles += double(p.indices.size() / 3);
-    state.counters["per_triangle"] =
-        benchmark::Counter(triangles, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-    state.counters["triangles"] = triangles;
-}
-
-// range: triangles, objects, threads, crease [deg], tangents, weight
-void smooth(benchmark::State& state) {
-    const auto& parts = model(state.range(0), state.range(1));
-    std::vector<AttributeMesh> meshes;
-    for (const Part& p : parts) {
-        AttributeMesh& m = meshes.emplace_back();
-        m.object = std::uint32_t(meshes.size());
-        m.positions = p.positions;
-        m.indices = p.indices;
-        if (state.range(4) != 0) m.texcoords = p.texcoords;
-    }
-    AttributeOptions options;
-    options.crease_angle_rad = radians(double(state.range(3)));
-    options.weight = CornerWeight(state.range(5));
-    Context context({.threads = int(state.range(2)), .max_memory = 1ull << 36});
-    for (auto _ : state) benchmark::DoNotOptimize(compute_attributes(meshes, options, context));
-    report(state, parts);
-}
-
-// range: triangles, objects. Into buffers used before.
-void plain_loop(benchmark::State& state) {
-    const auto& parts = model(state.range(0), state.range(1));
+struct Buffers {
     std::vector<std::vector<vec3>> normals;
-    for (const Part& p : parts) normals.emplace_back(p.positions.size());
-    for (auto _ : state) {
-        for (std::size_t k = 0; k < parts.size(); ++k) {
-            const Part& part = parts[k];
-            std::vector<vec3>& out = normals[k];
-            std::fill(out.begin(), out.end(), vec3{});
-            for (std::size_t i = 0; i < part.indices.size(); i += 3) {
-                const vec3 a = part.positions[part.indices[i]];
-                vec3 n = cross(part.positions[part.indices[i + 1]] - a, part.positions[part.indices[i + 2]] - a);
-                n = n * (1 / length(n));
-                for (std::size_t c = 0; c < 3; ++c) out[part.indices[i + c]] += n;
-            }
-            for (vec3& n : out) n = n * (1 / length(n));
+    std::vector<std::vector<vec4>> tangents;
+    std::vector<AttributeBuffers> spans;
+    explicit Buffers(const BenchModel& model) : normals(model.parts.size()), tangents(model.parts.size()) {
+        for (std::size_t p = 0; p < model.parts.size(); ++p) {
+            normals[p].resize(model.parts[p].positions.size());
+            tangents[p].resize(model.parts[p].positions.size());
+            spans.push_back({normals[p], tangents[p]});
         }
-        benchmark::DoNotOptimize(normals.data());
-        benchmark::ClobberMemory();
     }
-    report(state, parts);
+};
+
+void report(benchmark::State& state, const BenchModel& model) {
+    state.counters["per_triangle"] = benchmark::Counter(
+        double(model.triangles()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["triangles"] = double(model.triangles());
 }
 
-constexpr int uniform = int(CornerWeight::uniform), angle = int(CornerWeight::angle);
-BENCHMARK(plain_loop)->Args({100'000, 16})->Args({1'000'000, 16})->Args({10'000'000, 16})->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(smooth)
-    ->ArgNames({"triangles", "objects", "threads", "crease", "tangents", "weight"})
-    ->Args({100'000, 16, 2, 180, 0, uniform})
-    ->Args({1'000'000, 16, 2, 180, 0, uniform})
-    ->Args({1'000'000, 16, 1, 180, 0, uniform})
-    ->Args({1'000'000, 1, 2, 180, 0, uniform})
-    ->Args({1'000'000, 16, 2, 180, 0, angle})
-    ->Args({1'000'000, 16, 2, 180, 1, uniform})
-    ->Args({1'000'000, 16, 2, 60, 0, uniform})
-    ->Args({1'000'000, 16, 2, 60, 1, angle})
-    ->Args({10'000'000, 16, 2, 180, 0, uniform})
-    ->Args({10'000'000, 16, 2, 180, 1, uniform})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+std::string name_of(const std::string& what, const Case& c) {
+    return what + "/T:" + std::to_string(c.triangles) + "/K:" + std::to_string(c.objects) +
+           (c.shuffled ? "/shuffled" : "/coherent");
+}
+
+benchmark::internal::Benchmark* add_untimed(const std::string& name, std::function<void(benchmark::State&)> body) {
+    return benchmark::RegisterBenchmark(name.c_str(), std::move(body))
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime();
+}
+void add(const std::string& name, std::function<void(benchmark::State&)> body) {
+    add_untimed(name, std::move(body))->UseRealTime();
+}
+
+void add_loop(const std::string& what, const Case& c,
+              void (*loop)(const BenchModel&, std::span<const AttributeBuffers>)) {
+    add(name_of(what, c), [=](benchmark::State& state) {
+        const BenchModel& model = model_of(c);
+        Buffers out(model);
+        for (auto _ : state) {
+            loop(model, out.spans);
+            benchmark::ClobberMemory();
+        }
+        report(state, model);
+    });
+}
+
+// Into buffers and a workspace used before.
+void add_smooth(const std::string& what, const Case& c, AttributeOptions options, double weld_edges = 0) {
+    for (const int threads : {1, 2})
+        add(name_of(what, c) + "/threads:" + std::to_string(threads), [=](benchmark::State& state) mutable {
+            const BenchModel& model = model_of(c);
+            options.weld_distance = weld_edges * model.grid_step;
+            Buffers out(model);
+            const auto meshes = model.meshes(options.tangents);
+            AttributeWorkspace workspace;
+            Context context({.threads = threads, .max_memory = 1ull << 37});
+            for (auto _ : state)
+                benchmark::DoNotOptimize(compute_attributes_into(meshes, options, out.spans, workspace, context));
+            report(state, model);
+        });
+}
+
+// The steps apart, normals only.
+void add_steps(const Case& c, AttributeOptions options) {
+    options.tangents = false;
+    using Step = void (*)(const AttributePlan&, std::span<const AttributeMesh>, const AttributeOptions&, Context&);
+    const auto step = [&](const char* what, Step body) {
+        add(name_of(what, c), [=](benchmark::State& state) {
+            const BenchModel& model = model_of(c);
+            const auto meshes = model.meshes(false);
+            Context context({.threads = 2, .max_memory = 1ull << 37});
+            const AttributePlan plan = group(meshes, options, context);
+            for (auto _ : state) body(plan, meshes, options, context);
+            report(state, model);
+        });
+    };
+    step("crease_60_group_and_accumulate",
+         [](const AttributePlan&, std::span<const AttributeMesh> meshes, const AttributeOptions& o, Context& context) {
+             accumulate(group(meshes, o, context), meshes, context);
+         });
+    step("crease_60_accumulate", [](const AttributePlan& plan, std::span<const AttributeMesh> meshes,
+                                    const AttributeOptions&, Context& context) { accumulate(plan, meshes, context); });
+    step("crease_60_regroup", [](const AttributePlan& plan, std::span<const AttributeMesh> meshes,
+                                 const AttributeOptions& o, Context& context) { regroup(plan, meshes, o, context); });
+}
+
+void add_assimp([[maybe_unused]] const Case& c) {
+#ifdef RL_HAVE_ASSIMP
+    for (const bool tangents : {false, true})
+        add_untimed(name_of(tangents ? "assimp_CalcTangentSpace" : "assimp_GenSmoothNormals", c),
+                    [=](benchmark::State& state) {
+                        const BenchModel& model = model_of(c);
+                        for (auto _ : state) {
+                            const bench::AssimpSeconds seconds = bench::assimp_generators(model);
+                            state.SetIterationTime(tangents ? seconds.tangents : seconds.normals);
+                        }
+                        report(state, model);
+                    })
+            ->UseManualTime()
+            ->Iterations(1);
+#endif
+}
+
+void add_all(const Case& c) {
+    AttributeOptions uniform;
+    uniform.weight = CornerWeight::uniform;
+    uniform.crease_angle_rad = pi;
+    uniform.tangents = false;
+    AttributeOptions with_tangents = uniform, creased = uniform, by_angle = uniform;
+    with_tangents.tangents = true;
+    creased.crease_angle_rad = radians(60);
+    by_angle.weight = CornerWeight::angle;
+    add_loop("plain_loop", c, plain_loop);
+    add_smooth("normals", c, uniform);
+    add_smooth("normals_tangents", c, with_tangents);
+    add_smooth("normals_weight_angle", c, by_angle);
+    add_smooth("crease_60_normals", c, creased);
+    creased.tangents = true;
+    add_smooth("crease_60_normals_tangents", c, creased);
+    add_smooth("tolerance_normals", c, uniform, 0.1);
+    add_steps(c, creased);
+    if (!c.shuffled) add_assimp(c);
+    if (c.triangles <= 50'000) add_loop("brute_force", c, brute_force);
+}
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    const bool with_large = std::getenv("RAKELIGHT_BENCH_LARGE") != nullptr;
+    for (const std::uint64_t triangles : {10'000, 50'000, 100'000, 1'000'000, 10'000'000, 50'000'000})
+        for (const std::uint32_t objects : {1, 16, 256})
+            for (const bool shuffled : {false, true})
+                if (triangles < large || with_large) add_all({triangles, objects, shuffled});
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}

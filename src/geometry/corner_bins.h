@@ -17,7 +17,9 @@ struct CornerBins {
     LargeArray<std::uint32_t> corners;
 
     std::uint32_t size(std::uint32_t key) const { return begin[key + 1] - begin[key]; }
-    std::span<const std::uint32_t> operator[](std::uint32_t key) const { return {corners.data() + begin[key], size(key)}; }
+    std::span<const std::uint32_t> operator[](std::uint32_t key) const {
+        return {corners.data() + begin[key], size(key)};
+    }
 };
 
 /// Sorts corners by their keys; the same for any number of threads. Bytes held on the way: 6 a corner.
@@ -26,7 +28,10 @@ public:
     static constexpr std::uint32_t no_bin = 0xffffffffu;  ///< the corner goes to no bin
 
     CornerSort(const AttributeInput& input, std::uint32_t keys, Context& context)
-        : input_(input), context_(context), keys_(keys), parts_(keys / keys_per_part + 1),
+        : input_(input),
+          context_(context),
+          keys_(keys),
+          parts_(keys / keys_per_part + 1),
           chunks_(make_chunks(input.triangle_base, triangles_per_chunk)) {}
 
     /// @param key_of  (mesh, corner numbered through) -> bin < keys, or no_bin; called twice a corner, by any thread
@@ -53,7 +58,8 @@ public:
             });
         });
         bins_.begin.resize(std::size_t(keys_) + 1);
-        context_.parallel_for(parts_, [&](std::size_t p) { sort_part(std::uint32_t(p), part_begin[p], part_begin[p + 1]); });
+        context_.parallel_for(parts_,
+                              [&](std::size_t p) { sort_part(std::uint32_t(p), part_begin[p], part_begin[p + 1]); });
         bins_.begin[keys_] = part_begin.back();
         return std::move(bins_);
     }
@@ -63,11 +69,12 @@ private:
 
     template <class Key, class Body>
     void for_each_key(std::size_t chunk, const Key& key_of, const Body& body) const {
-        for_each_range(chunks_[chunk], input_.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            const std::uint32_t base = 3 * input_.triangle_base[m];
-            for (std::uint32_t corner = base + 3 * first; corner != base + 3 * last; ++corner)
-                if (const std::uint32_t key = key_of(m, corner); key != no_bin) body(corner, key);
-        });
+        for_each_range(chunks_[chunk], input_.triangle_base,
+                       [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                           const std::uint32_t base = 3 * input_.triangle_base[m];
+                           for (std::uint32_t corner = base + 3 * first; corner != base + 3 * last; ++corner)
+                               if (const std::uint32_t key = key_of(m, corner); key != no_bin) body(corner, key);
+                       });
     }
 
     std::vector<std::uint32_t> add_up(std::vector<std::uint32_t>& cursor) const;

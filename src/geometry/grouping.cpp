@@ -47,10 +47,12 @@ const FaceNormals& GroupingBase::face_normals(const AttributeInput& input, Conte
 }
 
 bool same_weld(const AttributeOptions& a, const AttributeOptions& b) {
-    return (a.scope == Scope::model) == (b.scope == Scope::model) && a.normals == b.normals && a.weld_distance == b.weld_distance;
+    return (a.scope == Scope::model) == (b.scope == Scope::model) && a.normals == b.normals &&
+           a.weld_distance == b.weld_distance;
 }
 
-Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options, Context& context) {
+Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
+                    Context& context) {
     const bool groups = has_groups(input.meshes);
     const bool flat = options.normals && (options.scope == Scope::face || (options.crease_angle_rad == 0 && !groups));
     const bool refines = options.normals && (flat || groups || options.fans || options.crease_angle_rad + 1e-6 < pi);
@@ -64,7 +66,8 @@ Grouped make_groups(GroupingBase& base, const AttributeInput& input, const Attri
                               base.face_normals(input, context));
         context.throw_if_cancelled();
         CornerBins flat_bins;
-        if (flat) flat_bins = bin_corners(made.topology, input, {}, context);
+        if (flat)
+            flat_bins = bin_corners(made.topology, input, {}, context);
         else if (!base.corners)
             base.corners = std::make_shared<const CornerBins>(bin_corners(made.topology, input, {}, context));
         made.may_cancel = refine_groups(made.topology, input, rules, flat ? flat_bins : *base.corners, context);

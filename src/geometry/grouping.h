@@ -7,8 +7,8 @@
 
 namespace rakelight::geometry {
 
-/// What grouping rests on whatever the crease angle is; shared by the plans that were made from one another. Each is made when
-/// it is first needed and null till then.
+/// What grouping rests on whatever the crease angle is; shared by the plans that were made from one another. Each is
+/// made when it is first needed and null till then.
 struct GroupingBase {
     std::shared_ptr<const std::vector<std::uint32_t>> places;  ///< [vertices] as Topology::places
     std::shared_ptr<const FaceNormals> normals;                ///< [triangles]
@@ -28,7 +28,8 @@ struct Grouped {
 /// @param base  what is there of it is used, what is missing and needed is added
 Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options, Context& context);
 
-/// Takes groups whose normals cancelled apart. @param selected  [output vertices] not 0: the group of this representative
+/// Takes groups whose normals cancelled apart. @param selected  [output vertices] not 0: the group of this
+/// representative
 void take_apart(Topology& topology, GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
                 JoinRule rule, const std::vector<std::uint8_t>& selected, Context& context);
 

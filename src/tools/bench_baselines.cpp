@@ -62,7 +62,8 @@ double copy_bandwidth(Context& context) {
         const auto start = std::chrono::steady_clock::now();
         context.parallel_for(
             bytes / piece, [&](std::size_t p) { std::memcpy(to.data() + p * piece, from.data() + p * piece, piece); });
-        best = std::max(best, 2.0 * double(bytes) / std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        best = std::max(best, 2.0 * double(bytes) /
+                                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
     return best * 1e-9;
 }

@@ -7,7 +7,8 @@
 
 namespace rakelight {
 
-/// What everybody writes: one thread, objects apart (so with seams), unit face normals summed per vertex and normalized.
+/// What everybody writes: one thread, objects apart (so with seams), unit face normals summed per vertex and
+/// normalized.
 /// @param out  [parts] normals only
 void plain_loop(const BenchModel& model, std::span<const AttributeBuffers> out);
 

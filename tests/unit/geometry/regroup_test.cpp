@@ -10,8 +10,8 @@ namespace rakelight::test {
 namespace {
 
 bool operator==(const MeshAttributes& a, const MeshAttributes& b) {
-    return a.normals == b.normals && a.tangents == b.tangents && a.bitangents == b.bitangents && a.indices == b.indices &&
-           a.source_vertex == b.source_vertex && a.degenerate_faces == b.degenerate_faces &&
+    return a.normals == b.normals && a.tangents == b.tangents && a.bitangents == b.bitangents &&
+           a.indices == b.indices && a.source_vertex == b.source_vertex && a.degenerate_faces == b.degenerate_faces &&
            a.isolated_vertices == b.isolated_vertices && a.orthogonality_loss_max_deg == b.orthogonality_loss_max_deg &&
            a.orthogonality_loss_mean_deg == b.orthogonality_loss_mean_deg;
 }
@@ -49,7 +49,8 @@ std::vector<Shape> random_model(std::uint32_t seed) {
     if (seed % 4 == 3) {  // a sheet and its back
         shapes = {make_grid(5, 5, [](double u, double v) { return vec3{float(u), float(u * u), float(-v)}; })};
         shapes.push_back(shapes[0]);
-        for (std::size_t i = 0; i < shapes[1].indices.size(); i += 3) std::swap(shapes[1].indices[i], shapes[1].indices[i + 1]);
+        for (std::size_t i = 0; i < shapes[1].indices.size(); i += 3)
+            std::swap(shapes[1].indices[i], shapes[1].indices[i + 1]);
     }
     for (std::uint32_t m = 0; m < shapes.size(); ++m) {
         Shape& s = shapes[m];
@@ -86,7 +87,9 @@ AttributeOptions random_options(std::mt19937& random) {
 }
 
 // compute_attributes() may take the path that sums in float.
-bool may_be_fast(const AttributeOptions& o) { return o.crease_angle_rad + 1e-6 >= pi && o.weight == CornerWeight::uniform; }
+bool may_be_fast(const AttributeOptions& o) {
+    return o.crease_angle_rad + 1e-6 >= pi && o.weight == CornerWeight::uniform;
+}
 
 TEST(Regroup, EveryStepOfASliderEqualsGroupingAfresh) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
@@ -106,7 +109,8 @@ TEST(Regroup, EveryStepOfASliderEqualsGroupingAfresh) {
             const AttributeOptions options = random_options(random);
             plan = regroup(plan, meshes, options, context);
             const auto made = accumulate(plan, meshes, context);
-            EXPECT_TRUE(equal(made, accumulate(group(meshes, options, context), meshes, context))) << seed << " step " << step;
+            EXPECT_TRUE(equal(made, accumulate(group(meshes, options, context), meshes, context)))
+                << seed << " step " << step;
             if (may_be_fast(options)) continue;
             EXPECT_TRUE(equal(made, compute_attributes(meshes, options, context))) << seed << " step " << step;
         }
@@ -179,7 +183,8 @@ TEST(Regroup, NothingToGroup) {
     EXPECT_TRUE(accumulate(regroup(plan, {}, {.crease_angle_rad = 1}, context), {}, context).empty());
     const std::vector<Shape> one(1);
     const AttributePlan empty = group(views(one), {}, context);
-    EXPECT_TRUE(accumulate(regroup(empty, views(one), {.crease_angle_rad = 1}, context), views(one), context)[0].normals.empty());
+    EXPECT_TRUE(accumulate(regroup(empty, views(one), {.crease_angle_rad = 1}, context), views(one), context)[0]
+                    .normals.empty());
 }
 
 }  // namespace
