@@ -24,8 +24,8 @@ void repair_positions(Mesh& mesh, std::vector<Finding>& findings);
 void repair_texcoords(Mesh& mesh, bool is_textured, std::vector<Finding>& findings);
 
 /// Normals of the file: made unit; where all of them are zero or not finite the array is dropped (the mesh then has none), where some
-/// are these are computed from the faces around the vertex.
-void repair_normals(Mesh& mesh, std::vector<Finding>& findings);
+/// are these are computed from all faces of the mesh at their places.
+void repair_normals(Mesh& mesh, std::vector<Finding>& findings, Context& context);
 
 /// Tangents of the file: dropped without normals, and where one is zero or not finite or its w is not +1 or -1; else made unit.
 void repair_tangents(Mesh& mesh, std::vector<Finding>& findings);

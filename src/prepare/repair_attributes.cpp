@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <rakelight/attributes.h>
+
 #include "math/linear.h"
 #include "prepare/repair.h"
 
@@ -42,23 +44,18 @@ DirectionCheck check_directions(const Block<T>& block) {
     return check;
 }
 
-/// The unit normal of a triangle in double; zero for one without area.
-dvec3 face_normal(const Mesh& mesh, std::size_t t) {
-    const auto corner = [&](std::size_t k) { return cast<double>(mesh.positions[mesh.indices[3 * t + k]]); };
-    const dvec3 a = corner(0);
-    return normalize_or(cross(corner(1) - a, corner(2) - a), dvec3{0, 0, 0});
-}
-
-/// Replaces broken normals by the sum of the unit normals of the faces at their vertex; +Z where there is none.
-void fill_broken(const Mesh& mesh, std::vector<vec3>& normals) {
-    std::vector<dvec3> sums(normals.size(), dvec3{0, 0, 0});
-    for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t v = mesh.indices[3 * t + k];
-            if (is_broken(normals[v])) sums[v] += face_normal(mesh, t);
-        }
+/// Replaces broken normals by those of the smooth surface at their vertex; +Z where there is none.
+void fill_broken(const Mesh& mesh, std::vector<vec3>& normals, Context& context) {
+    AttributeMesh surface;
+    surface.positions = mesh.positions;
+    surface.indices = mesh.indices;
+    AttributeOptions options;
+    options.crease_angle_rad = pi;  // no vertex splits: numbers stay
+    options.tangents = false;
+    options.weld_distance = 0;
+    const MeshAttributes computed = compute_attributes({&surface, 1}, options, context).front();
     for (std::size_t v = 0; v < normals.size(); ++v)
-        if (is_broken(normals[v])) normals[v] = cast<float>(normalize_or(sums[v], dvec3{0, 0, 1}));
+        if (is_broken(normals[v])) normals[v] = computed.normals[v];
 }
 
 void report_lengths(const char* what, float off_unit, std::vector<Finding>& findings) {
@@ -91,7 +88,7 @@ void repair_texcoords(Mesh& mesh, bool is_textured, std::vector<Finding>& findin
     }
 }
 
-void repair_normals(Mesh& mesh, std::vector<Finding>& findings) {
+void repair_normals(Mesh& mesh, std::vector<Finding>& findings, Context& context) {
     const DirectionCheck check = check_directions(mesh.normals);
     if (check.broken == 0 && check.off_unit <= 2 * unit_tolerance) return;
     if (check.broken == mesh.normals.size()) {
@@ -102,7 +99,7 @@ void repair_normals(Mesh& mesh, std::vector<Finding>& findings) {
     std::vector<vec3> normals(mesh.normals.begin(), mesh.normals.end());
     if (check.broken > 0) {
         findings.push_back({Remark::warning, "normals that are zero or not finite were replaced by computed ones"});
-        fill_broken(mesh, normals);
+        fill_broken(mesh, normals, context);
     }
     report_lengths("normals", check.off_unit, findings);
     for (vec3& n : normals) n = cast<float>(normalize_or(cast<double>(n), dvec3{0, 0, 1}));

@@ -63,7 +63,7 @@ Scene repair_scene(const Scene& scene, bool keep_normals, Context& context) {
         }
         repair_positions(mesh, findings[i]);
         repair_texcoords(mesh, is_textured(scene, mesh), findings[i]);
-        repair_normals(mesh, findings[i]);
+        repair_normals(mesh, findings[i], context);
         repair_tangents(mesh, findings[i]);
     });
     for (std::size_t i = 0; i < numbers.size(); ++i)

@@ -119,6 +119,25 @@ TEST(Repair, ReplacesSingleBrokenNormalsByThoseOfTheFacesAround) {
     EXPECT_EQ(remarks(context, Remark::warning, "replaced by computed ones"), 1u);
 }
 
+// The vertices 1 and 4, 2 and 5 stand at one place each: what a texture seam does to a smooth surface.
+TEST(Repair, BrokenNormalsAtASeamAreThoseOfBothSides) {
+    Mesh mesh = test::folded_mesh(radians(40));
+    std::vector<vec3> positions(mesh.positions.begin(), mesh.positions.end());
+    positions.push_back(positions[1]);
+    positions.push_back(positions[2]);
+    mesh.positions = positions;
+    mesh.indices = std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 6, 4, 5, 6, 5, 7};
+    std::vector<vec3> normals(8, {0, 0, 1});
+    for (const std::size_t v : {1u, 6u}) normals[v] = {0, 0, 0};
+    mesh.normals = normals;
+    Context context;
+    const Mesh after = repair_scene(scene_of({mesh}), true, context).meshes[0];
+    EXPECT_EQ(after.positions.size(), 8u);
+    EXPECT_EQ(after.normals[1], after.normals[6]);
+    EXPECT_NEAR(after.normals[1].x, std::sin(radians(20)), 0.02);
+    EXPECT_EQ(after.normals[2], (vec3{0, 0, 1})) << "what is right stays";
+}
+
 TEST(Repair, MakesNormalsUnitAndSaysSoOnlyWhereItShows) {
     const std::pair<float, Remark> lengths[] = {{5, Remark::changed}, {1e-30f, Remark::changed}, {1e30f, Remark::changed}, {1.01f, Remark::note}};
     for (const auto& [size, remark] : lengths) {
