@@ -34,7 +34,7 @@ public:
           parts_(keys / keys_per_part + 1),
           chunks_(make_chunks(input.triangle_base, triangles_per_chunk)) {}
 
-    /// @param key_of  (mesh, corner numbered through) -> bin < keys, or no_bin; called twice a corner, by any thread
+    /// @param key_of  mesh -> (corner numbered through -> bin < keys, or no_bin); called twice a corner, by any thread
     template <class Key>
     CornerBins run(const Key& key_of) {
         std::vector<std::uint32_t> cursor(chunks_.size() * parts_, 0);
@@ -72,8 +72,9 @@ private:
         for_each_range(chunks_[chunk], input_.triangle_base,
                        [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
                            const std::uint32_t base = 3 * input_.triangle_base[m];
+                           const auto key_in_mesh = key_of(m);
                            for (std::uint32_t corner = base + 3 * first; corner != base + 3 * last; ++corner)
-                               if (const std::uint32_t key = key_of(m, corner); key != no_bin) body(corner, key);
+                               if (const std::uint32_t key = key_in_mesh(corner); key != no_bin) body(corner, key);
                        });
     }
 

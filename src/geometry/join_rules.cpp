@@ -45,6 +45,54 @@ std::uint64_t JoinRules::authority_of(std::uint32_t m) const {
     return (groups_across_ ? 1ull << 40 : std::uint64_t(mesh.object) << 2) | kind;
 }
 
+// A place of few faces, on the stack.
+struct JoinRules::CalmFan {
+    static constexpr std::size_t most = 16;
+    std::size_t size = 0;
+    std::uint32_t next[most], previous[most];
+    const dvec3* normal[most];
+};
+
+bool JoinRules::gather_calm(std::span<const std::uint32_t> corners, std::uint32_t& mesh, CalmFan& fan) const {
+    constexpr std::uint32_t after[] = {1, 2, 0};
+    fan.size = corners.size();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::uint32_t triangle = corners[i] / 3, k = corners[i] - 3 * triangle;
+        if (triangle < input_.triangle_base[mesh] || triangle >= input_.triangle_base[mesh + 1])
+            mesh = input_.mesh_of_triangle(triangle);
+        const std::uint32_t* const face =
+            input_.meshes[mesh].indices.data() + 3 * std::size_t(triangle - input_.triangle_base[mesh]);
+        const std::uint32_t* const places = places_ + input_.vertex_base[mesh];
+        fan.next[i] = places[face[after[k]]];
+        fan.previous[i] = places[face[after[after[k]]]];
+        fan.normal[i] = normals_ + triangle;
+        if (*fan.normal[i] == dvec3{} || !(dot(*fan.normal[i], *fan.normal[0]) >= looks_away)) return false;
+    }
+    return true;
+}
+
+bool JoinRules::is_calm(std::span<const std::uint32_t> corners, std::uint32_t& mesh) const {
+    CalmFan fan;
+    if (rule_ != JoinRule::crease || has_groups_ || joins_all_ || corners.size() > CalmFan::most) return false;
+    if (!gather_calm(corners, mesh, fan)) return false;
+    // Walks from the first face over one side, then over the other; faces that were met move to the front.
+    std::size_t met = 1;
+    for (const bool forwards : {true, false}) {
+        const std::uint32_t* const ahead = forwards ? fan.next : fan.previous;
+        std::uint32_t* const behind = forwards ? fan.previous : fan.next;
+        for (std::size_t at = 0; met < fan.size;) {
+            std::size_t j = met;
+            while (j < fan.size && behind[j] != ahead[at]) ++j;
+            if (j == fan.size || !(dot(*fan.normal[at], *fan.normal[j]) >= least_cos_)) break;
+            std::swap(fan.next[j], fan.next[met]);
+            std::swap(fan.previous[j], fan.previous[met]);
+            std::swap(fan.normal[j], fan.normal[met]);
+            at = met++;
+        }
+    }
+    return met == fan.size;
+}
+
 void JoinRules::gather(std::span<const std::uint32_t> corners, Fan& fan) const {
     const std::size_t count = corners.size();
     fan.corner.assign(corners.begin(), corners.end());

@@ -17,6 +17,10 @@ enum class JoinRule : std::uint8_t {
     apart,   ///< nothing is joined: each face for itself
 };
 
+/// Cosine of 89.4 degrees: while each face of a group looks less far away from its first one, the sum of their weighted normals
+/// is longer than a hundredth of the weights, so it cannot cancel.
+constexpr double looks_away = 0.01;
+
 /// One edge of a face, at the place from which it is looked at.
 struct Spoke {
     std::uint32_t place, index;  ///< other end of the edge (its position class); which corner of the fan
@@ -44,6 +48,9 @@ public:
     JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options, JoinRule rule,
               const FaceNormals& normals);
 
+    /// Whether all faces of a small place vote and are joined in one chain over common edges, and none looks away from the first
+    /// one by 89 degrees or more; what is true of most places. False: the full rules must say. @param mesh  in, out: a guess
+    bool is_calm(std::span<const std::uint32_t> corners, std::uint32_t& mesh) const;
     /// Reads what the rules need about the corners of one place.
     void gather(std::span<const std::uint32_t> corners, Fan& fan) const;
     /// Joins faces that vote; the others stay alone.
@@ -62,6 +69,8 @@ private:
     void join_everything(const Fan& fan, UnionFind& sets) const;
     void join_hints(const Fan& fan, UnionFind& sets) const;
     std::uint64_t authority_of(std::uint32_t mesh) const;
+    struct CalmFan;
+    bool gather_calm(std::span<const std::uint32_t> corners, std::uint32_t& mesh, CalmFan& fan) const;
 
     const AttributeInput& input_;
     const std::uint32_t* places_;  ///< [input vertices]

@@ -52,6 +52,7 @@ void split_mirrored(Topology& topology, const AttributeInput& input, bool keep_n
 
     materialize_corners(topology, input, context);
     const std::uint32_t first_new = std::uint32_t(topology.group.size());
+    const bool is_sorted = topology.source.empty();  // then the new ones' sources ascend
     for (const std::uint32_t v : mixed) {
         topology.source.push_back(topology.source_of(input, v));
         topology.group.push_back(topology.group[v]);
@@ -61,7 +62,7 @@ void split_mirrored(Topology& topology, const AttributeInput& input, bool keep_n
         if (hand > 0 || hands[vertex] != both) return;
         vertex = first_new + std::uint32_t(std::lower_bound(mixed.begin(), mixed.end(), vertex) - mixed.begin());
     });
-    sort_appended(topology, input, context);
+    if (!is_sorted) sort_appended(topology, input, context);
 }
 
 }  // namespace rakelight::geometry

@@ -9,31 +9,36 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
-// Cosine of 89.4 degrees: while each face of a group looks less far away from its first one, the sum of their weighted normals
-// is longer than a hundredth of the weights.
-constexpr double away = 0.01;
 
 struct BinScratch {
     Fan fan;
     UnionFind sets;
     std::vector<std::uint32_t> vertex, root, order;
+    std::uint32_t mesh = 0;  // of the place before
 };
 
 // What one chunk of groups has to take apart. Most groups stay whole and leave nothing here.
 struct Splits {
     std::vector<std::uint32_t> bins;
-    std::vector<std::uint32_t> leads;   // [corners of these bins] first corner of its group
-    std::vector<std::uint32_t> fresh;   // [corners of these bins] appended vertex it goes to, counted in the chunk, or none
-    std::vector<std::uint32_t> leader;  // [bins] first voting corner
-    std::uint32_t appended = 0;
+    std::vector<std::uint32_t> leads;  // [corners of these bins] first corner of its group
+    std::vector<std::uint32_t>
+        fresh;  // [corners of these bins] appended vertex it goes to, counted in the chunk, or none
+    std::vector<std::uint32_t> leader;   // [bins] first voting corner
+    std::vector<std::uint32_t> parents;  // [appended] vertices that the appended ones are parted from
     bool may_cancel = false;
 };
 
 class Refinement {
 public:
-    Refinement(Topology& topology, const AttributeInput& input, const JoinRules& rules, const CornerBins& bins, Context& context)
-        : topology_(topology), input_(input), rules_(rules), bins_(bins), context_(context),
-          old_count_(std::uint32_t(topology.group.size())), splits_((old_count_ + vertices_per_chunk - 1) / vertices_per_chunk) {}
+    Refinement(Topology& topology, const AttributeInput& input, const JoinRules& rules, const CornerBins& bins,
+               Context& context)
+        : topology_(topology),
+          input_(input),
+          rules_(rules),
+          bins_(bins),
+          context_(context),
+          old_count_(std::uint32_t(topology.group.size())),
+          splits_((old_count_ + vertices_per_chunk - 1) / vertices_per_chunk) {}
 
     bool run() {
         context_.parallel_for(splits_.size(), [&](std::size_t c) {
@@ -41,18 +46,15 @@ public:
             Splits splits;
             const std::uint32_t first = std::uint32_t(c) * vertices_per_chunk;
             for (std::uint32_t g = first; g != first + std::min(old_count_ - first, vertices_per_chunk); ++g)
-                if (bins_.size(g) > 1) group_bin(g, scratch, splits);
+                if (bins_.size(g) > 1 && !rules_.is_calm(bins_[g], scratch.mesh)) group_bin(g, scratch, splits);
             splits_[c] = std::move(splits);
         });
-        std::vector<std::uint32_t> first_new{old_count_};
         bool any = false, may_cancel = false;
         for (const Splits& s : splits_) {
-            first_new.push_back(first_new.back() + s.appended);
             any |= !s.bins.empty();
             may_cancel |= s.may_cancel;
         }
-        if (any) apply(first_new);
-        if (first_new.back() != old_count_) sort_appended(topology_, input_, context_);
+        if (any) apply();
         return may_cancel;
     }
 
@@ -77,7 +79,7 @@ private:
             }
             if (first_vote == none) first_vote = i;
             one_group &= s.root[i] == s.root[first_vote];
-            out.may_cancel |= dot(s.fan.normal[i], s.fan.normal[s.root[i]]) < away;
+            out.may_cancel |= dot(s.fan.normal[i], s.fan.normal[s.root[i]]) < looks_away;
         }
         if (one_group) return;
         s.vertex.resize(count);
@@ -88,7 +90,7 @@ private:
         out.bins.push_back(g);
         out.leader.push_back(corners[first_vote]);
         out.fresh.resize(out.fresh.size() + count);
-        assign_vertices(s, out.fresh.data() + out.fresh.size() - count, out.appended);
+        assign_vertices(s, out.fresh.data() + out.fresh.size() - count, out.parents);
         for (std::uint32_t i = 0; i < count; ++i) out.leads.push_back(corners[s.root[i]]);
     }
 
@@ -98,7 +100,8 @@ private:
         std::sort(s.order.begin(), s.order.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::tuple(s.vertex[a], !s.fan.votes(a), a) < std::tuple(s.vertex[b], !s.fan.votes(b), b);
         });
-        std::vector<std::uint32_t> home_of_mesh(s.order.size(), first_vote);  // corners ascend, so those of a mesh lie together
+        std::vector<std::uint32_t> home_of_mesh(s.order.size(),
+                                                first_vote);  // corners ascend, so those of a mesh lie together
         for (std::uint32_t first = 0, last = 0; first < home_of_mesh.size(); first = last) {
             std::uint32_t home = none;
             for (; last < home_of_mesh.size() && mesh_of(last) == mesh_of(first); ++last)
@@ -114,7 +117,7 @@ private:
     }
 
     // Each vertex keeps its number for the group of its first corner; every other group of it gets an appended vertex.
-    static void assign_vertices(BinScratch& s, std::uint32_t* fresh, std::uint32_t& appended) {
+    static void assign_vertices(BinScratch& s, std::uint32_t* fresh, std::vector<std::uint32_t>& parents) {
         std::sort(s.order.begin(), s.order.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::tuple(s.vertex[a], s.root[a], a) < std::tuple(s.vertex[b], s.root[b], b);
         });
@@ -126,8 +129,8 @@ private:
             for (std::size_t i = first; i < last; ++i) {
                 const std::uint32_t at = s.order[i];
                 const bool kept = s.root[at] == s.root[keeper];
-                if (!kept && (i == first || s.root[at] != s.root[s.order[i - 1]])) ++appended;
-                fresh[at] = kept ? none : appended - 1;
+                if (!kept && (i == first || s.root[at] != s.root[s.order[i - 1]])) parents.push_back(s.vertex[at]);
+                fresh[at] = kept ? none : std::uint32_t(parents.size()) - 1;
             }
             first = last;
         }
@@ -144,39 +147,51 @@ private:
             }
     }
 
-    void apply(const std::vector<std::uint32_t>& first_new) {
-        std::vector<std::uint32_t> leader(old_count_, none);
-        for (const Splits& s : splits_)
+    void apply() {
+        std::vector<std::uint32_t> leader(old_count_, none), first_new{0};
+        for (const Splits& s : splits_) {
             for (std::size_t i = 0; i < s.bins.size(); ++i) leader[s.bins[i]] = s.leader[i];
-        if (first_new.back() != old_count_) append(first_new);
-        // The vertex of a group's first corner stands for the group. A vertex without corners goes with the bin's leader.
+            first_new.push_back(first_new.back() + std::uint32_t(s.parents.size()));
+        }
+        if (first_new.back() != 0) append(first_new);
+        // The vertex of a group's first corner stands for the group. A vertex without corners goes with the bin's
+        // leader.
         context_.parallel_for(splits_.size(), [&](std::size_t c) {
             const std::size_t first = c * vertices_per_chunk;
             for (std::size_t v = first; v < std::min<std::size_t>(old_count_, first + vertices_per_chunk); ++v)
-                if (const std::uint32_t corner = leader[topology_.group[v]]; corner != none) topology_.group[v] = vertex_of(corner);
+                if (const std::uint32_t corner = leader[topology_.group[v]]; corner != none)
+                    topology_.group[v] = vertex_of(corner);
         });
         context_.parallel_for(splits_.size(), [&](std::size_t c) {
             for_each_split(splits_[c], [&](std::uint32_t corner, std::uint32_t lead, std::uint32_t) {
                 topology_.group[vertex_of(corner)] = vertex_of(lead);
             });
         });
+        if (needs_sorting_) sort_appended(topology_, input_, context_);
     }
 
+    // Numbers the new vertices by their sources, as all appended ones are; those of earlier rounds among them by
+    // sorting again.
     void append(const std::vector<std::uint32_t>& first_new) {
         materialize_corners(topology_, input_, context_);
-        topology_.group.resize(first_new.back(), none);
-        topology_.source.resize(topology_.source.size() + (first_new.back() - old_count_));
-        const std::uint32_t fixed = input_.vertex_count();
+        const bool is_first = topology_.source.empty();
+        std::vector<std::uint32_t> sources, number;
+        for (const Splits& s : splits_)
+            for (const std::uint32_t parent : s.parents) sources.push_back(topology_.source_of(input_, parent));
+        if (is_first) number = rank_by_source(sources, input_.vertex_count());
+        const std::size_t before = topology_.source.size();
+        topology_.group.resize(old_count_ + sources.size(), none);
+        topology_.source.resize(before + sources.size());
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            topology_.source[before + (is_first ? number[i] : i)] = sources[i];
         context_.parallel_for(splits_.size(), [&](std::size_t c) {
             for_each_split(splits_[c], [&](std::uint32_t corner, std::uint32_t, std::uint32_t fresh) {
                 if (fresh == none) return;
-                std::uint32_t& vertex = topology_.corner_vertex[corner];
-                // Corners of one appended vertex come from one vertex, and are met one after the other by this thread.
                 const std::uint32_t made = first_new[c] + fresh;
-                topology_.source[made - fixed] = topology_.source_of(input_, vertex);
-                vertex = made;
+                topology_.corner_vertex[corner] = old_count_ + (is_first ? number[made] : made);
             });
         });
+        needs_sorting_ = !is_first;
     }
 
     Topology& topology_;
@@ -186,6 +201,7 @@ private:
     Context& context_;
     std::uint32_t old_count_;
     std::vector<Splits> splits_;  // [chunks of groups]
+    bool needs_sorting_ = false;
 };
 
 }  // namespace

@@ -20,17 +20,20 @@ void materialize_corners(Topology& topology, const AttributeInput& input, Contex
     });
 }
 
+std::vector<std::uint32_t> rank_by_source(const std::vector<std::uint32_t>& sources, std::uint32_t count) {
+    std::vector<std::uint32_t> at(std::size_t(count) + 1, 0), rank;
+    for (const std::uint32_t v : sources) ++at[v + 1];
+    std::partial_sum(at.begin(), at.end(), at.begin());
+    rank.reserve(sources.size());
+    for (const std::uint32_t v : sources) rank.push_back(at[v]++);
+    return rank;
+}
+
 void sort_appended(Topology& topology, const AttributeInput& input, Context& context) {
     const std::uint32_t fixed = input.vertex_count();
-    const std::size_t count = topology.source.size();
-    std::vector<std::uint32_t> number(count), source(count), group(topology.group.size());
-    std::vector<std::uint32_t> at(std::size_t(fixed) + 1, 0);  // counting sort; equal sources keep their order
-    for (const std::uint32_t v : topology.source) ++at[v + 1];
-    std::partial_sum(at.begin(), at.end(), at.begin());
-    for (std::size_t i = 0; i < count; ++i) {
-        number[i] = at[topology.source[i]]++;
-        source[number[i]] = topology.source[i];
-    }
+    const std::vector<std::uint32_t> number = rank_by_source(topology.source, fixed);
+    std::vector<std::uint32_t> source(number.size()), group(topology.group.size());
+    for (std::size_t i = 0; i < number.size(); ++i) source[number[i]] = topology.source[i];
     const auto renumbered = [&](std::uint32_t v) { return v < fixed ? v : fixed + number[v - fixed]; };
     const std::size_t vertices = group.size(), corners = topology.corner_vertex.size(), step = 3 * triangles_per_chunk;
     context.parallel_for((vertices + step - 1) / step, [&](std::size_t c) {
@@ -49,11 +52,16 @@ CornerBins bin_corners(const Topology& topology, const AttributeInput& input, co
                        Context& context) {
     CornerSort sort(input, std::uint32_t(topology.group.size()), context);
     const std::uint32_t* const group = topology.group.data();
-    if (selected.empty())
-        return sort.run([&](std::uint32_t m, std::uint32_t corner) { return group[topology.vertex_of(input, m, corner)]; });
-    return sort.run([&](std::uint32_t m, std::uint32_t corner) {
-        const std::uint32_t g = group[topology.vertex_of(input, m, corner)];
-        return selected[g] != 0 ? g : CornerSort::no_bin;
+    if (selected.empty() && topology.corner_vertex.empty())
+        return sort.run([&](std::uint32_t m) {
+            return [group = group + input.vertex_base[m], indices = input.meshes[m].indices.data(),
+                    base = 3 * input.triangle_base[m]](std::uint32_t corner) { return group[indices[corner - base]]; };
+        });
+    return sort.run([&](std::uint32_t m) {
+        return [&, m](std::uint32_t corner) {
+            const std::uint32_t g = group[topology.vertex_of(input, m, corner)];
+            return selected.empty() || selected[g] != 0 ? g : CornerSort::no_bin;
+        };
     });
 }
 

@@ -30,6 +30,9 @@ struct Topology {
 /// Fills corner_vertex from the input's indices where it is still empty.
 void materialize_corners(Topology& topology, const AttributeInput& input, Context& context);
 
+/// [sources] where each comes to stand when all are sorted; equal ones keep their order. @param count  sources are less
+std::vector<std::uint32_t> rank_by_source(const std::vector<std::uint32_t>& sources, std::uint32_t count);
+
 /// Numbers the appended vertices anew, by source: those of one mesh become contiguous and lie in memory as their sources do.
 void sort_appended(Topology& topology, const AttributeInput& input, Context& context);
 
