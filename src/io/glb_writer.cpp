@@ -82,6 +82,10 @@ private:
             e.components = sizeof(T) / sizeof(float);
             return data.extended(e, {}, {{"componentType", 5126}, {"type", type}});
         };
+        const auto directions = [&](const auto& block) {
+            constexpr auto width = sizeof(block[0]) / sizeof(float);
+            return data.directions({&block[0].x, block.size() * width}, width, ComponentType::f32);
+        };
         OrderedJson attributes;
         vec3 low = mesh.positions[0], high = low;
         for (const vec3& p : mesh.positions) low = min(low, p), high = max(high, p);
@@ -92,8 +96,8 @@ private:
         positions.components = 3;
         attributes["POSITION"] =
             data.extended(positions, {}, {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
-        if (!mesh.normals.empty()) attributes["NORMAL"] = data.normals(mesh.normals);
-        if (!mesh.normals.empty() && !mesh.tangents.empty()) attributes["TANGENT"] = data.tangents(mesh.tangents);
+        if (!mesh.normals.empty()) attributes["NORMAL"] = directions(mesh.normals);
+        if (!mesh.normals.empty() && !mesh.tangents.empty()) attributes["TANGENT"] = directions(mesh.tangents);
         for (std::size_t set = 0; set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); ++set)
             attributes["TEXCOORD_" + std::to_string(set)] = floats(mesh.texcoords[set], "VEC2");
         if (!mesh.colors.empty()) attributes["COLOR_0"] = floats(mesh.colors, "VEC4");

@@ -13,13 +13,6 @@ inline constexpr float rounding = 4e-6f;
 
 inline bool is_near(float a, float b) { return std::fabs(a - b) <= rounding; }  // false for NaN
 inline bool is_near(vec3 a, vec3 b) { return is_near(a.x, b.x) && is_near(a.y, b.y) && is_near(a.z, b.z); }
-inline bool is_near(vec4 a, vec4 b) { return is_near(a.xyz(), b.xyz()) && a.w == b.w; }
-
-template <class T>
-bool all_near(const Block<T>& a, const Block<T>& b) {
-    return a == b ||
-           std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return is_near(x, y); });
-}
 
 inline bool same_corners(const Mesh& a, const Mesh& b) {
     return a.positions.size() == b.positions.size() &&

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "io/gltf/save_storage.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -77,14 +79,12 @@ std::uint32_t NewData::accessor(std::vector<std::byte> data, std::uint32_t strid
     return entry->second;
 }
 
-std::uint32_t NewData::normals(std::span<const vec3> values) {
-    return accessor(bytes_of(values), 0, vertex_target,
-                    {{"componentType", 5126}, {"count", values.size()}, {"type", "VEC3"}});
-}
-
-std::uint32_t NewData::tangents(std::span<const vec4> values) {
-    return accessor(bytes_of(values), 0, vertex_target,
-                    {{"componentType", 5126}, {"count", values.size()}, {"type", "VEC4"}});
+std::uint32_t NewData::directions(std::span<const float> numbers, std::uint32_t width, ComponentType type) {
+    const std::uint32_t size = width * size_of(type), stride = (size + 3) / 4 * 4;
+    OrderedJson json = {{"componentType", int(type)}, {"count", numbers.size() / width}, {"type", type_name(width)}};
+    if (type != ComponentType::f32) json["normalized"] = true;
+    return accessor(stored_bytes(numbers, width, type, stride), stride == size ? 0 : stride, vertex_target,
+                    std::move(json));
 }
 
 std::uint32_t NewData::indices(std::span<const std::uint32_t> values, ComponentType least) {

@@ -22,8 +22,8 @@ public:
     NewData(OrderedJson& root, std::size_t buffer, std::uint64_t offset)
         : root_(root), buffer_(buffer), offset_(offset) {}
 
-    std::uint32_t normals(std::span<const vec3> values);   ///< @return accessor
-    std::uint32_t tangents(std::span<const vec4> values);  ///< @return accessor
+    /// Unit vectors of `width` numbers each, as f32, i8 or i16. @return accessor
+    std::uint32_t directions(std::span<const float> numbers, std::uint32_t width, ComponentType type);
     /// @param least  the smallest type to use; a larger one is taken where an index needs it. u8, u16 or u32
     std::uint32_t indices(std::span<const std::uint32_t> values, ComponentType least);
     /// A vertex attribute of which vertices were copied: the elements, then for each entry of `copied` that element

@@ -2,6 +2,7 @@
 #include "io/gltf/save_gltf.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "io/file.h"
@@ -9,6 +10,7 @@
 #include "io/gltf/save_files.h"
 #include "io/gltf/save_placements.h"
 #include "io/gltf/save_primitive.h"
+#include "io/same_attributes.h"
 
 namespace rakelight::io {
 namespace gltf {
@@ -27,6 +29,7 @@ public:
           tree_(parse_ordered(open_container(*file, source, quiet_).json)),
           buffers_(document_),
           accessors_(document_, buffers_),
+          storage_(accessors_, before),
           versions_(mesh_versions(before, after, options.keep_instances, context)),
           origin_(origins(before, after)) {}
 
@@ -35,9 +38,12 @@ public:
         OutputModel model(document_, buffers_, tree_, output);
         NewData data(tree_, model.buffer(), model.offset());
         if (result_.changed) {
-            PrimitiveEditor editor(accessors_, tree_, data);
+            const AccessorUses uses(tree_);
+            OwnArrays own(tree_, uses, model.binary());
+            PrimitiveEditor editor(accessors_, storage_, tree_, data, own);
             for (const MeshVersion& version : versions_) edit(version, editor);
             drop_unused_extension();
+            say_what_is_unused(uses);
         } else {
             for (const MeshVersion& version : versions_) list(version, version.source_mesh);
         }
@@ -53,6 +59,7 @@ private:
     void find_changes() {
         changed_.assign(after_.meshes.size(), false);
         for (const MeshVersion& version : versions_) {
+            ++versions_of_[version.source_mesh];
             result_.changed = result_.changed || !version.in_place;
             for (const std::uint32_t m : version.meshes) {
                 const Mesh &a = before_.meshes[origin_[m]], &b = after_.meshes[m];
@@ -63,12 +70,33 @@ private:
         }
     }
 
-    static bool is_equal(const Mesh& a, const Mesh& b) {
-        const auto same = [](const auto& x, const auto& y) {
-            return x == y || std::equal(x.begin(), x.end(), y.begin(), y.end());
+    template <class T>
+    static bool all(const Block<T>& a, const Block<T>& b, auto same) {
+        const auto each = [&](const T& x, const T& y) {
+            for (std::size_t c = 0; c < sizeof(T) / sizeof(float); ++c)
+                if (!same((&x.x)[c], (&y.x)[c])) return false;
+            return true;
         };
-        return a.positions.size() == b.positions.size() && same(a.normals, b.normals) && same(a.tangents, b.tangents) &&
-               same(a.indices, b.indices);
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), each);
+    }
+
+    /// What is there is what would be written.
+    bool is_equal(const Mesh& a, const Mesh& b) const {
+        const auto same = [&](const char* name, const auto& x, const auto& y) {
+            const ComponentType type = storage_.is_kept(a, name) ? storage_.stored(a, name) : ComponentType::f32;
+            return x == y || all(x, y, [&](float p, float q) { return p == stored_value(q, type); });
+        };
+        return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents);
+    }
+
+    /// What is there differs from what was computed by the rounding of sums in another order, or of numbers to their
+    /// codes.
+    bool is_same_to_rounding(const Mesh& a, const Mesh& b) const {
+        const auto same = [&](const char* name, const auto& x, const auto& y) {
+            const double slack = rounding + (storage_.is_kept(a, name) ? half_step(storage_.stored(a, name)) : 0);
+            return x == y || all(x, y, [&](float p, float q) { return std::fabs(double(p) - double(q)) <= slack; });
+        };
+        return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents);
     }
 
     void list(const MeshVersion& version, std::uint32_t mesh) {
@@ -82,7 +110,7 @@ private:
         if (version.in_place) originals_.emplace(version.source_mesh, meshes[version.source_mesh]);
         OrderedJson mesh = originals_.at(version.source_mesh);
         for (const std::uint32_t m : version.meshes)
-            if (changed_[m]) mesh["primitives"][after_.meshes[m].source_primitive] = edited(m, editor);
+            if (changed_[m]) mesh["primitives"][after_.meshes[m].source_primitive] = edited(m, version, editor);
         std::uint32_t number = version.source_mesh;
         if (version.in_place) {
             tree_["meshes"][number] = std::move(mesh);
@@ -95,14 +123,20 @@ private:
         list(version, number);
     }
 
-    const OrderedJson& edited(std::uint32_t m, PrimitiveEditor& editor) {
+    const OrderedJson& edited(std::uint32_t m, const MeshVersion& version, PrimitiveEditor& editor) {
         if (const auto known = edited_.find(m); known != edited_.end()) return known->second;
         const Mesh& mesh = after_.meshes[m];
         const Value source_mesh = document_.element(mesh_kind, mesh.source_mesh, document_.root());
         const std::string place = source_mesh.place() + ", primitive " + std::to_string(mesh.source_primitive);
         const Value source = source_mesh.list("primitives").element(mesh.source_primitive, place);
         OrderedJson json = originals_.at(mesh.source_mesh)["primitives"][mesh.source_primitive];
-        const PrimitiveEdit done = editor.edit(json, source, before_.meshes[origin_[m]], mesh);
+        const PrimitiveEdit done =
+            editor.edit(json, source, before_.meshes[origin_[m]], mesh, versions_of_.at(version.source_mesh) == 1);
+        say(done, place);
+        return edited_.emplace(m, std::move(json)).first->second;
+    }
+
+    void say(const PrimitiveEdit& done, const std::string& place) {
         Report& report = context_.report();
         if (done.unpacked)
             report.add(Remark::changed, before_.source, place, "Draco compression was undone where normals changed");
@@ -113,7 +147,22 @@ private:
         if (done.keeps_target_normals)
             report.add(Remark::warning, before_.source, place,
                        "the normals of morph targets are kept: they are offsets from the old normals");
-        return edited_.emplace(m, std::move(json)).first->second;
+        if (done.widened)
+            report.add(
+                Remark::changed, before_.source, place,
+                "normals or tangents of 8 bits became float: what meets them is stored or turned otherwise, and would "
+                "differ by a step");
+        if (done.plain)
+            report.add(Remark::changed, before_.source, place,
+                       "the arrays that changed are written without meshopt compression");
+    }
+
+    void say_what_is_unused(const AccessorUses& before) {
+        const AccessorUses now(tree_);
+        const std::uint64_t bytes = before.are_all_known() ? unused_bytes(tree_, before, now) : 0;
+        if (bytes > 0)
+            context_.report().add(Remark::note, before_.source, {},
+                                  std::to_string(bytes) + " bytes of old vertex arrays stay in the file, unused");
     }
 
     /// What no primitive uses any more is not to be named as used or required.
@@ -143,9 +192,11 @@ private:
     OrderedJson tree_;
     Buffers buffers_;
     Accessors accessors_;
+    DirectionStorage storage_;
     std::vector<MeshVersion> versions_;
     std::vector<std::uint32_t> origin_;
-    std::vector<bool> changed_;  ///< [meshes of after_] by any bit
+    std::vector<bool> changed_;                         ///< [meshes of after_] by any bit
+    std::map<std::uint32_t, std::size_t> versions_of_;  ///< by the file's mesh; the arrays of a lone one are its own
     std::map<std::uint32_t, OrderedJson> originals_, edited_;
     GltfSaveResult result_;
 };

@@ -3,13 +3,7 @@
 
 #include <map>
 
-#include "io/same_attributes.h"
-
 namespace rakelight::io::gltf {
-bool is_same_to_rounding(const Mesh& a, const Mesh& b) {
-    return same_corners(a, b) && all_near(a.normals, b.normals) && all_near(a.tangents, b.tangents);
-}
-
 std::vector<std::uint32_t> origins(const Scene& before, const Scene& after) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> by_source;
     for (std::uint32_t i = 0; i < before.meshes.size(); ++i)

@@ -25,8 +25,4 @@ std::vector<MeshVersion> mesh_versions(const Scene& before, const Scene& after, 
 /// [meshes of `after`] the mesh of `before` that each came from.
 std::vector<std::uint32_t> origins(const Scene& before, const Scene& after);
 
-/// True if the normals, tangents and triangles differ by the rounding of sums in another order at most (4e-6 in each
-/// number).
-bool is_same_to_rounding(const Mesh& before, const Mesh& after);
-
 }  // namespace rakelight::io::gltf

@@ -2,6 +2,7 @@
 #include "io/gltf/save_primitive.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace rakelight::io::gltf {
 namespace {
@@ -52,8 +53,29 @@ void PrimitiveEditor::extend(OrderedJson& owner, const Value& source, VertexData
     }
 }
 
-PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, const Mesh& before, const Mesh& after) {
+void PrimitiveEditor::put(OrderedJson& attributes, const char* name, std::span<const float> numbers, ComponentType type,
+                          bool may_overwrite) {
+    const std::uint32_t width = std::string_view(name) == "NORMAL" ? 3 : 4;
+    const auto old = attributes.find(name);
+    if (may_overwrite && old != attributes.end() && own_.replace(root_, old->get<std::size_t>(), numbers, width, type))
+        return;
+    attributes[name] = data_.directions(numbers, width, type);
+}
+
+/// @param accessor  the number of one, or null
+bool PrimitiveEditor::has_compressed_view(const OrderedJson& accessor) const {
+    if (accessor.is_null()) return false;
+    const OrderedJson& json = root_["accessors"][accessor.get<std::size_t>()];
+    if (!json.contains("bufferView")) return false;
+    const OrderedJson& view = root_["bufferViews"][json["bufferView"].get<std::size_t>()];
+    const OrderedJson extensions = view.value("extensions", OrderedJson::object());
+    return extensions.contains("EXT_meshopt_compression") || extensions.contains("KHR_meshopt_compression");
+}
+
+PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, const Mesh& before, const Mesh& after,
+                                    bool may_overwrite) {
     PrimitiveEdit result;
+    const OrderedJson old = json;
     const std::vector<std::uint32_t> copied = copied_vertices(before, after);
     OrderedJson& attributes = json["attributes"];
     result.unpacked = bool(source.extension(draco_name));
@@ -72,9 +94,14 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
     }
 
     // 2. normals and tangents
-    attributes["NORMAL"] = data_.normals(after.normals);
+    const auto put_new = [&](const char* name, const auto& block) {
+        const ComponentType type = storage_.wanted(before, name);
+        result.widened = result.widened || type != storage_.stored(before, name);
+        put(attributes, name, {&block[0].x, block.size() * (sizeof block[0] / sizeof(float))}, type, may_overwrite);
+    };
+    put_new("NORMAL", after.normals);
     if (!after.tangents.empty()) {
-        attributes["TANGENT"] = data_.tangents(after.tangents);
+        put_new("TANGENT", after.tangents);
     } else if (attributes.contains("TANGENT")) {
         result.tangents_removed = true;
         attributes.erase("TANGENT");
@@ -89,6 +116,9 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
         json.erase("mode");
     }
     if (result.unpacked) erase_extension(json, draco_name);
+    const OrderedJson& now = json["attributes"];  // `attributes` moved when members were added
+    for (const auto& [name, accessor] : old["attributes"].items())
+        result.plain = result.plain || (now.contains(name) && now[name] != accessor && has_compressed_view(accessor));
     return result;
 }
 

@@ -2,6 +2,8 @@
 // One primitive of a glTF file with new normals, tangents and, where vertices were split, indices.
 #pragma once
 #include "io/gltf/save_data.h"
+#include "io/gltf/save_storage.h"
+#include "io/gltf/save_uses.h"
 #include "io/gltf/vertex_data.h"
 
 namespace rakelight::io::gltf {
@@ -11,27 +13,39 @@ struct PrimitiveEdit {
     bool unpacked = false;              ///< its Draco data was taken apart
     bool tangents_removed = false;      ///< the file's tangents went: nothing to make new ones from, or not wanted
     bool keeps_target_normals = false;  ///< morph targets with normals: offsets from normals that are no more
+    bool widened = false;               ///< integers of 8 bits became float
+    bool plain = false;                 ///< arrays that took the place of meshopt-compressed ones are not compressed
 };
 
 class PrimitiveEditor {
 public:
-    PrimitiveEditor(Accessors& accessors, OrderedJson& root, NewData& data)
-        : accessors_(accessors), root_(root), data_(data) {}
+    PrimitiveEditor(Accessors& accessors, const DirectionStorage& storage, OrderedJson& root, NewData& data,
+                    OwnArrays& own)
+        : accessors_(accessors), storage_(storage), root_(root), data_(data), own_(own) {}
 
     /// @param json    the primitive, changed in place: NORMAL, TANGENT, indices, and all other attributes where
     /// vertices were split
     /// @param source  the same primitive as the reader sees it
     /// @param before  the mesh that the reader made of it  @param after  the same with its new attributes
+    /// @param may_overwrite  nothing else refers to the primitive's old arrays: where they are its own, the new ones
+    /// take their
+    ///                       place in the file
     /// @throws Error bad_file: `before` is not what the file holds (it changed meanwhile)
-    PrimitiveEdit edit(OrderedJson& json, const Value& source, const Mesh& before, const Mesh& after);
+    PrimitiveEdit edit(OrderedJson& json, const Value& source, const Mesh& before, const Mesh& after,
+                       bool may_overwrite);
 
 private:
     void extend(OrderedJson& owner, const Value& source, VertexData& vertices, bool is_target,
                 std::span<const std::uint32_t> copied);
+    void put(OrderedJson& attributes, const char* name, std::span<const float> numbers, ComponentType type,
+             bool may_overwrite);
+    bool has_compressed_view(const OrderedJson& accessor) const;
     ComponentType index_type(const Value& source) const;
     Accessors& accessors_;
+    const DirectionStorage& storage_;
     OrderedJson& root_;
     NewData& data_;
+    OwnArrays& own_;
     BlockCache cache_;
 };
 

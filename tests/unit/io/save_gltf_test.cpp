@@ -3,8 +3,7 @@
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 
-#include "gltf_support.h"
-#include "io/gltf/save_gltf.h"
+#include "save_gltf_support.h"
 
 namespace rakelight {
 namespace {
@@ -26,36 +25,6 @@ std::vector<char> draco_quad() {
     draco::EncoderBuffer buffer;
     EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
     return {buffer.data(), buffer.data() + buffer.size()};
-}
-
-/// The scene with the normal (0, 0, -1) everywhere.
-Scene turned(Scene scene) {
-    for (Mesh& mesh : scene.meshes) mesh.normals = std::vector<vec3>(mesh.positions.size(), vec3{0, 0, -1});
-    return scene;
-}
-
-struct Saved {
-    io::GltfSaveResult result;
-    Json tree;
-    Scene scene;
-};
-
-/// Saves `file` after `change`, reads it again, and saves that once more, which must change nothing.
-template <class Change>
-Saved save(GltfFile& file, Context& context, Change change) {
-    const TestFolder folder;
-    const std::string json = file.text();
-    folder.write("data.bin", file.data);
-    const std::string source = folder.write("model.gltf", json), out = (folder.path() / "out.gltf").string();
-    const Scene before = io::read_gltf(source, {}, context), after = change(before);
-    Saved saved;
-    saved.result = io::save_gltf(source, before, after, out, {}, context);
-    std::ifstream text(out);
-    saved.tree = Json::parse(text);
-    saved.scene = io::read_gltf(out, {}, context);
-    EXPECT_FALSE(
-        io::save_gltf(out, saved.scene, saved.scene, (folder.path() / "again.gltf").string(), {}, context).changed);
-    return saved;
 }
 
 TEST(SaveGltf, DracoPrimitivesAreUnpackedAndTheExtensionIsNoLongerNamed) {
