@@ -10,7 +10,7 @@ inline constexpr const char* main_footer = R"(Examples:
   rakelight inspect helmet.glb
 
 Exit codes: 0 done, 1 failed, 2 wrong usage, 3 input not found, 4 file broken,
-format not supported or nothing to draw.
+format not supported or nothing to draw, 5 a check found problems.
 Environment: RAKELIGHT_ISA=scalar|sse2|avx2|avx512 forces an instruction set
 (the picture stays the same), NO_COLOR switches colors of messages off.)";
 
@@ -52,14 +52,23 @@ the program as that signal (130 and 143 in a shell).)";
 
 inline constexpr const char* inspect_footer =
     R"(Borders are world positions that two objects share. Their angle says how far
-apart the nearest two normals there are: a seam shows where it is not 0.
+apart the nearest two normals there are; a seam is such an angle where smoothing
+over the whole model would leave none. Edges sharper than --crease-angle are none.
+
+Heat map: the model in gray, its seams from 0.01 degrees (dark blue) over 1
+(violet), 5 (red) and 20 (orange) to 60 and more (light yellow).
 
 Examples:
   rakelight inspect helmet.glb
-  rakelight inspect parts.obj --normals object
-      How large the seams are when every object is smoothed by itself.
+  rakelight inspect parts.obj --normals object --heatmap seams.png
+      How large the seams are when every object is smoothed by itself, and where.
+  rakelight inspect parts.glb --check --max-seam 2 --no-t-junctions
+      Exit code 5, and a line for each limit that is passed.
   rakelight inspect *.glb --json
-      One row a file, schema rakelight.inspect/1.)";
+      One row a file, schema rakelight.inspect/1.
+Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
+4 file broken or too large, 5 a limit of --check is passed; of several inputs the
+largest.)";
 
 inline constexpr const char* smooth_footer =
     R"(What is not about normals and tangents stays as it is: names, extras, animations,

@@ -37,26 +37,6 @@ int run_render(const Options& options) {
     return worst;
 }
 
-int run_inspect(const Options& options) {
-    std::vector<InspectionRow> rows;
-    int worst = 0;
-    for (const std::string& file : options.inputs) {
-        InspectionRow row{.file = file};
-        if (CancelOnInterrupt::happened()) {
-            row.error = not_begun(file);
-            rows.push_back(std::move(row));
-            continue;
-        }
-        worst = std::max(worst, run_file(options, file, row, [&](Context& c) {
-                             row.inspection = inspect(load(file, options.picture.load, c), options.inspect, c);
-                         }));
-        if (!options.json && row.inspection) print_data((rows.empty() ? "" : "\n") + to_text(*row.inspection));
-        rows.push_back(std::move(row));
-    }
-    if (options.json) print_data(to_json(rows));
-    return worst;
-}
-
 int run(int argc, const char* const* argv) {
     const Options options = parse(argc, argv);
     switch (options.verb) {

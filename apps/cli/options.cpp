@@ -73,12 +73,11 @@ CLI::Option* add(CLI::App& app, const char* group, const char* name, std::string
     return app.add_option(name, word, help)->type_name(type)->group(group);
 }
 
-void add_normal_options(CLI::App& app, RenderWords& w) {
+}  // namespace
+
+void add_normal_options(CLI::App& app, const char* which, RenderWords& w) {
     const char* const group = "Normals";
-    add(app, group, "--normals", w.normals, "WHICH",
-        "auto (default: the file's, else as its format says, else model), file, flat, object (smooth within each "
-        "object), "
-        "model (smooth over all objects: no seams)");
+    add(app, group, "--normals", w.normals, "WHICH", which);
     add(app, group, "--crease-angle", w.crease_angle, "DEG",
         "Edges bent more than this stay sharp, 0 to 180 (default 60)");
     add(app, group, "--weight", w.weight, "HOW",
@@ -94,7 +93,21 @@ void add_normal_options(CLI::App& app, RenderWords& w) {
         ->group(group);
 }
 
-}  // namespace
+void add_view_options(CLI::App& app, const char* group, RenderWords& w) {
+    add(app, group, "--view", w.view, "SIDE",
+        "Fit the model, seen from: front (+Z), back, left, right, top (+Y), bottom, isometric, default (oblique, "
+        "although the file has a camera)");
+    add(app, group, "--camera-index", w.camera, "N",
+        "Camera of the file, by number from 0 or by name (default: the first, if any)");
+    add(app, group, "--camera-position", w.position, "X,Y,Z", "Where the camera stands [m]; not with --view or --camera-index");
+    add(app, group, "--camera-focal-point", w.focal_point, "X,Y,Z",
+        "What it looks at (default: the middle of the model)");
+    add(app, group, "--camera-view-up", w.up, "X,Y,Z", "Which way is up (default 0,1,0). OBJ, STL and PLY files are taken as Y up: 0,0,1 shows models that are Z up");
+    add(app, group, "--camera-view-angle", w.view_angle, "DEG", "Vertical angle of view (default 40)");
+    app.add_flag("--camera-orthographic", w.orthographic,
+                 "Parallel projection, as high as what the angle of view shows at the focal point")
+        ->group(group);
+}
 
 void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Output", "-o,--output", w.output, "FILE",
@@ -124,23 +137,14 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Shading", "--front-face", w.front_face, "ccw|cw", "Which turn of a triangle --cull takes for its front (default ccw)");
     add(app, "Shading", "--cull", w.cull, "WHICH",
         "Faces left out: auto (default: as the material says), none, back, front");
-    add_normal_options(app, w);
+    add_normal_options(app,
+                       "auto (default: the file's, else as its format says, else model), file, flat, object (smooth "
+                       "within each object), model (smooth over all objects: no seams)",
+                       w);
     add(app, "Normals", "--uv", w.uv, "HOW",
         "Texture coordinates for models without: box, sphere, cylinder (default none)");
 
-    add(app, "Camera", "--view", w.view, "SIDE",
-        "Fit the model, seen from: front (+Z), back, left, right, top (+Y), bottom, isometric, default (oblique, "
-        "although the file has a camera)");
-    add(app, "Camera", "--camera-index", w.camera, "N",
-        "Camera of the file, by number from 0 or by name (default: the first, if any)");
-    add(app, "Camera", "--camera-position", w.position, "X,Y,Z", "Where the camera stands [m]; not with --view or --camera-index");
-    add(app, "Camera", "--camera-focal-point", w.focal_point, "X,Y,Z",
-        "What it looks at (default: the middle of the model)");
-    add(app, "Camera", "--camera-view-up", w.up, "X,Y,Z", "Which way is up (default 0,1,0). OBJ, STL and PLY files are taken as Y up: 0,0,1 shows models that are Z up");
-    add(app, "Camera", "--camera-view-angle", w.view_angle, "DEG", "Vertical angle of view (default 40)");
-    app.add_flag("--camera-orthographic", w.orthographic,
-                 "Parallel projection, as high as what the angle of view shows at the focal point")
-        ->group("Camera");
+    add_view_options(app, "Camera", w);
     app.add_option("--light", w.lights, "A light instead of the model's; may be repeated, see below")
         ->type_name("SPEC")
         ->group("Light")
@@ -221,9 +225,8 @@ Options parse(int argc, const char* const* argv) {
     render->footer(render_footer);
     CLI::App* inspect = app.add_subcommand("inspect", "Say what is in models: objects, materials, textures, seams");
     add_inputs(*inspect, options.inputs, "Model files, or builtin:teapot");
-    bool no_borders = false;
-    inspect->add_flag("--no-borders", no_borders, "Do not look for the borders that objects share")->group("Normals");
-    add_normal_options(*inspect, words);
+    InspectWords inspect_words;
+    add_inspect_options(*inspect, inspect_words);
     add_common_options(*inspect, common);
     inspect->footer(inspect_footer);
     CLI::App* smooth = app.add_subcommand("smooth", "Write models back with seam-free normals and tangents");
@@ -248,8 +251,8 @@ Options parse(int argc, const char* const* argv) {
         throw usage_error(fault, app);
     }
     options.verb = render->parsed() ? Verb::render : Verb::inspect;
-    apply(words, options.picture);
-    options.inspect = {.borders = !no_borders, .prepare = options.picture.prepare};
+    apply(inspect->parsed() ? inspect_words.render : words, options.picture);
+    if (inspect->parsed()) apply(inspect_words, options.inspect, options.picture);
     if (smooth->parsed()) {
         options.verb = Verb::smooth;
         options.picture.output = smooth_words.output;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/inspect.h>
 #include <rakelight/picture.h>
 
 #include "bench_verb.h"
 #include "console.h"
+#include "inspect_verb.h"
 #include "smooth_verb.h"
 
 namespace rakelight::cli {
@@ -21,7 +21,7 @@ struct Options {
     std::string help;  ///< text for Verb::help
     std::vector<std::string> inputs;
     PictureRequest picture;  ///< output holds the name template
-    InspectOptions inspect;
+    InspectRequest inspect;
     SmoothFileOptions smooth;
     SmoothBenchOptions bench;
     int threads = 0;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "options.h"
+#include <rakelight/picture.h>
 
 namespace CLI {
 class App;
@@ -25,6 +25,12 @@ struct RenderWords {
 
 /// Declares the options with their help. `words` must live until the command line is read.
 void add_render_options(CLI::App& app, RenderWords& words);
+
+/// The part about normals and tangents; `which` is the help for --normals.
+void add_normal_options(CLI::App& app, const char* which, RenderWords& words);
+
+/// The part that says where the camera stands.
+void add_view_options(CLI::App& app, const char* group, RenderWords& words);
 
 /// @throws Error usage
 void apply(const RenderWords& words, PictureRequest& request);

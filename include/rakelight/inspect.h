@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/picture.h>
 #include <rakelight/prepare.h>
 #include <rakelight/scene.h>
 
@@ -24,31 +25,130 @@ struct ObjectSummary {
     std::vector<std::string> materials;  ///< names, each once, in the order of the meshes
 };
 
-/// The border of two objects: world positions (compared in double, exactly) that both of them draw.
+/// The surface of one object as its triangles make it, over positions welded as AttributeOptions::weld_distance < 0
+/// says.
+struct SurfaceSummary {
+    std::uint64_t edges = 0;
+    std::uint64_t open_edges = 0;          ///< of one face
+    std::uint64_t inconsistent_edges = 0;  ///< of two faces that go along it the same way: one of them is inside out
+    std::uint64_t non_manifold_edges = 0;  ///< of three or more faces
+    bool closed = false;                   ///< has edges, and none is open
+    std::uint64_t t_junctions = 0;         ///< vertices, of any object, on the inside of its open edges
+    std::uint64_t degenerate_faces = 0;    ///< zero area, or a corner that is not finite
+    /// Of the file's normals, at vertices that a triangle uses; non-unit: the length is off 1 by more than 0.01.
+    std::uint64_t zero_normals = 0, non_finite_normals = 0, non_unit_normals = 0;
+    std::uint64_t mirrored_positions = 0;     ///< where texture charts of both handedness meet
+    std::uint64_t mirror_split_vertices = 0;  ///< that both use: tangents must split them
+};
+
+/// A vertex on the inside of an open edge (an edge of one face in the whole model), which has no vertex there.
+struct TJunctionPlace {
+    dvec3 position;                             ///< [m] world
+    std::uint32_t object = 0, edge_object = 0;  ///< the vertex's and the edge's, into Inspection::objects
+};
+
+/// Angles over some positions. p95: 95 of 100 are at most this (nearest rank).
+struct AngleSummary {
+    double max_deg = 0, mean_deg = 0, p95_deg = 0;
+};
+
+/// Normals at most this far apart are continuous [degrees]: more than rounding through matrices, less than any eye
+/// sees.
+inline constexpr double continuous_deg = 0.01;
+
+/// The border of two objects: the positions that both of them draw, and the angle there between a normal of the one and
+/// a normal of the other, of all their corners the nearest two. `before`: normals as they are; `after`: smoothed over
+/// the whole model. Where faces of both objects are joined by that (their normals after it are continuous), the angle
+/// before is a *seam*, taken over the joined corners; where none are, an edge between the objects is sharper than the
+/// crease angle.
 struct BorderSummary {
     std::uint32_t object_a = 0, object_b = 0;  ///< into Inspection::objects, a < b
     std::uint64_t positions = 0;               ///< how many they share
-    double median_deg = 0, largest_deg = 0;    ///< angle between the nearest two of their normals at such a position
+    std::uint64_t continuous = 0;              ///< of these, where the angle before is at most continuous_deg
+    std::uint64_t joined = 0;                  ///< of these, where the angle after is: the others are creases
+    AngleSummary before, after;
+    double seam_deg = 0;                     ///< the largest angle before at the joined positions
+    dvec3 seam_position;                     ///< [m] world: where that is
+    double median_deg = 0, largest_deg = 0;  ///< of the angles before; largest_deg == before.max_deg
+};
+
+/// Over all positions that objects share; where several pairs meet, the pair with the largest angle counts.
+struct SeamTotals {
+    std::uint64_t positions = 0, continuous = 0, joined = 0;
+    AngleSummary before, after;
+    double seam_deg = 0;
+    std::uint64_t pairs = 0;  ///< of objects, that were looked at
+    /// Where more than 8 objects meet, only the 7 whose normals turn farthest from the mean and the nearest one are
+    /// paired.
+    std::uint64_t crowded_positions = 0;
+    std::uint64_t pairings_left_out = 0;   ///< pairs at crowded positions that were not looked at
+    std::uint64_t inconsistent_edges = 0;  ///< between two objects: one of them is inside out
+    std::string normals_before;            ///< whose normals `before` are, for people
+    double crease_angle_deg = 0;           ///< of `after`
+};
+
+/// A piece of a border with a seam; a == b where objects share a position but no edge.
+struct SeamLine {
+    dvec3 a, b;  ///< [m] world
+    float deg_a = 0, deg_b = 0;
 };
 
 struct Inspection {
     std::string file;
     std::uint64_t triangles = 0;  ///< instances counted each time
     std::vector<ObjectSummary> objects;
+    std::vector<SurfaceSummary> surfaces;           ///< [objects], or empty when not asked for
+    std::uint64_t t_junctions = 0;                  ///< each position once
+    std::vector<TJunctionPlace> t_junction_places;  ///< at most 1000
+    std::uint64_t edges_not_searched = 0;           ///< open edges at which the search for T-junctions gave up
     dvec3 low, high;  ///< world bounding box [m]; meaningful when triangles, lines or points are drawn
     std::uint64_t shared_positions = 0;  ///< world positions that two or more objects draw
-    std::vector<BorderSummary> borders;  ///< the largest angle first; at most 1000
+    SeamTotals seams;
+    std::vector<BorderSummary> borders;  ///< the largest seam first, then the largest angle; at most 10,000
     std::uint64_t borders_left_out = 0;
+    std::vector<SeamLine> seam_lines;  ///< when asked for
     Scene scene;  ///< as loaded, but without its meshes: materials, textures, lights, cameras, animations
 };
 
 struct InspectOptions {
-    bool borders = true;     ///< look for shared positions and their seam angles
-    PrepareOptions prepare;  ///< whose normals the seam angles are about
+    bool borders = true;      ///< look for shared positions and their seam angles
+    bool surfaces = true;     ///< look at edges, faces and normals of each object
+    bool seam_lines = false;  ///< keep where the seams are, for draw_seams()
+    /// `normals`: whose the angles `before` are. Automatic: the file's, smoothed per object where it has none. Crease
+    /// angle and weight hold for these and for `after`. The rest is not read.
+    PrepareOptions prepare;
 };
 
-/// Looks a loaded scene over. Decodes no texture. O(vertices log vertices).
+/// Looks a loaded scene over. Decodes no texture. Skinned models in bind pose. Expected O(n log n) at borders, O(n)
+/// elsewhere.
+/// @throws Error bad_file: too large for the memory that files may ask for, or more than 2^32 vertices and corners
 Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context);
+
+/// What a model must keep to. The seam limit needs InspectOptions::borders, the others InspectOptions::surfaces.
+struct CheckLimits {
+    std::optional<double> max_seam_deg = 1;  ///< [degrees] 8-bit normals are off by up to half a degree each
+    bool no_degenerate = false, no_t_junctions = false, no_non_manifold = false, consistent_winding = false,
+         closed = false, unit_normals = false;
+};
+
+/// A limit that was passed.
+struct CheckFailure {
+    std::string limit;    ///< "max-seam", "no-degenerate", ...: the option's name
+    std::string message;  ///< one line: where it is passed most, how much, how many more there are
+};
+
+/// One entry for each limit that is passed, in the order of CheckLimits; empty: all is well.
+std::vector<CheckFailure> check_limits(const Inspection& inspection, const CheckLimits& limits);
+
+/// The model in plain gray with the normals `before`, and its seams over it, as wide as 0.6 % of the picture's height,
+/// in colors by their angle: heat_color(). Lights and textures of the scene are not used. Needs Inspection::seam_lines.
+/// @throws Error usage: an impossible camera; bad_file "nothing to draw"
+Frame draw_seams(const Scene& scene, const Inspection& inspection, const InspectOptions& options,
+                 const ViewRequest& view, const RenderSettings& settings, Context& context);
+
+/// The color of a seam angle, linear RGB; from dark to light: 0.01 degrees dark blue, 1 violet, 5 red, 20 orange, 60
+/// and more light yellow; linear between them.
+vec3 heat_color(double seam_deg);
 
 /// A table for people, lines ending with line feeds; long lists are cut with "... N more".
 std::string to_text(const Inspection& inspection);
@@ -60,6 +160,8 @@ struct InspectionRow {
     std::vector<ReportEntry> remarks;
     std::uint64_t remarks_left_out = 0;
     std::optional<Error> error;
+    std::optional<std::vector<CheckFailure>> check;  ///< when limits were checked
+    std::string heat_map;                            ///< the picture that was written, or empty
 };
 
 /// {"schema": "rakelight.inspect/1", "rows": [...]} with a line feed at its end; UTF-8, foreign bytes replaced.

@@ -1,203 +1,174 @@
 // SPDX-License-Identifier: Apache-2.0
+// Place by place, the pairs of objects that meet there; then the angles of each pair together.
 #include "tools/borders.h"
 
 #include <algorithm>
-#include <bit>
-#include <map>
+#include <tuple>
 
-#include "math/functions.h"
-#include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "geometry/face_vote.h"
+#include "tools/border_corners.h"
+#include "tools/place_angles.h"
 
 namespace rakelight {
 namespace {
 
-/// Objects that meet at one position are paired with each other up to this many; more (a fan of hundreds of parts in
-/// one point) would make a quadratic number of pairs.
-constexpr std::size_t max_objects_at_position = 8;
-
-/// One use of a mesh by an object, placed in the world.
-struct Placement {
-    std::uint32_t object = 0, mesh = 0;
-    dmat4 to_world;
-    mat3 normals_to_world;
+/// What one pair of objects is at one place.
+struct Meeting {
+    std::uint32_t a, b, place;
+    float before_deg, after_deg;
+    bool joined;
 };
 
-struct Entry {
-    std::uint64_t hash;
-    std::uint32_t placement, vertex;
-};
-
-/// What is drawn at one position by one object.
-struct Corner {
-    std::uint32_t object = 0;
-    vec3 normal;
-};
-
-std::uint64_t mix(std::uint64_t h) {  // the finalizer of MurmurHash3, Appleby 2011
-    h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdull;
-    h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ull;
-    return h ^ (h >> 33);
+double mean_of(const std::vector<float>& values) {
+    double sum = 0;
+    for (const float v : values) sum += v;
+    return values.empty() ? 0 : sum / double(values.size());
 }
 
-std::uint64_t hash_of(dvec3 p) {
-    // + 0.0 makes -0 to +0
-    return mix(std::bit_cast<std::uint64_t>(p.x + 0.0) +
-               mix(std::bit_cast<std::uint64_t>(p.y + 0.0) + mix(std::bit_cast<std::uint64_t>(p.z + 0.0))));
+/// The value that `rank` others are not above.
+double ranked(std::vector<float>& values, std::size_t rank) {
+    const auto at = values.begin() + std::ptrdiff_t(rank);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+AngleSummary summarize(std::vector<float>& values) {
+    if (values.empty()) return {};
+    return {*std::max_element(values.begin(), values.end()), mean_of(values),
+            ranked(values, (95 * values.size() + 99) / 100 - 1)};
 }
 
 class BorderFinder {
 public:
-    BorderFinder(const Scene& scene, const std::vector<std::uint32_t>& objects, Context& context) : scene_(scene) {
-        collect_placements(objects);
-        collect_entries(context);
-    }
+    BorderFinder(const geometry::PlacedMeshes& placed, const SeamNormals& normals)
+        : placed_(placed), normals_(normals) {}
 
-    SharedPositions run() {
-        std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-            return a.hash != b.hash             ? a.hash < b.hash
-                   : a.placement != b.placement ? a.placement < b.placement
-                                                : a.vertex < b.vertex;
-        });
-        for (std::size_t i = 0; i < entries_.size();) {
+    BorderReport run(Context& context) {
+        const std::vector<BorderCorner> corners = find_border_corners(placed_, normals_, context);
+        for (std::size_t i = 0; i < corners.size();) {
             std::size_t end = i + 1;
-            while (end < entries_.size() && entries_[end].hash == entries_[i].hash) ++end;
-            if (end - i > 1) visit_hash(i, end);
+            while (end < corners.size() && corners[end].place == corners[i].place) ++end;
+            visit_place({corners.data() + i, end - i});
             i = end;
         }
-        return summarize();
+        report_.totals.before = summarize(worst_before_);
+        report_.totals.after = summarize(worst_after_);
+        summarize_pairs();
+        return std::move(report_);
     }
 
 private:
-    struct Pair {
-        std::uint64_t positions = 0;
-        std::vector<float> angles;
-    };
-
-    void collect_placements(const std::vector<std::uint32_t>& objects) {
-        const std::vector<dmat4> world = world_matrices(scene_);
-        for (std::uint32_t object = 0; object < objects.size(); ++object)
-            for (const std::uint32_t mesh : scene_.nodes[objects[object]].meshes) {
-                if (scene_.meshes[mesh].topology != Topology::triangles) continue;
-                const dmat4& m = world[objects[object]];
-                dmat3 c = cofactor(upper_left(m));
-                if (determinant(upper_left(m)) < 0) c = {{-c[0], -c[1], -c[2]}};
-                placements_.push_back({object,
-                                       mesh,
-                                       m * translation(scene_.meshes[mesh].origin),
-                                       {{cast<float>(c[0]), cast<float>(c[1]), cast<float>(c[2])}}});
-            }
+    dvec3 normal(std::uint32_t part, const PartNormals& normals, std::uint32_t vertex) const {
+        return geometry::given_normal(placed_.input.placements[part], normals.normal(vertex));
     }
 
-    void collect_entries(Context& context) {
-        std::uint64_t vertices = 0;
-        for (const Placement& p : placements_) vertices += scene_.meshes[p.mesh].positions.size();
-        context.memory().check(vertices * sizeof(Entry), "looking for shared borders");
-        entries_.reserve(vertices);
-        std::vector<std::uint8_t> used;
-        for (std::uint32_t i = 0; i < placements_.size(); ++i) {
-            const Mesh& mesh = scene_.meshes[placements_[i].mesh];
-            used.assign(mesh.positions.size(), 0);
-            for (const std::uint32_t index : mesh.indices) used[index] = 1;
-            for (std::uint32_t v = 0; v < used.size(); ++v)
-                if (used[v] && is_finite(mesh.positions[v])) entries_.push_back({hash_of(position(i, v)), i, v});
-        }
-    }
+    std::uint32_t object_of(const BorderCorner& corner) const { return placed_.input.meshes[corner.part].object; }
 
-    dvec3 position(std::uint32_t placement, std::uint32_t vertex) const {
-        const Placement& p = placements_[placement];
-        return transform_point(p.to_world, cast<double>(scene_.meshes[p.mesh].positions[vertex]));
-    }
-
-    vec3 normal(const Entry& e) const {
-        const Placement& p = placements_[e.placement];
-        const Mesh& mesh = scene_.meshes[p.mesh];
-        if (mesh.normals.empty()) return {0, 0, 0};
-        return normalize_or(p.normals_to_world * mesh.normals[e.vertex], vec3{0, 0, 0});
-    }
-
-    /// Entries of one hash; nearly always one position. Colliding others are told apart by comparing.
-    void visit_hash(std::size_t begin, std::size_t end) {
-        std::vector<std::uint8_t> done(end - begin, 0);
-        for (std::size_t i = begin; i < end; ++i) {
-            if (done[i - begin]) continue;
-            const dvec3 here = position(entries_[i].placement, entries_[i].vertex);
-            corners_.clear();
-            for (std::size_t k = i; k < end; ++k) {
-                if (done[k - begin] || !(position(entries_[k].placement, entries_[k].vertex) == here)) continue;
-                done[k - begin] = 1;
-                add_corner({placements_[entries_[k].placement].object, normal(entries_[k])});
-            }
-            visit_position();
-        }
-    }
-
-    /// Vertices of one object that only differ in texture coordinates have one normal: kept once.
-    void add_corner(const Corner& corner) {
-        for (std::size_t i = corners_.size(); i-- > 0 && corners_[i].object == corner.object;)
-            if (corners_[i].normal == corner.normal) return;
-        corners_.push_back(corner);
-    }
-
-    void visit_position() {
-        if (corners_.front().object == corners_.back().object) return;  // entries are in the order of the objects
-        ++result_.positions;
-        std::vector<std::pair<std::size_t, std::size_t>> runs;  // of one object each
-        for (std::size_t i = 0; i < corners_.size() && runs.size() < max_objects_at_position;) {
+    /// The normals at a place, object by object; corners whose normal is of no use are left out.
+    void gather(std::span<const BorderCorner> corners) {
+        normals_here_.clear();
+        objects_here_.clear();
+        normals_here_.reserve(corners.size());  // spans into it stay good
+        for (std::size_t i = 0; i < corners.size();) {
+            const std::uint32_t object = object_of(corners[i]);
             std::size_t end = i + 1;
-            while (end < corners_.size() && corners_[end].object == corners_[i].object) ++end;
-            runs.emplace_back(i, end);
+            while (end < corners.size() && object_of(corners[end]) == object) ++end;
+            const std::size_t first = normals_here_.size(), count = std::min(end - i, most_normals_of_object);
+            for (std::size_t k = 0; k < count; ++k) {  // evenly over all of them
+                const BorderCorner& c = corners[i + k * (end - i) / count];
+                const CornerNormals n{normal(c.part, normals_.before[c.part], c.before),
+                                      normal(c.part, normals_.after[c.part], c.after)};
+                if (n.before != dvec3{} && n.after != dvec3{}) normals_here_.push_back(n);
+            }
+            if (normals_here_.size() > first)
+                objects_here_.push_back({object, std::span(normals_here_).subspan(first)});
             i = end;
         }
-        for (std::size_t a = 0; a < runs.size(); ++a)
-            for (std::size_t b = a + 1; b < runs.size(); ++b) add_pair(runs[a], runs[b]);
     }
 
-    void add_pair(std::pair<std::size_t, std::size_t> a, std::pair<std::size_t, std::size_t> b) {
-        Pair& pair = pairs_[{corners_[a.first].object, corners_[b.first].object}];
-        ++pair.positions;
-        float best = -1;
-        vec3 best_a, best_b;
-        for (std::size_t i = a.first; i < a.second; ++i)
-            for (std::size_t k = b.first; k < b.second; ++k) {
-                const float cosine = dot(corners_[i].normal, corners_[k].normal);
-                if (cosine <= best) continue;
-                best = cosine, best_a = corners_[i].normal, best_b = corners_[k].normal;
+    void visit_place(std::span<const BorderCorner> corners) {
+        ++report_.totals.positions;
+        gather(corners);
+        const std::uint64_t met = objects_here_.size();
+        if (met > most_objects_at_place) {
+            objects_here_ = most_different(objects_here_, most_objects_at_place);
+            ++report_.totals.crowded_positions;
+            report_.totals.pairings_left_out +=
+                met * (met - 1) / 2 - most_objects_at_place * (most_objects_at_place - 1) / 2;
+        }
+        if (met < 2) return;
+        double before = 0, after = 0, seam = 0;
+        for (std::size_t a = 0; a < objects_here_.size(); ++a)
+            for (std::size_t b = a + 1; b < objects_here_.size(); ++b) {
+                const PairAngle angle = pair_angle(objects_here_[a], objects_here_[b]);
+                meetings_.push_back({objects_here_[a].object, objects_here_[b].object, corners[0].place,
+                                     float(angle.before_deg), float(angle.after_deg), angle.joined});
+                before = std::max(before, angle.before_deg);
+                after = std::max(after, angle.after_deg);
+                if (angle.joined) seam = std::max(seam, angle.before_deg);
             }
-        const dvec3 na = cast<double>(best_a), nb = cast<double>(best_b);
-        const double angle = na == nb ? 0 : math::atan2(length(cross(na, nb)), dot(na, nb));
-        pair.angles.push_back(float(degrees(angle)));
+        worst_before_.push_back(float(before));
+        worst_after_.push_back(float(after));
+        SeamTotals& totals = report_.totals;
+        totals.continuous += before <= continuous_deg;
+        totals.joined += after <= continuous_deg;
+        totals.seam_deg = std::max(totals.seam_deg, double(float(seam)));
+        if (seam > continuous_deg) report_.seams_at.emplace_back(corners[0].place, float(seam));
     }
 
-    SharedPositions summarize() {
-        for (auto& [objects, pair] : pairs_) {
-            const auto middle = pair.angles.begin() + std::ptrdiff_t(pair.angles.size() / 2);
-            std::nth_element(pair.angles.begin(), middle, pair.angles.end());
-            const float median = *middle, largest = *std::max_element(middle, pair.angles.end());
-            result_.borders.push_back({objects.first, objects.second, pair.positions, median, largest});
+    BorderSummary summarize_pair(std::span<const Meeting> meetings) {
+        BorderSummary border{.object_a = meetings[0].a, .object_b = meetings[0].b, .positions = meetings.size()};
+        std::vector<float> before, after;
+        std::uint32_t worst = meetings[0].place;
+        for (const Meeting& m : meetings) {
+            before.push_back(m.before_deg);
+            after.push_back(m.after_deg);
+            border.continuous += m.before_deg <= continuous_deg;
+            border.joined += m.joined;
+            if (m.joined && m.before_deg > border.seam_deg) border.seam_deg = m.before_deg, worst = m.place;
         }
-        std::stable_sort(result_.borders.begin(), result_.borders.end(),
-                         [](const BorderSummary& a, const BorderSummary& b) { return a.largest_deg > b.largest_deg; });
-        if (result_.borders.size() > SharedPositions::max_borders) {
-            result_.borders_left_out = result_.borders.size() - SharedPositions::max_borders;
-            result_.borders.resize(SharedPositions::max_borders);
-        }
-        return std::move(result_);
+        border.seam_position = placed_.position(worst);
+        border.before = summarize(before);
+        border.after = summarize(after);
+        border.median_deg = ranked(before, before.size() / 2);
+        border.largest_deg = border.before.max_deg;
+        return border;
     }
 
-    const Scene& scene_;
-    std::vector<Placement> placements_;
-    std::vector<Entry> entries_;
-    std::vector<Corner> corners_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Pair> pairs_;
-    SharedPositions result_;
+    void summarize_pairs() {
+        std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& x, const Meeting& y) {
+            return std::tie(x.a, x.b, x.place) < std::tie(y.a, y.b, y.place);
+        });
+        for (std::size_t i = 0; i < meetings_.size();) {
+            std::size_t end = i + 1;
+            while (end < meetings_.size() && meetings_[end].a == meetings_[i].a && meetings_[end].b == meetings_[i].b)
+                ++end;
+            report_.borders.push_back(summarize_pair(std::span(meetings_).subspan(i, end - i)));
+            i = end;
+        }
+        std::vector<BorderSummary>& borders = report_.borders;
+        std::stable_sort(borders.begin(), borders.end(), [](const BorderSummary& x, const BorderSummary& y) {
+            return x.seam_deg != y.seam_deg ? x.seam_deg > y.seam_deg : x.largest_deg > y.largest_deg;
+        });
+        report_.totals.pairs = borders.size();
+        if (borders.size() <= most_borders) return;
+        report_.borders_left_out = borders.size() - most_borders;
+        borders.resize(most_borders);
+    }
+
+    const geometry::PlacedMeshes& placed_;
+    const SeamNormals& normals_;
+    BorderReport report_;
+    std::vector<CornerNormals> normals_here_;
+    std::vector<ObjectAtPlace> objects_here_;
+    std::vector<Meeting> meetings_;
+    std::vector<float> worst_before_, worst_after_;  ///< at each place, of its pairs
 };
 
 }  // namespace
 
-SharedPositions find_borders(const Scene& scene, const std::vector<std::uint32_t>& objects, Context& context) {
-    if (objects.size() < 2) return {};
-    return BorderFinder(scene, objects, context).run();
+BorderReport find_borders(const geometry::PlacedMeshes& placed, const SeamNormals& normals, Context& context) {
+    return BorderFinder(placed, normals).run(context);
 }
 
 }  // namespace rakelight

@@ -3,19 +3,25 @@
 #pragma once
 #include <rakelight/inspect.h>
 
+#include "geometry/place_classes.h"
+#include "tools/seam_normals.h"
+
 namespace rakelight {
 
-/// Which positions are drawn by several objects, compared in double and exactly (-0 is +0).
-struct SharedPositions {
-    std::uint64_t positions = 0;
-    std::vector<BorderSummary> borders;  ///< the largest angle first, at most `max_borders`
+struct BorderReport {
+    SeamTotals totals;  ///< but for what is not about angles
+    std::vector<BorderSummary> borders;
     std::uint64_t borders_left_out = 0;
-    static constexpr std::size_t max_borders = 1000;
+    /// The seam angle [degrees] at each place that has one (above continuous_deg), by ascending place.
+    std::vector<std::pair<std::uint32_t, float>> seams_at;
 };
 
-/// @param scene   prepared: its meshes have normals
-/// @param objects node of each object
-/// O(V log V), 16 bytes a vertex.
-SharedPositions find_borders(const Scene& scene, const std::vector<std::uint32_t>& objects, Context& context);
+/// Expected O(corners), O(b log b) for the b corners at borders, about 40 bytes each: at most 8 objects are paired at a
+/// place, and at most 16 different normals of each are looked at.
+BorderReport find_borders(const geometry::PlacedMeshes& placed, const SeamNormals& normals, Context& context);
+
+inline constexpr std::size_t most_borders = 10'000;        ///< listed
+inline constexpr std::size_t most_objects_at_place = 8;    ///< paired with each other
+inline constexpr std::size_t most_normals_of_object = 16;  ///< at one place
 
 }  // namespace rakelight

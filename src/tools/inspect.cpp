@@ -3,8 +3,13 @@
 
 #include <algorithm>
 
+#include "geometry/edge_census.h"
+#include "geometry/mesh_faults.h"
+#include "geometry/t_junctions.h"
+#include "math/linear.h"
 #include "scene/scene_tools.h"
 #include "tools/borders.h"
+#include "tools/surfaces.h"
 
 namespace rakelight {
 namespace {
@@ -61,9 +66,79 @@ ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
     return object;
 }
 
+SurfaceSummary summarize(const geometry::ObjectEdges& e, const geometry::ObjectFaults& f, std::uint64_t t_junctions) {
+    SurfaceSummary s;
+    s.edges = e.edges, s.open_edges = e.open, s.inconsistent_edges = e.inconsistent;
+    s.non_manifold_edges = e.non_manifold, s.closed = e.is_closed();
+    s.t_junctions = t_junctions;
+    s.degenerate_faces = f.degenerate_faces;
+    s.zero_normals = f.zero_normals, s.non_finite_normals = f.non_finite_normals;
+    s.non_unit_normals = f.non_unit_normals;
+    s.mirrored_positions = f.mirrored_places, s.mirror_split_vertices = f.mirror_split_vertices;
+    return s;
+}
+
+void look_at_surfaces(Inspection& result, const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census) {
+    constexpr std::size_t most_places = 1000;
+    const std::uint32_t objects = std::uint32_t(result.objects.size());
+    const std::vector<geometry::ObjectFaults> faults = count_faults(placed, objects);
+    const geometry::TJunctions t = find_t_junctions(placed, census.open_corners, objects, most_places);
+    for (std::uint32_t i = 0; i < objects; ++i)
+        result.surfaces.push_back(summarize(census.objects[i], faults[i], t.of_objects[i]));
+    result.t_junctions = t.count;
+    result.edges_not_searched = t.edges_not_searched;
+    for (const geometry::TJunction& junction : t.places) {
+        const std::uint32_t mesh = placed.input.mesh_of_vertex(junction.place);
+        result.t_junction_places.push_back({placed.position(junction.place), placed.input.meshes[mesh].object,
+                                            placed.object_of_triangle(junction.corner / 3)});
+    }
+}
+
+/// Border edges whose ends are seams, and then the places that no such edge reaches.
+std::vector<SeamLine> find_seam_lines(const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census,
+                                      const BorderReport& report) {
+    std::vector<SeamLine> lines;
+    std::vector<bool> reached(report.seams_at.size(), false);
+    const auto find = [&](std::uint32_t place) {
+        const auto at = std::lower_bound(report.seams_at.begin(), report.seams_at.end(), std::pair(place, 0.0f));
+        return std::size_t(at != report.seams_at.end() && at->first == place ? at - report.seams_at.begin() : -1);
+    };
+    for (const geometry::PlaceEdge& edge : census.border_edges) {
+        const std::size_t a = find(edge.a), b = find(edge.b), nowhere = std::size_t(-1);
+        if (a != nowhere) reached[a] = true;
+        if (b != nowhere) reached[b] = true;
+        if (a == nowhere && b == nowhere) continue;
+        lines.push_back({placed.position(edge.a), placed.position(edge.b), a == nowhere ? 0 : report.seams_at[a].second,
+                         b == nowhere ? 0 : report.seams_at[b].second});
+    }
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const dvec3 p = placed.position(report.seams_at[i].first);
+        if (!reached[i]) lines.push_back({p, p, report.seams_at[i].second, report.seams_at[i].second});
+    }
+    return lines;
+}
+
+void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometry::PlacedMeshes& placed,
+                     const geometry::EdgeCensus& census, const InspectOptions& options, Context& context) {
+    if (result.objects.size() > 1) {
+        const SeamNormals normals{normals_before(surfaces.meshes, options.prepare, context),
+                                  normals_after(surfaces.meshes, options.prepare, context)};
+        BorderReport report = find_borders(placed, normals, context);
+        if (options.seam_lines) result.seam_lines = find_seam_lines(placed, census, report);
+        result.seams = report.totals;
+        result.borders = std::move(report.borders);
+        result.borders_left_out = report.borders_left_out;
+    }
+    result.shared_positions = result.seams.positions;
+    result.seams.inconsistent_edges = census.inconsistent_between;
+    result.seams.normals_before = name_of_source(surfaces.meshes, options.prepare.normals);
+    result.seams.crease_angle_deg = degrees(options.prepare.crease_angle_rad);
+}
+
 }  // namespace
 
 Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context) {
+    validate(scene);
     Inspection result;
     result.file = scene.source;
     result.triangles = triangle_count(scene);
@@ -73,13 +148,16 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     for (const std::uint32_t node : objects) result.objects.push_back(summarize(scene, node));
     const Bounds bounds = world_bounds(scene);
     if (!bounds.empty()) result.low = bounds.low, result.high = bounds.high;
-    // One object has no border, but what prepare says of its tangents may have been asked for.
-    if (options.borders && (objects.size() > 1 || (options.prepare.measure_orthogonality && result.triangles > 0))) {
-        SharedPositions shared = find_borders(prepare_scene(scene, options.prepare, context), objects, context);
-        result.shared_positions = shared.positions;
-        result.borders = std::move(shared.borders);
-        result.borders_left_out = shared.borders_left_out;
+    if (options.borders || options.surfaces) {
+        const Surfaces surfaces = collect_surfaces(scene, objects);
+        constexpr double as_the_attributes = -1;
+        const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, as_the_attributes, context);
+        const geometry::EdgeCensus census = count_edges(placed, std::uint32_t(objects.size()));
+        if (options.surfaces) look_at_surfaces(result, placed, census);
+        if (options.borders) look_at_borders(result, surfaces, placed, census, options, context);
     }
+    // Only what it says of the tangents is wanted.
+    if (options.prepare.measure_orthogonality && result.triangles > 0) prepare_scene(scene, options.prepare, context);
     result.scene = scene;
     result.scene.meshes.clear();
     return result;

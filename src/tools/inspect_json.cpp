@@ -82,13 +82,60 @@ Json json_of(const Camera& c) {
     return json;
 }
 
+Json json_of(const AngleSummary& a) {
+    return {{"max_deg", a.max_deg}, {"mean_deg", a.mean_deg}, {"p95_deg", a.p95_deg}};
+}
+
 Json json_of(const BorderSummary& b) {
     return {{"object_a", b.object_a},
             {"object_b", b.object_b},
             {"positions", b.positions},
+            {"continuous", b.continuous},
+            {"joined", b.joined},
+            {"seam_deg", b.seam_deg},
+            {"seam_position", json_of(b.seam_position)},
+            {"before", json_of(b.before)},
+            {"after", json_of(b.after)},
             {"median_deg", b.median_deg},
             {"largest_deg", b.largest_deg}};
 }
+
+Json json_of(const SeamTotals& s) {
+    return {{"positions", s.positions},
+            {"continuous", s.continuous},
+            {"continuous_within_deg", continuous_deg},
+            {"joined", s.joined},
+            {"seam_deg", s.seam_deg},
+            {"before", json_of(s.before)},
+            {"after", json_of(s.after)},
+            {"normals_before", s.normals_before},
+            {"crease_angle_deg", s.crease_angle_deg},
+            {"pairs", s.pairs},
+            {"crowded_positions", s.crowded_positions},
+            {"pairings_left_out", s.pairings_left_out},
+            {"inconsistent_edges", s.inconsistent_edges}};
+}
+
+Json json_of(const SurfaceSummary& s) {
+    return {{"closed", s.closed},
+            {"edges", s.edges},
+            {"open_edges", s.open_edges},
+            {"inconsistent_edges", s.inconsistent_edges},
+            {"non_manifold_edges", s.non_manifold_edges},
+            {"t_junctions", s.t_junctions},
+            {"degenerate_faces", s.degenerate_faces},
+            {"zero_normals", s.zero_normals},
+            {"non_finite_normals", s.non_finite_normals},
+            {"non_unit_normals", s.non_unit_normals},
+            {"mirrored_positions", s.mirrored_positions},
+            {"mirror_split_vertices", s.mirror_split_vertices}};
+}
+
+Json json_of(const TJunctionPlace& t) {
+    return {{"position", json_of(t.position)}, {"object", t.object}, {"edge_object", t.edge_object}};
+}
+
+Json json_of(const CheckFailure& f) { return {{"limit", f.limit}, {"message", f.message}}; }
 
 template <class List>
 Json list(const List& values) {
@@ -101,14 +148,19 @@ void add(Json& row, const Inspection& i) {
     row["triangles"] = i.triangles;
     row["bounds"] = {{"low", json_of(i.low)}, {"high", json_of(i.high)}};
     row["objects"] = list(i.objects);
+    for (std::size_t o = 0; o < i.surfaces.size(); ++o) row["objects"][o]["surface"] = json_of(i.surfaces[o]);
     row["materials"] = list(i.scene.materials);
     row["textures"] = list(i.scene.textures);
     row["lights"] = list(i.scene.lights);
     row["cameras"] = list(i.scene.cameras);
     row["animations"] = i.scene.animations.size();
     row["shared_positions"] = i.shared_positions;
+    row["seams"] = json_of(i.seams);
     row["borders"] = list(i.borders);
     row["borders_left_out"] = i.borders_left_out;
+    if (i.surfaces.empty()) return;
+    row["t_junctions"] = {
+        {"count", i.t_junctions}, {"places", list(i.t_junction_places)}, {"edges_not_searched", i.edges_not_searched}};
 }
 
 }  // namespace
@@ -119,6 +171,8 @@ std::string to_json(std::span<const InspectionRow> rows) {
         Json row = {{"file", r.file}};
         if (r.error) row["error"] = error_json(*r.error);
         if (r.inspection) add(row, *r.inspection);
+        if (r.check) row["check"] = {{"passed", r.check->empty()}, {"failures", list(*r.check)}};
+        if (!r.heat_map.empty()) row["heat_map"] = r.heat_map;
         row["remarks"] = remarks_json(r.remarks);
         row["remarks_left_out"] = r.remarks_left_out;
         array.push_back(std::move(row));

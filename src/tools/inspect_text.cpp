@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // An inspection for people.
-#include <cstdio>
-
 #include <rakelight/inspect.h>
 
-#include "tools/text_table.h"
+#include "tools/inspect_sections.h"
+#include "tools/object_name.h"
 #include "tools/texture_uses.h"
 
 namespace rakelight {
 namespace {
 
 using Has = ObjectSummary::Has;
-
-constexpr std::size_t max_rows = 40;  ///< of each table
-constexpr std::size_t max_name = 40;  ///< bytes of a name in a table
-
-std::string number(double value, const char* format = "%.6g") {
-    char text[40];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 std::string name_or(const std::string& name, const char* kind, std::size_t index) {
     return name.empty() ? kind + (" " + std::to_string(index)) : one_line(name, max_name);
@@ -41,23 +31,6 @@ std::string joined(const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < names.size() && i < 4; ++i) text += (i ? ", " : "") + one_line(names[i], 24);
     if (names.size() > 4) text += ", +" + std::to_string(names.size() - 4);
     return text.empty() ? "-" : text;
-}
-
-std::string counted(std::uint64_t count, const char* thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
-/// A table under its title, cut to max_rows; nothing when the list is empty.
-template <class List, class AddRow>
-std::string section(const char* title, std::vector<std::string> head, const List& list, const AddRow& add_row,
-                    std::size_t left_out = 0) {
-    if (list.empty()) return {};
-    TextTable table(std::move(head));
-    const std::size_t shown = list.size() < max_rows ? list.size() : max_rows;
-    for (std::size_t i = 0; i < shown; ++i) table.add(add_row(list[i], i));
-    const std::size_t more = list.size() - shown + left_out;
-    return std::string(title) + "\n" + table.text("  ") +
-           (more ? "  ... " + std::to_string(more) + " more, see --json\n" : "");
 }
 
 std::string objects_text(const Inspection& i) {
@@ -107,17 +80,6 @@ std::string cameras_text(const Scene& scene) {
     });
 }
 
-std::string borders_text(const Inspection& i) {
-    const auto object = [&](std::uint32_t n) { return name_or(i.objects[n].name, "node", i.objects[n].node); };
-    return section(
-        "borders", {"object", "object", ">positions", ">median deg", ">largest deg"}, i.borders,
-        [&](const BorderSummary& b, std::size_t) {
-            return std::vector<std::string>{object(b.object_a), object(b.object_b), std::to_string(b.positions),
-                                            number(b.median_deg, "%.2f"), number(b.largest_deg, "%.2f")};
-        },
-        i.borders_left_out);
-}
-
 }  // namespace
 
 std::string to_text(const Inspection& i) {
@@ -129,9 +91,9 @@ std::string to_text(const Inspection& i) {
     text += "  bounds " + number(i.low.x) + " " + number(i.low.y) + " " + number(i.low.z) + " to " + number(i.high.x) +
             " " + number(i.high.y) + " " + number(i.high.z) + ", size " + number(size.x) + " x " + number(size.y) +
             " x " + number(size.z) + " m\n";
-    text += "  " + counted(i.shared_positions, "position") + " shared by objects\n";
+    text += seams_line(i);
     return text + objects_text(i) + materials_text(i.scene) + textures_text(i.scene) + lights_text(i.scene) +
-           cameras_text(i.scene) + borders_text(i);
+           cameras_text(i.scene) + surfaces_text(i) + borders_text(i);
 }
 
 }  // namespace rakelight

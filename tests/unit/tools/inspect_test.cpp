@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "support/shared.h"
-#include "tools/borders.h"
 #include "tools/text_table.h"
 #include "unit/render/test_scene.h"
 
@@ -15,80 +14,6 @@ namespace {
 
 using test::two_squares;
 using Has = ObjectSummary::Has;
-
-SharedPositions borders_of(const Scene& scene, std::vector<std::uint32_t> objects = {0, 1}) {
-    Context context;
-    return find_borders(scene, objects, context);
-}
-
-TEST(Borders, TwoSquaresShareTheTwoEndsOfTheirEdge) {
-    const SharedPositions shared = borders_of(two_squares());
-    EXPECT_EQ(shared.positions, 2u);
-    ASSERT_EQ(shared.borders.size(), 1u);
-    EXPECT_EQ(shared.borders[0].object_a, 0u);
-    EXPECT_EQ(shared.borders[0].object_b, 1u);
-    EXPECT_EQ(shared.borders[0].positions, 2u);
-    EXPECT_EQ(shared.borders[0].largest_deg, 0);
-}
-
-TEST(Borders, TheSeamAngleIsThatBetweenTheNormalsInTheWorld) {
-    Scene scene = two_squares();
-    scene.meshes[1].normals = std::vector<vec3>(4, vec3{0.6f, 0, 0.8f});
-    EXPECT_NEAR(borders_of(scene).borders[0].largest_deg, 36.8699, 1e-3);
-    scene.nodes[1].local.scale = {1, 1, -1};  // mirrored in its own plane: the normal points to the back in the world
-    EXPECT_NEAR(borders_of(scene).borders[0].largest_deg, 180 - 36.8699, 1e-3);
-}
-
-TEST(Borders, TheNearestTwoNormalsCountWhereAnObjectHasSeveral) {
-    Scene scene = two_squares();
-    Mesh& right = scene.meshes[1];
-    std::vector<vec3> positions(right.positions.begin(), right.positions.end());
-    positions.push_back(positions[0]);
-    right.positions = positions;
-    right.normals = std::vector<vec3>{{1, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
-    right.indices = std::vector<std::uint32_t>{0, 1, 2, 4, 2, 3};
-    EXPECT_EQ(borders_of(scene).borders[0].largest_deg, 0);
-}
-
-TEST(Borders, PositionsAreComparedInTheWorldAndMinusZeroIsZero) {
-    Scene scene = two_squares();
-    scene.meshes[0].positions = std::vector<vec3>{{-1, -0.0f, 0}, {-0.0f, -0.0f, -0.0f}, {-0.0f, 1, 0}, {-1, 1, 0}};
-    EXPECT_EQ(borders_of(scene).positions, 2u);
-    scene.nodes[1].local.translation = {1e-12, 0, 0};
-    EXPECT_EQ(borders_of(scene).positions, 0u);
-    EXPECT_TRUE(borders_of(scene).borders.empty());
-}
-
-TEST(Borders, VerticesThatNoTriangleUsesDoNotCount) {
-    Scene scene = two_squares();
-    scene.meshes[1].indices = std::vector<std::uint32_t>{1, 2, 2};
-    EXPECT_EQ(borders_of(scene).positions, 0u);
-}
-
-TEST(Borders, NumbersThatAreNotFiniteMeetNobody) {
-    Scene scene = two_squares();
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (Mesh& mesh : scene.meshes) mesh.positions = std::vector<vec3>(4, vec3{nan, 0, 0});
-    EXPECT_EQ(borders_of(scene).positions, 0u);
-}
-
-TEST(Borders, ManyObjectsInOnePointDoNotMakeAQuadraticNumberOfPairs) {
-    Scene scene = two_squares();
-    scene.nodes.resize(5000);
-    std::vector<std::uint32_t> objects;
-    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-        scene.nodes[i].meshes = {0};
-        objects.push_back(i);
-    }
-    const SharedPositions shared = borders_of(scene, objects);
-    EXPECT_EQ(shared.positions, 4u);
-    EXPECT_LE(shared.borders.size(), 28u);
-}
-
-TEST(Borders, AnObjectAloneHasNone) {
-    EXPECT_EQ(borders_of(two_squares(), {0}).positions, 0u);
-    EXPECT_EQ(borders_of(Scene{}, {}).positions, 0u);
-}
 
 TEST(Inspect, CountsObjectsMeshesAndAttributes) {
     Scene scene = two_squares();

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "inspect_verb.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+#include "options.h"
+#include "run_file.h"
+#include "values.h"
+
+namespace rakelight::cli {
+
+void add_inspect_options(CLI::App& app, InspectWords& w) {
+    const auto add = [&](const char* group, const char* name, std::string& value, const char* type, const char* help) {
+        app.add_option(name, value, help)->type_name(type)->group(group);
+    };
+    const auto flag = [&](const char* group, const char* name, bool& value, const char* help) {
+        app.add_flag(name, value, help)->group(group);
+    };
+    add_normal_options(
+        app,
+        "Whose normals are looked at: auto (default: the file's, smoothed per object where it has none), "
+        "file (else flat), flat, object, model",
+        w.render);
+    flag("Normals", "--no-borders", w.no_borders, "Do not look for the borders that objects share");
+    flag("Normals", "--no-surfaces", w.no_surfaces, "Do not look at edges, faces and normals of each object");
+    const char* const check = "Check";
+    flag(check, "--check", w.check,
+         "Exit with 5 when a limit is passed: that of --max-seam, and those asked for below");
+    add(check, "--max-seam", w.max_seam, "DEG", "Largest seam between two objects (default 1; 180 allows any)");
+    flag(check, "--no-degenerate", w.no_degenerate, "No triangle without area");
+    flag(check, "--no-t-junctions", w.no_t_junctions, "No vertex on the inside of another face's open edge");
+    flag(check, "--no-non-manifold", w.no_non_manifold, "No edge of three or more faces");
+    flag(check, "--consistent-winding", w.consistent_winding, "No edge whose two faces go along it the same way");
+    flag(check, "--closed", w.closed, "Every object closed: no edge of one face");
+    flag(check, "--unit-normals", w.unit_normals, "No zero, non-finite or non-unit normal in the file");
+    add("Heat map", "--heatmap", w.heat_map, "FILE",
+        "Write a picture of the seams, colored by their angle. {model} stands for the model's name");
+    add("Heat map", "--resolution", w.render.resolution, "W,H", "Its size in pixels, also WxH (default 1280,720)");
+    add_view_options(app, "Heat map", w.render);
+}
+
+namespace {
+
+void apply_limits(const InspectWords& w, InspectRequest& request) {
+    CheckLimits limits;
+    limits.no_degenerate = w.no_degenerate, limits.no_t_junctions = w.no_t_junctions;
+    limits.no_non_manifold = w.no_non_manifold, limits.consistent_winding = w.consistent_winding;
+    limits.closed = w.closed, limits.unit_normals = w.unit_normals;
+    const bool of_surfaces =
+        w.no_degenerate || w.no_t_junctions || w.no_non_manifold || w.consistent_winding || w.closed || w.unit_normals;
+    if (!w.check && (of_surfaces || !w.max_seam.empty()))
+        throw Error(ErrorCode::usage, "limits are for --check", {}, "add --check");
+    if (!w.check) return;
+    if (of_surfaces && w.no_surfaces)
+        throw Error(ErrorCode::usage, "--no-surfaces leaves nothing to check the limits of surfaces by");
+    if (w.no_borders && !w.max_seam.empty())
+        throw Error(ErrorCode::usage, "--no-borders and --max-seam exclude each other");
+    if (w.no_borders) limits.max_seam_deg.reset();
+    if (!w.max_seam.empty()) limits.max_seam_deg = number("--max-seam", w.max_seam);
+    if (limits.max_seam_deg && !(*limits.max_seam_deg >= 0 && *limits.max_seam_deg <= 180))
+        throw Error(ErrorCode::usage, "--max-seam: must be 0 to 180 degrees");
+    request.check = limits;
+}
+
+/// The work on one file.
+void inspect_file(const Options& options, const PictureRequest& picture, InspectionRow& row, Context& context) {
+    const Scene scene = load(picture.input, picture.load, context);
+    row.inspection = inspect(scene, options.inspect.options, context);
+    if (options.inspect.check) row.check = check_limits(*row.inspection, *options.inspect.check);
+    if (picture.output.empty()) return;
+    save(draw_seams(scene, *row.inspection, options.inspect.options, picture.view, picture.settings, context),
+         picture.output);
+    row.heat_map = picture.output;
+    row.inspection->seam_lines = {};
+}
+
+/// One line a limit; returns the exit code.
+int print_failures(const InspectionRow& row) {
+    if (!row.check || row.check->empty()) return 0;
+    for (const CheckFailure& failure : *row.check)
+        print_error(Error(ErrorCode::check_failed, failure.limit + ": " + failure.message).with_file(row.file));
+    return exit_code(ErrorCode::check_failed);
+}
+
+}  // namespace
+
+void apply(const InspectWords& w, InspectRequest& request, PictureRequest& picture) {
+    picture.output = w.heat_map;
+    request.options.borders = !w.no_borders;
+    request.options.surfaces = !w.no_surfaces;
+    request.options.seam_lines = !w.heat_map.empty();
+    request.options.prepare = picture.prepare;
+    apply_limits(w, request);
+    if (w.heat_map.empty()) {
+        if (!w.render.resolution.empty() || picture.view.is_placed() || !w.render.view.empty() ||
+            !w.render.camera.empty())
+            throw Error(ErrorCode::usage, "the view and its resolution are for --heatmap", {}, "add --heatmap FILE");
+    } else if (w.no_borders) {
+        throw Error(ErrorCode::usage, "--no-borders and --heatmap exclude each other");
+    }
+}
+
+int run_inspect(const Options& options) {
+    std::vector<PictureRequest> pictures;
+    if (!options.picture.output.empty()) {
+        pictures = picture_requests(options);
+        for (const PictureRequest& picture : pictures) check_request(picture);
+    } else {
+        for (const std::string& file : options.inputs) {
+            pictures.push_back(options.picture);
+            pictures.back().input = file;
+        }
+    }
+    std::vector<InspectionRow> rows;
+    int worst = 0;
+    for (const PictureRequest& picture : pictures) {
+        InspectionRow row{.file = picture.input};
+        if (CancelOnInterrupt::happened()) {
+            row.error = Error(ErrorCode::failed, "cancelled").with_file(picture.input);
+            rows.push_back(std::move(row));
+            continue;
+        }
+        worst = std::max(worst,
+                         run_file(options, row.file, row, [&](Context& c) { inspect_file(options, picture, row, c); }));
+        if (!options.json && row.inspection) print_data((rows.empty() ? "" : "\n") + to_text(*row.inspection));
+        worst = std::max(worst, print_failures(row));
+        if (!row.heat_map.empty())
+            print_note(
+                row.heat_map + ": seams from 0.01 degrees dark blue over 1 violet, 5 red, 20 orange to 60 yellow",
+                options.loudness);
+        rows.push_back(std::move(row));
+    }
+    if (options.json) print_data(to_json(rows));
+    return worst;
+}
+
+}  // namespace rakelight::cli

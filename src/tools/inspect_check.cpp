@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether an inspected model keeps to limits.
+#include <rakelight/inspect.h>
+
+#include <cstdio>
+
+#include "tools/object_name.h"
+
+namespace rakelight {
+namespace {
+
+using Count = std::uint64_t SurfaceSummary::*;
+
+std::string text_of(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+std::string text_of(dvec3 p) { return text_of(p.x) + " " + text_of(p.y) + " " + text_of(p.z); }
+
+/// "; so have 3 more PAIRS" or nothing.
+std::string more(std::uint64_t count, const char* thing) {
+    if (count == 0) return {};
+    return "; " + std::to_string(count) + " more " + thing + (count == 1 ? "" : "s");
+}
+
+std::string seam_failure(const Inspection& i, double limit_deg) {
+    if (!(i.seams.seam_deg > limit_deg)) return {};
+    const BorderSummary& worst = i.borders.front();
+    std::uint64_t others = 0;
+    for (const BorderSummary& b : i.borders) others += b.seam_deg > limit_deg;
+    return "seam of " + text_of(worst.seam_deg) + " degrees between " + quoted_name(i, worst.object_a) + " and " +
+           quoted_name(i, worst.object_b) + " at " + text_of(worst.seam_position) + ", more than " +
+           text_of(limit_deg) + more(others - 1, "pair");
+}
+
+/// The object that has most of something, how much, and how many others have any.
+std::string count_failure(const Inspection& i, std::initializer_list<Count> counts, const char* thing) {
+    std::size_t worst = 0;
+    std::uint64_t most = 0, others = 0;
+    for (std::size_t o = 0; o < i.surfaces.size(); ++o) {
+        std::uint64_t sum = 0;
+        for (const Count count : counts) sum += i.surfaces[o].*count;
+        others += sum > 0;
+        if (sum > most) most = sum, worst = o;
+    }
+    if (most == 0) return {};
+    return std::to_string(most) + " " + thing + (most == 1 ? "" : "s") + " in " + quoted_name(i, std::uint32_t(worst)) +
+           more(others - 1, "object");
+}
+
+std::string t_junction_failure(const Inspection& i) {
+    std::string text = count_failure(i, {&SurfaceSummary::t_junctions}, "T-junction");
+    if (!text.empty()) text += ", the first at " + text_of(i.t_junction_places.front().position);
+    if (text.empty() && i.edges_not_searched > 0)
+        text = std::to_string(i.edges_not_searched) + " open edges were not searched: too many lie too close together";
+    return text;
+}
+
+std::string winding_failure(const Inspection& i) {
+    std::string text = count_failure(i, {&SurfaceSummary::inconsistent_edges}, "edge of inconsistent winding");
+    if (const std::size_t at = text.find("edge of inconsistent windings"); at != text.npos)
+        text.replace(at, 29, "edges of inconsistent winding");
+    if (i.seams.inconsistent_edges == 0) return text;
+    const std::string between = std::to_string(i.seams.inconsistent_edges) + " between two objects";
+    return text.empty() ? "edges of inconsistent winding: " + between : text + "; " + between;
+}
+
+}  // namespace
+
+std::vector<CheckFailure> check_limits(const Inspection& i, const CheckLimits& limits) {
+    using S = SurfaceSummary;
+    std::vector<CheckFailure> failures;
+    const auto add = [&](bool wanted, const char* limit, const auto& find) {
+        if (!wanted) return;
+        if (std::string message = find(); !message.empty()) failures.push_back({limit, std::move(message)});
+    };
+    add(limits.max_seam_deg.has_value(), "max-seam", [&] { return seam_failure(i, *limits.max_seam_deg); });
+    add(limits.no_degenerate, "no-degenerate",
+        [&] { return count_failure(i, {&S::degenerate_faces}, "degenerate face"); });
+    add(limits.no_t_junctions, "no-t-junctions", [&] { return t_junction_failure(i); });
+    add(limits.no_non_manifold, "no-non-manifold",
+        [&] { return count_failure(i, {&S::non_manifold_edges}, "non-manifold edge"); });
+    add(limits.consistent_winding, "consistent-winding", [&] { return winding_failure(i); });
+    add(limits.closed, "closed", [&] { return count_failure(i, {&S::open_edges}, "open edge"); });
+    add(limits.unit_normals, "unit-normals", [&] {
+        return count_failure(i, {&S::zero_normals, &S::non_finite_normals, &S::non_unit_normals},
+                             "zero, non-finite or non-unit normal");
+    });
+    return failures;
+}
+
+}  // namespace rakelight

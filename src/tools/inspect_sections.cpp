@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seams and faults of an inspection for people.
+#include "tools/inspect_sections.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "tools/object_name.h"
+
+namespace rakelight {
+namespace {
+
+std::string degrees_text(double deg) { return number(deg, "%.2f"); }
+std::string count_or_dash(std::uint64_t count) { return count ? std::to_string(count) : "-"; }
+std::string position_text(dvec3 p) { return number(p.x) + " " + number(p.y) + " " + number(p.z); }
+
+std::uint64_t bad_normals(const SurfaceSummary& s) {
+    return s.zero_normals + s.non_finite_normals + s.non_unit_normals;
+}
+
+/// Faults that are nobody's intention; open edges and mirrored charts often are.
+std::uint64_t fault_count(const SurfaceSummary& s) {
+    return s.degenerate_faces + bad_normals(s) + s.inconsistent_edges + s.non_manifold_edges + s.t_junctions;
+}
+
+std::string t_junctions_text(const Inspection& i) {
+    constexpr std::size_t shown = 10;
+    std::string text = section(
+        "T-junctions", {"at", "vertex of", "edge of"},
+        std::span(i.t_junction_places).first(std::min(shown, i.t_junction_places.size())),
+        [&](const TJunctionPlace& t, std::size_t) {
+            return std::vector<std::string>{position_text(t.position), name_or_number(i, t.object),
+                                            name_or_number(i, t.edge_object)};
+        },
+        std::size_t(i.t_junctions) - std::min(shown, i.t_junction_places.size()));
+    if (i.edges_not_searched > 0)
+        text += "  " + counted(i.edges_not_searched, "open edge") +
+                " not searched for T-junctions: too many lie too close\n";
+    return text;
+}
+
+}  // namespace
+
+std::string seams_line(const Inspection& i) {
+    const SeamTotals& s = i.seams;
+    std::string text = "  " + counted(i.shared_positions, "position") + " shared by objects";
+    if (i.shared_positions == 0) return text + "\n";
+    text += ", " + std::to_string(s.continuous) + " continuous (normals: " + s.normals_before + "), " +
+            std::to_string(s.joined) + " once smoothed over the model at " + number(s.crease_angle_deg) + " degrees\n";
+    text += "  largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
+            degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +
+            degrees_text(s.before.p95_deg) + "; smoothed max " + degrees_text(s.after.max_deg) + ", mean " +
+            degrees_text(s.after.mean_deg) + ", 95% " + degrees_text(s.after.p95_deg) + "\n";
+    if (s.crowded_positions > 0)
+        text += "  " + counted(s.crowded_positions, "position") +
+                " of more than 8 objects: " + counted(s.pairings_left_out, "pairing") + " there not looked at\n";
+    if (s.inconsistent_edges > 0)
+        text += "  " + counted(s.inconsistent_edges, "edge") + " between objects of which one is inside out\n";
+    return text;
+}
+
+std::string surfaces_text(const Inspection& i) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t n = 0; n < i.surfaces.size(); ++n)
+        if (i.objects[n].triangles > 0) order.push_back(n);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return fault_count(i.surfaces[a]) > fault_count(i.surfaces[b]);
+    });
+    return section("surfaces",
+                   {">#", "object", "closed", ">open edges", ">winding", ">non-manifold", ">T-junctions", ">degenerate",
+                    ">bad normals", ">mirrored"},
+                   order,
+                   [&](std::uint32_t n, std::size_t) {
+                       const SurfaceSummary& s = i.surfaces[n];
+                       return std::vector<std::string>{std::to_string(n),
+                                                       name_or_number(i, n),
+                                                       s.closed ? "yes" : "no",
+                                                       count_or_dash(s.open_edges),
+                                                       count_or_dash(s.inconsistent_edges),
+                                                       count_or_dash(s.non_manifold_edges),
+                                                       count_or_dash(s.t_junctions),
+                                                       count_or_dash(s.degenerate_faces),
+                                                       count_or_dash(bad_normals(s)),
+                                                       count_or_dash(s.mirrored_positions)};
+                   }) +
+           t_junctions_text(i);
+}
+
+std::string borders_text(const Inspection& i) {
+    return section(
+        "borders (degrees)",
+        {"object", "object", ">shared", ">continuous", ">smoothed", ">seam", ">max", ">mean", ">95%", ">smoothed max",
+         ">mean", ">95%"},
+        i.borders,
+        [&](const BorderSummary& b, std::size_t) {
+            return std::vector<std::string>{
+                name_or_number(i, b.object_a),  name_or_number(i, b.object_b),   std::to_string(b.positions),
+                std::to_string(b.continuous),   std::to_string(b.joined),        degrees_text(b.seam_deg),
+                degrees_text(b.before.max_deg), degrees_text(b.before.mean_deg), degrees_text(b.before.p95_deg),
+                degrees_text(b.after.max_deg),  degrees_text(b.after.mean_deg),  degrees_text(b.after.p95_deg)};
+        },
+        i.borders_left_out);
+}
+
+}  // namespace rakelight

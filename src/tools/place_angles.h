@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far apart the normals of two objects are at one place.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <rakelight/vector.h>
+
+namespace rakelight {
+
+/// The normals of some corners of one object at a place: unit, in the world.
+struct CornerNormals {
+    dvec3 before, after;
+};
+struct ObjectAtPlace {
+    std::uint32_t object = 0;
+    std::span<const CornerNormals> corners;  ///< at least one
+};
+
+struct PairAngle {
+    double before_deg = 0, after_deg = 0;
+    bool joined = false;  ///< some corner of the one has the normal of some corner of the other, after
+};
+
+/// `after`: of the nearest two normals. `before`: of the nearest two in each group of corners that the smoothing joins,
+/// the largest over the groups; of the nearest two of all where it joins none. O(a b).
+PairAngle pair_angle(const ObjectAtPlace& a, const ObjectAtPlace& b);
+
+/// At most `most` objects, in the order of the list: those whose first normals turn farthest from the mean, and the
+/// nearest one.
+std::vector<ObjectAtPlace> most_different(std::span<const ObjectAtPlace> objects, std::size_t most);
+
+}  // namespace rakelight

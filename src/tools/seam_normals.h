@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The normals of a model as they are, and as they are after smoothing over all objects.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rakelight/attributes.h>
+#include <rakelight/prepare.h>
+
+namespace rakelight {
+
+/// The normals of one part: the file's, or made.
+struct PartNormals {
+    std::span<const vec3> given;  ///< [V] by the mesh's own indices; empty: `made` counts
+    MeshAttributes made;
+
+    /// The vertex that a corner (3 * triangle + k) uses for its normal.
+    std::uint32_t vertex(std::span<const std::uint32_t> indices, std::size_t corner) const {
+        return given.empty() && !made.indices.empty() ? made.indices[corner] : indices[corner];
+    }
+    vec3 normal(std::uint32_t vertex) const { return given.empty() ? made.normals[vertex] : given[vertex]; }
+};
+
+struct SeamNormals {
+    std::vector<PartNormals> before, after;  ///< [parts]
+};
+
+/// @param options  see InspectOptions::prepare
+std::vector<PartNormals> normals_before(std::span<const AttributeMesh> meshes, const PrepareOptions& options,
+                                        Context& context);
+
+/// As `rakelight smooth` writes them with the same crease angle and weight.
+std::vector<PartNormals> normals_after(std::span<const AttributeMesh> meshes, const PrepareOptions& options,
+                                       Context& context);
+
+/// Whose normals normals_before() gives, for people: "the file's, smoothed per object where it has none (2 of 5
+/// meshes)".
+std::string name_of_source(std::span<const AttributeMesh> meshes, NormalSource source);
+
+}  // namespace rakelight
