@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "geometry/face_vote.h"
+#include "geometry/fast_memory.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -40,7 +41,7 @@ Place place_of(const AttributeInput& input, WeldKey key, std::uint32_t mesh, std
 
 // Mixed so that both the high bits (partition) and the low ones (table) depend on every coordinate; floats widened to
 // double have 29 low zero bits.
-std::uint64_t hash_of(const Place& place) {
+std::uint32_t hash_of(const Place& place) {
     const auto mix = [](std::uint64_t h, std::uint64_t bits) {
         h = (h ^ bits ^ (bits >> 32)) * 0x9e3779b97f4a7c15ull;
         return h ^ (h >> 29);
@@ -54,7 +55,7 @@ std::uint64_t hash_of(const Place& place) {
         h = mix(h, std::bit_cast<std::uint32_t>(place.normal.z));
     }
     h *= 0xbf58476d1ce4e5b9ull;
-    return h ^ (h >> 32);
+    return std::uint32_t(h ^ (h >> 32));
 }
 
 class Weld {
@@ -62,8 +63,8 @@ public:
     Weld(const AttributeInput& input, WeldKey key, Context& context)
         : input_(input), key_(key), context_(context), chunks_(make_chunks(input.vertex_base, vertices_per_chunk)) {
         const std::uint32_t wanted = input.vertex_count() / records_per_partition + 1;
-        shift_ = 64 - std::uint32_t(std::bit_width(std::min(std::bit_ceil(wanted), most_partitions)) - 1);
-        partitions_ = 1u << (64 - shift_);
+        shift_ = 32 - std::uint32_t(std::bit_width(std::min(std::bit_ceil(wanted), most_partitions)) - 1);
+        partitions_ = 1u << (32 - shift_);
     }
 
     std::vector<std::uint32_t> run() {
@@ -80,23 +81,32 @@ public:
     }
 
 private:
-    std::uint32_t partition_of(std::uint64_t hash) const { return partitions_ == 1 ? 0 : std::uint32_t(hash >> shift_); }
+    std::uint32_t partition_of(std::uint32_t hash) const { return partitions_ == 1 ? 0 : hash >> shift_; }
 
+    // Calls body(vertex) for each vertex of a chunk.
     template <class Body>
-    void for_each_place(std::size_t chunk, const Body& body) const {
+    void for_each_vertex(std::size_t chunk, const Body& body) const {
         for_each_range(chunks_[chunk], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            for (std::uint32_t v = first; v != last; ++v) {
-                const Place place = place_of(input_, key_, m, v);
-                if (is_finite(place.position)) body(input_.vertex_base[m] + v, hash_of(place));
-            }
+            for (std::uint32_t v = first; v != last; ++v) body(m, input_.vertex_base[m] + v);
         });
+    }
+    // 0: not a place; partition and slot are taken from different ends of the rest.
+    std::uint32_t hash_at(std::uint32_t m, std::uint32_t vertex) const {
+        const Place place = place_of(input_, key_, m, vertex - input_.vertex_base[m]);
+        return is_finite(place.position) ? std::max(1u, hash_of(place)) : 0;
     }
 
     void partition() {
         std::vector<std::uint32_t> cursor(chunks_.size() * partitions_, 0);
+        LargeArray<std::uint32_t> hashes;
+        hashes.reserve(input_.vertex_count());
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
             std::vector<std::uint32_t> counts(partitions_, 0);
-            for_each_place(c, [&](std::uint32_t, std::uint64_t hash) { ++counts[partition_of(hash)]; });
+            std::uint32_t* const hash = hashes.data();
+            for_each_vertex(c, [&](std::uint32_t m, std::uint32_t v) {
+                hash[v] = hash_at(m, v);
+                if (hash[v] != 0) ++counts[partition_of(hash[v])];
+            });
             std::copy(counts.begin(), counts.end(), cursor.begin() + std::ptrdiff_t(c * partitions_));
         });
         begin_.resize(partitions_ + 1);
@@ -110,13 +120,14 @@ private:
             }
         }
         begin_[partitions_] = sum;
-        records_.resize(sum);
+        records_.reserve(sum);
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
             std::vector<std::uint32_t> at(cursor.begin() + std::ptrdiff_t(c * partitions_),
                                           cursor.begin() + std::ptrdiff_t((c + 1) * partitions_));
             Record* records = records_.data();
-            for_each_place(c, [&](std::uint32_t vertex, std::uint64_t hash) {
-                records[at[partition_of(hash)]++] = {std::uint32_t(hash), vertex};
+            const std::uint32_t* const hash = hashes.data();
+            for_each_vertex(c, [&](std::uint32_t, std::uint32_t v) {
+                if (hash[v] != 0) records[at[partition_of(hash[v])]++] = {hash[v], v};
             });
         });
     }
@@ -147,9 +158,9 @@ private:
     WeldKey key_;
     Context& context_;
     std::vector<Chunk> chunks_;
-    std::uint32_t shift_ = 64, partitions_ = 1;
+    std::uint32_t shift_ = 32, partitions_ = 1;
     std::vector<std::uint32_t> begin_;
-    std::vector<Record> records_;
+    LargeArray<Record> records_;
 };
 
 }  // namespace

@@ -9,11 +9,36 @@
 namespace rakelight::geometry {
 namespace {
 
-// A vote for a vertex that another piece of the mesh owns.
-struct Parcel {
-    std::uint32_t row;
-    NormalRow normal;
-    TangentRow tangent;
+// Votes for vertices that another piece of the mesh owns, in the order of sending. Blocks: nothing moves as they grow.
+template <class Item>
+class Outbox {
+public:
+    void push(const Item& item) {
+        if (blocks_.empty() || blocks_.back().size() == block) blocks_.emplace_back().reserve(block);
+        blocks_.back().push_back(item);
+    }
+    template <class Body>
+    void for_each(const Body& body) const {
+        for (const std::vector<Item>& b : blocks_)
+            for (const Item& item : b) body(item);
+    }
+
+private:
+    static constexpr std::size_t block = 256;
+    std::vector<std::vector<Item>> blocks_;
+};
+
+struct NormalVote {
+    NormalRow row;
+    std::uint32_t to;
+};
+struct TangentVote {
+    TangentRow row;
+    std::uint32_t to;
+};
+struct Outboxes {
+    Outbox<NormalVote> normals;
+    Outbox<TangentVote> tangents;
 };
 
 void add(NormalRow& to, dvec3 normal, double weight) {
@@ -123,8 +148,9 @@ private:
                     add(normals[row], normal.unit * w, w);
                     if constexpr (tangents) add(tangent_rows[row], tangent.unit * w, hand);
                 } else {
-                    const Parcel parcel{row, {normal.unit * w, w}, {tangent.unit * w, hand}};
-                    outbox_[c][owner_of(row, m, pieces)].push_back(parcel);
+                    Outboxes& out = outbox_[c][owner_of(row, m, pieces)];
+                    out.normals.push({{normal.unit * w, w}, row});
+                    if constexpr (tangents) out.tangents.push({{tangent.unit * w, hand}, row});
                 }
             }
         }
@@ -134,12 +160,11 @@ private:
     void drain(std::size_t c) {
         const Chunk chunk = chunks_[c];
         const NormalRow* normals = sums_.normals.data();
-        const bool tangents = sums_.has_tangents();
-        for (std::uint32_t p = 0; p < chunk.pieces && chunk.pieces > 1; ++p)
-            for (const Parcel& parcel : outbox_[c - chunk.piece + p][chunk.piece]) {
-                add(sums_.normals[parcel.row], parcel.normal.normal, parcel.normal.weight);
-                if (tangents) add(sums_.tangents[parcel.row], parcel.tangent.tangent, parcel.tangent.hand);
-            }
+        for (std::uint32_t p = 0; p < chunk.pieces && chunk.pieces > 1; ++p) {
+            const Outboxes& box = outbox_[c - chunk.piece + p][chunk.piece];
+            box.normals.for_each([&](const NormalVote& v) { add(sums_.normals[v.to], v.row.normal, v.row.weight); });
+            box.tangents.for_each([&](const TangentVote& v) { add(sums_.tangents[v.to], v.row.tangent, v.row.hand); });
+        }
         for (std::uint32_t m = chunk.mesh_begin; m != chunk.mesh_end; ++m) {
             const Owned own = owned_by(chunk, m);
             std::uint32_t isolated = 0;
@@ -155,7 +180,7 @@ private:
     Context& context_;
     std::vector<std::uint32_t> appended_base_;
     std::vector<Chunk> chunks_;
-    std::vector<std::vector<std::vector<Parcel>>> outbox_;  // [chunks][receiving piece of the same mesh]
+    std::vector<std::vector<Outboxes>> outbox_;  // [chunks][receiving piece of the same mesh]
 };
 
 }  // namespace
