@@ -15,6 +15,16 @@ bool same_indices(const Mesh& a, const Mesh& b) {
     return a.indices == b.indices || std::equal(a.indices.begin(), a.indices.end(), b.indices.begin(), b.indices.end());
 }
 
+/// The targets as they become: arrays that are still the file's own are left out.
+std::vector<MorphTarget> new_targets(const Mesh& before, const Mesh& after) {
+    std::vector<MorphTarget> targets = after.targets;
+    for (std::size_t t = 0; t < std::min(targets.size(), before.targets.size()); ++t) {
+        if (targets[t].normals == before.targets[t].normals) targets[t].normals = {};
+        if (targets[t].tangents == before.targets[t].tangents) targets[t].tangents = {};
+    }
+    return targets;
+}
+
 void erase_extension(OrderedJson& owner, const char* name) {
     const auto extensions = owner.find("extensions");
     if (extensions == owner.end()) return;
@@ -38,19 +48,36 @@ ComponentType PrimitiveEditor::index_type(const Value& source) const {
         .type;
 }
 
-void PrimitiveEditor::extend(OrderedJson& owner, const Value& source, VertexData& vertices, bool is_target,
-                             std::span<const std::uint32_t> copied) {
+/// @param target  what a morph target becomes, or null: `owner` holds the attributes of the primitive itself
+void PrimitiveEditor::extend(OrderedJson& owner, const Value& source, VertexData& vertices,
+                             std::span<const std::uint32_t> copied, const MorphTarget* target) {
     for (auto& [name, accessor] : owner.items()) {
-        if (!is_target && (name == "NORMAL" || name == "TANGENT")) continue;  // made anew
+        const bool made_anew = name == "NORMAL"    ? !target || !target->normals.empty()
+                               : name == "TANGENT" ? !target || !target->tangents.empty()
+                                                   : false;
+        if (made_anew) continue;
         const std::uint32_t old = source.required_index(name.c_str());
-        const Elements elements = is_target
-                                      ? accessors_.elements(old, {"a morph target", any_components, any_type}, source)
-                                      : *vertices.elements(name, any_components, any_type);
+        const Elements elements = target ? accessors_.elements(old, {"a morph target", any_components, any_type}, source)
+                                         : *vertices.elements(name, any_components, any_type);
         accessors_.document().context().memory().check((elements.count + copied.size()) * 64, "splitting vertices");
         // The parts of root_ move when accessors are added: the old one is copied first.
         const OrderedJson model = root_["accessors"][old];
         accessor = data_.extended(elements, copied, model);
     }
+}
+
+void PrimitiveEditor::put_offsets(OrderedJson& json, const char* name, const Block<vec3>& offsets, bool may_overwrite) {
+    if (offsets.empty()) return;
+    const std::span<const float> numbers{&offsets[0].x, 3 * offsets.size()};
+    const auto old = json.find(name);
+    const bool is_done = may_overwrite && old != json.end() &&
+                         own_.replace(root_, old->get<std::size_t>(), numbers, 3, ComponentType::f32);
+    if (!is_done) json[name] = data_.directions(numbers, 3, ComponentType::f32);
+}
+
+void PrimitiveEditor::put_target(OrderedJson& json, const MorphTarget& target, bool may_overwrite) {
+    put_offsets(json, "NORMAL", target.normals, may_overwrite);
+    put_offsets(json, "TANGENT", target.tangents, may_overwrite);
 }
 
 void PrimitiveEditor::put(OrderedJson& attributes, const char* name, std::span<const float> numbers, ComponentType type,
@@ -82,15 +109,18 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
 
     // 1. the other attributes and the morph targets
     const Value targets = source.list("targets");
+    const std::vector<MorphTarget> fresh = new_targets(before, after);
+    if (fresh.size() != targets.size() || before.targets.size() != targets.size())
+        source.fail("the file changed while it was worked on");
     if (!copied.empty() || result.unpacked) {
         VertexData vertices(accessors_, cache_, source);
         const auto positions = vertices.elements("POSITION", any_components, any_type);
         if (!positions || positions->count != before.positions.size())
             source.fail("the file changed while it was worked on");
-        extend(attributes, source.object("attributes"), vertices, false, copied);
+        extend(attributes, source.object("attributes"), vertices, copied, nullptr);
         if (!copied.empty())
             for (std::size_t t = 0; t < targets.size(); ++t)
-                extend(json["targets"][t], targets.element(t), vertices, true, copied);
+                extend(json["targets"][t], targets.element(t), vertices, copied, &fresh[t]);
     }
 
     // 2. normals and tangents
@@ -107,8 +137,10 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
         attributes.erase("TANGENT");
         for (std::size_t t = 0; t < targets.size(); ++t) json["targets"][t].erase("TANGENT");  // offsets from nothing
     }
-    for (std::size_t t = 0; t < targets.size(); ++t)
-        result.keeps_target_normals = result.keeps_target_normals || targets.element(t).has("NORMAL");
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        put_target(json["targets"][t], fresh[t], may_overwrite);
+        result.keeps_target_normals = result.keeps_target_normals || (targets.element(t).has("NORMAL") && fresh[t].normals.empty());
+    }
 
     // 3. corners; strips and fans become lists, since their corners cannot be told apart
     if (!same_indices(before, after) || result.unpacked) {

@@ -12,7 +12,7 @@ namespace rakelight::io::gltf {
 struct PrimitiveEdit {
     bool unpacked = false;              ///< its Draco data was taken apart
     bool tangents_removed = false;      ///< the file's tangents went: nothing to make new ones from, or not wanted
-    bool keeps_target_normals = false;  ///< morph targets with normals: offsets from normals that are no more
+    bool keeps_target_normals = false;  ///< of morph targets without new ones: offsets from normals that are no more
     bool widened = false;               ///< integers of 8 bits became float
     bool plain = false;                 ///< arrays that took the place of meshopt-compressed ones are not compressed
 };
@@ -35,8 +35,10 @@ public:
                        bool may_overwrite);
 
 private:
-    void extend(OrderedJson& owner, const Value& source, VertexData& vertices, bool is_target,
-                std::span<const std::uint32_t> copied);
+    void extend(OrderedJson& owner, const Value& source, VertexData& vertices, std::span<const std::uint32_t> copied,
+                const MorphTarget* target);
+    void put_target(OrderedJson& json, const MorphTarget& target, bool may_overwrite);
+    void put_offsets(OrderedJson& json, const char* name, const Block<vec3>& offsets, bool may_overwrite);
     void put(OrderedJson& attributes, const char* name, std::span<const float> numbers, ComponentType type,
              bool may_overwrite);
     bool has_compressed_view(const OrderedJson& accessor) const;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of glTF models whose vertices do not stand where they meet by the file's numbers alone: quantized and skinned ones.
+// Parts of glTF models whose vertices do not stand where they meet by the file's numbers alone: quantized and skinned ones; and
+// those that move: morph targets.
 #include <gtest/gtest.h>
 
 #include <rakelight/rakelight.h>
 
+#include "math/linear.h"
 #include "unit/io/gltf_support.h"
 
 namespace rakelight {
@@ -131,6 +133,100 @@ TEST(SmoothSkinned, PartsOfOneModelHaveOneNormalWhereverTheirNodesAre) {
     smooth_file(model, out, {}, context);
     EXPECT_EQ(seams(load(out, {}, context), parts), 0u);
     EXPECT_FALSE(is_said(context, Remark::warning, "part in motion"));
+}
+
+/// Offsets by which the dome bulges out once more: float, for all of a part's vertices.
+std::vector<float> bulge(const Part& p) {
+    std::vector<float> offsets;
+    for (std::size_t v = 0; v < p.codes.size(); v += 3) offsets.insert(offsets.end(), {0, 0, 0.9f * float(p.codes[v + 2])});
+    return offsets;
+}
+
+/// The two parts with float positions and a morph target each.
+GltfFile morphed_file(const std::array<Part, 2>& parts, bool with_normals) {
+    GltfFile file = quantized_file(parts, false);
+    file.root.erase("extensionsUsed"), file.root.erase("extensionsRequired");
+    for (std::size_t n = 0; n < 2; ++n) {
+        const std::vector<float> positions(parts[n].codes.begin(), parts[n].codes.end());
+        auto& primitive = file.root["meshes"][n]["primitives"][0];
+        primitive["attributes"]["POSITION"] = file.accessor(positions, f32, 3);
+        primitive["targets"] = {{{"POSITION", file.accessor(bulge(parts[n]), f32, 3)}}};
+        file.root["meshes"][n]["extras"]["targetNames"] = {"bulge"};
+        if (!with_normals) continue;
+        std::vector<float> up, none(positions.size(), 0.0f);
+        for (std::size_t v = 0; v < positions.size() / 3; ++v) up.insert(up.end(), {0, 0, 1});
+        primitive["attributes"]["NORMAL"] = file.accessor(up, f32, 3);
+        primitive["targets"][0]["NORMAL"] = file.accessor(none, f32, 3);
+    }
+    return file;
+}
+
+/// The same parts as they are when the target has its full weight.
+Scene bulged(const Scene& scene) {
+    Scene out = scene;
+    for (Mesh& mesh : out.meshes) {
+        std::vector<vec3> positions;
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) positions.push_back(mesh.positions[v] + mesh.targets[0].positions[v]);
+        mesh.positions = std::move(positions);
+        mesh.targets.clear();
+        mesh.normals = {};
+    }
+    return out;
+}
+
+TEST(SmoothMorphed, TargetsGetTheNormalsOfTheMorphedSurface) {
+    for (const bool with_normals : {false, true})
+        for (const char* name : {"out.gltf", "out.glb"}) {
+            GltfFile file = morphed_file(two_parts({0, 0, 0}), with_normals);
+            const TestFolder folder;
+            const std::string model = write(folder, file), out = (folder.path() / name).string();
+            Context context;
+            smooth_file(model, out, {}, context);
+            EXPECT_FALSE(is_said(context, Remark::warning, "morph targets"));
+            const Scene got = load(out, {}, context);
+            AttributeOptions options;
+            options.tangents = false;
+            const Scene expected = smooth(bulged(load(model, {}, context)), options, context);
+            for (std::size_t m = 0; m < 2; ++m) {
+                const Mesh& mesh = got.meshes[m];
+                ASSERT_EQ(mesh.targets.at(0).normals.size(), mesh.positions.size());
+                for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+                    const vec3 n = mesh.normals[v] + mesh.targets[0].normals[v], wanted = expected.meshes[m].normals[v];
+                    EXPECT_LT(std::fabs(n.x - wanted.x) + std::fabs(n.y - wanted.y) + std::fabs(n.z - wanted.z), 1e-5f);
+                }
+            }
+            EXPECT_FALSE(smooth_file(out, (folder.path() / "again.glb").string(), {}, context).changed);
+        }
+}
+
+TEST(SmoothMorphed, ATargetWithoutNormalsBesideAMeshWithSomeStaysSo) {
+    GltfFile file = morphed_file(two_parts({0, 0, 0}), true);
+    file.root["meshes"][1]["primitives"][0]["targets"][0].erase("NORMAL");
+    const TestFolder folder;
+    const std::string model = write(folder, file), out = (folder.path() / "out.glb").string();
+    Context context;
+    smooth_file(model, out, {}, context);
+    const Scene got = load(out, {}, context);
+    EXPECT_FALSE(got.meshes[0].targets[0].normals.empty());
+    EXPECT_TRUE(got.meshes[1].targets[0].normals.empty());
+}
+
+TEST(SmoothMorphed, SplitVerticesCarryTheirTargets) {
+    GltfFile file = morphed_file(two_parts({0, 0, 0}), true);
+    const TestFolder folder;
+    const std::string model = write(folder, file), out = (folder.path() / "out.glb").string();
+    Context context;
+    SmoothFileOptions options;
+    options.attributes.scope = Scope::face;
+    smooth_file(model, out, options, context);
+    const Scene before = load(model, {}, context), got = load(out, {}, context);
+    for (std::size_t m = 0; m < 2; ++m) {
+        const Mesh &mesh = got.meshes[m], &old = before.meshes[m];
+        ASSERT_GT(mesh.positions.size(), old.positions.size());
+        ASSERT_EQ(mesh.targets[0].normals.size(), mesh.positions.size());
+        for (std::size_t c = 0; c < mesh.indices.size(); ++c)
+            EXPECT_EQ(mesh.targets[0].positions[mesh.indices[c]], old.targets[0].positions[old.indices[c]]);
+    }
 }
 
 }  // namespace
