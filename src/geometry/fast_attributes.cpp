@@ -32,14 +32,18 @@ bool is_plain(const AttributeMesh& m) {
            (m.smoothing.empty() || m.group_kind == GroupKind::none);
 }
 
-const FastKernels& kernels_for(Isa isa) {
+struct Kernels {
+    const FastKernels* rows;
+    const WeldKernels* weld;
+};
+Kernels kernels_for(Isa isa) {
     switch (isa) {
-        case Isa::scalar: return *scalar::fast_kernels();
-        case Isa::sse2: return *sse2::fast_kernels();
-        case Isa::avx2: return *avx2::fast_kernels();
-        case Isa::avx512: return *avx512::fast_kernels();
+        case Isa::scalar: break;
+        case Isa::sse2: return {sse2::fast_kernels(), sse2::weld_kernels()};
+        case Isa::avx2: return {avx2::fast_kernels(), avx2::weld_kernels()};
+        case Isa::avx512: return {avx512::fast_kernels(), avx512::weld_kernels()};
     }
-    return *scalar::fast_kernels();
+    return {scalar::fast_kernels(), scalar::weld_kernels()};
 }
 
 std::vector<SplitAttributes> without_splits(const FastState& state) {
@@ -63,11 +67,11 @@ std::vector<SplitAttributes> give_to_general(std::span<const AttributeMesh> mesh
 }  // namespace
 
 std::size_t FastScratch::bytes() const {
-    std::size_t sum = rows.bytes() + records.bytes() + cursors.capacity() * sizeof(std::uint32_t);
+    std::size_t sum = rows.bytes() + records.bytes();
     for (const auto& box : outbox) sum += box.capacity();
     for (const LaneScratch& lane : lanes)
-        sum += lane.table.bytes() + lane.duplicates.capacity() * sizeof(Duplicate) + lane.parcels.capacity() +
-               (lane.cursor.capacity() + lane.odd.capacity()) * sizeof(std::uint32_t);
+        sum += lane.table.bytes() + lane.left.bytes() + lane.hashed.capacity() * sizeof(HashedRange) + lane.counts.capacity() * sizeof(std::uint32_t) + lane.duplicates.capacity() * sizeof(Duplicate) + lane.parcels.capacity() +
+               lane.odd.capacity() * sizeof(std::uint32_t);
     return sum;
 }
 
@@ -105,16 +109,23 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
                           });
     const std::size_t vertices = input.vertex_count();
     const std::size_t floats = tangents ? tangent_row_floats : normal_row_floats;
-    context.memory().check(vertices * (floats * sizeof(float) + 16), "smoothing normals");
+    context.memory().check(vertices * (floats * sizeof(float) + 20), "smoothing normals");
     scratch.rows.reserve(vertices * floats);
-    FastState state{input, options, scratch, kernels_for(isa_from_environment()), context, tangents, {}, {}};
+    const Kernels kernels = kernels_for(isa_from_environment());
+    const bool is_identity = meshes[0].to_world == dmat4{};
+    FastState state{input, options, out, is_identity, weld_partition_bits(input.vertex_count()), scratch, *kernels.rows, *kernels.weld, context, tangents, {}, {}};
     state.degenerate.assign(meshes.size(), 0);
     state.isolated.assign(meshes.size(), 0);
+    for (LaneScratch& lane : scratch.lanes) {
+        lane.hashed.clear();
+        lane.counts.clear();
+    }
     if (!scatter_votes(state)) check_indices(input, context);
     weld_rows(state);
     context.throw_if_cancelled();
-    const std::vector<std::uint32_t> hard = finish_rows(state, out);
+    const std::vector<std::uint32_t> hard = finish_rows(state);
     context.throw_if_cancelled();
+    if (getenv("DBGW")) fprintf(stderr,"hard %zu\n",hard.size());
     if (hard.size() > vertices / 4) return give_to_general(meshes, options, out, context);
     std::vector<SplitAttributes> splits = without_splits(state);
     if (!hard.empty()) redo_places(state, hard, out, splits);

@@ -22,15 +22,15 @@ static_assert(sizeof(TangentRow8) == tangent_row_floats * sizeof(float));
 
 class ClassJoin {
 public:
-    ClassJoin(FastState& state, std::span<const Duplicate> duplicates) : state_(state), duplicates_(duplicates) {}
+    ClassJoin(FastState& state, std::span<const std::uint32_t> members) : state_(state), members_(members) {}
 
     void run() {
-        const std::size_t count = duplicates_.size() + 1;
+        const std::size_t count = members_.size();
         vec3 normal;
         float weight = 0;
         std::size_t silent = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            const float* row = state_.row(member(i));
+            const float* row = state_.row(members_[i]);
             normal += vec3{row[0], row[1], row[2]};
             weight += row[state_.floats() - 1];
             silent += row[state_.floats() - 1] == 0;
@@ -40,7 +40,7 @@ public:
         const bool is_weak = !(dot(normal, normal) >= weight * weight * class_normal_share * class_normal_share);
         if (is_weak || (state_.tangents && !join_tangents(normal * (1 / length(normal))))) return leave();
         for (std::size_t i = 0; i < count; ++i) {
-            float* row = state_.row(member(i));
+            float* row = state_.row(members_[i]);
             std::memcpy(row, &normal, sizeof normal);
             // The finish compares hand with weight; the tangents of this class have been judged.
             float& own = row[state_.floats() - 1];
@@ -49,29 +49,27 @@ public:
     }
 
 private:
-    std::uint32_t member(std::size_t i) const { return i == 0 ? duplicates_[0].rep : duplicates_[i - 1].vertex; }
-
     void count_isolated() const {
-        for (std::size_t i = 0; i <= duplicates_.size(); ++i)
-            if (state_.row(member(i))[state_.floats() - 1] == 0)
-                std::atomic_ref(state_.isolated[state_.input.mesh_of_vertex(member(i))]).fetch_add(1, std::memory_order_relaxed);
+        for (const std::uint32_t v : members_)
+            if (state_.row(v)[state_.floats() - 1] == 0)
+                std::atomic_ref(state_.isolated[state_.input.mesh_of_vertex(v)]).fetch_add(1, std::memory_order_relaxed);
     }
 
     void leave() const {
-        for (std::size_t i = 0; i <= duplicates_.size(); ++i) state_.row(member(i))[state_.floats() - 1] = -1;
+        for (const std::uint32_t v : members_) state_.row(v)[state_.floats() - 1] = -1;
     }
 
     // False: not to be decided here.
     bool join_tangents(vec3 n) const {
-        const std::size_t count = duplicates_.size() + 1;
+        const std::size_t count = members_.size();
         if (count > most_members) return false;
         TangentRow8* rows[most_members];
         vec3 direction[most_members];
         std::size_t set[most_members];
         for (std::size_t i = 0; i < count; ++i) {
-            rows[i] = reinterpret_cast<TangentRow8*>(state_.row(member(i)));
+            rows[i] = reinterpret_cast<TangentRow8*>(state_.row(members_[i]));
             set[i] = i;
-            if (rows[i]->hand == 0 && !state_.is_textured(state_.input.mesh_of_vertex(member(i)))) continue;
+            if (rows[i]->hand == 0 && !state_.is_textured(state_.input.mesh_of_vertex(members_[i]))) continue;
             if (rows[i]->hand == 0 || std::fabs(rows[i]->hand) != rows[i]->weight) return false;
             direction[i] = across(n, rows[i]->tangent);
             if (is_weak(direction[i], rows[i]->hand)) return false;
@@ -113,18 +111,22 @@ private:
     static bool is_weak(vec3 t, float hand) { return !(dot(t, t) >= hand * hand * class_tangent_share * class_tangent_share); }
 
     FastState& state_;
-    std::span<const Duplicate> duplicates_;
+    std::span<const std::uint32_t> members_;  // ascending: sums are made in this order
 };
 
 }  // namespace
 
 void join_classes(FastState& state, std::vector<Duplicate>& duplicates) {
     std::sort(duplicates.begin(), duplicates.end(), [](const Duplicate& a, const Duplicate& b) {
-        return a.rep != b.rep ? a.rep < b.rep : a.vertex < b.vertex;
+        return a.winner != b.winner ? a.winner < b.winner : a.vertex < b.vertex;
     });
-    for (std::size_t first = 0, last = 0; first < duplicates.size(); first = last) {
-        while (last < duplicates.size() && duplicates[last].rep == duplicates[first].rep) ++last;
-        ClassJoin(state, std::span(duplicates).subspan(first, last - first)).run();
+    std::vector<std::uint32_t> members;
+    for (std::size_t i = 0; i < duplicates.size();) {
+        const std::uint32_t winner = duplicates[i].winner;
+        members.assign(1, winner);
+        for (; i < duplicates.size() && duplicates[i].winner == winner; ++i) members.push_back(duplicates[i].vertex);
+        std::rotate(members.begin(), members.begin() + 1, std::upper_bound(members.begin() + 1, members.end(), winner));
+        ClassJoin(state, members).run();
     }
 }
 

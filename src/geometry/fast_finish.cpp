@@ -26,12 +26,12 @@ void finish_range(FastState& state, const AttributeBuffers& out, std::uint32_t m
 
 }  // namespace
 
-std::vector<std::uint32_t> finish_rows(FastState& state, std::span<const AttributeBuffers> out) {
+std::vector<std::uint32_t> finish_rows(FastState& state) {
     const std::vector<Chunk> chunks = make_chunks(state.input.vertex_base, vertices_per_chunk);
     std::vector<std::vector<std::uint32_t>> odd(chunks.size());
     for_each_in_lanes(state, chunks.size(), [&](LaneScratch& lane, std::size_t c) {
         for_each_range(chunks[c], state.input.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            finish_range(state, out[m], m, first, last, lane, odd[c]);
+            finish_range(state, state.out[m], m, first, last, lane, odd[c]);
         });
     });
     std::vector<std::uint32_t> all;

@@ -31,6 +31,8 @@ struct ScatterJob {
     uint32_t face = 0, face_end = 0;       ///< advanced by the kernel
     float* rows = nullptr;                 ///< row of vertex 0 of the mesh
     uint32_t own_begin = 0, own_end = 0;
+    uint32_t ready_end = 0;                ///< own rows from here on are not yet cleared; the kernel stops where it meets one
+    uint32_t wanted_end = 0;               ///< and says here how many it wants
     void* foreign = nullptr;               ///< FastParcel[parcel_capacity]
     uint32_t foreign_count = 0;
     uint32_t* odd = nullptr;               ///< [odd_capacity] faces on which float arithmetic is not safe: for the caller

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "geometry/face_vote.h"
+#include "geometry/fast_weld.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -12,6 +13,7 @@ constexpr std::uint32_t faces_per_piece = 1u << 17;
 constexpr std::uint32_t most_pieces = 1u << 10;      // of one mesh
 constexpr std::uint32_t pieces_in_flight = 64;       // whose outboxes are kept at one time: bounds them for shuffled meshes
 constexpr std::uint32_t faces_per_small_chunk = 1u << 15;
+constexpr std::uint32_t vertices_per_step = 1u << 11;    // made ready at a time, so that faces find their rows in the cache
 
 template <int floats>
 class FastScatter {
@@ -72,10 +74,16 @@ private:
 
     void clear_mesh(std::uint32_t m) const {
         constexpr std::uint32_t step = 1u << 16;
-        state_.context.parallel_for((vertices(m) + step - 1) / step, [&](std::size_t c) {
-            const std::uint32_t first = std::uint32_t(c) * step, last = std::min(vertices(m), first + step);
-            std::memset(state_.row(state_.input.vertex_base[m] + first), 0, std::size_t(last - first) * floats * sizeof(float));
+        for_each_in_lanes(state_, (vertices(m) + step - 1) / step, [&](LaneScratch& lane, std::size_t c) {
+            const std::uint32_t first = std::uint32_t(c) * step;
+            make_ready(lane, m, first, std::min(vertices(m), first + step));
         });
+    }
+
+    // Rows of 0, and hashes for the weld while the positions are at hand.
+    void make_ready(LaneScratch& lane, std::uint32_t m, std::uint32_t first, std::uint32_t last) const {
+        std::memset(state_.row(state_.input.vertex_base[m] + first), 0, std::size_t(last - first) * floats * sizeof(float));
+        hash_places(state_, lane, m, first, last);
     }
 
     bool flush(std::vector<Task>& tasks) {
@@ -122,8 +130,7 @@ private:
         job.own_end = piece_begin(job.vertices, task.piece + 1, task.pieces);
         job.foreign = lane.parcels.data();
         job.odd = lane.odd.data();
-        if (task.clears && job.own_end != job.own_begin)
-            std::memset(job.rows + std::size_t(job.own_begin) * floats, 0, std::size_t(job.own_end - job.own_begin) * floats * sizeof(float));
+        job.ready_end = task.clears ? job.own_begin : job.own_end;
         std::uint32_t degenerate = 0;
         const auto kernel = floats == tangent_row_floats ? state_.kernels.scatter_tangents : state_.kernels.scatter_normals;
         while (job.face < face_end) {
@@ -135,12 +142,18 @@ private:
             job.face_end = std::min(face_end, (range + 1) * faces_per_range);
             kernel(&job);
             if (job.is_index_bad) return false;
+            if (job.ready_end < job.wanted_end) {
+                const std::uint32_t last = std::min(job.own_end, std::max(job.wanted_end, job.ready_end + vertices_per_step));
+                make_ready(lane, m, job.ready_end, last);
+                job.ready_end = last;
+            }
             state_.scratch.ranges[state_.scratch.range_base[m] + range] = {job.smallest, job.largest};
             for (std::uint32_t i = 0; i < job.odd_count; ++i) degenerate += add_odd(job, mesh, task, slot, job.odd[i]) ? 0 : 1;
             const Parcel* parcels = static_cast<const Parcel*>(job.foreign);
             for (std::uint32_t i = 0; i < job.foreign_count; ++i) send(job, task, slot, parcels[i]);
             job.foreign_count = job.odd_count = 0;
         }
+        make_ready(lane, m, job.ready_end, job.own_end);
         if (degenerate != 0) std::atomic_ref(state_.degenerate[m]).fetch_add(degenerate, std::memory_order_relaxed);
         return true;
     }

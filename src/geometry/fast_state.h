@@ -8,19 +8,26 @@
 #include "geometry/attribute_input.h"
 #include "geometry/fast_kernel_types.h"
 #include "geometry/fast_memory.h"
+#include "geometry/fast_weld_types.h"
 
 namespace rakelight::geometry {
 
-/// Some vertices share a place: `rep` is the smallest of them.
+/// Two vertices at one place. All of a place name the same winner.
 struct Duplicate {
-    std::uint32_t rep, vertex;
+    std::uint32_t winner, vertex;
+};
+
+/// Vertices first .. last - 1 of a mesh.
+struct HashedRange {
+    std::uint32_t mesh, first, last;
 };
 
 /// Scratch of one worker at a time.
 struct LaneScratch {
-    LargeArray<std::uint32_t> table;  ///< hash table of one partition
+    std::vector<HashedRange> hashed;        ///< by this lane, for the weld
+    std::vector<std::uint32_t> counts;      ///< [partitions] of them, or empty; later where the next record goes
+    LargeArray<std::uint32_t> table, left;  ///< of one partition of the weld
     std::vector<Duplicate> duplicates;
-    std::vector<std::uint32_t> cursor;
     std::vector<std::byte> parcels;
     std::vector<std::uint32_t> odd;
 };
@@ -34,7 +41,6 @@ constexpr std::uint32_t faces_per_range = 2048;
 struct FastScratch {
     LargeArray<float> rows;               ///< [vertices][floats]
     LargeArray<std::uint64_t> records;    ///< [vertices] of the weld
-    std::vector<std::uint32_t> cursors;   ///< of the weld, [chunks][partitions]
     std::vector<std::vector<std::byte>> outbox;  ///< [chunks of a wave][pieces] parcels
     std::vector<VertexRange> ranges;      ///< [meshes][faces / faces_per_range, rounded up]
     std::vector<std::size_t> range_base;  ///< [meshes + 1]
@@ -46,8 +52,12 @@ struct FastScratch {
 struct FastState {
     const AttributeInput& input;
     const AttributeOptions& options;
+    std::span<const AttributeBuffers> out;  ///< until the sums are finished, normals hold the hashes of the weld
+    bool is_identity;                       ///< the matrix
+    std::uint32_t partition_bits;           ///< of the weld: 2^bits partitions
     FastScratch& scratch;
     const FastKernels& kernels;
+    const WeldKernels& weld_kernels;
     Context& context;
     bool tangents;                          ///< rows of 8 floats; some mesh has texture coordinates and tangents are asked for
     std::vector<std::uint32_t> degenerate;  ///< [meshes]
@@ -55,6 +65,7 @@ struct FastState {
 
     int floats() const { return tangents ? tangent_row_floats : normal_row_floats; }
     bool is_textured(std::uint32_t mesh) const { return tangents && !input.meshes[mesh].texcoords.empty(); }
+    std::uint32_t* hashes(std::uint32_t mesh) const { return reinterpret_cast<std::uint32_t*>(out[mesh].normals.data()); }
     float* row(std::uint32_t vertex) const { return scratch.rows.data() + std::size_t(vertex) * std::size_t(floats()); }
 };
 

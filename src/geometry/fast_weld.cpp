@@ -10,9 +10,9 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::uint32_t records_per_partition = 1u << 14;
-constexpr std::uint32_t most_partitions = 1u << 12;
-constexpr std::uint32_t empty = 0xffffffffu;
+constexpr std::uint32_t records_per_partition = 1u << 12, partitions_per_task = 8;
+constexpr std::uint32_t most_partitions = 1u << 13;
+constexpr std::uint32_t rounds_by_hash = 4;  // after them strangers may share a hash: it is made anew from the position
 
 // Where the matrix is the identity, the bits of the float position; else those of the world position in double.
 template <bool identity>
@@ -29,11 +29,6 @@ struct PlaceKey<true> {
         constexpr std::uint32_t exponent = 0x7f800000u;
         return (x & exponent) != exponent && (y & exponent) != exponent && (z & exponent) != exponent;
     }
-    std::uint64_t hash(std::uint64_t seed) const {
-        std::uint64_t h = ((std::uint64_t(x) << 32 | y) ^ seed) * 0x9e3779b97f4a7c15ull;
-        h = (h ^ (h >> 32) ^ z) * 0xbf58476d1ce4e5b9ull;
-        return (h ^ (h >> 29)) * 0x94d049bb133111ebull;
-    }
 };
 template <>
 struct PlaceKey<false> {
@@ -47,131 +42,167 @@ struct PlaceKey<false> {
         constexpr std::uint64_t exponent = 0x7ff0000000000000ull;
         return (x & exponent) != exponent && (y & exponent) != exponent && (z & exponent) != exponent;
     }
-    std::uint64_t hash(std::uint64_t seed) const {
-        std::uint64_t h = seed;
-        for (const std::uint64_t bits : {x, y, z}) {
-            h = (h ^ bits ^ (bits >> 32)) * 0x9e3779b97f4a7c15ull;
-            h ^= h >> 29;
-        }
-        return h * 0xbf58476d1ce4e5b9ull;
-    }
 };
+
+template <class Key>
+std::uint64_t hash(const Key& key, std::uint64_t seed) {
+    std::uint64_t h = seed;
+    for (const std::uint64_t bits : {std::uint64_t(key.x), std::uint64_t(key.y), std::uint64_t(key.z)}) {
+        h = (h ^ bits ^ (bits >> 32)) * 0x9e3779b97f4a7c15ull;
+        h ^= h >> 29;
+    }
+    return h * 0xbf58476d1ce4e5b9ull;
+}
+
+std::uint64_t seed(const FastState& state, std::uint32_t mesh) {
+    return state.options.scope == Scope::object ? (state.input.meshes[mesh].object + 1) * 0xd6e8feb86659fd93ull : 0;
+}
 
 template <bool identity>
 class FastWeld {
 public:
     using Key = PlaceKey<identity>;
-    explicit FastWeld(FastState& state)
-        : state_(state), input_(state.input), chunks_(make_chunks(input_.vertex_base, vertices_per_chunk)) {
-        const std::uint32_t wanted = std::bit_ceil(input_.vertex_count() / records_per_partition + 1);
-        bits_ = std::uint32_t(std::bit_width(std::min(wanted, most_partitions)) - 1);
-        partitions_ = 1u << bits_;
-    }
+    explicit FastWeld(FastState& state) : state_(state), input_(state.input), partitions_(1u << state.partition_bits) {}
 
     void run() {
+        place_partitions();
         partition();
-        for_each_in_lanes(state_, partitions_, [&](LaneScratch& lane, std::size_t p) { match(std::uint32_t(p), lane); });
+        for_each_in_lanes(state_, (partitions_ + partitions_per_task - 1) / partitions_per_task, [&](LaneScratch& lane, std::size_t t) {
+            const std::uint32_t first = std::uint32_t(t) * partitions_per_task;
+            for (std::uint32_t p = first; p < std::min(partitions_, first + partitions_per_task); ++p) match(p, lane);
+        });
     }
 
 private:
-    // A record is the low half of a hash (the partition is its high bits) and a vertex.
-    static constexpr std::uint64_t record(std::uint64_t hash, std::uint32_t vertex) { return hash << 32 | vertex; }
+    // A record is the hash of a position (the partition is its high bits) and a vertex.
+    static constexpr std::uint64_t record(std::uint32_t hash, std::uint32_t vertex) { return std::uint64_t(hash) << 32 | vertex; }
+    static constexpr std::uint32_t hash_of(std::uint64_t record) { return std::uint32_t(record >> 32); }
 
-    std::uint64_t seed(std::uint32_t mesh) const {
-        return state_.options.scope == Scope::object ? input_.meshes[mesh].object * 0xd6e8feb86659fd93ull : 0;
+    Key key(std::uint32_t mesh, std::uint32_t vertex) const {
+        return Key::of(input_.placements[mesh], input_.meshes[mesh].positions[vertex - input_.vertex_base[mesh]]);
     }
 
-    // Calls body(vertex, hash).
-    template <class Body>
-    void for_each_place(std::size_t chunk, const Body& body) const {
-        for_each_range(chunks_[chunk], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            const Placement placement = input_.placements[m];
-            const vec3* positions = input_.meshes[m].positions.data();
-            const std::uint64_t mesh_seed = seed(m);
-            const std::uint32_t base = input_.vertex_base[m];
-            for (std::uint32_t v = first; v != last; ++v) {
-                const Key key = Key::of(placement, positions[v]);
-                if (key.is_finite()) body(base + v, key.hash(mesh_seed));
-            }
-        });
-    }
-
-    void partition() {
-        std::vector<std::uint32_t>& cursors = state_.scratch.cursors;
-        cursors.resize(chunks_.size() * partitions_);
-        const std::uint32_t bits = bits_, partitions = partitions_;
-        const auto place = [bits](std::uint64_t hash) { return bits == 0 ? 0u : std::uint32_t(hash >> (64 - bits)); };
-        for_each_in_lanes(state_, chunks_.size(), [&, place](LaneScratch& lane, std::size_t c) {
-            lane.cursor.assign(partitions, 0);
-            std::uint32_t* const counts = lane.cursor.data();
-            for_each_place(c, [counts, place](std::uint32_t, std::uint64_t hash) { ++counts[place(hash)]; });
-            std::memcpy(&cursors[c * partitions], counts, partitions * sizeof(std::uint32_t));
-        });
+    // From what the lanes counted to where each of them writes in each partition.
+    void place_partitions() {
         begin_.resize(partitions_ + 1);
         std::uint32_t sum = 0;
         for (std::uint32_t p = 0; p < partitions_; ++p) {
             begin_[p] = sum;
-            for (std::size_t c = 0; c < chunks_.size(); ++c) {
-                const std::uint32_t count = cursors[c * partitions_ + p];
-                cursors[c * partitions_ + p] = sum;
-                sum += count;
-            }
+            for (LaneScratch& lane : state_.scratch.lanes)
+                if (!lane.counts.empty()) sum += std::exchange(lane.counts[p], sum);
         }
         begin_[partitions_] = sum;
         state_.scratch.records.reserve(sum);
-        std::uint64_t* const records = state_.scratch.records.data();
-        for_each_in_lanes(state_, chunks_.size(), [&, place, records](LaneScratch& lane, std::size_t c) {
-            lane.cursor.assign(&cursors[c * partitions], &cursors[c * partitions] + partitions);
-            std::uint32_t* const at = lane.cursor.data();
-            for_each_place(c, [at, place, records](std::uint32_t vertex, std::uint64_t hash) {
-                records[at[place(hash)]++] = record(hash, vertex);
-            });
+    }
+
+    // Each lane takes the vertices that it hashed: in what order the records of a partition lie depends on the threads, the classes do not.
+    void partition() {
+        std::vector<LaneScratch>& lanes = state_.scratch.lanes;
+        state_.context.parallel_for(lanes.size(), [&](std::size_t l) {
+            for (const HashedRange& range : lanes[l].hashed) send(range, lanes[l].counts.data());
         });
     }
 
-    bool are_one(std::uint32_t a, std::uint32_t b) const {
-        const std::uint32_t m = input_.mesh_of_vertex(a), n = input_.mesh_of_vertex(b);
-        if (state_.options.scope == Scope::object && input_.meshes[m].object != input_.meshes[n].object) return false;
-        return Key::of(input_.placements[m], input_.meshes[m].positions[a - input_.vertex_base[m]]) ==
-               Key::of(input_.placements[n], input_.meshes[n].positions[b - input_.vertex_base[n]]);
+    void send(const HashedRange& range, std::uint32_t* cursors) const {
+        const std::uint32_t* const hashes = state_.hashes(range.mesh);
+        const std::uint32_t base = input_.vertex_base[range.mesh], bits = state_.partition_bits;
+        std::uint64_t* const records = state_.scratch.records.data();
+        for (std::uint32_t v = range.first; v != range.last; ++v)
+            records[cursors[std::uint64_t(hashes[v]) << bits >> 32]++] = record(hashes[v], base + v);
     }
 
+    // Every record writes its number to the slot of its hash; the first of each slot stays. A record that finds another
+    // one's number there is of its class if the positions are equal; else it lost the slot to a stranger, as all of its own
+    // position did, and goes into the next round, where slots are chosen anew.
     void match(std::uint32_t p, LaneScratch& lane) {
         const std::uint32_t count = begin_[p + 1] - begin_[p];
         const std::uint64_t* const records = state_.scratch.records.data() + begin_[p];
-        const std::size_t slots = std::bit_ceil(std::size_t(count) * 2 + 1);
-        const std::uint32_t mask = std::uint32_t(slots - 1);
-        lane.table.reserve(slots);
-        std::uint32_t* const table = lane.table.data();
-        std::memset(table, 0xff, slots * sizeof(std::uint32_t));
+        const std::uint32_t slot_bits = std::uint32_t(std::bit_width(std::size_t(count) * 4 + 1));
+        lane.table.reserve(std::size_t(1) << slot_bits);
+        lane.left.reserve(count);
         lane.duplicates.clear();
+        std::uint32_t* const table = lane.table.data();
+        std::uint32_t* const left = lane.left.data();
+        const std::uint32_t shift = 64 - slot_bits;
+        const auto slot = [records, shift](std::uint32_t r) { return std::uint64_t(hash_of(records[r])) * 0x9e3779b97f4a7c15ull >> shift; };
+        for (std::uint32_t r = count; r-- > 0;) table[slot(r)] = r;
+        std::uint32_t losers = 0;
         for (std::uint32_t r = 0; r < count; ++r) {
-            const std::uint64_t own = records[r];
-            std::uint32_t slot = std::uint32_t(own >> 32) & mask;
-            for (; table[slot] != empty; slot = (slot + 1) & mask) {
-                const std::uint64_t other = records[table[slot]];
-                if (((other ^ own) >> 32) != 0 || !are_one(std::uint32_t(other), std::uint32_t(own))) continue;
-                lane.duplicates.push_back({std::uint32_t(other), std::uint32_t(own)});
-                break;
-            }
-            if (table[slot] == empty) table[slot] = r;
+            __builtin_prefetch(records + count + r);  // of the next partition
+            left[losers] = r;
+            losers += table[slot(r)] != r ? 1 : 0;
         }
+        losers = judge(records, lane, losers, [&](std::uint32_t r) { return table[slot(r)]; });
+        for (std::uint32_t round = 1; losers != 0; ++round) losers = next_round(records, lane, losers, shift, round);
         if (!lane.duplicates.empty()) join_classes(state_, lane.duplicates);
+    }
+
+    std::uint32_t next_round(const std::uint64_t* records, LaneScratch& lane, std::uint32_t losers, std::uint32_t shift, std::uint32_t round) {
+        std::uint32_t* const table = lane.table.data();
+        const std::uint64_t factor = 0xa0761d6478bd642full + 2 * round;
+        const auto slot = [&, factor](std::uint32_t r) {
+            if (round < rounds_by_hash) return hash_of(records[r]) * factor >> shift;
+            const std::uint32_t vertex = std::uint32_t(records[r]), mesh = input_.mesh_of_vertex(vertex);
+            return hash(key(mesh, vertex), seed(state_, mesh) + factor) >> shift;
+        };
+        for (std::uint32_t i = losers; i-- > 0;) table[slot(lane.left[i])] = lane.left[i];
+        return judge(records, lane, losers, [&](std::uint32_t r) { return table[slot(r)]; });
+    }
+
+    // Of the first `losers` entries of `left` those stay that lost to a stranger. Returns their count.
+    template <class Winner>
+    std::uint32_t judge(const std::uint64_t* records, LaneScratch& lane, std::uint32_t losers, const Winner& winner) const {
+        std::uint32_t strangers = 0;
+        for (std::uint32_t i = 0; i < losers; ++i) {
+            const std::uint32_t r = lane.left[i], w = winner(r);
+            if (w == r) continue;
+            if (hash_of(records[w]) != hash_of(records[r])) {
+                lane.left[strangers++] = r;
+                continue;
+            }
+            const std::uint32_t a = std::uint32_t(records[w]), b = std::uint32_t(records[r]);
+            const std::uint32_t m = input_.mesh_of_vertex(a), n = input_.mesh_of_vertex(b);
+            const Key place = key(n, b);
+            if (!place.is_finite()) continue;
+            const bool is_one_scope = state_.options.scope == Scope::model || input_.meshes[m].object == input_.meshes[n].object;
+            if (is_one_scope && key(m, a) == place) lane.duplicates.push_back({a, b});
+            else lane.left[strangers++] = r;
+        }
+        return strangers;
     }
 
     FastState& state_;
     const AttributeInput& input_;
-    std::vector<Chunk> chunks_;
-    std::uint32_t bits_ = 0, partitions_ = 1;
+    std::uint32_t partitions_;
     std::vector<std::uint32_t> begin_;
 };
 
 }  // namespace
 
+std::uint32_t weld_partition_bits(std::uint32_t vertices) {
+    return std::uint32_t(std::bit_width(std::min(std::bit_ceil(vertices / records_per_partition + 1), most_partitions)) - 1);
+}
+
+void hash_places(const FastState& state, LaneScratch& lane, std::uint32_t mesh, std::uint32_t first, std::uint32_t last) {
+    if (first >= last) return;
+    const vec3* const positions = state.input.meshes[mesh].positions.data();
+    std::uint32_t* const hashes = state.hashes(mesh);
+    const std::uint64_t mesh_seed = seed(state, mesh);
+    if (state.is_identity) {
+        state.weld_kernels.hash(&positions[first].x, last - first, std::uint32_t(mesh_seed >> 32), hashes + first);
+    } else {
+        const Placement& placement = state.input.placements[mesh];
+        for (std::uint32_t v = first; v != last; ++v)
+            hashes[v] = std::uint32_t(hash(PlaceKey<false>::of(placement, positions[v]), mesh_seed) >> 32);
+    }
+    lane.hashed.push_back({mesh, first, last});
+    if (lane.counts.empty()) lane.counts.assign(std::size_t(1) << state.partition_bits, 0);
+    std::uint32_t* const counts = lane.counts.data();
+    for (std::uint32_t v = first; v != last; ++v) ++counts[std::uint64_t(hashes[v]) << state.partition_bits >> 32];
+}
+
 void weld_rows(FastState& state) {
-    const bool identity = std::all_of(state.input.meshes.begin(), state.input.meshes.end(),
-                                      [](const AttributeMesh& m) { return m.to_world == dmat4{}; });
-    if (identity) FastWeld<true>(state).run();
+    if (state.is_identity) FastWeld<true>(state).run();
     else FastWeld<false>(state).run();
 }
 

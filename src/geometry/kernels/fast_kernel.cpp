@@ -21,7 +21,7 @@ struct RowOf<8> { using type = Row8; };
 // Float is safe where sums of squares neither overflow nor come near the denormals, and where the edges are not nearly
 // parallel: an angle between 7 and 173 degrees loses at most three bits of the cross product.
 static inline mask is_safe(real cross_square, real square1, real square2) {
-    return cross_square >= square1 * square2 * real(1.0f / 64) && cross_square > real(1e-34f) && cross_square < real(1e34f);
+    return cross_square >= square1 * square2 * real(1.0f / 4096) && cross_square > real(1e-34f) && cross_square < real(1e34f);
 }
 
 // Where a block's corners are read. Vectors are read four floats at a time, so a block that uses the last vertex of its mesh,
@@ -150,7 +150,12 @@ static inline bool scatter_block(ScatterJob& job) {
     }
     job.largest = largest > job.largest ? largest : job.largest;
     job.smallest = smallest < job.smallest ? smallest : job.smallest;
-    if (largest >= job.vertices) return false;
+    if (largest >= job.vertices) {
+        job.is_index_bad = true;
+        return false;
+    }
+    job.wanted_end = largest < job.own_end ? largest + 1 : job.own_end;
+    if (job.wanted_end > job.ready_end) return false;
     alignas(64) float rows[face_block * floats];
     uint32_t odd;
     if (count == face_block && largest + 1 < job.vertices) {
@@ -172,10 +177,7 @@ template <bool textured, int floats>
 static void scatter(ScatterJob* given) {
     ScatterJob job = *given;  // on this thread's own stack
     while (job.face < job.face_end && job.foreign_count + 3 * face_block <= parcel_capacity &&
-           job.odd_count + face_block <= odd_capacity) {
-        if (scatter_block<textured, floats>(job)) continue;
-        job.is_index_bad = true;
-        break;
+           job.odd_count + face_block <= odd_capacity && scatter_block<textured, floats>(job)) {
     }
     *given = job;
 }
