@@ -120,6 +120,10 @@ void join_classes(FastState& state, std::vector<Duplicate>& duplicates) {
     std::sort(duplicates.begin(), duplicates.end(), [](const Duplicate& a, const Duplicate& b) {
         return a.winner != b.winner ? a.winner < b.winner : a.vertex < b.vertex;
     });
+    for (const Duplicate& d : duplicates) {
+        __builtin_prefetch(state.row(d.winner), 1);
+        __builtin_prefetch(state.row(d.vertex), 1);
+    }
     std::vector<std::uint32_t> members;
     for (std::size_t i = 0; i < duplicates.size();) {
         const std::uint32_t winner = duplicates[i].winner;

@@ -13,7 +13,7 @@ constexpr std::uint32_t faces_per_piece = 1u << 17;
 constexpr std::uint32_t most_pieces = 1u << 10;      // of one mesh
 constexpr std::uint32_t pieces_in_flight = 64;       // whose outboxes are kept at one time: bounds them for shuffled meshes
 constexpr std::uint32_t faces_per_small_chunk = 1u << 15;
-constexpr std::uint32_t vertices_per_step = 1u << 11;    // made ready at a time, so that faces find their rows in the cache
+constexpr std::uint32_t vertices_per_step = 1u << 10;    // made ready at a time, so that faces find their rows in the cache
 
 template <int floats>
 class FastScatter {

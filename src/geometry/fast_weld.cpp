@@ -10,7 +10,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::uint32_t records_per_partition = 1u << 12, partitions_per_task = 8;
+constexpr std::uint32_t records_per_partition = 1u << 11, partitions_per_task = 8;
 constexpr std::uint32_t most_partitions = 1u << 13;
 constexpr std::uint32_t rounds_by_hash = 4;  // after them strangers may share a hash: it is made anew from the position
 
@@ -69,7 +69,9 @@ public:
         partition();
         for_each_in_lanes(state_, (partitions_ + partitions_per_task - 1) / partitions_per_task, [&](LaneScratch& lane, std::size_t t) {
             const std::uint32_t first = std::uint32_t(t) * partitions_per_task;
+            lane.duplicates.clear();
             for (std::uint32_t p = first; p < std::min(partitions_, first + partitions_per_task); ++p) match(p, lane);
+            if (!lane.duplicates.empty()) join_classes(state_, lane.duplicates);
         });
     }
 
@@ -80,6 +82,11 @@ private:
 
     Key key(std::uint32_t mesh, std::uint32_t vertex) const {
         return Key::of(input_.placements[mesh], input_.meshes[mesh].positions[vertex - input_.vertex_base[mesh]]);
+    }
+
+    void fetch_position(std::uint32_t vertex) const {
+        const std::uint32_t mesh = input_.mesh_of_vertex(vertex);
+        __builtin_prefetch(input_.meshes[mesh].positions.data() + (vertex - input_.vertex_base[mesh]));
     }
 
     // From what the lanes counted to where each of them writes in each partition.
@@ -120,7 +127,6 @@ private:
         const std::uint32_t slot_bits = std::uint32_t(std::bit_width(std::size_t(count) * 4 + 1));
         lane.table.reserve(std::size_t(1) << slot_bits);
         lane.left.reserve(count);
-        lane.duplicates.clear();
         std::uint32_t* const table = lane.table.data();
         std::uint32_t* const left = lane.left.data();
         const std::uint32_t shift = 64 - slot_bits;
@@ -134,7 +140,6 @@ private:
         }
         losers = judge(records, lane, losers, [&](std::uint32_t r) { return table[slot(r)]; });
         for (std::uint32_t round = 1; losers != 0; ++round) losers = next_round(records, lane, losers, shift, round);
-        if (!lane.duplicates.empty()) join_classes(state_, lane.duplicates);
     }
 
     std::uint32_t next_round(const std::uint64_t* records, LaneScratch& lane, std::uint32_t losers, std::uint32_t shift, std::uint32_t round) {
@@ -152,6 +157,12 @@ private:
     // Of the first `losers` entries of `left` those stay that lost to a stranger. Returns their count.
     template <class Winner>
     std::uint32_t judge(const std::uint64_t* records, LaneScratch& lane, std::uint32_t losers, const Winner& winner) const {
+        for (std::uint32_t i = 0; i < losers; ++i) {
+            const std::uint32_t r = lane.left[i], w = winner(r);
+            if (hash_of(records[w]) != hash_of(records[r])) continue;
+            fetch_position(std::uint32_t(records[w]));
+            fetch_position(std::uint32_t(records[r]));
+        }
         std::uint32_t strangers = 0;
         for (std::uint32_t i = 0; i < losers; ++i) {
             const std::uint32_t r = lane.left[i], w = winner(r);

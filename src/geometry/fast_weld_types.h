@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernels of the fast weld are given. Plain structs: this header is seen by sources compiled per instruction set.
+// What the kernels of the fast weld are given. Plain structs: this header is seen by sources compiled per instruction
+// set.
 #pragma once
 #include <stdint.h>
 
@@ -15,9 +16,17 @@ struct WeldKernels {
     void (*hash)(const float* positions, uint32_t count, uint32_t seed, uint32_t* hashes);
 };
 
-namespace scalar { const WeldKernels* weld_kernels(); }
-namespace sse2 { const WeldKernels* weld_kernels(); }
-namespace avx2 { const WeldKernels* weld_kernels(); }
-namespace avx512 { const WeldKernels* weld_kernels(); }
+namespace scalar {
+const WeldKernels* weld_kernels();
+}
+namespace sse2 {
+const WeldKernels* weld_kernels();
+}
+namespace avx2 {
+const WeldKernels* weld_kernels();
+}
+namespace avx512 {
+const WeldKernels* weld_kernels();
+}
 
 }  // namespace rakelight::geometry

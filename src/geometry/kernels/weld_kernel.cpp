@@ -36,7 +36,8 @@ static inline void hash_block(const float* positions, uint32_t seed, uint32_t* h
 
 static void hash(const float* positions, uint32_t count, uint32_t seed, uint32_t* hashes) {
     uint32_t v = 0;
-    for (; v + block < count; v += block) hash_block(positions + 3 * uint64_t(v), seed, hashes + v);  // reads a float beyond its block
+    for (; v + block < count; v += block)
+        hash_block(positions + 3 * uint64_t(v), seed, hashes + v);  // reads a float beyond its block
     float copy[3 * block + 4] = {};
     uint32_t last[block];
     for (uint32_t i = 0; i < 3 * (count - v); ++i) copy[i] = positions[3 * uint64_t(v) + i];
