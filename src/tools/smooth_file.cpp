@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/beside.h"
 #include "io/file.h"
 #include "io/glb_writer.h"
 #include "io/gltf/save_gltf.h"
@@ -113,13 +114,6 @@ bool has_these_normals(const Scene& before, const Scene& after) {
     return std::equal(before.meshes.begin(), before.meshes.end(), after.meshes.begin(), after.meshes.end(), same);
 }
 
-void copy_file(const std::string& from, const std::string& to, Context& context) {
-    const io::Bytes bytes = io::read_file(from, context);
-    io::OutputFile file(to);
-    file.write(*bytes);
-    file.commit();
-}
-
 }  // namespace
 
 SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
@@ -151,7 +145,7 @@ SmoothedFile smooth_file(const std::string& input, const std::string& output, co
             if (result.changed)
                 io::write_ply(after, output, context);
             else
-                copy_file(input, output, context);
+                io::write_file(output, *io::read_file(input, context));
             break;
     }
     describe_all(before, after, result);

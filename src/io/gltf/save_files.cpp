@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "io/beside.h"
 #include "io/gltf/container.h"
 
 namespace rakelight::io::gltf {
@@ -55,16 +56,6 @@ std::span<const std::byte> other_chunks(std::span<const std::byte> file) {
     return {};
 }
 
-fs::path folder_of(const std::string& path) {
-    const fs::path parent = fs::path(path).parent_path();
-    return parent.empty() ? fs::path(".") : parent;
-}
-
-bool same_folder(const std::string& a, const std::string& b) {
-    std::error_code error;
-    return fs::equivalent(folder_of(a), folder_of(b), error) && !error;
-}
-
 /// A reference inside the model as a relative path; empty for a data URI.
 std::string relative_name(const std::string& uri) {
     if (uri.starts_with("data:")) return {};
@@ -87,12 +78,6 @@ std::string percent_encoded(const std::string& name) {
             out += {'%', digits[u >> 4], digits[u & 15]};
     }
     return out;
-}
-
-void write_file(const std::string& path, std::span<const std::byte> bytes) {
-    OutputFile file(path);
-    file.write(bytes);
-    file.commit();
 }
 
 bool is_fallback(const OrderedJson& buffer) {
@@ -167,35 +152,23 @@ std::string OutputModel::free_name() const {
 }
 
 void OutputModel::copy_references(Context& context) const {
-    if (same_folder(document_.path(), output_)) return;
+    if (is_same_folder(document_.path(), output_)) return;
     std::set<std::string> names;
     for_each_member(tree_, [&](const std::string& name, const OrderedJson& value) {
         if (name == "uri" && value.is_string()) names.insert(relative_name(value.get_ref<const std::string&>()));
     });
     names.erase("");
+    std::vector<NamedFile> files;
     for (const std::string& name : names) {
-        const bool is_inside =
-            fs::path(name).is_relative() && !name.starts_with("..") && name.find("://") == std::string::npos;
-        const std::string from = (folder_of(document_.path()) / name).string(),
-                          to = (folder_of(output_) / name).string();
-        if (!is_inside || !is_regular_file(from)) {
-            context.report().add(
-                Remark::warning, document_.path(), {},
-                "the file '" + one_line(name, 80) + "' is not copied: it is missing or not in the model's folder");
+        if (is_inside(name) && is_regular_file((folder_of(document_.path()) / name).string())) {
+            files.push_back({name, resolve_reference(document_.path(), name, document_.options().allow_outside)});
             continue;
         }
-        const Bytes bytes =
-            read_file(resolve_reference(document_.path(), name, document_.options().allow_outside), context);
-        if (is_regular_file(to)) {
-            if (*read_file(to, context) == *bytes) continue;
-            throw Error(ErrorCode::failed,
-                        "'" + one_line(name, 80) + "' is there already and differs from the model's file", {},
-                        "write to the model's own folder, to an empty one, or as .glb");
-        }
-        std::error_code error;
-        fs::create_directories(fs::path(to).parent_path(), error);
-        write_file(to, *bytes);
+        context.report().add(
+            Remark::warning, document_.path(), {},
+            "the file '" + one_line(name, 80) + "' is not copied: it is missing or not in the model's folder");
     }
+    copy_beside(files, output_, context);
 }
 
 void OutputModel::write(std::span<const std::byte> new_data, bool unchanged, Context& context) {

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "io/beside.h"
 #include "io/file.h"
+#include "io/obj/material_files.h"
 #include "io/obj/mtl_materials.h"
 #include "io/obj/obj_faces.h"
 #include "io/obj/obj_lines.h"
@@ -218,9 +220,8 @@ bool rewrite_obj_normals(const std::string& source, const Scene& after, const st
     try {
         obj::Rewriter rewriter(text, source, options, after, context);
         const std::string result = rewriter.is_changed() ? rewriter.rewritten() : std::string(text);
-        OutputFile file(output);
-        file.write(std::as_bytes(std::span(result)));
-        file.commit();
+        if (!is_same_folder(source, output)) copy_beside(obj::material_files(text, source, options, context), output, context);
+        write_file(output, std::as_bytes(std::span(result)));
         return rewriter.is_changed();
     } catch (const Error& error) {
         throw error.with_file(source);

@@ -15,9 +15,9 @@ namespace rakelight::io {
 /// the polygon was cut into there.
 ///
 /// @param after  the scene that read_obj() makes of `source`, with other normals and splits
-/// @param output may be `source`
+/// @param output may be `source`; to another folder the MTL files and pictures that the model names go along
 /// @return false when all faces had these normals already, to rounding: the file was copied byte by byte
-/// @throws Error as read_obj(); failed: cannot write
+/// @throws Error as read_obj(); failed: cannot write, or a file of the model is there already with other bytes
 bool rewrite_obj_normals(const std::string& source, const Scene& after, const std::string& output,
                          const ReadOptions& options, Context& context);
 

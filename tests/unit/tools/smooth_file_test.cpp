@@ -146,6 +146,69 @@ TEST(SmoothFile, PlyIsSmoothWherePartsMeetThroughDifferentMatrices) {
     EXPECT_FALSE(smooth_file((out / "a.ply").string(), (out / "b.ply").string(), {}, context).changed);
 }
 
+/// An OBJ model with an MTL file in a folder of its own, and pictures here and there.
+struct ModelWithMaterials {
+    fs::path dir = folder(), model = dir / "from" / "a.obj", to = dir / "to";
+    ModelWithMaterials() {
+        fs::create_directories(dir / "from" / "mats" / "deep");
+        fs::create_directories(to);
+        write(model, "mtllib mats/My Colors.mtl\r\nmtllib gone.mtl\r\n" + std::string(two_quads));
+        write(dir / "from" / "mats" / "My Colors.mtl",
+              "newmtl a\nmap_Kd -s 2 2 2 deep/Wood.PNG\nmap_Ns shine.tga\nmap_Ks none.png\nrefl -type sphere "
+              "../sky.hdr\n");
+        write(dir / "from" / "mats" / "deep" / "wood.png", "not a picture, and nobody looks");
+        write(dir / "from" / "mats" / "shine.tga", "shine");
+        write(dir / "from" / "sky.hdr", "sky");
+    }
+    SmoothedFile run(const char* name, Context& context, bool allow_outside = false) const {
+        SmoothFileOptions options;
+        options.load.allow_outside = allow_outside;
+        return smooth_file(model.string(), (to / name).string(), options, context);
+    }
+};
+
+TEST(SmoothFile, ObjInAnotherFolderGetsItsMaterialsAndPictures) {
+    const ModelWithMaterials files;
+    Context context;
+    files.run("b.obj", context);
+    for (const char* name : {"mats/My Colors.mtl", "mats/deep/wood.png", "mats/shine.tga", "sky.hdr"})
+        EXPECT_TRUE(!bytes_of(files.to / name).empty() &&
+                    bytes_of(files.to / name) == bytes_of(files.dir / "from" / name))
+            << name;
+    const Scene scene = load((files.to / "b.obj").string(), {}, context);
+    ASSERT_FALSE(scene.materials.empty());
+    EXPECT_EQ(scene.materials[0].name, "a");
+    EXPECT_EQ(scene.textures.size(), 1u);
+    files.run("c.obj", context);  // what is there with the same bytes stays
+}
+
+TEST(SmoothFile, ObjInAnotherFolderNeverReplacesADifferentFile) {
+    const ModelWithMaterials files;
+    write(files.to / "sky.hdr", "my own sky");
+    Context context;
+    try {
+        files.run("b.obj", context);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::failed);
+        EXPECT_NE(error.reason().find("sky.hdr"), std::string::npos);
+    }
+    EXPECT_EQ(bytes_of(files.to / "sky.hdr"), "my own sky");
+    EXPECT_FALSE(fs::exists(files.to / "mats"));  // nothing was copied
+    EXPECT_FALSE(fs::exists(files.to / "b.obj"));
+}
+
+TEST(SmoothFile, MaterialsOutsideTheModelsFolderAreNotCopiedAndItIsSaid) {
+    const ModelWithMaterials files;
+    write(files.dir / "outer.mtl", "newmtl a\nmap_Kd from/sky.hdr\n");
+    write(files.model, "mtllib ../outer.mtl\n" + std::string(two_quads));
+    Context context;
+    files.run("b.obj", context, true);
+    EXPECT_TRUE(is_said(context, Remark::warning, "'outer.mtl' is not copied"));
+    EXPECT_TRUE(fs::exists(files.to / "b.obj"));
+    EXPECT_FALSE(fs::exists(files.to / "outer.mtl"));
+}
+
 TEST(SmoothFile, StlAsOutputIsRefusedWithTheReason) {
     const fs::path out = folder();
     write(out / "a.obj", two_quads);
