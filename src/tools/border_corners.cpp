@@ -3,10 +3,23 @@
 
 #include <algorithm>
 
+#include "geometry/face_vote.h"
+
 namespace rakelight {
 namespace {
 
 constexpr std::uint32_t nobody = 0xffffffffu, several = 0xfffffffeu;
+
+/// Whether a face is a needle a hundred thousandth as high as it is long: nobody sees it, and its direction is
+/// rounding.
+bool is_needle(const geometry::PlacedMeshes& placed, std::uint32_t mesh, std::size_t first_corner) {
+    const AttributeMesh& m = placed.input.meshes[mesh];
+    const geometry::FaceCorners face = geometry::face_corners(m, &m.indices[first_corner]);
+    const dmat3& linear = placed.input.placements[mesh].linear;
+    const dvec3 a = linear * face.e1, b = linear * face.e2, c = b - a;
+    const double longest = std::max({dot(a, a), dot(b, b), dot(c, c)});
+    return !(length(cross(a, b)) > 1e-5 * longest);
+}
 
 template <class Body>
 void for_each_corner(const geometry::PlacedMeshes& placed, const Body& body) {
@@ -14,9 +27,9 @@ void for_each_corner(const geometry::PlacedMeshes& placed, const Body& body) {
     geometry::FacePlaces face;
     for (std::uint32_t m = 0; m < input.meshes.size(); ++m)
         for (std::uint32_t t = input.triangle_base[m]; t < input.triangle_base[m + 1]; ++t) {
-            if (!geometry::face_places(placed, m, t, face)) continue;
-            for (std::uint32_t k = 0; k < 3; ++k)
-                body(m, face.corner[k], 3 * std::size_t(t - input.triangle_base[m]) + k);
+            const std::size_t first = 3 * std::size_t(t - input.triangle_base[m]);
+            if (!geometry::face_places(placed, m, t, face) || is_needle(placed, m, first)) continue;
+            for (std::uint32_t k = 0; k < 3; ++k) body(m, face.corner[k], first + k);
         }
 }
 

@@ -16,7 +16,8 @@ struct BorderCorner {
     auto operator<=>(const BorderCorner&) const = default;
 };
 
-/// Sorted by place, then part; only corners of faces that are any (geometry::face_places).
+/// Sorted by place, then part; only corners of faces that are any (geometry::face_places)
+/// and that are no needles.
 std::vector<BorderCorner> find_border_corners(const geometry::PlacedMeshes& placed, const SeamNormals& normals,
                                               Context& context);
 

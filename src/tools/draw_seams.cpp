@@ -149,7 +149,7 @@ private:
     void dot_at(const PicturePoint& p, double deg) {
         if (!(deg > continuous_deg)) return;
         const Window& window = frame_.window;
-        const double reach_m = 4 * radius_px_ * half_height_at(p.depth) / (0.5 * frame_.height);
+        const double reach_m = 2.5 * radius_px_ * half_height_at(p.depth) / (0.5 * frame_.height);
         const double reach_px = radius_px_ + 0.5;
         const int left = std::max(window.x, int(std::floor(p.x - reach_px)));
         const int right = std::min(window.x + window.width - 1, int(std::floor(p.x + reach_px)));

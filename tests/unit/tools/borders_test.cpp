@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "math/linear.h"
+#include "tools/border_corners.h"
 #include "tools/place_angles.h"
+#include "tools/surfaces.h"
 #include "unit/render/test_scene.h"
 
 namespace rakelight {
@@ -153,6 +156,27 @@ TEST(Borders, VerticesThatNoTriangleUsesDoNotCount) {
     Scene scene = two_squares();
     scene.meshes[1].indices = std::vector<std::uint32_t>{1, 2, 2};
     EXPECT_EQ(inspected(scene).shared_positions, 0u);
+}
+
+TEST(Borders, NeedlesWhoseDirectionIsRoundingDoNotCount) {
+    Scene scene = two_squares();
+    for (const double height : {1e-7, 1e-3}) {
+        Mesh& left = scene.meshes[0];
+        left.positions = std::vector<vec3>{{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {0, 0.5f, float(height)},
+                                           {0, 0, 0},  {0, 1, 0}};
+        left.indices = std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 5, 4, 6};
+        left.normals = std::vector<vec3>{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {1, 0, 0}, {1, 0, 0}};
+        const BorderSummary b = inspected(scene, {.crease_angle_rad = pi}).borders[0];
+        EXPECT_EQ(b.largest_deg, 0) << height;
+        Context context;
+        const Surfaces surfaces = collect_surfaces(scene, std::vector<std::uint32_t>{0, 1});
+        const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, -1, context);
+        const SeamNormals normals{normals_before(surfaces.meshes, {}, context),
+                                  normals_after(surfaces.meshes, {}, context)};
+        const std::vector<BorderCorner> corners = find_border_corners(placed, normals, context);
+        EXPECT_EQ(std::count_if(corners.begin(), corners.end(), [](const BorderCorner& c) { return c.before >= 4; }),
+                  height < 1e-5 ? 0 : 2);
+    }
 }
 
 TEST(Borders, NumbersThatAreNotFiniteMeetNobody) {
