@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// A grid of cells much wider than the distance; a place within half the distance of a cell's wall enters the neighbor too, so
-// every close pair meets in some cell (about 1.4 entries a place). The distance is that of the two meshes that reach farthest; other
-// pairs must lie closer. Wider cells would need fewer entries, but the small parts of a wide scene would crowd in them.
 #include "geometry/near_weld.h"
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <span>
 #include <string>
 #include <tuple>
 
+#include "geometry/near_cells.h"
 #include "geometry/rounding_reach.h"
 #include "geometry/union_find.h"
 
 namespace rakelight::geometry {
 namespace {
 
-constexpr double cell_width = 8;           // in distances
 constexpr std::size_t crowded = 1024;      // places in one cell: more is no model but an attack, or a distance far too large
-constexpr std::uint32_t partitions = 256;  // of the cells, by hash
 
 struct Entry {
-    std::uint64_t cell;
     dvec3 position;
     std::uint32_t vertex, mesh, object;
 };
@@ -50,7 +46,6 @@ public:
         distance_ = by_meshes_ ? widest_reach(box) : distance;
         origin_ = box.low;
         if (!(diagonal / distance_ < 1e15)) return;  // below the rounding of the positions: exact
-        if (distance_ * cell_width > diagonal) origin_ = box.low - dvec3{1, 1, 1} * distance_;
         if (quantized_) find_shared_places();
         join(close_pairs());
     }
@@ -141,23 +136,6 @@ private:
         return all;
     }
 
-    template <class Body>
-    void for_each_cell(dvec3 p, const Body& body) const {
-        const double size = distance_ * cell_width;
-        std::uint64_t low[3], high[3];
-        for (std::size_t a = 0; a < 3; ++a) {
-            low[a] = std::uint64_t(std::fmax(0, (p[a] - origin_[a] - 0.5 * distance_) / size));
-            high[a] = std::uint64_t(std::fmax(0, (p[a] - origin_[a] + 0.5 * distance_) / size));
-        }
-        for (std::uint64_t x = low[0]; x <= high[0]; ++x)
-            for (std::uint64_t y = low[1]; y <= high[1]; ++y)
-                for (std::uint64_t z = low[2]; z <= high[2]; ++z) {
-                    std::uint64_t h = (x * 0x9e3779b97f4a7c15ull ^ y) * 0xbf58476d1ce4e5b9ull;
-                    h = ((h ^ (h >> 31)) + z) * 0x94d049bb133111ebull;
-                    body(h ^ (h >> 29));
-                }
-    }
-
     struct Pair {
         std::uint32_t a, b;
         double reach;
@@ -165,32 +143,32 @@ private:
     using Pairs = std::vector<Pair>;
 
     std::vector<Pairs> close_pairs() {
-        std::vector<std::vector<std::vector<Entry>>> sent(chunks_.size());
-        context_.parallel_for(chunks_.size(), [&](std::size_t c) {
-            sent[c].resize(partitions);
-            for_each_place(c, [&](std::uint32_t m, std::uint32_t v, dvec3 p) {
-                const std::uint32_t object = key_.object ? input_.meshes[m].object : 0;
-                for_each_cell(p, [&](std::uint64_t cell) {
-                    sent[c][cell % partitions].push_back({cell, p, v, m, object});
-                });
-            });
-        });
-        std::vector<Pairs> pairs(partitions);
-        crowded_.assign(partitions, 0);
-        context_.parallel_for(partitions, [&](std::size_t part) {
+        const NearCells cells(representative_, input_, origin_, distance_, context_);
+        std::vector<Pairs> pairs(cells.partitions());
+        crowded_.assign(cells.partitions(), 0);
+        context_.parallel_for(cells.partitions(), [&](std::size_t part) {
             std::vector<Entry> entries;
             UnionFind sets;
-            for (const auto& chunk : sent) entries.insert(entries.end(), chunk[part].begin(), chunk[part].end());
-            std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-                return std::tuple(a.cell, a.position.x, a.vertex) < std::tuple(b.cell, b.position.x, b.vertex);
+            cells.for_each_shared_cell(std::uint32_t(part), [&](std::span<const std::uint32_t> cell) {
+                if (cell.size() > crowded) {
+                    crowded_[part] += cell.size();
+                    return;
+                }
+                entries.clear();
+                for (const std::uint32_t v : cell) entries.push_back(entry(v));
+                std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+                    return std::tuple(a.position.x, a.vertex) < std::tuple(b.position.x, b.vertex);
+                });
+                compare(entries, sets, pairs[part]);
             });
-            for (std::size_t first = 0, last = 0; first < entries.size(); first = last) {
-                while (last < entries.size() && entries[last].cell == entries[first].cell) ++last;
-                if (last - first > crowded) crowded_[part] += last - first;
-                else compare(std::span(entries).subspan(first, last - first), sets, pairs[part]);
-            }
         });
         return pairs;
+    }
+
+    Entry entry(std::uint32_t vertex) const {
+        const std::uint32_t m = input_.mesh_of_vertex(vertex);
+        const dvec3 p = input_.placements[m].position(input_.meshes[m].positions[vertex - input_.vertex_base[m]]);
+        return {p, vertex, m, key_.object ? input_.meshes[m].object : 0};
     }
 
     // Sorted by x: only a window as wide as the distance is compared. Pairs that are already connected inside the cell are not
@@ -203,43 +181,43 @@ private:
                     pairs.push_back({cell[i].vertex, cell[j].vertex, reach(cell[i], cell[j])});
     }
 
-    void join(const std::vector<Pairs>& pairs) {
+    void join(const std::vector<Pairs>& parts) {
+        Pairs pairs;
+        for (const Pairs& part : parts) pairs.insert(pairs.end(), part.begin(), part.end());
         UnionFind sets;
-        sets.reset(representative_.size());
-        struct Extent {
-            Box box;
-            double reach = 0;
-        };
-        std::map<std::uint32_t, Extent> extents;
-        for (const Pairs& part : pairs)
-            for (const Pair& pair : part) sets.join(pair.a, pair.b);
-        for (const Pairs& part : pairs)
-            for (const Pair& pair : part) {
-                Extent& extent = extents[sets.root(pair.a)];
-                extent.reach = std::max(extent.reach, pair.reach);
-                for (const std::uint32_t v : {pair.a, pair.b}) {
-                    const std::uint32_t m = input_.mesh_of_vertex(v);
-                    extent.box.add(input_.placements[m].position(input_.meshes[m].positions[v - input_.vertex_base[m]]));
-                }
-            }
-        std::uint64_t too_wide = 0, left = 0;
-        std::erase_if(extents, [&](const auto& set) {
-            const dvec3 size = set.second.box.high - set.second.box.low;
-            const double widest = 2 * set.second.reach;
-            const bool wide = size.x > widest || size.y > widest || size.z > widest;
-            too_wide += wide;
-            return wide;
-        });
-        for (const std::uint64_t count : crowded_) left += count;
+        if (!pairs.empty()) sets.reset(representative_.size());
+        for (const Pair& pair : pairs) sets.join(pair.a, pair.b);
+        // By the place that they become.
+        std::sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return sets.root(a.a) < sets.root(b.a); });
+        std::vector<bool> is_welded(pairs.empty() ? 0 : representative_.size(), false);
+        std::uint64_t too_wide = 0;
+        for (std::size_t first = 0, last = 0; first < pairs.size(); first = last) {
+            const std::uint32_t root = sets.root(pairs[first].a);
+            while (last < pairs.size() && sets.root(pairs[last].a) == root) ++last;
+            is_welded[root] = !is_too_wide(std::span(pairs).subspan(first, last - first));
+            too_wide += !is_welded[root];
+        }
+        const std::uint64_t left = std::accumulate(crowded_.begin(), crowded_.end(), std::uint64_t(0));
         if (too_wide + left != 0)
             context_.report().add(Remark::warning, {}, {},
                                   std::to_string(too_wide) + " chains and " + std::to_string(left) +
                                       " crowded vertices lie too close together to be welded within a tolerance; kept exact");
-        if (extents.empty()) return;
+        if (pairs.empty()) return;
         for (std::uint32_t& r : representative_) {
             const std::uint32_t root = sets.root(r);
-            if (root != r && extents.contains(root)) r = root;
+            if (root != r && is_welded[root]) r = root;
         }
+    }
+
+    bool is_too_wide(std::span<const Pair> component) const {
+        Box box;
+        double reach = 0;
+        for (const Pair& pair : component) {
+            reach = std::max(reach, pair.reach);
+            for (const std::uint32_t v : {pair.a, pair.b}) box.add(entry(v).position);
+        }
+        const dvec3 size = box.high - box.low;
+        return size.x > 2 * reach || size.y > 2 * reach || size.z > 2 * reach;
     }
 
     std::vector<std::uint32_t>& representative_;

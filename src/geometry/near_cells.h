@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which places lie in a common cell of a grid: candidates for being one place within a distance.
+//
+// A place within half the distance of a cell's wall enters the neighbor too, so every pair within the distance meets in
+// some cell. Cells are known by 32 bits of a hash: two cells that fall together only give more candidates. Wider cells
+// have fewer entries a place (twice as many as places here) but more candidates, and the small parts of a wide scene
+// crowd in them.
+#pragma once
+#include <bit>
+#include <vector>
+
+#include "geometry/attribute_input.h"
+#include "geometry/fast_memory.h"
+
+namespace rakelight::geometry {
+
+class NearCells {
+public:
+    /// @param representative  [vertices] of weld_positions(): places are its own members
+    /// @param origin    at or below all places in each axis
+    /// @param distance  > 0; the box of all places is less than 1e15 distances wide
+    NearCells(const std::vector<std::uint32_t>& representative, const AttributeInput& input, dvec3 origin,
+              double distance, Context& context);
+
+    /// Shares of the work.
+    std::uint32_t partitions() const { return partitions_; }
+
+    /// Calls body(vertices) for each cell of a partition with two places or more: std::span<const std::uint32_t>, none
+    /// twice.
+    template <class Body>
+    void for_each_shared_cell(std::uint32_t partition, const Body& body) const {
+        const Entry* entries = entries_.data() + begin_[partition];
+        const std::uint32_t count = begin_[partition + 1] - begin_[partition];
+        const std::uint32_t mask = std::uint32_t(std::bit_ceil(std::uint64_t(count) * 2 + 1) - 1);
+        std::vector<std::uint32_t> last(std::size_t(mask) + 1, nobody), previous(count), cell;
+        for (std::uint32_t e = 0; e != count; ++e) {
+            std::uint32_t slot = entries[e].tag & mask;
+            while (last[slot] != nobody && entries[last[slot]].tag != entries[e].tag) slot = (slot + 1) & mask;
+            previous[e] = last[slot];
+            last[slot] = e;
+        }
+        for (const std::uint32_t newest : last) {
+            if (newest == nobody || previous[newest] == nobody) continue;
+            cell.clear();
+            for (std::uint32_t e = newest; e != nobody; e = previous[e])
+                if (cell.empty() || cell.back() != entries[e].vertex) cell.push_back(entries[e].vertex);
+            if (cell.size() > 1) body(std::span<const std::uint32_t>(cell));
+        }
+    }
+
+private:
+    struct Entry {
+        std::uint32_t tag, vertex;
+    };
+    static constexpr std::uint32_t nobody = 0xffffffffu;
+
+    std::uint32_t partition_of(std::uint64_t hash) const {
+        return partitions_ == 1 ? 0 : std::uint32_t(hash >> shift_);
+    }
+
+    std::uint32_t partitions_ = 1, shift_ = 64;
+    std::vector<std::uint32_t> begin_;  // [partitions + 1]
+    LargeArray<Entry> entries_;         // a vertex' own entries in one cell are neighbors
+};
+
+}  // namespace rakelight::geometry
