@@ -90,13 +90,14 @@ void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) 
         report.add(Remark::dropped, scene.source, {}, std::string("PLY has no place for ") + what);
     };
     std::size_t objects = 0;
-    bool texcoords = false, tangents = false, others = false;
+    bool texcoords = false, tangents = false, others = false, has_groups = false;
     for (const Node& node : scene.nodes) {
         objects += !node.meshes.empty();
         for (const std::uint32_t m : node.meshes) {
             const Mesh& mesh = scene.meshes[m];
             texcoords = texcoords || mesh.texcoords.size() > (layout.texcoords ? 1u : 0u);
             tangents = tangents || !mesh.tangents.empty();
+            has_groups = has_groups || !mesh.smoothing.empty() || !mesh.smoothing_hint.empty();
             others = others || mesh.topology != Topology::triangles;
         }
     }
@@ -107,6 +108,9 @@ void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) 
                               : "texture coordinates that only some meshes have");
     if (tangents) lost("tangents");
     if (others) lost("lines and points here");
+    if (has_groups)
+        report.add(Remark::note, scene.source, {},
+                   "smoothing groups have no place in PLY: they are in the normals, and gone for a later run");
     if (!scene.cameras.empty() || !scene.lights.empty()) lost("cameras and lights");
     if (!scene.skins.empty() || !scene.animations.empty()) lost("skins and animations: the bind pose was written");
 }

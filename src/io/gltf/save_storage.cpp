@@ -58,6 +58,10 @@ std::vector<std::byte> stored_bytes(std::span<const float> numbers, std::uint32_
                                     std::uint32_t stride) {
     std::vector<std::byte> bytes(numbers.size() / width * stride);
     const std::size_t size = size_of(type);
+    if (type == ComponentType::f32 && stride == width * size) {
+        if (!bytes.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
+        return bytes;
+    }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         std::byte* to = bytes.data() + i / width * stride + i % width * size;
         if (type == ComponentType::f32) {
