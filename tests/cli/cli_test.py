@@ -3,6 +3,7 @@
 """Runs the real program: exit codes, one-line messages, files left behind, JSON. Standard library only.
 
   cli_test.py PROGRAM [unittest arguments]"""
+import base64
 import json
 import os
 import pathlib
@@ -155,6 +156,39 @@ class Cli(unittest.TestCase):
             self.assertEqual((result.code, result.err), (0, ""), arguments)
             pictures[(self.folder / "a.png").read_bytes()] = arguments
         self.assertEqual(len(pictures), 10)
+
+    def test_tangents_are_made_perpendicular_where_it_is_asked_for_and_the_loss_is_said(self):
+        common = ("--resolution", "80,60", "--normals", "model", "--uv", "sphere", "--tangents", "averaged")
+        self.assertEqual(self.run_program("render", "builtin:teapot", "-o", "map.png", "--light", "ambient:.6,.7,1", *common).code, 0)
+        pictures = set()
+        for where in ("attribute", "shader", "off"):
+            result = self.run_program("render", "builtin:teapot", "-o", "a.png", "--texture-normal", "map.png", *common, "--orthogonalize",
+                                      where, "--verbose", "--json")
+            self.assertEqual(result.code, 0, result.err)
+            loss = [float(x) for x in re.findall(r"at most ([0-9.]+) degrees \(mean [0-9.]+\) from perpendicular", result.err)]
+            self.assertGreater(len(loss), 0, result.err)
+            self.assertGreater(max(loss), 0.1)
+            self.assertIn("from perpendicular to the normals", result.out)
+            pictures.add((self.folder / "a.png").read_bytes())
+        self.assertEqual(len(pictures), 3)
+        self.assertNotIn("perpendicular", self.run_program("render", "builtin:teapot", "-o", "a.png", "--texture-normal", "map.png",
+                                                           *common, "--verbose").err)
+
+    def test_instances_are_copied_or_kept_as_asked_and_that_is_said(self):
+        data = struct.pack("<12f6H", 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 2, 0, 2, 3)
+        self.write("a.gltf", json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+            "nodes": [{"mesh": 0}, {"mesh": 0, "translation": [1, 0, 0], "rotation": [0, 0.1305262, 0, 0.9914449]}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+                          {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+            "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]}))
+        common = ("render", "a.gltf", "-o", "a.png", "--resolution", "64,48", "--normals", "model", "--verbose")
+        copied, kept = self.run_program(*common), self.run_program(*common, "--keep-instances")
+        self.assertEqual((copied.code, kept.code), (0, 0), copied.err + kept.err)
+        self.assertIn("1 instances got a mesh of their own", copied.err)
+        self.assertIn("warning: a.gltf: 1 instances that touch other things keep the normals of the first", kept.err)
 
     def test_a_named_camera_that_is_not_there_is_wrong_usage(self):
         self.write("a.obj")
