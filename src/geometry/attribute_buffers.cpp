@@ -3,6 +3,7 @@
 #include <string>
 
 #include "geometry/fast_attributes.h"
+#include "geometry/general_attributes.h"
 
 namespace rakelight {
 namespace {
@@ -25,13 +26,14 @@ void check_buffers(std::span<const AttributeMesh> meshes, const AttributeOptions
 
 struct AttributeWorkspace::Impl {
     geometry::FastScratch scratch;
+    geometry::GeneralScratch general;
 };
 
 AttributeWorkspace::AttributeWorkspace() : impl_(std::make_unique<Impl>()) {}
 AttributeWorkspace::AttributeWorkspace(AttributeWorkspace&&) noexcept = default;
 AttributeWorkspace& AttributeWorkspace::operator=(AttributeWorkspace&&) noexcept = default;
 AttributeWorkspace::~AttributeWorkspace() = default;
-std::size_t AttributeWorkspace::bytes() const { return impl_->scratch.bytes(); }
+std::size_t AttributeWorkspace::bytes() const { return impl_->scratch.bytes() + impl_->general.bytes(); }
 
 std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                      std::span<const AttributeBuffers> out, AttributeWorkspace& workspace,
@@ -40,10 +42,7 @@ std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMe
     check_buffers(meshes, options, out);
     if (geometry::takes_fast_path(meshes, options))
         return geometry::fast_attributes(meshes, options, out, workspace.impl().scratch, context);
-    const std::vector<MeshAttributes> results = geometry::general_attributes(meshes, options, context);
-    std::vector<SplitAttributes> splits;
-    for (std::size_t m = 0; m < meshes.size(); ++m) splits.push_back(geometry::split_from(meshes[m], results[m], out[m]));
-    return splits;
+    return geometry::general_attributes_into(meshes, options, out, workspace.impl().general, context);
 }
 
 }  // namespace rakelight

@@ -11,6 +11,7 @@
 #include "geometry/attribute_plan.h"
 #include "geometry/fast_attributes.h"
 #include "geometry/finish_vertices.h"
+#include "geometry/general_attributes.h"
 #include "geometry/grouping.h"
 #include "geometry/tangent_modes.h"
 #include "geometry/vote_sums.h"
@@ -42,18 +43,20 @@ std::vector<std::uint8_t> marks_of(const VoteSums& sums, const std::vector<std::
     return marks;
 }
 
-struct Sums {
-    std::vector<MeshAttributes> meshes;
-    std::vector<std::uint8_t> cancelled;  ///< as marks_of(); empty: none
-};
-
-Sums add_up(const Plan& plan, const AttributeInput& input, Context& context) {
+// The sums of a plan, made into vertices. @param finish  (sums) -> Cancelled @return the marks of what cancelled
+template <class FinishSums>
+std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, GeneralScratch& scratch, Context& context,
+                                 const FinishSums& finish) {
     check_sums_memory(plan, context);
-    VoteSums sums = sum_votes(plan.topology, input, plan.options, context);
+    VoteSums sums =
+        sum_votes(plan.topology, input, plan.options, context, std::move(scratch.normals), std::move(scratch.tangents));
     sum_groups(sums, plan.groups, plan.topology, input, plan.options, context);
     context.throw_if_cancelled();
-    Finished finished = finish_vertices(sums, plan.topology, input, plan.options, context);
-    return {std::move(finished.meshes), marks_of(sums, finished.cancelled, plan)};
+    const Cancelled cancelled = finish(sums);
+    std::vector<std::uint8_t> marks = marks_of(sums, cancelled, plan);
+    scratch.normals = std::move(sums.normals);
+    if (sums.has_tangents()) scratch.tangents = std::move(sums.tangents);
+    return marks;
 }
 
 // What add_up() would find cancelled, from the sums of normals alone.
@@ -101,19 +104,27 @@ void mend_cancelled(Plan& plan, const AttributeInput& input, std::vector<std::ui
 }
 
 // Both steps at once: the sums that show what cancels are the result.
-std::vector<MeshAttributes> run(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context) {
+template <class FinishSums>
+void run(Plan& plan, const AttributeInput& input, GeneralScratch& scratch, Context& context, const FinishSums& finish) {
+    plan.base.scratch = &scratch.grouping;
+    make_plan(plan, input, context);
+    plan.base.release();
+    const auto sum = [&] { return add_up(plan, input, scratch, context, [&](const VoteSums& sums) { return finish(plan, sums); }); };
+    mend_cancelled(plan, input, sum(), context, sum);
+    plan.base.release();
+}
+
+std::vector<MeshAttributes> run(std::span<const AttributeMesh> meshes, const AttributeOptions& options, GeneralScratch& scratch,
+                                Context& context) {
     check_options(options);
     const AttributeInput input = check_input(meshes, context);
     const std::shared_ptr<Plan> plan = describe(meshes, options);
-    make_plan(*plan, input, context);
-    plan->base = {};
-    Sums sums = add_up(*plan, input, context);
-    mend_cancelled(*plan, input, std::move(sums.cancelled), context, [&] {
-        sums = add_up(*plan, input, context);
-        return std::move(sums.cancelled);
+    std::vector<MeshAttributes> out;
+    run(*plan, input, scratch, context, [&](const Plan& p, const VoteSums& sums) {
+        return finish_vertices(sums, p.topology, input, p.options, out, context);
     });
-    if (plan->tangents_after) add_tangents(sums.meshes, *plan, input, context);
-    return std::move(sums.meshes);
+    if (plan->tangents_after) add_tangents(out, *plan, input, context);
+    return out;
 }
 
 AttributePlan plan_from(GroupingBase base, std::span<const AttributeMesh> meshes, const AttributeOptions& options,
@@ -159,9 +170,13 @@ std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<cons
     const Plan& impl = plan.impl();
     const AttributeInput input = check_input(meshes, context);
     check_same(impl, meshes, !impl.options.normals);
-    Sums sums = add_up(impl, input, context);  // what cancels by a pose keeps what its own faces say
-    if (impl.tangents_after) add_tangents(sums.meshes, impl, input, context);
-    return std::move(sums.meshes);
+    GeneralScratch scratch;
+    std::vector<MeshAttributes> out;  // what cancels by a pose keeps what its own faces say
+    add_up(impl, input, scratch, context, [&](const VoteSums& sums) {
+        return finish_vertices(sums, impl.topology, input, impl.options, out, context);
+    });
+    if (impl.tangents_after) add_tangents(out, impl, input, context);
+    return out;
 }
 
 std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
@@ -173,7 +188,25 @@ std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> me
 
 std::vector<MeshAttributes> geometry::general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                          Context& context) {
-    return run(meshes, options, context);
+    GeneralScratch scratch;
+    return run(meshes, options, scratch, context);
+}
+
+std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                                               std::span<const AttributeBuffers> out, GeneralScratch& scratch,
+                                                               Context& context) {
+    std::vector<SplitAttributes> splits;
+    if (options.tangents && options.tangent_mode != TangentMode::averaged) {  // made from whole arrays of normals
+        const std::vector<MeshAttributes> results = run(meshes, options, scratch, context);
+        for (std::size_t m = 0; m < meshes.size(); ++m) splits.push_back(split_from(meshes[m], results[m], out[m]));
+        return splits;
+    }
+    check_options(options);
+    const AttributeInput input = check_input(meshes, context);
+    run(*describe(meshes, options), input, scratch, context, [&](const Plan& plan, const VoteSums& sums) {
+        return finish_vertices(sums, plan.topology, input, plan.options, out, splits, context);
+    });
+    return splits;
 }
 
 }  // namespace rakelight

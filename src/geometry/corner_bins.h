@@ -27,12 +27,16 @@ class CornerSort {
 public:
     static constexpr std::uint32_t no_bin = 0xffffffffu;  ///< the corner goes to no bin
 
-    CornerSort(const AttributeInput& input, std::uint32_t keys, Context& context)
+    /// @param bins, scratch  memory to use, of any contents
+    CornerSort(const AttributeInput& input, std::uint32_t keys, CornerBins bins, LargeArray<std::uint16_t>& scratch,
+               Context& context)
         : input_(input),
           context_(context),
           keys_(keys),
           parts_(keys / keys_per_part + 1),
-          chunks_(make_chunks(input.triangle_base, triangles_per_chunk)) {}
+          chunks_(make_chunks(input.triangle_base, triangles_per_chunk)),
+          bins_(std::move(bins)),
+          local_(scratch) {}
 
     /// @param key_of  mesh -> (corner numbered through -> bin < keys, or no_bin); called twice a corner, by any thread
     template <class Key>
@@ -86,7 +90,7 @@ private:
     std::uint32_t keys_, parts_;
     std::vector<Chunk> chunks_;
     CornerBins bins_;
-    LargeArray<std::uint16_t> local_;  // [binned corners] key inside its part
+    LargeArray<std::uint16_t>& local_;  // [binned corners] key inside its part
 };
 
 }  // namespace rakelight::geometry

@@ -39,11 +39,26 @@ std::shared_ptr<const std::vector<std::uint32_t>> each_vertex_alone(const Attrib
     return places;
 }
 
+CornerBins bins_by_place(const Topology& topology, const AttributeInput& input, GroupingBase& base, Context& context) {
+    if (!base.scratch) return bin_corners(topology, input, {}, context);
+    return bin_corners(topology, input, {}, context, std::move(base.scratch->corners), std::move(base.scratch->keys));
+}
+
 }  // namespace
 
 const FaceNormals& GroupingBase::face_normals(const AttributeInput& input, Context& context) {
-    if (!normals) normals = std::make_shared<const FaceNormals>(geometry::face_normals(input, context));
+    if (!normals) {
+        FaceNormals memory;
+        if (scratch) memory = std::move(scratch->normals);
+        normals = std::make_shared<FaceNormals>(geometry::face_normals(input, context, std::move(memory)));
+    }
     return *normals;
+}
+
+void GroupingBase::release() {
+    if (scratch && normals) scratch->normals = std::move(*normals);
+    if (scratch && corners) scratch->corners = std::move(*corners);
+    places = nullptr, normals = nullptr, corners = nullptr;
 }
 
 bool same_weld(const AttributeOptions& a, const AttributeOptions& b) {
@@ -69,7 +84,7 @@ Grouped make_groups(GroupingBase& base, const AttributeInput& input, const Attri
         if (flat)
             flat_bins = bin_corners(made.topology, input, {}, context);
         else if (!base.corners)
-            base.corners = std::make_shared<const CornerBins>(bin_corners(made.topology, input, {}, context));
+            base.corners = std::make_shared<CornerBins>(bins_by_place(made.topology, input, base, context));
         made.may_cancel = refine_groups(made.topology, input, rules, flat ? flat_bins : *base.corners, context);
     }
     context.throw_if_cancelled();

@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 
+#include "geometry/general_scratch.h"
 #include "geometry/join_rules.h"
 
 namespace rakelight::geometry {
@@ -11,9 +12,12 @@ namespace rakelight::geometry {
 /// made when it is first needed and null till then.
 struct GroupingBase {
     std::shared_ptr<const std::vector<std::uint32_t>> places;  ///< [vertices] as Topology::places
-    std::shared_ptr<const FaceNormals> normals;                ///< [triangles]
-    std::shared_ptr<const CornerBins> corners;                 ///< by place
+    std::shared_ptr<FaceNormals> normals;                      ///< [triangles]
+    std::shared_ptr<CornerBins> corners;                       ///< by place
+    GroupingScratch* scratch = nullptr;                        ///< where memory is taken from; null: new memory
 
+    /// Gives the memory back; only where nothing else shares it.
+    void release();
     const FaceNormals& face_normals(const AttributeInput& input, Context& context);
 };
 

@@ -49,8 +49,8 @@ void sort_appended(Topology& topology, const AttributeInput& input, Context& con
 }
 
 CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
-                       Context& context) {
-    CornerSort sort(input, std::uint32_t(topology.group.size()), context);
+                       Context& context, CornerBins bins, LargeArray<std::uint16_t>&& keys) {
+    CornerSort sort(input, std::uint32_t(topology.group.size()), std::move(bins), keys, context);
     const std::uint32_t* const group = topology.group.data();
     if (selected.empty() && topology.corner_vertex.empty())
         return sort.run([&](std::uint32_t m) {
@@ -65,8 +65,7 @@ CornerBins bin_corners(const Topology& topology, const AttributeInput& input, co
     });
 }
 
-FaceNormals face_normals(const AttributeInput& input, Context& context) {
-    FaceNormals normals;
+FaceNormals face_normals(const AttributeInput& input, Context& context, FaceNormals normals) {
     normals.reserve(input.triangle_count());
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     context.parallel_for(chunks.size(), [&](std::size_t c) {

@@ -38,11 +38,13 @@ void sort_appended(Topology& topology, const AttributeInput& input, Context& con
 
 /// The corners at each group of vertices.
 /// @param selected  [output vertices] only groups g with selected[g] != 0 get a bin; empty: all
+/// @param bins, keys  memory to use, of any contents
 CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
-                       Context& context);
+                       Context& context, CornerBins bins = {}, LargeArray<std::uint16_t>&& keys = {});
 
 /// [triangles] Unit normal of each face in the world; zero where it has no vote.
 using FaceNormals = LargeArray<dvec3>;
-FaceNormals face_normals(const AttributeInput& input, Context& context);
+/// @param memory  to use, of any contents
+FaceNormals face_normals(const AttributeInput& input, Context& context, FaceNormals memory = {});
 
 }  // namespace rakelight::geometry

@@ -193,12 +193,17 @@ std::vector<std::uint32_t> appended_base(const Topology& topology, const Attribu
     return base;
 }
 
-VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context) {
+VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context,
+                   LargeArray<NormalRow>&& normals, LargeArray<TangentRow>&& tangents) {
     VoteSums sums;
+    sums.normals = std::move(normals);
     sums.normals.reserve(topology.group.size());
     const bool textured = std::any_of(input.meshes.begin(), input.meshes.end(),
                                       [](const AttributeMesh& m) { return !m.texcoords.empty(); });
-    if (options.tangents && textured) sums.tangents.reserve(topology.group.size());
+    if (options.tangents && textured) {
+        sums.tangents = std::move(tangents);
+        sums.tangents.reserve(topology.group.size());
+    }
     sums.degenerate_faces.assign(input.meshes.size(), 0);
     sums.isolated_vertices.assign(input.meshes.size(), 0);
     Scatter(sums, topology, input, options, context).run();

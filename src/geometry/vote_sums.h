@@ -38,7 +38,9 @@ std::vector<std::uint32_t> appended_base(const Topology& topology, const Attribu
 
 /// Adds up the votes of all faces, per output vertex. Fixed chunks own vertex ranges; votes for another chunk's vertex are
 /// handed over and added in the order of the chunks, so the bits do not depend on the threads.
-VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context);
+/// @param normals, tangents  memory for the rows, of any contents; what is not used of it is left alone
+VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context,
+                   LargeArray<NormalRow>&& normals = {}, LargeArray<TangentRow>&& tangents = {});
 
 /// Adds the rows of each group together and gives the sum to every member: normals as they are; tangents only among members of
 /// one handedness whose own tangents lie within 45 degrees of one another in the normal's plane (connected pairs). Groups

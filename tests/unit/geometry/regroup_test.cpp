@@ -117,6 +117,47 @@ TEST(Regroup, EveryStepOfASliderEqualsGroupingAfresh) {
     }
 }
 
+// What compute_attributes_into() gives, put together as arrays.
+std::vector<MeshAttributes> through_buffers(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                            AttributeWorkspace& workspace, Context& context) {
+    std::vector<MeshAttributes> all(meshes.size());
+    std::vector<AttributeBuffers> out;
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        all[m].normals.resize(meshes[m].positions.size(), vec3{9, 9, 9});
+        if (options.tangents && !meshes[m].texcoords.empty()) all[m].tangents.resize(meshes[m].positions.size());
+        out.push_back({all[m].normals, all[m].tangents});
+    }
+    const auto splits = compute_attributes_into(meshes, options, out, workspace, context);
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        all[m].normals.insert(all[m].normals.end(), splits[m].normals.begin(), splits[m].normals.end());
+        all[m].tangents.insert(all[m].tangents.end(), splits[m].tangents.begin(), splits[m].tangents.end());
+        all[m].source_vertex = splits[m].source_vertex;
+        all[m].degenerate_faces = splits[m].degenerate_faces;
+        all[m].isolated_vertices = splits[m].isolated_vertices;
+        if (splits[m].source_vertex.empty() && splits[m].corners.empty()) continue;
+        all[m].indices.assign(meshes[m].indices.begin(), meshes[m].indices.end());
+        for (const CornerVertex& c : splits[m].corners) all[m].indices[c.corner] = c.vertex;
+    }
+    return all;
+}
+
+TEST(Workspace, WhatItHeldBeforeDoesNotShow) {
+    AttributeWorkspace workspace;  // one for all models, sizes and options
+    std::mt19937 random(7);
+    for (std::uint32_t seed = 0; seed < 120; ++seed) {
+        const std::vector<Shape> shapes = random_model(seed);
+        const auto meshes = views(shapes);
+        AttributeOptions options = random_options(random);
+        options.measure_orthogonality = false;
+        Context context({.threads = int(1 + seed % 3)});
+        auto made = compute_attributes(meshes, options, context);
+        for (MeshAttributes& m : made)
+            m.bitangents.clear();  // of TangentMode::published; buffers have no place for them
+        EXPECT_TRUE(equal(through_buffers(meshes, options, workspace, context), made)) << seed;
+    }
+    EXPECT_GT(workspace.bytes(), 0u);
+}
+
 TEST(Regroup, BitsAreThoseOfOneThread) {
     // Larger than the chunks in which work is handed out.
     std::vector<Shape> parts = cut_by_planes(make_torus(300, 160), 2);
