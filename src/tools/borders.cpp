@@ -45,6 +45,9 @@ public:
 
     BorderReport run(Context& context) {
         const std::vector<BorderCorner> corners = find_border_corners(placed_, normals_, context);
+        constexpr std::uint64_t bytes_per_corner =
+            4 * sizeof(Meeting);  // 28 meetings of 8 corners at most, and a few numbers
+        context.memory().check(corners.size() * bytes_per_corner, "the borders of all objects");
         for (std::size_t i = 0; i < corners.size();) {
             std::size_t end = i + 1;
             while (end < corners.size() && corners[end].place == corners[i].place) ++end;

@@ -16,8 +16,8 @@ struct BorderReport {
     std::vector<std::pair<std::uint32_t, float>> seams_at;
 };
 
-/// Expected O(corners), O(b log b) for the b corners at borders, about 40 bytes each: at most 8 objects are paired at a
-/// place, and at most 16 different normals of each are looked at.
+/// Expected O(corners), O(b log b) for the b corners at borders, about 120 bytes each at most: at most 8 objects are
+/// paired at a place, and at most 16 different normals of each are looked at.
 BorderReport find_borders(const geometry::PlacedMeshes& placed, const SeamNormals& normals, Context& context);
 
 inline constexpr std::size_t most_borders = 10'000;        ///< listed

@@ -94,6 +94,15 @@ void look_at_surfaces(Inspection& result, const geometry::PlacedMeshes& placed, 
     }
 }
 
+/// Instances are looked at one by one, so a small file can ask for much.
+void check_memory(const Surfaces& surfaces, Context& context) {
+    constexpr std::uint64_t bytes_per_vertex = 32, bytes_per_corner = 8;  // at the peak: weld, edges
+    std::uint64_t bytes = 0;
+    for (const AttributeMesh& m : surfaces.meshes)
+        bytes += bytes_per_vertex * m.positions.size() + bytes_per_corner * m.indices.size();
+    context.memory().check(bytes, "looking at the surfaces of all instances");
+}
+
 /// Border edges whose ends are seams, and then the places that no such edge reaches.
 std::vector<SeamLine> find_seam_lines(const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census,
                                       const BorderReport& report) {
@@ -150,10 +159,13 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     if (!bounds.empty()) result.low = bounds.low, result.high = bounds.high;
     if (options.borders || options.surfaces) {
         const Surfaces surfaces = collect_surfaces(scene, objects);
+        check_memory(surfaces, context);
         constexpr double as_the_attributes = -1;
         const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, as_the_attributes, context);
         const geometry::EdgeCensus census = count_edges(placed, std::uint32_t(objects.size()));
+        context.throw_if_cancelled();
         if (options.surfaces) look_at_surfaces(result, placed, census);
+        context.throw_if_cancelled();
         if (options.borders) look_at_borders(result, surfaces, placed, census, options, context);
     }
     // Only what it says of the tangents is wanted.

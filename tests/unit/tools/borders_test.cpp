@@ -206,6 +206,17 @@ TEST(Borders, TwentyThousandObjectsOnOneSpotDoNotMakeTwoHundredMillionPairs) {
     EXPECT_TRUE(i.borders[0].object_a == 12'345 || i.borders[0].object_b == 12'345);
 }
 
+TEST(Borders, InstancesThatAskForTooMuchMemoryAreAnError) {
+    Scene scene = two_squares();
+    std::vector<std::uint32_t> indices;
+    for (int i = 0; i < 10'000; ++i) indices.insert(indices.end(), {0, 1, 2});
+    scene.meshes[0].indices = indices;
+    scene.nodes.assign(20'000, scene.nodes[0]);  // 600 million corners
+    Context context;
+    EXPECT_THROW(inspect(scene, {}, context), Error);
+    EXPECT_EQ(inspect(scene, {.borders = false, .surfaces = false}, context).triangles, 200'000'000u);
+}
+
 TEST(Borders, TheTableHoldsTheTenThousandWorstPairs) {
     Scene scene;  // a chain of triangles that touch in single points; the seam grows along it
     constexpr std::uint32_t count = 10'102;
