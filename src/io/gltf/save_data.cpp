@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "io/gltf/save_meshopt.h"
 #include "io/gltf/save_storage.h"
 
 namespace rakelight::io::gltf {
@@ -51,22 +52,22 @@ std::uint32_t NewData::accessor(std::vector<std::byte> data, std::uint32_t strid
     // 1. a view of the same bytes, or a new one; every view begins at a multiple of 4
     const std::uint64_t hash = hash_of(data);
     const auto is_same = [&](const Known& k) {
-        return k.size == data.size() && k.stride == stride && k.target == target &&
-               std::equal(data.begin(), data.end(), bytes_.begin() + std::ptrdiff_t(k.begin));
+        const std::byte* known = k.data.empty() ? bytes_.data() + k.begin : k.data.data();
+        return k.size == data.size() && k.stride == stride && k.target == target && k.extension == extension_ &&
+               std::equal(data.begin(), data.end(), known);
     };
     std::uint32_t view = none;
     for (auto [at, end] = views_.equal_range(hash); at != end && view == none; ++at)
         if (is_same(at->second)) view = at->second.view;
     if (view == none) {
-        OrderedJson json = {{"buffer", buffer_}, {"byteOffset", offset_ + bytes_.size()}, {"byteLength", data.size()}};
-        if (stride != 0) json["byteStride"] = stride;
-        json["target"] = target;
+        const std::size_t begin = bytes_.size();
+        OrderedJson json = new_view(data, stride, target, description["count"].get<std::size_t>());
+        const bool is_packed = json.contains("extensions");
         OrderedJson& views = root_["bufferViews"];
         view = std::uint32_t(views.size());
         views.push_back(std::move(json));
-        views_.emplace(hash, Known{bytes_.size(), data.size(), stride, target, view});
-        bytes_.insert(bytes_.end(), data.begin(), data.end());
-        bytes_.resize((bytes_.size() + 3) / 4 * 4);
+        views_.emplace(hash, Known{begin, data.size(), stride, target, extension_,
+                                   is_packed ? std::move(data) : std::vector<std::byte>{}, view});
     }
     // 2. the accessor
     description["bufferView"] = view;
@@ -77,6 +78,25 @@ std::uint32_t NewData::accessor(std::vector<std::byte> data, std::uint32_t strid
         accessors.push_back(std::move(description));
     }
     return entry->second;
+}
+
+/// Appends the bytes of a view, compressed where that is wanted and can be.
+OrderedJson NewData::new_view(std::span<const std::byte> data, std::uint32_t stride, int target, std::size_t count) {
+    OrderedJson json = {{"buffer", buffer_}, {"byteOffset", offset_ + bytes_.size()}, {"byteLength", data.size()}};
+    if (stride != 0) json["byteStride"] = stride;
+    json["target"] = target;
+    std::vector<std::byte> packed;
+    if (!extension_.empty() && count > 0)
+        packed = compress(data, data.size() / count, target == index_target, extension_, root_, json);
+    if (!packed.empty()) {
+        OrderedJson& extension = json["extensions"][extension_];
+        extension["buffer"] = buffer_;
+        extension["byteOffset"] = offset_ + bytes_.size();
+    }
+    const std::span<const std::byte> stored = packed.empty() ? data : std::span<const std::byte>(packed);
+    bytes_.insert(bytes_.end(), stored.begin(), stored.end());
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    return json;
 }
 
 std::uint32_t NewData::directions(std::span<const float> numbers, std::uint32_t width, ComponentType type) {

@@ -30,18 +30,25 @@ public:
     /// again, all bytes as they are. `model` is the accessor that it replaces: its name, extras, min and max stay.
     std::uint32_t extended(const Elements& elements, std::span<const std::uint32_t> copied, const OrderedJson& model);
 
+    /// What is added next is compressed by this extension (see save_meshopt.h), where that can be; "": not.
+    void compress_as(std::string extension) { extension_ = std::move(extension); }
+
     std::span<const std::byte> bytes() const { return bytes_; }
 
 private:
     std::uint32_t accessor(std::vector<std::byte> data, std::uint32_t stride, int target, OrderedJson description);
+    OrderedJson new_view(std::span<const std::byte> data, std::uint32_t stride, int target, std::size_t count);
     OrderedJson& root_;
     std::size_t buffer_;
     std::uint64_t offset_;
     std::vector<std::byte> bytes_;
+    std::string extension_;
     struct Known {
         std::size_t begin, size;
         std::uint32_t stride;
         int target;
+        std::string extension;
+        std::vector<std::byte> data;  ///< of compressed views, else they lie in bytes_
         std::uint32_t view;
     };
     std::multimap<std::uint64_t, Known> views_;       ///< by a hash of the bytes

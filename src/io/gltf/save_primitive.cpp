@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "io/gltf/save_meshopt.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -57,11 +59,13 @@ void PrimitiveEditor::extend(OrderedJson& owner, const Value& source, VertexData
                                                    : false;
         if (made_anew) continue;
         const std::uint32_t old = source.required_index(name.c_str());
-        const Elements elements = target ? accessors_.elements(old, {"a morph target", any_components, any_type}, source)
-                                         : *vertices.elements(name, any_components, any_type);
+        const Elements elements = target
+                                      ? accessors_.elements(old, {"a morph target", any_components, any_type}, source)
+                                      : *vertices.elements(name, any_components, any_type);
         accessors_.document().context().memory().check((elements.count + copied.size()) * 64, "splitting vertices");
         // The parts of root_ move when accessors are added: the old one is copied first.
         const OrderedJson model = root_["accessors"][old];
+        data_.compress_as(compression_of(old));
         accessor = data_.extended(elements, copied, model);
     }
 }
@@ -86,17 +90,17 @@ void PrimitiveEditor::put(OrderedJson& attributes, const char* name, std::span<c
     const auto old = attributes.find(name);
     if (may_overwrite && old != attributes.end() && own_.replace(root_, old->get<std::size_t>(), numbers, width, type))
         return;
+    data_.compress_as(old == attributes.end() ? std::string() : compression_of(*old));
     attributes[name] = data_.directions(numbers, width, type);
 }
 
+/// The meshopt extension of an accessor's view, or "".
 /// @param accessor  the number of one, or null
-bool PrimitiveEditor::has_compressed_view(const OrderedJson& accessor) const {
-    if (accessor.is_null()) return false;
+std::string PrimitiveEditor::compression_of(const OrderedJson& accessor) const {
+    if (accessor.is_null()) return {};
     const OrderedJson& json = root_["accessors"][accessor.get<std::size_t>()];
-    if (!json.contains("bufferView")) return false;
-    const OrderedJson& view = root_["bufferViews"][json["bufferView"].get<std::size_t>()];
-    const OrderedJson extensions = view.value("extensions", OrderedJson::object());
-    return extensions.contains("EXT_meshopt_compression") || extensions.contains("KHR_meshopt_compression");
+    return json.contains("bufferView") ? meshopt_extension(root_["bufferViews"][json["bufferView"].get<std::size_t>()])
+                                       : std::string();
 }
 
 PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, const Mesh& before, const Mesh& after,
@@ -139,18 +143,21 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
     }
     for (std::size_t t = 0; t < targets.size(); ++t) {
         put_target(json["targets"][t], fresh[t], may_overwrite);
-        result.keeps_target_normals = result.keeps_target_normals || (targets.element(t).has("NORMAL") && fresh[t].normals.empty());
+        result.keeps_target_normals =
+            result.keeps_target_normals || (targets.element(t).has("NORMAL") && fresh[t].normals.empty());
     }
 
     // 3. corners; strips and fans become lists, since their corners cannot be told apart
     if (!same_indices(before, after) || result.unpacked) {
+        data_.compress_as(compression_of(old.value("indices", OrderedJson())));
         json["indices"] = data_.indices(after.indices, index_type(source));
         json.erase("mode");
     }
     if (result.unpacked) erase_extension(json, draco_name);
     const OrderedJson& now = json["attributes"];  // `attributes` moved when members were added
     for (const auto& [name, accessor] : old["attributes"].items())
-        result.plain = result.plain || (now.contains(name) && now[name] != accessor && has_compressed_view(accessor));
+        result.plain = result.plain ||
+                       (now.contains(name) && !compression_of(accessor).empty() && compression_of(now[name]).empty());
     return result;
 }
 

@@ -41,7 +41,7 @@ private:
     void put_offsets(OrderedJson& json, const char* name, const Block<vec3>& offsets, bool may_overwrite);
     void put(OrderedJson& attributes, const char* name, std::span<const float> numbers, ComponentType type,
              bool may_overwrite);
-    bool has_compressed_view(const OrderedJson& accessor) const;
+    std::string compression_of(const OrderedJson& accessor) const;
     ComponentType index_type(const Value& source) const;
     Accessors& accessors_;
     const DirectionStorage& storage_;

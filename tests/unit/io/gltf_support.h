@@ -85,7 +85,7 @@ struct GltfFile {
     Json& triangle() { return primitive(accessor<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, f32, 3)); }
 
     std::string text() {
-        if (!data.empty()) root["buffers"] = Json::array({{{"byteLength", data.size()}, {"uri", "data.bin"}}});
+        if (!data.empty()) root["buffers"][0] = {{"byteLength", data.size()}, {"uri", "data.bin"}};
         return root.dump();
     }
 
