@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <map>
+#include <random>
 
 #include "unit/geometry/shapes.h"
 
@@ -120,6 +123,54 @@ TEST(EdgeCensus, FacesThatAreNoneCountForNothing) {
     EXPECT_FALSE(c.objects[0].is_closed());
     EXPECT_TRUE(census_of({}, 0).objects.empty());
     EXPECT_EQ(census_of({Shape{}}).objects[0].edges, 0u);
+}
+
+TEST(EdgeCensus, RandomSoupsAgreeWithAMapOfAllEdges) {
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        std::mt19937 random(seed);
+        std::vector<Shape> shapes(3);  // on few integer positions, so that all kinds of edges come about
+        for (std::uint32_t o = 0; o < 3; ++o) {
+            shapes[o].object = o;
+            for (std::uint32_t i = 0; i < 3 * (5 + random() % 40); ++i) {
+                shapes[o].positions.push_back({float(random() % 3), float(random() % 3), float(random() % 2)});
+                shapes[o].indices.push_back(i);
+            }
+            shapes[o].indices.resize(shapes[o].indices.size() / 3 * 3);
+        }
+        using Key = std::array<float, 6>;
+        std::map<Key, std::map<std::uint32_t, std::vector<bool>>> edges;
+        for (const Shape& s : shapes)
+            for (std::size_t t = 0; t < s.indices.size(); t += 3) {
+                const vec3 p[3] = {s.positions[t], s.positions[t + 1], s.positions[t + 2]};
+                if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const vec3 a = p[k], b = p[(k + 1) % 3];
+                    const Key ab{a.x, a.y, a.z, b.x, b.y, b.z}, ba{b.x, b.y, b.z, a.x, a.y, a.z};
+                    edges[std::min(ab, ba)][s.object].push_back(ab < ba);
+                }
+            }
+        std::vector<geometry::ObjectEdges> expected(3);
+        std::size_t open = 0, borders = 0;
+        for (const auto& [key, uses] : edges) {
+            borders += uses.size() > 1;
+            open += uses.size() == 1 && uses.begin()->second.size() == 1;
+            for (const auto& [object, ways] : uses) {
+                ++expected[object].edges;
+                expected[object].open += ways.size() == 1;
+                expected[object].inconsistent += ways.size() == 2 && ways[0] == ways[1];
+                expected[object].non_manifold += ways.size() > 2;
+            }
+        }
+        const EdgeCensus c = census_of(shapes, 3);
+        EXPECT_EQ(c.open_corners.size(), open) << seed;
+        EXPECT_EQ(c.border_edges.size(), borders) << seed;
+        for (std::size_t o = 0; o < 3; ++o) {
+            EXPECT_EQ(c.objects[o].edges, expected[o].edges) << seed;
+            EXPECT_EQ(c.objects[o].open, expected[o].open) << seed;
+            EXPECT_EQ(c.objects[o].inconsistent, expected[o].inconsistent) << seed;
+            EXPECT_EQ(c.objects[o].non_manifold, expected[o].non_manifold) << seed;
+        }
+    }
 }
 
 TEST(EdgeCensus, ManyCopiesOnOneSpotAreOneNonManifoldEdgeForNobody) {

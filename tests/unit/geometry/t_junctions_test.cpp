@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
+#include <set>
 
 #include "geometry/edge_census.h"
 #include "unit/geometry/shapes.h"
@@ -90,6 +92,37 @@ TEST(TJunctions, AThinFaceThatClosesTheGapIsNone) {
     EXPECT_EQ(junctions_of({s}).junctions.count, 1u);
     s.indices.insert(s.indices.end(), {0, 3, 1});  // of no area
     EXPECT_EQ(junctions_of({s}).junctions.count, 0u);
+}
+
+TEST(TJunctions, RandomSoupsAgreeWithEveryEdgeAgainstEveryVertex) {
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        std::mt19937 random(seed);
+        Shape s;  // on integer positions, where a vertex is on an edge or clearly off it
+        const std::uint32_t corners = 3 * (2 + random() % 30);
+        for (std::uint32_t i = 0; i < corners; ++i) {
+            s.positions.push_back({float(random() % 7), float(random() % 7), float(random() % 3)});
+            s.indices.push_back(i);
+        }
+        Context context;
+        const std::vector<Shape> shapes{s};
+        const std::vector<AttributeMesh> meshes = views(shapes);
+        const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context);
+        const std::vector<std::uint32_t> open = count_edges(placed, 1).open_corners;
+        std::set<std::uint32_t> ends, expected;
+        const auto next = [](std::uint32_t corner, std::uint32_t k) { return corner - corner % 3 + (corner + k) % 3; };
+        for (const std::uint32_t corner : open) ends.insert({placed.place[corner], placed.place[next(corner, 1)]});
+        for (const std::uint32_t corner : open)
+            for (const std::uint32_t end : ends) {
+                const dvec3 a = placed.position(corner), b = placed.position(next(corner, 1)), p = placed.position(end);
+                const bool inside = cross(p - a, b - a) == dvec3{} && dot(p - a, b - a) > 0 && dot(p - b, a - b) > 0;
+                if (inside && placed.place[next(corner, 2)] != end) expected.insert(end);
+            }
+        const geometry::TJunctions found = find_t_junctions(placed, open, 1, 1000);
+        std::set<std::uint32_t> places;
+        for (const geometry::TJunction& t : found.places) places.insert(t.place);
+        EXPECT_EQ(places, expected) << seed;
+        EXPECT_EQ(found.count, expected.size()) << seed;
+    }
 }
 
 TEST(TJunctions, TheListIsBoundedAndTheCountIsNot) {

@@ -4,13 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <random>
 
 #include "math/linear.h"
 #include "tools/border_corners.h"
 #include "tools/place_angles.h"
 #include "tools/surfaces.h"
+#include "unit/geometry/shapes.h"
 #include "unit/render/test_scene.h"
 
 namespace rakelight {
@@ -204,6 +209,51 @@ TEST(Borders, TwentyThousandObjectsOnOneSpotDoNotMakeTwoHundredMillionPairs) {
     ASSERT_FALSE(i.borders.empty());  // the one that differs is among the few
     EXPECT_NEAR(i.borders[0].seam_deg, 33, 1e-4);
     EXPECT_TRUE(i.borders[0].object_a == 12'345 || i.borders[0].object_b == 12'345);
+}
+
+TEST(Borders, RandomModelsAgreeWithEveryVertexAgainstEveryVertex) {
+    for (std::uint32_t seed = 0; seed < 30; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> value(-1, 1);
+        const std::vector<test::Shape> parts = test::cut_at_random(test::make_torus(9, 7), 2 + random() % 6, seed);
+        Scene scene;
+        for (const test::Shape& part : parts) {
+            Mesh& mesh = scene.meshes.emplace_back();
+            std::vector<vec3> normals;  // outwards and a random bit of anything
+            for (const vec3 p : part.positions)
+                normals.push_back(normalize_or(p + vec3{value(random), value(random), value(random)}, vec3{1, 0, 0}));
+            mesh.positions = part.positions, mesh.indices = part.indices, mesh.normals = normals;
+            scene.nodes.emplace_back().meshes = {std::uint32_t(scene.meshes.size() - 1)};
+        }
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<double>> expected;
+        for (std::uint32_t a = 0; a < parts.size(); ++a)
+            for (std::uint32_t b = a + 1; b < parts.size(); ++b) {
+                std::map<std::array<float, 3>, double> nearest;  // at each position
+                for (std::size_t i = 0; i < parts[a].positions.size(); ++i)
+                    for (std::size_t k = 0; k < parts[b].positions.size(); ++k) {
+                        const vec3 p = parts[a].positions[i];
+                        if (!(p == parts[b].positions[k])) continue;
+                        double& angle = nearest.try_emplace({p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}, 360).first->second;
+                        angle = std::min(angle, degrees(test::angle_between(scene.meshes[a].normals[i],
+                                                                            scene.meshes[b].normals[k])));
+                    }
+                for (const auto& [position, angle] : nearest) expected[{a, b}].push_back(angle);
+            }
+        const Inspection i = inspected(scene, {.crease_angle_rad = pi});
+        ASSERT_EQ(i.borders.size(), expected.size()) << seed;
+        for (const BorderSummary& border : i.borders) {
+            std::vector<double> angles = expected[{border.object_a, border.object_b}];
+            std::sort(angles.begin(), angles.end());
+            ASSERT_EQ(border.positions, angles.size()) << seed;
+            EXPECT_EQ(border.joined, angles.size()) << seed;
+            EXPECT_NEAR(border.before.max_deg, angles.back(), 1e-4);
+            EXPECT_NEAR(border.seam_deg, angles.back(), 1e-4);
+            EXPECT_NEAR(border.before.mean_deg,
+                        std::accumulate(angles.begin(), angles.end(), 0.0) / double(angles.size()), 1e-4);
+            EXPECT_NEAR(border.before.p95_deg, angles[std::size_t(std::ceil(0.95 * double(angles.size()))) - 1], 1e-4);
+            EXPECT_LT(border.after.max_deg, continuous_deg);
+        }
+    }
 }
 
 TEST(Borders, InstancesThatAskForTooMuchMemoryAreAnError) {
