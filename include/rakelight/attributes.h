@@ -155,7 +155,7 @@ struct SplitAttributes {
 };
 
 /// Scratch memory of compute_attributes_into(), kept for the next call (of any sizes): 16 bytes a vertex for normals, 32 for
-/// normals and tangents, 8 more for the weld. For one call at a time.
+/// normals and tangents, 8 more for the weld; where the general path runs, about 42 bytes a triangle. For one call at a time.
 class AttributeWorkspace {
 public:
     AttributeWorkspace();
@@ -172,7 +172,7 @@ private:
 
 /// compute_attributes() into the caller's own buffers. Where everything at a place is joined (crease angle pi, weight uniform, scope
 /// model or object, no smoothing groups or hints, weld exact, all meshes by one matrix that keeps angles) nothing of the
-/// size of the model is allocated once the workspace has grown to it; other options cost what compute_attributes() costs.
+/// size of the model is allocated once the workspace has grown to it; with other options the largest arrays come from the workspace.
 ///
 /// @param out  [meshes] the same buffer must not stand twice, nor overlap the input
 /// @return what was split and counted, one entry a mesh; the same values as compute_attributes() gives

@@ -49,13 +49,14 @@ std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, 
                                  const FinishSums& finish) {
     check_sums_memory(plan, context);
     VoteSums sums =
-        sum_votes(plan.topology, input, plan.options, context, std::move(scratch.normals), std::move(scratch.tangents));
+        sum_votes(plan.topology, input, plan.options, context, BlockArray<NormalRow>(std::move(scratch.faces)),
+                  BlockArray<TangentRow>(std::move(scratch.corners)));
     sum_groups(sums, plan.groups, plan.topology, input, plan.options, context);
     context.throw_if_cancelled();
     const Cancelled cancelled = finish(sums);
     std::vector<std::uint8_t> marks = marks_of(sums, cancelled, plan);
-    scratch.normals = std::move(sums.normals);
-    if (sums.has_tangents()) scratch.tangents = std::move(sums.tangents);
+    scratch.faces = sums.normals.take();
+    scratch.corners = sums.tangents.take();
     return marks;
 }
 
@@ -106,7 +107,7 @@ void mend_cancelled(Plan& plan, const AttributeInput& input, std::vector<std::ui
 // Both steps at once: the sums that show what cancels are the result.
 template <class FinishSums>
 void run(Plan& plan, const AttributeInput& input, GeneralScratch& scratch, Context& context, const FinishSums& finish) {
-    plan.base.scratch = &scratch.grouping;
+    plan.base.scratch = &scratch;
     make_plan(plan, input, context);
     plan.base.release();
     const auto sum = [&] { return add_up(plan, input, scratch, context, [&](const VoteSums& sums) { return finish(plan, sums); }); };

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "geometry/attribute_input.h"
-#include "geometry/fast_memory.h"
+#include "geometry/block_array.h"
 
 namespace rakelight::geometry {
 
 /// Bin k holds corners[begin[k] .. begin[k + 1]), ascending.
 struct CornerBins {
     std::vector<std::uint32_t> begin;  ///< [keys + 1]
-    LargeArray<std::uint32_t> corners;
+    BlockArray<std::uint32_t> corners;
 
     std::uint32_t size(std::uint32_t key) const { return begin[key + 1] - begin[key]; }
     std::span<const std::uint32_t> operator[](std::uint32_t key) const {
@@ -28,7 +28,7 @@ public:
     static constexpr std::uint32_t no_bin = 0xffffffffu;  ///< the corner goes to no bin
 
     /// @param bins, scratch  memory to use, of any contents
-    CornerSort(const AttributeInput& input, std::uint32_t keys, CornerBins bins, LargeArray<std::uint16_t>& scratch,
+    CornerSort(const AttributeInput& input, std::uint32_t keys, CornerBins bins, BlockArray<std::uint16_t>& scratch,
                Context& context)
         : input_(input),
           context_(context),
@@ -90,7 +90,7 @@ private:
     std::uint32_t keys_, parts_;
     std::vector<Chunk> chunks_;
     CornerBins bins_;
-    LargeArray<std::uint16_t>& local_;  // [binned corners] key inside its part
+    BlockArray<std::uint16_t>& local_;  // [binned corners] key inside its part
 };
 
 }  // namespace rakelight::geometry

@@ -2,6 +2,8 @@
 // The general path (attributes.cpp) into the caller's buffers; its arrays are in fast_attributes.h, beside the fast
 // path's.
 #pragma once
+#include <rakelight/attributes.h>
+
 #include "geometry/general_scratch.h"
 
 namespace rakelight::geometry {

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Memory of the general path that a workspace keeps for the next call.
 #pragma once
-#include "geometry/corner_bins.h"
-#include "geometry/topology.h"
-#include "geometry/vote_sums.h"
+#include "geometry/block_array.h"
 
 namespace rakelight::geometry {
 
-/// What grouping needs; valid contents are none of its business.
-struct GroupingScratch {
-    FaceNormals normals;
-    CornerBins corners;
-    LargeArray<std::uint16_t> keys;  ///< of CornerSort
-};
-
+/// Whoever needs memory takes a block and puts it back; its contents are nobody's business.
 struct GeneralScratch {
-    GroupingScratch grouping;
-    LargeArray<NormalRow> normals;
-    LargeArray<TangentRow> tangents;
-    std::size_t bytes() const {
-        return grouping.normals.bytes() + grouping.corners.corners.bytes() + grouping.keys.bytes() + normals.bytes() +
-               tangents.bytes() + grouping.corners.begin.capacity() * sizeof(std::uint32_t);
-    }
+    Block faces;    ///< face normals while grouping, then rows of normals
+    Block corners;  ///< corners by place, then rows of tangents
+    Block keys;     ///< of CornerSort
+    std::size_t bytes() const { return faces.bytes() + corners.bytes() + keys.bytes(); }
 };
 
 }  // namespace rakelight::geometry

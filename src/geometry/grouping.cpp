@@ -41,7 +41,12 @@ std::shared_ptr<const std::vector<std::uint32_t>> each_vertex_alone(const Attrib
 
 CornerBins bins_by_place(const Topology& topology, const AttributeInput& input, GroupingBase& base, Context& context) {
     if (!base.scratch) return bin_corners(topology, input, {}, context);
-    return bin_corners(topology, input, {}, context, std::move(base.scratch->corners), std::move(base.scratch->keys));
+    CornerBins memory;
+    memory.corners = BlockArray<std::uint32_t>(std::move(base.scratch->corners));
+    BlockArray<std::uint16_t> keys(std::move(base.scratch->keys));
+    CornerBins bins = bin_corners(topology, input, {}, context, std::move(memory), std::move(keys));
+    base.scratch->keys = keys.take();
+    return bins;
 }
 
 }  // namespace
@@ -49,15 +54,15 @@ CornerBins bins_by_place(const Topology& topology, const AttributeInput& input, 
 const FaceNormals& GroupingBase::face_normals(const AttributeInput& input, Context& context) {
     if (!normals) {
         FaceNormals memory;
-        if (scratch) memory = std::move(scratch->normals);
+        if (scratch) memory = FaceNormals(std::move(scratch->faces));
         normals = std::make_shared<FaceNormals>(geometry::face_normals(input, context, std::move(memory)));
     }
     return *normals;
 }
 
 void GroupingBase::release() {
-    if (scratch && normals) scratch->normals = std::move(*normals);
-    if (scratch && corners) scratch->corners = std::move(*corners);
+    if (scratch && normals) scratch->faces = normals->take();
+    if (scratch && corners) scratch->corners = corners->corners.take();
     places = nullptr, normals = nullptr, corners = nullptr;
 }
 

@@ -14,7 +14,7 @@ struct GroupingBase {
     std::shared_ptr<const std::vector<std::uint32_t>> places;  ///< [vertices] as Topology::places
     std::shared_ptr<FaceNormals> normals;                      ///< [triangles]
     std::shared_ptr<CornerBins> corners;                       ///< by place
-    GroupingScratch* scratch = nullptr;                        ///< where memory is taken from; null: new memory
+    GeneralScratch* scratch = nullptr;                         ///< where memory is taken from; null: new memory
 
     /// Gives the memory back; only where nothing else shares it.
     void release();

@@ -8,7 +8,6 @@
 
 #include "geometry/attribute_input.h"
 #include "geometry/corner_bins.h"
-#include "geometry/fast_memory.h"
 
 namespace rakelight::geometry {
 
@@ -40,10 +39,10 @@ void sort_appended(Topology& topology, const AttributeInput& input, Context& con
 /// @param selected  [output vertices] only groups g with selected[g] != 0 get a bin; empty: all
 /// @param bins, keys  memory to use, of any contents
 CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
-                       Context& context, CornerBins bins = {}, LargeArray<std::uint16_t>&& keys = {});
+                       Context& context, CornerBins bins = {}, BlockArray<std::uint16_t>&& keys = {});
 
 /// [triangles] Unit normal of each face in the world; zero where it has no vote.
-using FaceNormals = LargeArray<dvec3>;
+using FaceNormals = BlockArray<dvec3>;
 /// @param memory  to use, of any contents
 FaceNormals face_normals(const AttributeInput& input, Context& context, FaceNormals memory = {});
 

@@ -194,16 +194,15 @@ std::vector<std::uint32_t> appended_base(const Topology& topology, const Attribu
 }
 
 VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context,
-                   LargeArray<NormalRow>&& normals, LargeArray<TangentRow>&& tangents) {
+                   BlockArray<NormalRow>&& normals, BlockArray<TangentRow>&& tangents) {
     VoteSums sums;
     sums.normals = std::move(normals);
     sums.normals.reserve(topology.group.size());
     const bool textured = std::any_of(input.meshes.begin(), input.meshes.end(),
                                       [](const AttributeMesh& m) { return !m.texcoords.empty(); });
-    if (options.tangents && textured) {
-        sums.tangents = std::move(tangents);
-        sums.tangents.reserve(topology.group.size());
-    }
+    sums.tangents = std::move(tangents);
+    sums.makes_tangents = options.tangents && textured;
+    if (sums.makes_tangents) sums.tangents.reserve(topology.group.size());
     sums.degenerate_faces.assign(input.meshes.size(), 0);
     sums.isolated_vertices.assign(input.meshes.size(), 0);
     Scatter(sums, topology, input, options, context).run();

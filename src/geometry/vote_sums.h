@@ -26,11 +26,12 @@ inline bool has_cancelled(const NormalRow& row) {
 }
 
 struct VoteSums {
-    LargeArray<NormalRow> normals;                                   ///< [output vertices]
-    LargeArray<TangentRow> tangents;                                 ///< [output vertices], or null: none are asked for
+    BlockArray<NormalRow> normals;                                   ///< [output vertices]
+    BlockArray<TangentRow> tangents;                                 ///< [output vertices], or unused: none are asked for
     std::vector<std::uint32_t> degenerate_faces, isolated_vertices;  ///< [meshes]
     std::vector<std::uint32_t> cancelled_groups;                     ///< indices of VertexGroups whose normals cancelled
-    bool has_tangents() const { return tangents.data() != nullptr; }
+    bool makes_tangents = false;
+    bool has_tangents() const { return makes_tangents; }
 };
 
 /// Where the appended vertices of each mesh begin, counted from the first appended one. [meshes + 1]
@@ -38,9 +39,9 @@ std::vector<std::uint32_t> appended_base(const Topology& topology, const Attribu
 
 /// Adds up the votes of all faces, per output vertex. Fixed chunks own vertex ranges; votes for another chunk's vertex are
 /// handed over and added in the order of the chunks, so the bits do not depend on the threads.
-/// @param normals, tangents  memory for the rows, of any contents; what is not used of it is left alone
+/// @param normals, tangents  memory for the rows, of any contents
 VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context,
-                   LargeArray<NormalRow>&& normals = {}, LargeArray<TangentRow>&& tangents = {});
+                   BlockArray<NormalRow>&& normals = {}, BlockArray<TangentRow>&& tangents = {});
 
 /// Adds the rows of each group together and gives the sum to every member: normals as they are; tangents only among members of
 /// one handedness whose own tangents lie within 45 degrees of one another in the normal's plane (connected pairs). Groups
