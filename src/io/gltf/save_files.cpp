@@ -4,6 +4,7 @@
 #include <cstring>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 #include "io/beside.h"
 #include "io/gltf/container.h"
@@ -125,29 +126,55 @@ void OutputModel::take_in_buffers(Buffers& buffers) {
     }
     tree_["buffers"] = std::move(list);
     const auto move = [&](OrderedJson& view) {
-        if (!view.contains("buffer")) return;
-        const auto& [number, shift] = moved.at(view["buffer"].get<std::size_t>());
+        if (!view.contains("buffer") || !view["buffer"].is_number_unsigned()) return;
+        const auto old = view["buffer"].get<std::uint64_t>();
+        if (old >= moved.size()) return;  // of a view that nothing uses
+        const auto& [number, shift] = moved[std::size_t(old)];
         view["buffer"] = number;
         if (shift > 0) view["byteOffset"] = view.value("byteOffset", std::uint64_t(0)) + shift;
     };
     if (!tree_.contains("bufferViews")) return;
     for (OrderedJson& view : tree_["bufferViews"]) {
         move(view);
-        if (view.contains("extensions"))
+        if (view.contains("extensions") && view["extensions"].is_object())
             for (OrderedJson& extension : view["extensions"])
                 if (extension.is_object()) move(extension);
     }
 }
 
-/// NAME.bin, or NAME.normals.bin, NAME.normals2.bin, ... where the model refers to a file of that name already.
-std::string OutputModel::free_name() const {
+namespace {
+
+/// The files that a glTF file names; none when it is not there or not one.
+std::set<std::string> names_in(const std::string& path, Context& context) {
+    std::set<std::string> names;
+    if (!is_regular_file(path)) return names;
+    try {
+        OrderedJson tree = parse_ordered(*read_file(path, context));
+        for_each_member(tree, [&](const std::string& name, const OrderedJson& value) {
+            if (name == "uri" && value.is_string()) names.insert(relative_name(value.get_ref<const std::string&>()));
+        });
+    } catch (const Error&) {  // whatever it is, it is about to be replaced
+    }
+    return names;
+}
+
+}  // namespace
+
+/// NAME.bin, or NAME.normals.bin, NAME.normals2.bin, ... where the model refers to a file of that name already, or one
+/// is there that does not belong to the file that OUT replaces.
+std::string OutputModel::free_name(Context& context) const {
     std::set<std::string> taken;
     for_each_member(tree_, [&](const std::string& name, const OrderedJson& value) {
         if (name == "uri" && value.is_string()) taken.insert(relative_name(value.get_ref<const std::string&>()));
     });
+    const std::set<std::string> replaced = names_in(output_, context);
+    const auto is_taken = [&](const std::string& name) {
+        std::error_code error;
+        return taken.contains(name) || (!replaced.contains(name) && fs::exists(folder_of(output_) / name, error));
+    };
     const std::string stem = fs::path(output_).stem().string();
     std::string name = stem + ".bin";
-    for (int n = 1; taken.contains(name); ++n) name = stem + ".normals" + (n > 1 ? std::to_string(n) : "") + ".bin";
+    for (int n = 1; is_taken(name); ++n) name = stem + ".normals" + (n > 1 ? std::to_string(n) : "") + ".bin";
     return name;
 }
 
@@ -178,7 +205,7 @@ void OutputModel::write(std::span<const std::byte> new_data, bool unchanged, Con
     else if (is_glb_)
         write_glb(new_data);
     else
-        write_gltf(new_data);
+        write_gltf(new_data, context);
 }
 
 void OutputModel::write_glb(std::span<const std::byte> new_data) const {
@@ -205,11 +232,11 @@ void OutputModel::write_glb(std::span<const std::byte> new_data) const {
     write_file(output_, out);
 }
 
-void OutputModel::write_gltf(std::span<const std::byte> new_data) {
+void OutputModel::write_gltf(std::span<const std::byte> new_data, Context& context) {
     std::vector<std::byte> binary = base_;
     add(binary, new_data);
     if (!binary.empty()) {
-        const std::string name = free_name();
+        const std::string name = free_name(context);
         OrderedJson& buffer = tree_["buffers"][buffer_];
         buffer["uri"] = percent_encoded(name);
         buffer["byteLength"] = binary.size();

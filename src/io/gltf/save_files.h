@@ -25,10 +25,10 @@ public:
 
 private:
     void take_in_buffers(Buffers& buffers);
-    std::string free_name() const;
+    std::string free_name(Context& context) const;
     void copy_references(Context& context) const;
     void write_glb(std::span<const std::byte> new_data) const;
-    void write_gltf(std::span<const std::byte> new_data);
+    void write_gltf(std::span<const std::byte> new_data, Context& context);
     const Document& document_;
     OrderedJson& tree_;
     std::string output_;

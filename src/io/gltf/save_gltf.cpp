@@ -167,9 +167,11 @@ private:
 
     /// What no primitive uses any more is not to be named as used or required.
     void drop_unused_extension() {
-        for (const OrderedJson& mesh : tree_["meshes"])
-            for (const OrderedJson& primitive : mesh.value("primitives", OrderedJson::array()))
+        for (const OrderedJson& mesh : tree_["meshes"]) {
+            if (!mesh.contains("primitives")) continue;
+            for (const OrderedJson& primitive : mesh["primitives"])
                 if (primitive.contains("extensions") && primitive["extensions"].contains(draco_name)) return;
+        }
         for (const char* name : {"extensionsUsed", "extensionsRequired"}) {
             const auto list = tree_.find(name);
             if (list == tree_.end()) continue;
@@ -211,6 +213,10 @@ GltfSaveResult save_gltf(const std::string& source, const Scene& before, const S
         return gltf::Saver(source, file, before, after, options, context).save(output);
     } catch (const Error& error) {
         throw error.with_file(source);
+    } catch (const gltf::OrderedJson::exception&) {  // parts that are not drawn are not checked when a file is read
+        throw Error(ErrorCode::bad_file,
+                    "a part of the file is of another kind than glTF says, so that it cannot be edited")
+            .with_file(source);
     }
 }
 

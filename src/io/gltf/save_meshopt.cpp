@@ -15,7 +15,7 @@ constexpr const char* names[] = {"EXT_meshopt_compression", "KHR_meshopt_compres
 
 /// The first buffer that only says how long the unpacked data would be; null without one.
 OrderedJson* buffer_without_bytes(OrderedJson& tree, std::size_t& number) {
-    if (!tree.contains("buffers")) return nullptr;
+    if (!tree.contains("buffers") || !tree["buffers"].is_array()) return nullptr;
     OrderedJson& buffers = tree["buffers"];
     for (number = 0; number < buffers.size(); ++number) {
         const OrderedJson& buffer = buffers[number];
@@ -52,10 +52,10 @@ std::vector<std::byte> encoded(std::span<const std::byte> data, std::size_t elem
 }  // namespace
 
 std::string meshopt_extension(const OrderedJson& view) {
-    const auto extensions = view.find("extensions");
-    if (extensions == view.end()) return {};
+    if (!view.contains("extensions")) return {};
+    const OrderedJson& extensions = view["extensions"];
     for (const char* name : names)
-        if (extensions->contains(name)) return name;
+        if (extensions.contains(name)) return name;
     return {};
 }
 
@@ -68,7 +68,11 @@ std::vector<std::byte> compress(std::span<const std::byte> data, std::size_t ele
     if (!buffer) return {};
     std::vector<std::byte> packed = encoded(data, element_bytes, is_indices);
     if (packed.empty()) return {};
-    const std::uint64_t begin = (buffer->value("byteLength", std::uint64_t(0)) + 3) / 4 * 4;
+    const auto length = buffer->find("byteLength");
+    if (length == buffer->end() || !length->is_number_unsigned() ||
+        length->get<std::uint64_t>() > std::uint64_t(1) << 53)
+        return {};
+    const std::uint64_t begin = (length->get<std::uint64_t>() + 3) / 4 * 4;
     (*buffer)["byteLength"] = begin + data.size();
     view["buffer"] = number;
     view["byteOffset"] = begin;

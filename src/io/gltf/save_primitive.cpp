@@ -95,12 +95,18 @@ void PrimitiveEditor::put(OrderedJson& attributes, const char* name, std::span<c
 }
 
 /// The meshopt extension of an accessor's view, or "".
-/// @param accessor  the number of one, or null
+/// @param accessor  the number of one, or anything: attributes that are not read were never checked
 std::string PrimitiveEditor::compression_of(const OrderedJson& accessor) const {
-    if (accessor.is_null()) return {};
-    const OrderedJson& json = root_["accessors"][accessor.get<std::size_t>()];
-    return json.contains("bufferView") ? meshopt_extension(root_["bufferViews"][json["bufferView"].get<std::size_t>()])
-                                       : std::string();
+    const auto part = [&](const char* list, const OrderedJson& number) -> const OrderedJson* {
+        const auto found = root_.find(list);
+        const bool is_there = found != root_.end() && found->is_array() && number.is_number_unsigned() &&
+                              number.get<std::uint64_t>() < found->size();
+        return is_there ? &(*found)[number.get<std::size_t>()] : nullptr;
+    };
+    const OrderedJson* json = part("accessors", accessor);
+    const OrderedJson* view =
+        json && json->contains("bufferView") ? part("bufferViews", (*json)["bufferView"]) : nullptr;
+    return view ? meshopt_extension(*view) : std::string();
 }
 
 PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, const Mesh& before, const Mesh& after,
@@ -156,8 +162,8 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
     if (result.unpacked) erase_extension(json, draco_name);
     const OrderedJson& now = json["attributes"];  // `attributes` moved when members were added
     for (const auto& [name, accessor] : old["attributes"].items())
-        result.plain = result.plain ||
-                       (now.contains(name) && !compression_of(accessor).empty() && compression_of(now[name]).empty());
+        result.plain = result.plain || (now.contains(name) && now[name] != accessor &&
+                                        !compression_of(accessor).empty() && compression_of(now[name]).empty());
     return result;
 }
 

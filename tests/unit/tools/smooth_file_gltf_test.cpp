@@ -174,6 +174,41 @@ TEST(SmoothFileGltf, AnotherFolderGetsTheFilesThatTheModelNames) {
     EXPECT_FALSE(fs::exists(files.dir / "to" / "y.gltf"));
 }
 
+TEST(SmoothFileGltf, ANewBufferReplacesNoFileButThatOfTheModelItReplaces) {
+    const Files files;
+    write(files.dir / "x.bin", "somebody else's");
+    Context context;
+    const auto run = [&](const char* name) { smooth_file(files.model.string(), (files.dir / name).string(), {}, context); };
+    run("x.gltf");
+    EXPECT_EQ(bytes_of(files.dir / "x.bin"), "somebody else's");
+    const std::string made = bytes_of(files.dir / "x.normals.bin");
+    EXPECT_FALSE(made.empty());
+    run("x.gltf");  // again: the buffer of the model that is replaced may be replaced
+    EXPECT_EQ(bytes_of(files.dir / "x.normals.bin"), made);
+    EXPECT_FALSE(fs::exists(files.dir / "x.normals2.bin"));
+    run("y.gltf");
+    run("y.gltf");
+    EXPECT_TRUE(fs::exists(files.dir / "y.bin"));
+    EXPECT_FALSE(fs::exists(files.dir / "y.normals.bin"));
+}
+
+TEST(SmoothFileGltf, PartsThatAreNotDrawnMayBeOfAnyKind) {
+    Json tree = fold_tree();
+    for (const char* list : {"meshes", "accessors", "bufferViews", "skins", "animations", "images"}) tree[list].push_back(5);
+    tree["meshes"].push_back({{"primitives", "none"}});
+    tree["bufferViews"].push_back({{"buffer", "first"}, {"extensions", 7}});
+    tree["bufferViews"].push_back({{"buffer", 99}});
+    tree["meshes"][0]["primitives"][0]["attributes"]["_UNREAD"] = 4000000000u;
+    const Files files(tree);
+    Context context;
+    SmoothFileOptions round;
+    round.attributes.crease_angle_rad = pi;  // splits nothing
+    for (const char* name : {"x.gltf", "x.glb"}) {
+        EXPECT_TRUE(smooth_file(files.model.string(), (files.dir / name).string(), round, context).changed);
+        EXPECT_FALSE(smooth_file((files.dir / name).string(), (files.dir / name).string(), round, context).changed);
+    }
+}
+
 TEST(SmoothFileGltf, GlbInPlaceKeepsTheRestOfTheBinaryChunkAndUnknownChunks) {
     const Files files;
     Context context;
