@@ -23,6 +23,8 @@ void add_inspect_options(CLI::App& app, InspectWords& w) {
         "Whose normals are looked at: auto (default: the file's, smoothed per object where it has none), "
         "file (else flat), flat, object, model",
         w.render);
+    add("Normals", "--weld-distance", w.weld_distance, "M",
+        "Positions at most this far apart [m] count as one (default: equal, but for rounding)");
     flag("Normals", "--no-borders", w.no_borders, "Do not look for the borders that objects share");
     flag("Normals", "--no-surfaces", w.no_surfaces, "Do not look at edges, faces and normals of each object");
     const char* const check = "Check";
@@ -92,6 +94,10 @@ void apply(const InspectWords& w, InspectRequest& request, PictureRequest& pictu
     request.options.surfaces = !w.no_surfaces;
     request.options.seam_lines = !w.heat_map.empty();
     request.options.prepare = picture.prepare;
+    if (!w.weld_distance.empty()) {
+        request.options.weld_distance = number("--weld-distance", w.weld_distance);
+        if (!(request.options.weld_distance >= 0)) throw Error(ErrorCode::usage, "--weld-distance: must be 0 or more");
+    }
     apply_limits(w, request);
     if (w.heat_map.empty()) {
         if (!w.render.resolution.empty() || picture.view.is_placed() || !w.render.view.empty() ||

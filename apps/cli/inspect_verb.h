@@ -21,8 +21,7 @@ struct InspectWords {
     bool no_borders = false, no_surfaces = false;
     bool check = false, no_degenerate = false, no_t_junctions = false, no_non_manifold = false,
          consistent_winding = false, closed = false, unit_normals = false;
-    std::string max_seam;
-    std::string heat_map;
+    std::string max_seam, weld_distance, heat_map;
     RenderWords render;  ///< normals, and how the heat map is seen
 };
 

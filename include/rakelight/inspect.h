@@ -111,11 +111,13 @@ struct Inspection {
 };
 
 struct InspectOptions {
-    bool borders = true;      ///< look for shared positions and their seam angles
-    bool surfaces = true;     ///< look at edges, faces and normals of each object
-    bool seam_lines = false;  ///< keep where the seams are, for draw_seams()
+    bool borders = true;        ///< look for shared positions and their seam angles
+    bool surfaces = true;       ///< look at edges, faces and normals of each object
+    bool seam_lines = false;    ///< keep where the seams are, for draw_seams()
+    double weld_distance = -1;  ///< [m] which positions are one, as AttributeOptions::weld_distance
     /// `normals`: whose the angles `before` are. Automatic: the file's, smoothed per object where it has none. Crease
-    /// angle and weight hold for these and for `after`. The rest is not read.
+    /// angle and weight hold for these and for `after`. measure_orthogonality: the report says how far from
+    /// perpendicular to their normals the tangents are that these options make.
     PrepareOptions prepare;
 };
 

@@ -16,7 +16,7 @@ namespace rakelight {
 namespace {
 
 /// Every placement as a mesh of its own, gray, with the normals before; the cameras where they are.
-Scene gray_scene(const Scene& scene, const PrepareOptions& options, Context& context) {
+Scene gray_scene(const Scene& scene, const InspectOptions& options, Context& context) {
     std::vector<std::uint32_t> objects;
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i)
         if (!scene.nodes[i].meshes.empty()) objects.push_back(i);
@@ -178,7 +178,7 @@ private:
 Frame draw_seams(const Scene& scene, const Inspection& inspection, const InspectOptions& options,
                  const ViewRequest& view, const RenderSettings& settings, Context& context) {
     const double aspect = double(std::max(settings.width, 1)) / double(std::max(settings.height, 1));
-    const Scene gray = gray_scene(scene, options.prepare, context);
+    const Scene gray = gray_scene(scene, options, context);
     const Camera camera = choose_camera(gray, view, aspect, context);
     RenderSettings with_depth = settings;
     with_depth.channels |= channel_depth;

@@ -130,8 +130,8 @@ std::vector<SeamLine> find_seam_lines(const geometry::PlacedMeshes& placed, cons
 void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometry::PlacedMeshes& placed,
                      const geometry::EdgeCensus& census, const InspectOptions& options, Context& context) {
     if (result.objects.size() > 1) {
-        const SeamNormals normals{normals_before(surfaces.meshes, options.prepare, context),
-                                  normals_after(surfaces.meshes, options.prepare, context)};
+        const SeamNormals normals{normals_before(surfaces.meshes, options, context),
+                                  normals_after(surfaces.meshes, options, context)};
         BorderReport report = find_borders(placed, normals, context);
         if (options.seam_lines) result.seam_lines = find_seam_lines(placed, census, report);
         result.seams = report.totals;
@@ -139,7 +139,6 @@ void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometr
         result.borders_left_out = report.borders_left_out;
     }
     result.shared_positions = result.seams.positions;
-    result.seams.inconsistent_edges = census.inconsistent_between;
     result.seams.normals_before = name_of_source(surfaces.meshes, options.prepare.normals);
     result.seams.crease_angle_deg = degrees(options.prepare.crease_angle_rad);
 }
@@ -160,13 +159,13 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     if (options.borders || options.surfaces) {
         const Surfaces surfaces = collect_surfaces(scene, objects);
         check_memory(surfaces, context);
-        constexpr double as_the_attributes = -1;
-        const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, as_the_attributes, context);
+        const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, options.weld_distance, context);
         const geometry::EdgeCensus census = count_edges(placed, std::uint32_t(objects.size()));
         context.throw_if_cancelled();
         if (options.surfaces) look_at_surfaces(result, placed, census);
         context.throw_if_cancelled();
         if (options.borders) look_at_borders(result, surfaces, placed, census, options, context);
+        result.seams.inconsistent_edges = census.inconsistent_between;
     }
     // Only what it says of the tangents is wanted.
     if (options.prepare.measure_orthogonality && result.triangles > 0) prepare_scene(scene, options.prepare, context);

@@ -22,7 +22,7 @@ Scope scope_of(NormalSource source) {
 
 /// Makes the normals of some of the parts.
 void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMesh> meshes,
-                  const std::vector<std::size_t>& parts, Scope scope, const PrepareOptions& options, Context& context) {
+                  const std::vector<std::size_t>& parts, Scope scope, const InspectOptions& options, Context& context) {
     std::vector<AttributeMesh> chosen;
     std::uint64_t bytes = 0;
     for (const std::size_t part : parts) {
@@ -32,8 +32,9 @@ void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMe
     context.memory().check(bytes, "normals of all objects, to find their seams");
     AttributeOptions attributes;
     attributes.scope = scope;
-    attributes.weight = options.weight;
-    attributes.crease_angle_rad = options.crease_angle_rad;
+    attributes.weight = options.prepare.weight;
+    attributes.crease_angle_rad = options.prepare.crease_angle_rad;
+    attributes.weld_distance = options.weld_distance;
     attributes.tangents = false;
     std::vector<MeshAttributes> made = compute_attributes(chosen, attributes, context);
     for (std::size_t i = 0; i < parts.size(); ++i) normals[parts[i]].made = std::move(made[i]);
@@ -41,20 +42,20 @@ void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMe
 
 }  // namespace
 
-std::vector<PartNormals> normals_before(std::span<const AttributeMesh> meshes, const PrepareOptions& options,
+std::vector<PartNormals> normals_before(std::span<const AttributeMesh> meshes, const InspectOptions& options,
                                         Context& context) {
     std::vector<PartNormals> normals(meshes.size());
     std::vector<std::size_t> missing;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        if (keeps_given(options.normals) && !meshes[i].normals.empty())
+        if (keeps_given(options.prepare.normals) && !meshes[i].normals.empty())
             normals[i].given = meshes[i].normals;
         else
             missing.push_back(i);
-    if (!missing.empty()) make_normals(normals, meshes, missing, scope_of(options.normals), options, context);
+    if (!missing.empty()) make_normals(normals, meshes, missing, scope_of(options.prepare.normals), options, context);
     return normals;
 }
 
-std::vector<PartNormals> normals_after(std::span<const AttributeMesh> meshes, const PrepareOptions& options,
+std::vector<PartNormals> normals_after(std::span<const AttributeMesh> meshes, const InspectOptions& options,
                                        Context& context) {
     std::vector<PartNormals> normals(meshes.size());
     std::vector<std::size_t> all(meshes.size());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <rakelight/attributes.h>
-#include <rakelight/prepare.h>
+#include <rakelight/inspect.h>
 
 namespace rakelight {
 
@@ -26,12 +26,12 @@ struct SeamNormals {
     std::vector<PartNormals> before, after;  ///< [parts]
 };
 
-/// @param options  see InspectOptions::prepare
-std::vector<PartNormals> normals_before(std::span<const AttributeMesh> meshes, const PrepareOptions& options,
+/// `options.prepare` says how, `options.weld_distance` what is one place.
+std::vector<PartNormals> normals_before(std::span<const AttributeMesh> meshes, const InspectOptions& options,
                                         Context& context);
 
 /// As `rakelight smooth` writes them with the same crease angle and weight.
-std::vector<PartNormals> normals_after(std::span<const AttributeMesh> meshes, const PrepareOptions& options,
+std::vector<PartNormals> normals_after(std::span<const AttributeMesh> meshes, const InspectOptions& options,
                                        Context& context);
 
 /// Whose normals normals_before() gives, for people: "the file's, smoothed per object where it has none (2 of 5

@@ -11,8 +11,8 @@
 
 namespace rakelight {
 
-/// Part i is one placement of one mesh, skinned ones in bind pose. AttributeMesh::object counts in the list of objects. The arrays are the
-/// scene's.
+/// Part i is one placement of one mesh, skinned ones in bind pose. AttributeMesh::object counts in the list of objects.
+/// The arrays are the scene's.
 struct Surfaces {
     std::vector<Instance> parts;
     std::vector<AttributeMesh> meshes;  ///< [parts] with the file's normals, texture coordinates and smoothing groups

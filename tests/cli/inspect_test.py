@@ -90,6 +90,11 @@ class Inspect(unittest.TestCase):
         self.assertEqual(self.run_program(*check, "--crease-angle", "30").returncode, 0)  # an edge of 33.4 degrees is a crease then
         self.assertEqual(self.run_program("inspect", "parts.obj").returncode, 0)  # nothing is checked unless asked for
 
+    def test_the_weld_distance_decides_what_is_one_position(self):
+        self.write("apart.obj", TWO_PARTS.replace("o right\nv 0 0 0.3", "o right\nv 0.001 0 0.3"))
+        self.assertEqual(self.row("apart.obj")["shared_positions"], 1)
+        self.assertEqual(self.row("apart.obj", "--weld-distance", "0.01")["shared_positions"], 2)
+
     def test_every_limit_has_its_own_line(self):
         self.assertEqual(self.run_program("inspect", "cube.obj", "--check", *LIMITS).returncode, 0)
         faults = {
@@ -186,7 +191,7 @@ class Inspect(unittest.TestCase):
 
     def test_wrong_usage_is_one_line_and_exit_code_2(self):
         for options in (["--closed"], ["--max-seam", "2"], ["--check", "--max-seam", "-1"], ["--check", "--max-seam", "x"],
-                        ["--check", "--max-seam", "181"], ["--check", "--no-borders", "--max-seam", "1"],
+                        ["--check", "--max-seam", "181"], ["--weld-distance", "-1"], ["--weld-distance", "inf"], ["--check", "--no-borders", "--max-seam", "1"],
                         ["--check", "--no-surfaces", "--closed"], ["--view", "front"], ["--resolution", "10,10"],
                         ["--no-borders", "--heatmap", "a.png"], ["--heatmap", "a.txt"], ["--heatmap", "no/such/folder.png"],
                         ["cube.obj", "--heatmap", "a.png"], ["--heatmap", "a.png", "--view", "inside"]):

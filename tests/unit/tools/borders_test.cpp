@@ -157,6 +157,16 @@ TEST(Borders, RoundingByDifferentMatricesIsForgivenAsTheAttributesDo) {
     EXPECT_EQ(inspected(scene).shared_positions, 2u);
 }
 
+TEST(Borders, AWeldDistanceMakesOnePlaceOfWhatIsNear) {
+    Scene scene = two_squares();
+    scene.nodes[1].local.translation = {1e-3, 0, 0};
+    Context context;
+    EXPECT_EQ(inspect(scene, {.weld_distance = 2e-3}, context).shared_positions, 2u);
+    EXPECT_EQ(inspect(scene, {.weld_distance = 2e-3}, context).surfaces[0].open_edges, 4u);
+    EXPECT_EQ(inspect(scene, {.weld_distance = 0}, context).shared_positions, 0u);
+    EXPECT_THROW(inspect(scene, {.weld_distance = std::numeric_limits<double>::infinity()}, context), Error);
+}
+
 TEST(Borders, VerticesThatNoTriangleUsesDoNotCount) {
     Scene scene = two_squares();
     scene.meshes[1].indices = std::vector<std::uint32_t>{1, 2, 2};
@@ -176,8 +186,8 @@ TEST(Borders, NeedlesWhoseDirectionIsRoundingDoNotCount) {
         Context context;
         const Surfaces surfaces = collect_surfaces(scene, std::vector<std::uint32_t>{0, 1});
         const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, -1, context);
-        const SeamNormals normals{normals_before(surfaces.meshes, {}, context),
-                                  normals_after(surfaces.meshes, {}, context)};
+        const SeamNormals normals{normals_before(surfaces.meshes, InspectOptions{}, context),
+                                  normals_after(surfaces.meshes, InspectOptions{}, context)};
         const std::vector<BorderCorner> corners = find_border_corners(placed, normals, context);
         EXPECT_EQ(std::count_if(corners.begin(), corners.end(), [](const BorderCorner& c) { return c.before >= 4; }),
                   height < 1e-5 ? 0 : 2);

@@ -98,6 +98,8 @@ TEST(InspectCheck, AnObjectInsideOutIsInconsistentWithItsNeighbor) {
     scene.meshes[1].indices = std::vector<std::uint32_t>{0, 2, 1, 0, 3, 2};
     EXPECT_EQ(limits_passed(scene, {.consistent_winding = true}), Names{"consistent-winding"});
     EXPECT_EQ(inspected(scene).seams.inconsistent_edges, 1u);
+    Context context;
+    EXPECT_EQ(check_limits(inspect(scene, {.borders = false}, context), {.consistent_winding = true}).size(), 1u);
 }
 
 TEST(InspectCheck, TheReportCountsTheFaultsOfEachObject) {
