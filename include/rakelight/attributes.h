@@ -95,7 +95,7 @@ struct MeshAttributes {
 };
 
 /// Which corners share a normal: made once, used for any positions of the same meshes (poses, morphs), and the start of the next
-/// one when the crease angle moves. Immutable; cheap to copy. Holds about 40 bytes a triangle.
+/// one when the crease angle moves. Immutable; cheap to copy. Holds about 45 bytes a triangle.
 class AttributePlan {
 public:
     struct Impl;
