@@ -103,9 +103,12 @@ void apply(const InspectWords& w, InspectRequest& request, PictureRequest& pictu
         if (!w.render.resolution.empty() || picture.view.is_placed() || !w.render.view.empty() ||
             !w.render.camera.empty())
             throw Error(ErrorCode::usage, "the view and its resolution are for --heatmap", {}, "add --heatmap FILE");
-    } else if (w.no_borders) {
-        throw Error(ErrorCode::usage, "--no-borders and --heatmap exclude each other");
+        return;
     }
+    if (w.no_borders) throw Error(ErrorCode::usage, "--no-borders and --heatmap exclude each other");
+    constexpr std::int64_t most_pixels = 1 << 26;  // it is kept whole, 28 bytes a pixel
+    if (std::int64_t(picture.settings.width) * picture.settings.height > most_pixels)
+        throw Error(ErrorCode::usage, "--resolution: a heat map has at most 64 million pixels");
 }
 
 int run_inspect(const Options& options) {

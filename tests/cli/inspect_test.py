@@ -194,7 +194,8 @@ class Inspect(unittest.TestCase):
                         ["--check", "--max-seam", "181"], ["--weld-distance", "-1"], ["--weld-distance", "inf"], ["--check", "--no-borders", "--max-seam", "1"],
                         ["--check", "--no-surfaces", "--closed"], ["--view", "front"], ["--resolution", "10,10"],
                         ["--no-borders", "--heatmap", "a.png"], ["--heatmap", "a.txt"], ["--heatmap", "no/such/folder.png"],
-                        ["cube.obj", "--heatmap", "a.png"], ["--heatmap", "a.png", "--view", "inside"]):
+                        ["cube.obj", "--heatmap", "a.png"], ["--heatmap", "a.png", "--view", "inside"],
+                        ["--heatmap", "a.png", "--resolution", "60000,60000"]):
             with self.subTest(options=options):
                 done = self.run_program("inspect", "parts.obj", *options)
                 self.assertIn(done.returncode, (1, 2) if "no/such/folder.png" in options else (2,), done.stderr)
