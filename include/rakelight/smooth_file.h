@@ -39,15 +39,17 @@ struct SmoothedMesh {
 struct SmoothedFile {
     std::string file, output;
     bool changed =
-        false;  ///< false: the normals and tangents were these already; glTF and OBJ were copied byte by byte
+        false;  ///< false: the normals and tangents were these already; the file was copied byte by byte
     std::uint32_t meshes_added = 0;  ///< glTF: copies for placements that need normals of their own
     std::vector<SmoothedMesh> meshes;
 };
 
 /// Reads `input`, computes normals and tangents over all its objects (skinned models in bind pose) and writes `output`:
 /// glTF or GLB to glTF or GLB and OBJ to OBJ in place, everything else of the file kept; any format to .glb or .ply by
-/// a writer of its own, which says in the report what it cannot express. Textures are not decoded. `output` may be
-/// `input`. A second run over the output changes nothing. The output appears when it is whole.
+/// a writer of its own, which says in the report what it cannot express (PLY: one mesh at its place in the world, the normals
+/// those of the rounded positions; `meshes` then lists each placement). Textures are not decoded. `output` may be `input`; in
+/// another folder the files that the model names are copied beside it, none is replaced. A second run over the output changes
+/// nothing. The output appears when it is whole.
 /// @throws Error usage (no way from the one format to the other), not_found, bad_file, failed (cannot write)
 SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
                          Context& context);

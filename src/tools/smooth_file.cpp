@@ -122,6 +122,7 @@ SmoothedFile smooth_file(const std::string& input, const std::string& output, co
     SmoothedFile result{.file = input, .output = output};
     SmoothFileOptions smoothing = options;
     Scene before = load(input, options.load, context);
+    if (way == Way::new_glb) before = in_bind_pose(before);
     if (way == Way::new_ply) {
         before = placed_in_world(before, context);
         if (options.attributes.weld_distance < 0) smoothing.attributes.weld_distance = world_rounding(before);

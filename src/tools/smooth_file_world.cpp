@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "prepare/bind_pose.h"
 
 namespace rakelight {
 namespace {
@@ -34,6 +34,7 @@ Mesh placed(const Mesh& mesh, const dmat4& place, Context& context) {
     out.positions = std::move(positions);
     out.normals = std::move(normals);
     out.tangents = {};
+    out.influences = {};
     out.targets.clear();
     if (is_mirrored && mesh.topology == Topology::triangles) {
         out.indices = rewound(mesh.indices);
@@ -44,8 +45,24 @@ Mesh placed(const Mesh& mesh, const dmat4& place, Context& context) {
 
 }  // namespace
 
+Scene in_bind_pose(const Scene& scene) {
+    const std::vector<dmat4> place = bind_pose_matrices(scene);
+    Scene out = scene;
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
+        if (scene.nodes[n].skin == none) continue;
+        Node standing;  // the node itself may carry others, and moves with its parents
+        standing.name = out.nodes[n].name;
+        standing.local.matrix = place[n];
+        std::swap(standing.meshes, out.nodes[n].meshes);
+        out.nodes[n].skin = none;
+        out.nodes.push_back(std::move(standing));
+    }
+    for (Mesh& mesh : out.meshes) mesh.influences = {};
+    return out;
+}
+
 Scene placed_in_world(const Scene& scene, Context& context) {
-    const std::vector<dmat4> world = world_matrices(scene);
+    const std::vector<dmat4> world = bind_pose_matrices(scene);
     Scene out = scene;
     out.meshes.clear();
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
@@ -53,6 +70,7 @@ Scene placed_in_world(const Scene& scene, Context& context) {
         node.parent = none;
         node.local = {};
         node.morph_weights.clear();
+        node.skin = none;
         for (std::uint32_t& m : node.meshes) {
             context.throw_if_cancelled();
             out.meshes.push_back(placed(scene.meshes[m], world[n], context));

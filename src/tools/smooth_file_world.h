@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as a format without placements holds it: every object at its place, in float.
+// Scenes as formats hold them that have no skins, or no placements either.
 #pragma once
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
 
-/// Each placement of a mesh as a mesh of its own: positions [m, world] rounded to float, normals turned along, mirrored
-/// ones wound the other way round, so that fronts stay fronts; a node without a place of its own for each node.
-/// Tangents and morph targets are left out. Normals that are computed from it fit the positions that will be read back.
+/// Skinned meshes as plain ones that stand in their bind pose, each on a node of its own. The skins stay for the
+/// report.
+Scene in_bind_pose(const Scene& scene);
+
+/// Each placement of a mesh as a mesh of its own, skinned ones in bind pose: positions [m, world] rounded to float,
+/// normals turned along, mirrored ones wound the other way round, so that fronts stay fronts; a node without a place of
+/// its own for each node. Tangents and morph targets are left out. Normals that are computed from it fit the positions
+/// that will be read back.
 /// @throws Error bad_file: over the memory limit
 Scene placed_in_world(const Scene& scene, Context& context);
 

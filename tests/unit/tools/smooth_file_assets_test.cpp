@@ -10,7 +10,7 @@
 #include <set>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "prepare/bind_pose.h"
 #include "smooth_file_support.h"
 #include "support/shared.h"
 #include "tools/smooth_file_scene.h"
@@ -174,11 +174,11 @@ using Triangle = std::array<dvec3, 3>;
 
 bool is_less(const dvec3& a, const dvec3& b) { return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z}; }
 
-/// The drawn triangles in the world, corners of each in a fixed order (a mirrored placement may turn them round), the
+/// The drawn triangles in the world, skinned ones in bind pose, corners of each in a fixed order (a mirrored placement may turn them round), the
 /// triangles in the order of the scene.
 std::vector<Triangle> triangles_of(const Scene& scene) {
     std::vector<Triangle> found;
-    const std::vector<dmat4> world = world_matrices(scene);
+    const std::vector<dmat4> world = bind_pose_matrices(scene);
     for (std::size_t n = 0; n < scene.nodes.size(); ++n)
         for (const std::uint32_t m : scene.nodes[n].meshes) {
             const Mesh& mesh = scene.meshes[m];

@@ -9,6 +9,7 @@
 #include "io/glb_writer.h"
 #include "smooth_file_support.h"
 #include "tools/smooth_file_scene.h"
+#include "tools/smooth_file_world.h"
 
 namespace rakelight {
 namespace {
@@ -207,6 +208,51 @@ TEST(SmoothFile, MaterialsOutsideTheModelsFolderAreNotCopiedAndItIsSaid) {
     EXPECT_TRUE(is_said(context, Remark::warning, "'outer.mtl' is not copied"));
     EXPECT_TRUE(fs::exists(files.to / "b.obj"));
     EXPECT_FALSE(fs::exists(files.to / "outer.mtl"));
+}
+
+/// A skinned triangle, mirrored by its bind pose; its own node is far away, which does not count, and carries another
+/// object.
+Scene skinned_scene() {
+    Scene scene;
+    Mesh mesh;
+    mesh.positions = std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.indices = std::vector<std::uint32_t>{0, 1, 2};
+    scene.meshes = {mesh, mesh};
+    scene.meshes[0].influences = std::vector<JointInfluence>(3, JointInfluence{{0, 0, 0, 0}, {1, 0, 0, 0}});
+    Node joint, skinned, child;
+    joint.local.translation = {5, 0, 0};
+    skinned.name = "skinned";
+    skinned.local.translation = {100, 0, 0};
+    skinned.meshes = {0};
+    skinned.skin = 0;
+    child.parent = 1;
+    child.meshes = {1};
+    scene.nodes = {joint, skinned, child};
+    dmat4 inverse_bind;
+    inverse_bind[0].x = -1;
+    inverse_bind[3].y = 1;
+    scene.skins = {Skin{"", {0}, {inverse_bind}}};
+    return scene;
+}
+
+TEST(SmoothFile, SkinnedMeshesStandInTheirBindPoseWhereTheFormatHasNoSkins) {
+    Context context;
+    const Scene scene = skinned_scene(), flat = placed_in_world(scene, context);
+    const std::vector<vec3> wanted{{5, 1, 0}, {4, 1, 0}, {5, 2, 0}};
+    EXPECT_TRUE(std::equal(wanted.begin(), wanted.end(), flat.meshes[0].positions.begin()));
+    const std::vector<std::uint32_t> turned{0, 2,
+                                            1};  // mirrored: the other way round, so that the front stays in front
+    EXPECT_TRUE(std::equal(turned.begin(), turned.end(), flat.meshes[0].indices.begin()));
+    EXPECT_EQ(flat.meshes[1].positions[0], (vec3{100, 0, 0}));
+    const Scene plain = in_bind_pose(scene);
+    ASSERT_EQ(plain.nodes.size(), 4u);
+    EXPECT_TRUE(plain.nodes[1].meshes.empty());
+    EXPECT_EQ(plain.nodes[2].meshes, (std::vector<std::uint32_t>{1}));
+    EXPECT_EQ(plain.nodes[3].name, "skinned");
+    EXPECT_EQ(plain.nodes[3].meshes, (std::vector<std::uint32_t>{0}));
+    EXPECT_EQ((*plain.nodes[3].local.matrix)[3].x, 5);
+    for (const Node& node : plain.nodes) EXPECT_EQ(node.skin, none);
+    io::write_glb(plain, (folder() / "a.glb").string(), context);
 }
 
 TEST(SmoothFile, StlAsOutputIsRefusedWithTheReason) {
