@@ -76,7 +76,9 @@ void PrimitiveEditor::put_offsets(OrderedJson& json, const char* name, const Blo
     const auto old = json.find(name);
     const bool is_done = may_overwrite && old != json.end() &&
                          own_.replace(root_, old->get<std::size_t>(), numbers, 3, ComponentType::f32);
-    if (!is_done) json[name] = data_.directions(numbers, 3, ComponentType::f32);
+    if (is_done) return;
+    data_.compress_as(old == json.end() ? std::string() : compression_of(*old));
+    json[name] = data_.directions(numbers, 3, ComponentType::f32);
 }
 
 void PrimitiveEditor::put_target(OrderedJson& json, const MorphTarget& target, bool may_overwrite) {
