@@ -62,6 +62,7 @@ std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, 
 
 // What add_up() would find cancelled, from the sums of normals alone.
 std::vector<std::uint8_t> find_cancelled(const Plan& plan, const AttributeInput& input, Context& context) {
+    check_sums_memory(plan, context);
     AttributeOptions options = plan.options;
     options.tangents = false;
     VoteSums sums = sum_votes(plan.topology, input, options, context);
