@@ -82,6 +82,7 @@ private:
 
     // Rows of 0, and hashes for the weld while the positions are at hand.
     void make_ready(LaneScratch& lane, std::uint32_t m, std::uint32_t first, std::uint32_t last) const {
+        if (first >= last) return;
         std::memset(state_.row(state_.input.vertex_base[m] + first), 0, std::size_t(last - first) * floats * sizeof(float));
         hash_places(state_, lane, m, first, last);
     }
