@@ -11,6 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DEV = 'echo unrelated) \ncase "$command" in\nbuild) build ;;\ntest) run ;;\nesac\n'
 PROGRAM = """#!/bin/sh
 if [ "$1" = --help ]; then printf 'Subcommands:\\n  render   draws\\n\\nExamples:\\n  rakelight render here.obj\\n'; exit 0; fi
+case "$*" in *five*) exit 5 ;; esac
 if [ "$2" = --help ]; then printf 'Examples:\\n  rakelight render %s \\\\\\n      -o out.png\\n' "$EXAMPLE"; exit 0; fi
 case "$2" in *.obj) test -e "$2" || exit 3 ;; *) echo "usage: $2" >&2; exit 2 ;; esac
 """
@@ -63,6 +64,10 @@ class CheckDocs(unittest.TestCase):
         code, errors = self.check("", True, example="--gone")
         self.assertEqual(code, 1)
         self.assertIn("rakelight render --help: rakelight render --gone", errors)
+
+    def test_a_check_may_find_something(self):
+        self.assertEqual(self.check("```\nrakelight inspect five --check\n```\n", True), (0, ""))
+        self.assertIn("exit code 5", self.check("```\nrakelight inspect five\n```\n", True)[1])
 
     def test_a_program_that_is_not_there_is_a_fault(self):
         self.program.unlink()
