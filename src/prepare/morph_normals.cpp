@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/morph_normals.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 
+#include "geometry/mesh_islands.h"
 #include "math/linear.h"
 
 namespace rakelight {
 namespace {
 
-/// Targets that move at once: at most one of each mesh.
-struct Movement {
-    std::vector<std::pair<std::size_t, std::size_t>> targets;  ///< mesh of the call, target of that mesh
-};
-
 /// By name, and by how often a mesh had that name before, in the order of their first appearance.
-std::vector<Movement> movements_of(const Scene& scene, std::span<const std::uint32_t> numbers) {
-    std::vector<Movement> movements;
+std::vector<MorphPose> movements_of(const Scene& scene, std::span<const std::uint32_t> numbers) {
+    std::vector<MorphPose> movements;
     std::map<std::pair<std::string, std::size_t>, std::size_t> known;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const Mesh& mesh = scene.meshes[numbers[i]];
@@ -50,9 +47,9 @@ std::vector<vec3> difference(const std::vector<T>& to, const std::vector<T>& fro
     return result;
 }
 
-void check_memory(const std::vector<Movement>& movements, std::span<const MeshAttributes> base, Context& context) {
+void check_memory(const std::vector<MorphPose>& poses, std::span<const MeshAttributes> base, Context& context) {
     std::uint64_t bytes = 0;
-    for (const Movement& movement : movements)
+    for (const MorphPose& movement : poses)
         for (const auto& [i, t] : movement.targets) bytes += 2 * sizeof(vec3) * std::uint64_t(base[i].normals.size());
     context.memory().check(bytes, "normals of morph targets");
 }
@@ -63,6 +60,20 @@ bool wants_normals(const Mesh& mesh, const MorphTarget& target) {
     return !target.positions.empty() && (!target.normals.empty() || mesh.normals.empty());
 }
 
+std::vector<MorphPose> morph_poses(const Scene& scene, std::span<const std::uint32_t> numbers,
+                                   std::span<const std::uint32_t> islands) {
+    std::vector<MorphPose> poses;
+    std::vector<std::size_t> next(numbers.size(), 0);  // [islands] the first pose in which nothing moves there yet
+    for (const MorphPose& movement : movements_of(scene, numbers)) {
+        std::size_t pose = 0;
+        for (const auto& [i, t] : movement.targets) pose = std::max(pose, next[islands[i]]);
+        for (const auto& [i, t] : movement.targets) next[islands[i]] = pose + 1;
+        if (pose == poses.size()) poses.emplace_back();
+        poses[pose].targets.insert(poses[pose].targets.end(), movement.targets.begin(), movement.targets.end());
+    }
+    return poses;
+}
+
 std::vector<TargetDirections> target_directions(const Scene& scene, std::span<const std::uint32_t> numbers,
                                                 std::span<const AttributeMesh> meshes, const AttributePlan& plan,
                                                 std::span<const MeshAttributes> base, Context& context) {
@@ -71,9 +82,9 @@ std::vector<TargetDirections> target_directions(const Scene& scene, std::span<co
         result[i].normals.resize(scene.meshes[numbers[i]].targets.size());
         result[i].tangents.resize(scene.meshes[numbers[i]].targets.size());
     }
-    const std::vector<Movement> movements = movements_of(scene, numbers);
-    check_memory(movements, base, context);
-    for (const Movement& movement : movements) {
+    const std::vector<MorphPose> poses = morph_poses(scene, numbers, geometry::mesh_islands(plan));
+    check_memory(poses, base, context);
+    for (const MorphPose& movement : poses) {
         context.throw_if_cancelled();
         std::vector<AttributeMesh> pose(meshes.begin(), meshes.end());
         std::vector<std::vector<vec3>> positions;

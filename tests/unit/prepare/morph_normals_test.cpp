@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "math/linear.h"
+#include "prepare/morph_normals.h"
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
 #include "unit/prepare/meshes.h"
@@ -132,6 +133,45 @@ TEST(MorphNormals, PartsWhoseTargetsHaveOneNameMoveTogether) {
     for (const std::uint32_t v : apart.meshes[0].indices)
         differs = differs || !(apart.meshes[0].targets[0].normals[v] == out.meshes[0].targets[0].normals[v]);
     EXPECT_TRUE(differs);
+}
+
+TEST(MorphNormals, MovementsOfModelsThatDoNotTouchStandInOnePose) {
+    std::vector<Mesh> meshes(3, ball_mesh(8, 4));
+    for (std::size_t m = 0; m < meshes.size(); ++m)
+        for (const char* name : {"smile", "blink"}) {
+            MorphTarget target;
+            target.name = name + std::to_string(m);  // no two of one name
+            target.positions = stretching(meshes[m]);
+            meshes[m].targets.push_back(std::move(target));
+        }
+    const Scene scene = scene_of(meshes);
+    const std::vector<std::uint32_t> numbers{0, 1, 2}, apart{0, 1, 2}, touching{0, 0, 2};
+    const std::vector<MorphPose> poses = morph_poses(scene, numbers, apart);
+    ASSERT_EQ(poses.size(), 2u);
+    for (std::size_t p = 0; p < 2; ++p) {
+        ASSERT_EQ(poses[p].targets.size(), 3u);
+        for (std::size_t m = 0; m < 3; ++m) EXPECT_EQ(poses[p].targets[m], std::pair(m, p));
+    }
+    EXPECT_EQ(morph_poses(scene, numbers, touching).size(), 4u) << "one stands still while its neighbor moves";
+}
+
+TEST(MorphNormals, AModelFarOffChangesNothing) {
+    Mesh ball = ball_mesh(24, 12);
+    ball.targets.resize(1);
+    ball.targets[0].name = "stretch";
+    ball.targets[0].positions = stretching(ball);
+    Mesh far = ball;
+    far.targets[0].name = "squeeze";
+    Scene both = scene_of({ball, far});
+    both.nodes[1].local.translation = {100, 0, 0};
+    Context context;
+    const Scene out = smooth_scene(both, all_joined(), context);
+    const Mesh alone = smooth_scene(scene_of({ball}), all_joined(), context).meshes[0];
+    for (const Mesh& mesh : out.meshes) {
+        ASSERT_EQ(mesh.targets[0].normals.size(), alone.targets[0].normals.size());
+        for (std::size_t v = 0; v < alone.positions.size(); ++v)
+            EXPECT_EQ(mesh.targets[0].normals[v], alone.targets[0].normals[v]) << v;
+    }
 }
 
 TEST(MorphNormals, TargetsThatKeptTheNormalsOfTheirMeshGoOnDoingSo) {
