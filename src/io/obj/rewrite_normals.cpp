@@ -57,7 +57,7 @@ class Rewriter {
 public:
     Rewriter(std::string_view text, const std::string& path, const ReadOptions& options, const Scene& after,
              Context& context)
-        : text_(text), after_(after), context_(context) {
+        : text_(text), path_(path), after_(after), context_(context) {
         quiet_.memory().note_read(text.size());
         Remarks remarks(path);
         const Contents contents = count_contents(text, remarks, quiet_);
@@ -88,7 +88,8 @@ public:
                 write_block(*write_order_[block]);
             const std::string_view key = line.keyword.text;
             if (key == "vn") continue;
-            if (key != "f" && key != "fo") {
+            // surf: free-form surfaces are not read, but their control points may name normals that are gone.
+            if (key != "f" && key != "fo" && key != "surf") {
                 out_.append(text_.substr(line.begin, line.next - line.begin));
                 continue;
             }
@@ -96,6 +97,10 @@ public:
             write_face(line, lines.arguments(line), is_read ? &faces_[face] : nullptr);
             face += is_read;
         }
+        if (lost_references_ > 0)
+            context_.report().add(Remark::dropped, path_, {},
+                                  std::to_string(lost_references_) +
+                                      " references to normals were removed from faces and free-form surfaces that are not read");
         return std::move(out_);
     }
 
@@ -187,7 +192,10 @@ private:
             out_.append(position);
             if (face || !texcoord.empty()) out_ += '/';
             out_.append(texcoord);
-            if (!face) continue;
+            if (!face) {
+                lost_references_ += token->normal.has_value();
+                continue;
+            }
             const std::uint64_t number = blocks_[face->object].first + corner_places_[face->first_corner + k];
             out_ += '/';
             out_ += token->position < 0 ? "-" + std::to_string(written_ - number) : std::to_string(number + 1);
@@ -196,6 +204,7 @@ private:
     }
 
     std::string_view text_;
+    std::string path_;
     const Scene& after_;
     Context& context_;
     Context quiet_{{.threads = 1, .max_memory = context_.memory().limit()}};
@@ -206,7 +215,7 @@ private:
     std::vector<NormalBlock> blocks_;  ///< [objects]
     std::vector<NormalBlock*> write_order_;
     std::string line_end_ = "\n", out_;
-    std::uint64_t written_ = 0;
+    std::uint64_t written_ = 0, lost_references_ = 0;
     bool is_changed_ = false;
 };
 

@@ -60,6 +60,17 @@ TEST(SmoothFile, ObjLinesWithContinuationRelativeIndicesAndFaultyFacesAreRewritt
     EXPECT_EQ(bytes_of(file), text);
 }
 
+TEST(SmoothFile, FreeFormSurfacesNeverNameNormalsThatAreGone) {
+    const fs::path file = folder() / "surface.obj";
+    const std::string surface = "cstype bezier\ndeg 1 1\nsurf 0.0 1 0 1.0 1/1/3 -3/1/-2 \\\n 3/1 4 # control points\nend\n";
+    write(file, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 1 0\nvn 1 0 0\nvn 0 1 1\nf 1//1 2//2 3//3\n" + surface);
+    Context context;
+    EXPECT_TRUE(smooth_file(file.string(), file.string(), {}, context).changed);
+    const std::string text = bytes_of(file);
+    EXPECT_NE(text.find("surf 0.0 1 0 1.0 1/1 -3/1 \\\n 3/1 4 # control points\nend\n"), std::string::npos) << text;
+    EXPECT_TRUE(is_said(context, Remark::dropped, "2 references to normals")) << text;
+}
+
 TEST(SmoothFile, PlyAndGlbOfAnObjHaveTheSameNormals) {
     const fs::path out = folder(), file = out / "quads.obj";
     write(file, two_quads);
