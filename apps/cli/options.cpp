@@ -273,6 +273,15 @@ static void check_template(const std::string& output) {
             throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "': only {model} is filled in");
 }
 
+static Error no_name_for_each(Verb verb) {
+    if (verb == Verb::smooth)
+        return Error(ErrorCode::usage, "several models need a name for each output", {},
+                     "write for example -o 'out/{model}.glb'");
+    return Error(ErrorCode::usage, "several models need a name for each picture", {},
+                 verb == Verb::inspect ? "write for example --heatmap 'out/{model}.png'"
+                                       : "write for example -o 'out/{model}.png'");
+}
+
 std::vector<PictureRequest> picture_requests(const Options& options) {
     constexpr std::string_view mark = "{model}";
     std::vector<PictureRequest> requests;
@@ -288,9 +297,7 @@ std::vector<PictureRequest> picture_requests(const Options& options) {
              at += stem.size(), replaced = true)
             request.output.replace(at, mark.size(), stem);
         if (options.inputs.size() > 1 && !replaced)
-            throw Error(ErrorCode::usage, options.verb == Verb::smooth ? "several models need a name for each output"
-                                                                        : "several models need a name for each picture",
-                        {}, options.verb == Verb::smooth ? "write for example -o 'out/{model}.glb'" : "write for example -o 'out/{model}.png'");
+            throw no_name_for_each(options.verb);
         const auto [entry, is_new] =
             inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
         if (!is_new)

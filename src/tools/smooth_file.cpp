@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "io/beside.h"
 #include "io/file.h"
@@ -118,6 +119,9 @@ bool has_these_normals(const Scene& before, const Scene& after) {
 
 SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
                          Context& context) {
+    std::error_code error;
+    if (output.ends_with('/') || std::filesystem::is_directory(output, error))
+        throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "' is a folder", {}, "name the file in it too");
     const Way way = way_of(input, output);
     SmoothedFile result{.file = input, .output = output};
     SmoothFileOptions smoothing = options;

@@ -200,6 +200,8 @@ class Inspect(unittest.TestCase):
                 done = self.run_program("inspect", "parts.obj", *options)
                 self.assertIn(done.returncode, (1, 2) if "no/such/folder.png" in options else (2,), done.stderr)
                 self.assertEqual((len(done.stderr.splitlines()), done.stdout), (1, ""))
+                if "cube.obj" in options:
+                    self.assertIn("--heatmap 'out/{model}.png'", done.stderr)
         self.assertEqual(sorted(p.name for p in self.dir.iterdir()), ["cube.obj", "parts.obj"])
 
 

@@ -280,6 +280,22 @@ TEST(SmoothFile, StlAsOutputIsRefusedWithTheReason) {
     EXPECT_FALSE(fs::exists(out / "a.STL"));
 }
 
+TEST(SmoothFile, AFolderAsOutputIsCalledOne) {
+    const fs::path out = folder();
+    write(out / "a.obj", two_quads);
+    fs::create_directory(out / "b.glb");
+    for (const char* name : {"", "b.glb", "none/"}) {
+        Context context;
+        try {
+            smooth_file((out / "a.obj").string(), (out / name).string(), {}, context);
+            ADD_FAILURE() << name;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::usage);
+            EXPECT_NE(std::string(error.what()).find("is a folder"), std::string::npos) << error.what();
+        }
+    }
+}
+
 TEST(SmoothFile, FormatsWithoutAWayBetweenThemAreAUsageError) {
     const fs::path out = folder();
     write(out / "a.obj", two_quads);
