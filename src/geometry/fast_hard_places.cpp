@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/fast_hard_places.h"
 
+#include <bit>
+
 #include "geometry/fast_attributes.h"
 
 namespace rakelight::geometry {
@@ -15,6 +17,30 @@ struct PartMesh {
     std::vector<vec3> positions;
     std::vector<vec2> texcoords;
     std::vector<std::uint32_t> indices;
+};
+
+// Numbers the marked vertices of a mesh from 0 on, in their order.
+class VertexRanks {
+public:
+    explicit VertexRanks(std::size_t vertices) : words_(vertices / 64 + 1), before_(vertices / 64 + 1) {}
+    void mark(std::uint32_t v) { words_[v >> 6] |= std::uint64_t(1) << (v & 63); }
+    /// All marked ones, ascending; rank() holds from now on.
+    std::vector<std::uint32_t> count() {
+        std::vector<std::uint32_t> marked;
+        for (std::size_t w = 0; w < words_.size(); ++w) {
+            before_[w] = std::uint32_t(marked.size());
+            for (std::uint64_t left = words_[w]; left != 0; left &= left - 1)
+                marked.push_back(std::uint32_t(w * 64 + std::size_t(std::countr_zero(left))));
+        }
+        return marked;
+    }
+    std::uint32_t rank(std::uint32_t v) const {
+        return before_[v >> 6] + std::uint32_t(std::popcount(words_[v >> 6] & ((std::uint64_t(1) << (v & 63)) - 1)));
+    }
+
+private:
+    std::vector<std::uint64_t> words_;
+    std::vector<std::uint32_t> before_;
 };
 
 class Redo {
@@ -89,20 +115,18 @@ private:
 
     void number(PartMesh& part) const {
         const AttributeMesh& mesh = input_.meshes[part.mesh];
+        VertexRanks ranks(mesh.positions.size());
+        for (const std::uint32_t v : part.vertices) ranks.mark(v);
         for (const std::uint32_t t : part.faces)
-            for (std::size_t k = 0; k < 3; ++k) part.vertices.push_back(mesh.indices[3 * std::size_t(t) + k]);
-        std::sort(part.vertices.begin(), part.vertices.end());
-        part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
+            for (std::size_t k = 0; k < 3; ++k) ranks.mark(mesh.indices[3 * std::size_t(t) + k]);
+        part.vertices = ranks.count();
         for (const std::uint32_t v : part.vertices) {
             part.positions.push_back(mesh.positions[v]);
             if (!mesh.texcoords.empty()) part.texcoords.push_back(mesh.texcoords[v]);
             part.is_wanted.push_back(is_wanted(input_.vertex_base[part.mesh] + v) ? 1 : 0);
         }
         for (const std::uint32_t t : part.faces)
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto at = std::lower_bound(part.vertices.begin(), part.vertices.end(), mesh.indices[3 * std::size_t(t) + k]);
-                part.indices.push_back(std::uint32_t(at - part.vertices.begin()));
-            }
+            for (std::size_t k = 0; k < 3; ++k) part.indices.push_back(ranks.rank(mesh.indices[3 * std::size_t(t) + k]));
     }
 
     void take(const PartMesh& part, const MeshAttributes& result, const AttributeBuffers& out, SplitAttributes& split) const {

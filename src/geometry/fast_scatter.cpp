@@ -9,7 +9,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::uint32_t faces_per_piece = 1u << 17;
+constexpr std::uint32_t faces_per_piece = 1u << 18;
 constexpr std::uint32_t most_pieces = 1u << 10;      // of one mesh
 constexpr std::uint32_t pieces_in_flight = 64;       // whose outboxes are kept at one time: bounds them for shuffled meshes
 constexpr std::uint32_t faces_per_small_chunk = 1u << 15;
