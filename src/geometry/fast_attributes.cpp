@@ -125,7 +125,6 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
     context.throw_if_cancelled();
     const std::vector<std::uint32_t> hard = finish_rows(state);
     context.throw_if_cancelled();
-    if (getenv("DBGW")) fprintf(stderr,"hard %zu\n",hard.size());
     if (hard.size() > vertices / 4) return give_to_general(meshes, options, out, context);
     std::vector<SplitAttributes> splits = without_splits(state);
     if (!hard.empty()) redo_places(state, hard, out, splits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/fast_scatter.h"
 
+#include <atomic>
 #include <cstring>
 
 #include "geometry/face_vote.h"
@@ -23,6 +24,7 @@ public:
 
     bool run() {
         prepare_ranges();
+        for (const auto& box : state_.scratch.outbox) outbox_bytes_ += box.capacity();
         const std::vector<std::uint32_t>& base = state_.input.triangle_base;
         const std::uint32_t meshes = std::uint32_t(state_.input.meshes.size());
         std::vector<Task> tasks;
@@ -162,7 +164,11 @@ private:
     void send(const ScatterJob& job, const Task& task, std::size_t slot, const Parcel& parcel) {
         std::vector<std::byte>& box = state_.scratch.outbox[slot + piece_of(parcel.vertex, job.vertices, task.pieces)];
         const std::size_t at = box.size();
-        if (box.capacity() < at + sizeof parcel) box.reserve(std::max<std::size_t>(4096, 2 * at));
+        if (box.capacity() < at + sizeof parcel) {  // where triangles lie in disorder all parcels are sent
+            const std::size_t wanted = std::max<std::size_t>(4096, 2 * at), more = wanted - box.capacity();
+            state_.context.memory().check(outbox_bytes_.fetch_add(more) + more, "smoothing normals of triangles in disorder");
+            box.reserve(wanted);
+        }
         box.resize(at + sizeof parcel);
         std::memcpy(box.data() + at, &parcel, sizeof parcel);
     }
@@ -223,6 +229,7 @@ private:
 
     FastState& state_;
     std::vector<std::size_t> first_slot_;
+    std::atomic<std::uint64_t> outbox_bytes_{0};  ///< held by all outboxes
 };
 
 }  // namespace

@@ -80,21 +80,24 @@ private:
         shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
     }
 
-    // The meshes beside its own that have a vertex at a place.
+    // The meshes beside its own that have a vertex at a place, ascending.
     std::span<const SharedPlace> others_at(std::uint32_t place) const {
         const auto first = std::lower_bound(shared_.begin(), shared_.end(), SharedPlace{place, 0});
-        auto last = first;
-        while (last != shared_.end() && last->first == place) ++last;
-        return {first, last};
+        return {first, std::lower_bound(first, shared_.end(), SharedPlace{place + 1, 0})};
     }
 
+    // Linear in the meshes at the two places: thousands may stand at one.
     bool have_a_mesh_in_common(const Entry& a, const Entry& b) const {
         const auto at_a = others_at(a.vertex), at_b = others_at(b.vertex);
         const auto has = [](std::span<const SharedPlace> list, std::uint32_t mesh) {
-            return std::any_of(list.begin(), list.end(), [&](const SharedPlace& p) { return p.second == mesh; });
+            return !list.empty() && std::binary_search(list.begin(), list.end(), SharedPlace{list[0].first, mesh});
         };
         if (a.mesh == b.mesh || has(at_a, b.mesh) || has(at_b, a.mesh)) return true;
-        return std::any_of(at_a.begin(), at_a.end(), [&](const SharedPlace& p) { return has(at_b, p.second); });
+        for (auto i = at_a.begin(), j = at_b.begin(); i != at_a.end() && j != at_b.end();) {
+            if (i->second == j->second) return true;
+            ++(i->second < j->second ? i : j);
+        }
+        return false;
     }
 
     // How far apart the two may lie to be one place; < 0: they are two.

@@ -9,12 +9,32 @@
 namespace rakelight::geometry {
 namespace {
 
+// What the outboxes hold is charged as they grow: nothing for most models, all votes where the triangles lie in disorder.
+class VoteMemory {
+public:
+    explicit VoteMemory(MemoryBudget& budget) : budget_(budget) {}
+    VoteMemory(const VoteMemory&) = delete;
+    VoteMemory& operator=(const VoteMemory&) = delete;
+    ~VoteMemory() { budget_.release(charged_); }
+    void charge(std::uint64_t bytes) {
+        budget_.charge(bytes, "smoothing normals of triangles in disorder");
+        charged_ += bytes;
+    }
+
+private:
+    MemoryBudget& budget_;
+    std::atomic<std::uint64_t> charged_{0};
+};
+
 // Votes for vertices that another piece of the mesh owns, in the order of sending. Blocks: nothing moves as they grow.
 template <class Item>
 class Outbox {
 public:
-    void push(const Item& item) {
-        if (blocks_.empty() || blocks_.back().size() == block) blocks_.emplace_back().reserve(block);
+    void push(const Item& item, VoteMemory& memory) {
+        if (blocks_.empty() || blocks_.back().size() == block) {
+            memory.charge(block * sizeof(Item));
+            blocks_.emplace_back().reserve(block);
+        }
         blocks_.back().push_back(item);
     }
     template <class Body>
@@ -56,7 +76,7 @@ public:
             Context& context)
         : sums_(sums), topology_(topology), input_(input), options_(options), context_(context),
           appended_base_(appended_base(topology, input)), chunks_(make_chunks(input.triangle_base, triangles_per_chunk)),
-          outbox_(chunks_.size()) {}
+          memory_(context.memory()), outbox_(chunks_.size()) {}
 
     void run() {
         context_.parallel_for(chunks_.size(), [&](std::size_t c) { scatter(c); });
@@ -149,8 +169,8 @@ private:
                     if constexpr (tangents) add(tangent_rows[row], tangent.unit * w, hand);
                 } else {
                     Outboxes& out = outbox_[c][owner_of(row, m, pieces)];
-                    out.normals.push({{normal.unit * w, w}, row});
-                    if constexpr (tangents) out.tangents.push({{tangent.unit * w, hand}, row});
+                    out.normals.push({{normal.unit * w, w}, row}, memory_);
+                    if constexpr (tangents) out.tangents.push({{tangent.unit * w, hand}, row}, memory_);
                 }
             }
         }
@@ -180,6 +200,7 @@ private:
     Context& context_;
     std::vector<std::uint32_t> appended_base_;
     std::vector<Chunk> chunks_;
+    VoteMemory memory_;
     std::vector<std::vector<Outboxes>> outbox_;  // [chunks][receiving piece of the same mesh]
 };
 

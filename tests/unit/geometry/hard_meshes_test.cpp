@@ -293,5 +293,32 @@ TEST(HardMeshes, MemoryLimitAndCancelAreObeyed) {
     EXPECT_THROW(compute_attributes(meshes, {}, cancelled), Error);
 }
 
+// Triangles whose corners lie anywhere in the mesh send all their votes to other parts of it: many times the vertices' memory.
+TEST(HardMeshes, VotesOfTrianglesInDisorderAreWithinTheMemoryLimit) {
+    Shape soup;
+    std::mt19937 random(7);
+    const auto coordinate = [&] { return float(random() % 1000) / 1000; };
+    for (int v = 0; v < 20000; ++v) soup.positions.push_back({coordinate(), coordinate(), coordinate()});
+    for (int c = 0; c < 3 * 400000; ++c) soup.indices.push_back(random() % 20000);
+    const std::vector<AttributeMesh> meshes{soup.view()};
+    for (const CornerWeight weight : {CornerWeight::uniform, CornerWeight::area}) {  // the fast path and the general one
+        AttributeOptions options = published();
+        options.weight = weight;
+        options.weld_distance = 0;
+        std::string message;
+        Context tight({.threads = 2, .max_memory = 9'000'000});
+        try {
+            compute_attributes(meshes, options, tight);
+        } catch (const Error& e) {
+            message = e.what();
+        }
+        EXPECT_NE(message.find("triangles in disorder"), message.npos) << message;
+        EXPECT_EQ(tight.memory().charged(), 0u);
+        Context wide({.threads = 2, .max_memory = 100'000'000});
+        EXPECT_EQ(compute_attributes(meshes, options, wide)[0].normals.size(), soup.positions.size());
+        EXPECT_EQ(wide.memory().charged(), 0u);
+    }
+}
+
 }  // namespace
 }  // namespace rakelight::test

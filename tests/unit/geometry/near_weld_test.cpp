@@ -254,6 +254,30 @@ TEST(NearWeld, QuantizedMeshesThatMeetExactlyAreNotWeldedBeyondThat) {
             EXPECT_LT(angle_between(exact[m].normals[v], stepped[m].normals[v]), 1e-6) << m << " " << v;
 }
 
+// Thousands of meshes at each of two places one step apart; the places are two when a single mesh has a vertex at both.
+TEST(NearWeld, ManyQuantizedMeshesAtTwoPlacesAreComparedByTheOneThatIsAtBoth) {
+    constexpr std::uint32_t at_each = 4000;
+    const float step = 1.0f / 1024;
+    const std::vector<vec3> a{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, b{{step, 0, 0}, {-1, 0, 0.5f}, {0, -1, 0.5f}};
+    std::vector<vec3> both = a;
+    both.insert(both.end(), b.begin(), b.end());
+    const std::vector<std::uint32_t> one{0, 1, 2}, two{0, 1, 2, 3, 4, 5};
+    Context context({.threads = 2});
+    for (const std::uint32_t shared : {2 * at_each, 0u, at_each - 1, at_each, 2 * at_each - 1}) {  // the first: none
+        std::vector<AttributeMesh> meshes(2 * at_each);
+        for (std::uint32_t m = 0; m < meshes.size(); ++m) {
+            meshes[m].object = m;
+            meshes[m].position_step = step;
+            meshes[m].positions = m == shared ? both : m < at_each ? a : b;
+            meshes[m].indices = m == shared ? two : one;
+        }
+        const auto out = compute_attributes(meshes, within(-1), context);
+        const vec3 at_a = out[1].normals[0], at_b = out[2 * at_each - 2].normals[0];
+        if (shared < meshes.size()) EXPECT_NE(at_a, at_b) << shared;
+        else EXPECT_EQ(at_a, at_b);
+    }
+}
+
 TEST(NearWeld, OrderOfObjectsDoesNotMatter) {
     const auto parts = cut_at_random(make_torus(30, 16), 6, 3);
     auto framed = in_own_frames(parts, {});
