@@ -133,6 +133,7 @@ private:
         double t0 = 0, t1 = 1;
         if (!clip(a, b, t0, t1)) return;
         const double pixels = (t1 - t0) * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+        if (!std::isfinite(pixels)) return;  // of coordinates so large that their differences overflow
         const int steps = 1 + int(pixels / (0.5 * radius_px_));
         const bool parallel = camera_.projection == Projection::orthographic;
         for (int i = 0; i <= steps; ++i) {

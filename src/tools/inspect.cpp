@@ -2,6 +2,8 @@
 #include <rakelight/inspect.h>
 
 #include <algorithm>
+#include <string>
+#include <unordered_set>
 
 #include "geometry/edge_census.h"
 #include "geometry/mesh_faults.h"
@@ -34,12 +36,13 @@ void count(ObjectSummary& object, const Mesh& mesh) {
     if (mesh.topology == Topology::points) object.points += mesh.indices.size();
 }
 
-void add_material(ObjectSummary& object, const Scene& scene, std::uint32_t material) {
+/// @param known  the names that the object has already: a file may give it a hundred thousand
+void add_material(ObjectSummary& object, std::unordered_set<std::string>& known, const Scene& scene,
+                  std::uint32_t material) {
     if (material == none) return;
     std::string name = scene.materials[material].name;
     if (name.empty()) name = "material " + std::to_string(material);
-    if (std::find(object.materials.begin(), object.materials.end(), name) == object.materials.end())
-        object.materials.push_back(std::move(name));
+    if (known.insert(name).second) object.materials.push_back(std::move(name));
 }
 
 ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
@@ -48,10 +51,11 @@ ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
     object.name = node.name;
     object.node = number;
     Tally normals, tangents, texcoords, colors, groups, targets, influences;
+    std::unordered_set<std::string> materials;
     for (const std::uint32_t index : node.meshes) {
         const Mesh& mesh = scene.meshes[index];
         count(object, mesh);
-        add_material(object, scene, mesh.material);
+        add_material(object, materials, scene, mesh.material);
         normals.add(!mesh.normals.empty());
         tangents.add(!mesh.tangents.empty());
         texcoords.add(!mesh.texcoords.empty());

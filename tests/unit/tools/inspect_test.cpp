@@ -3,6 +3,9 @@
 #include <rakelight/render.h>
 
 #include <gtest/gtest.h>
+
+#include <numeric>
+#include <string>
 #include <nlohmann/json.hpp>
 
 #include "support/shared.h"
@@ -37,6 +40,27 @@ TEST(Inspect, CountsObjectsMeshesAndAttributes) {
     EXPECT_EQ(i.high, (dvec3{1, 1, 0}));
     EXPECT_EQ(i.shared_positions, 4u);
     EXPECT_TRUE(i.scene.meshes.empty());
+}
+
+TEST(Inspect, ManyMaterialsOfOneObjectAreNamedOnceEach) {
+    constexpr std::size_t count = 20000;
+    Scene scene = two_squares();
+    scene.materials.resize(count);
+    const Mesh mesh = scene.meshes[0];
+    scene.meshes.clear();
+    for (std::uint32_t m = 0; m < count; ++m) {
+        scene.materials[m].name = "m" + std::to_string(m / 2);
+        scene.meshes.push_back(mesh);
+        scene.meshes.back().material = m;
+    }
+    scene.nodes[0].meshes.resize(count);
+    std::iota(scene.nodes[0].meshes.begin(), scene.nodes[0].meshes.end(), 0u);
+    scene.nodes[1].meshes = {0};
+    Context context;
+    const Inspection i = inspect(scene, {.borders = false, .surfaces = false}, context);
+    ASSERT_EQ(i.objects[0].materials.size(), count / 2);
+    EXPECT_EQ(i.objects[0].materials.front(), "m0");
+    EXPECT_EQ(i.objects[0].materials.back(), "m" + std::to_string(count / 2 - 1));
 }
 
 TEST(Inspect, AnEmptySceneIsNoReasonToFail) {
