@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_verb.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
@@ -34,6 +36,12 @@ void add_rows(const std::string& words, SmoothBenchOptions& o) {
         o.plan |= (row & 8) != 0;
         first = last + 1;
     }
+}
+
+// [bytes] All of it; as much as can be asked for where the system does not say.
+std::uint64_t memory_of_machine() {
+    const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGE_SIZE);
+    return pages > 0 && size > 0 ? std::uint64_t(pages) * std::uint64_t(size) : ~std::uint64_t(0);
 }
 
 }  // namespace
@@ -78,9 +86,10 @@ void apply(const BenchWords& w, SmoothBenchOptions& o) {
 
 int run_bench(const Options& options) {
     ProgressLine progress("bench", options.loudness);
-    // The model is the program's own: no file asks for memory here.
-    const std::uint64_t memory =
-        options.max_memory != 0 ? options.max_memory : options.bench.triangles * (options.bench.order ? 500 : 400) + (1u << 30);
+    // The model is the program's own: no file asks for memory here. What the machine has not is refused, for a model that is
+    // too large is not told so by the system: the process is ended.
+    const std::uint64_t wanted = options.bench.triangles * (options.bench.order ? 500 : 400) + (1u << 30);
+    const std::uint64_t memory = options.max_memory != 0 ? options.max_memory : std::min(wanted, memory_of_machine());
     Context context({.threads = options.threads, .max_memory = memory, .progress = progress.callback()});
     const CancelOnInterrupt guard(context);
     const SmoothBenchReport report = bench_smooth(options.bench, context);

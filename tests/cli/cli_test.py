@@ -194,6 +194,13 @@ class Cli(unittest.TestCase):
         self.write("a.obj")
         self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", "--camera-index", "front door"), 2, "a.obj", "front door", "has none")
 
+    # --- bench ---
+
+    def test_a_measurement_that_the_machine_has_no_memory_for_is_refused(self):
+        self.check_refused(self.run_program("bench", "smooth", "--triangles", "20M", "--max-memory", "1G"), 4, "bytes, more than the limit")
+        if os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") < 100e9:  # what the model of the next line takes
+            self.check_refused(self.run_program("bench", "smooth", "--triangles", "1000M"), 4, "bytes, more than the limit")
+
     # --- several inputs ---
 
     def test_each_of_several_models_gets_its_own_picture(self):
