@@ -260,12 +260,16 @@ void OutputFile::write(std::span<const std::byte> bytes) {
         refuse_output(path_, errno);
 }
 
-void OutputFile::commit() {
+void OutputFile::finish() {
     // stdio keeps an earlier failure in ferror() only; fclose() alone may report success after it.
     const bool broken = std::fflush(file_) != 0 || std::ferror(file_) != 0;
     int code = broken ? errno : 0;
     if (std::fclose(std::exchange(file_, nullptr)) != 0 && code == 0) code = errno;
     if (broken || code != 0) refuse_output(path_, code != 0 ? code : EIO);
+}
+
+void OutputFile::commit() {
+    if (file_ != nullptr) finish();
     if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), path_.c_str()) != 0) refuse_output(path_, errno);
     temporary_.clear();

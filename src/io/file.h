@@ -45,7 +45,8 @@ public:
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     void write(std::span<const std::byte> bytes);  ///< @throws Error failed: disk full
-    void commit();                                 ///< flush, close, rename; @throws Error failed
+    void finish();                                 ///< flush, close: what may fail for want of space; @throws Error failed
+    void commit();                                 ///< finish where that was not done, rename; @throws Error failed
     std::FILE* handle() { return file_; }          ///< for libraries that want a FILE*
 
 private:

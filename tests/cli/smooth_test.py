@@ -7,6 +7,7 @@ import base64
 import json
 import os
 import pathlib
+import resource
 import shutil
 import struct
 import subprocess
@@ -56,6 +57,22 @@ class Smooth(unittest.TestCase):
         self.assertEqual(self.run_program("smooth", "object.obj", "-o", "model.obj", "--crease-angle", "180").returncode, 0)
         self.assertGreater(seam("object.obj"), 5)
         self.assertEqual(seam("model.obj"), 0)
+
+    def test_a_full_disk_leaves_the_older_model_and_its_data(self):
+        model = quantized_corner(5120, "b", 4)
+        model["extras"] = "x" * 500000  # the model file fails, its data would still fit
+        (self.dir / "in.gltf").write_text(json.dumps(model))
+        self.assertEqual(self.run_program("smooth", "in.gltf", "-o", "out.gltf", "--crease-angle", "180").returncode, 0)
+        older = {p.name: p.read_bytes() for p in self.dir.iterdir()}
+        self.assertIn("out.bin", older)
+        arguments = (PROGRAM, "smooth", "in.gltf", "-o", "out.gltf", "--crease-angle", "1")
+        done = subprocess.run(arguments, cwd=self.dir, capture_output=True, text=True, timeout=300,
+                              restore_signals=False,  # the signal of the limit stays ignored: writing fails, as on a full disk
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100000, 100000)))
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+        self.assertEqual({p.name: p.read_bytes() for p in self.dir.iterdir()}, older)
+        self.assertEqual(subprocess.run(arguments, cwd=self.dir, timeout=300).returncode, 0)
+        self.assertNotEqual((self.dir / "out.bin").read_bytes(), older["out.bin"])
 
     def test_several_models_and_json(self):
         (self.dir / "more.obj").write_text(TWO_PARTS)

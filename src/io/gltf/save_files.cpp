@@ -3,10 +3,12 @@
 
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <system_error>
 
 #include "io/beside.h"
+#include "io/file.h"
 #include "io/gltf/container.h"
 
 namespace rakelight::io::gltf {
@@ -235,16 +237,24 @@ void OutputModel::write_glb(std::span<const std::byte> new_data) const {
 void OutputModel::write_gltf(std::span<const std::byte> new_data, Context& context) {
     std::vector<std::byte> binary = base_;
     add(binary, new_data);
+    // Both are whole before one takes the place of an older file: else a full disk leaves an old model with new data.
+    std::optional<OutputFile> data;
     if (!binary.empty()) {
         const std::string name = free_name(context);
         OrderedJson& buffer = tree_["buffers"][buffer_];
         buffer["uri"] = percent_encoded(name);
         buffer["byteLength"] = binary.size();
-        write_file((folder_of(output_) / name).string(), binary);
+        data.emplace((folder_of(output_) / name).string());
+        data->write(binary);
+        data->finish();
     }
     const std::span<const std::byte> file = *document_.file();
     const bool is_text = word_at(file, 0) != magic;
-    write_file(output_, bytes_of(to_text(tree_, is_text ? file : std::span<const std::byte>{})));
+    OutputFile model(output_);
+    model.write(bytes_of(to_text(tree_, is_text ? file : std::span<const std::byte>{})));
+    model.finish();
+    if (data) data->commit();
+    model.commit();
 }
 
 }  // namespace rakelight::io::gltf
