@@ -58,6 +58,15 @@ std::string t_junction_failure(const Inspection& i) {
     return text;
 }
 
+// An object of degenerate triangles alone has no open edge, and is not closed either.
+std::string closed_failure(const Inspection& i) {
+    std::string text = count_failure(i, {&SurfaceSummary::open_edges}, "open edge");
+    for (std::size_t o = 0; o < i.surfaces.size() && text.empty(); ++o)
+        if (i.objects[o].triangles > 0 && !i.surfaces[o].closed)
+            text = "nothing but degenerate triangles in " + quoted_name(i, std::uint32_t(o));
+    return text;
+}
+
 std::string winding_failure(const Inspection& i) {
     std::string text = count_failure(i, {&SurfaceSummary::inconsistent_edges}, "edge of inconsistent winding");
     if (const std::size_t at = text.find("edge of inconsistent windings"); at != text.npos)
@@ -83,7 +92,7 @@ std::vector<CheckFailure> check_limits(const Inspection& i, const CheckLimits& l
     add(limits.no_non_manifold, "no-non-manifold",
         [&] { return count_failure(i, {&S::non_manifold_edges}, "non-manifold edge"); });
     add(limits.consistent_winding, "consistent-winding", [&] { return winding_failure(i); });
-    add(limits.closed, "closed", [&] { return count_failure(i, {&S::open_edges}, "open edge"); });
+    add(limits.closed, "closed", [&] { return closed_failure(i); });
     add(limits.unit_normals, "unit-normals", [&] {
         return count_failure(i, {&S::zero_normals, &S::non_finite_normals, &S::non_unit_normals},
                              "zero, non-finite or non-unit normal");

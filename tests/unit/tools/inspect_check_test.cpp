@@ -47,6 +47,15 @@ Scene tetrahedron() {
 
 using Names = std::vector<std::string>;
 
+TEST(InspectCheck, AnObjectOfTrianglesThatArePointsIsNotClosed) {
+    Scene scene = tetrahedron();
+    EXPECT_EQ(limits_passed(scene, {.closed = true}), Names{});
+    scene.meshes[0].indices = std::vector<std::uint32_t>{0, 0, 0, 1, 1, 2};
+    EXPECT_EQ(limits_passed(scene, {.closed = true}), Names{"closed"});
+    scene.meshes[0].indices = std::vector<std::uint32_t>{};  // nothing is open where there is no triangle
+    EXPECT_EQ(limits_passed(scene, {.closed = true}), Names{});
+}
+
 TEST(InspectCheck, ACleanClosedModelPassesEverything) {
     EXPECT_EQ(limits_passed(tetrahedron(), strict), Names{});
     EXPECT_EQ(limits_passed(Scene{}, strict), Names{});
