@@ -83,9 +83,20 @@ struct ShadeJob {
     float* normal_z;
 };
 
+/// One opaque triangle in one tile, against the depth that stands there. Edges as in Coverage (coverage.h), in 32 bits.
+struct CoverJob {
+    int32_t left, top, right, bottom;      ///< px in the tile, inclusive
+    int32_t edge[3], step_x[3], step_y[3];
+    float depth_0, depth_x, depth_y, depth_low, depth_high;
+    int32_t position;                      ///< written to `visible` where the triangle is nearer than what stands there
+    float* depth;                          ///< [tile_size * tile_size]
+    int32_t* visible;
+};
+
 /// The functions that exist once per instruction set.
 struct Kernels {
     int32_t lanes;
+    int32_t (*cover)(const CoverJob* job); ///< returns how many pixels were written
     void (*shade)(const ShadeJob* job);
     void (*alpha)(const ShadeJob* job);    ///< only `alpha` is written: for masks
 };

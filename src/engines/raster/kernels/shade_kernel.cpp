@@ -3,6 +3,7 @@
 // math/wide.h and what stands on it.
 #include <stddef.h>
 
+#include "engines/raster/kernels/cover_kernel.h"
 #include "engines/raster/kernels/sample.h"
 #include "lighting/lighting.h"
 
@@ -144,7 +145,7 @@ static void alpha(const ShadeJob* job) {
 }
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, shade, alpha};
+    static constexpr Kernels table = {lanes, cover, shade, alpha};
     return &table;
 }
 
