@@ -43,34 +43,39 @@ private:
     std::vector<std::unique_ptr<TileScratch>> free_;
 };
 
-/// The part of a finished tile that lies in the window, as the sink wants it.
-struct Delivery {
-    std::vector<vec4> color;
-    std::vector<float> depth;
-    std::vector<vec3> normal;
-    std::vector<std::uint32_t> object, material;
-};
-
 float distance_of(float key, const View& view) {
     if (!(key >= 0)) return std::numeric_limits<float>::infinity();
     if (view.orthographic) return float(view.near + (1 - double(key)) * (view.far - view.near));
     return key > 0 ? float(view.near / double(key)) : std::numeric_limits<float>::infinity();
 }
 
-void deliver(const TileJob& job, std::size_t tile, const TileScratch& s, Sink& sink) {
+/// The rows of a whole tile that lie in the window; a tile that does so wholly is handed on as it stands.
+template <class T>
+std::span<const T> part(const std::vector<T>& whole, const Window& in_tile, std::vector<T>& copy) {
+    if (in_tile.width == tile_size) return std::span(whole).subspan(std::size_t(in_tile.y * tile_size), std::size_t(in_tile.height * tile_size));
+    for (int y = in_tile.y; y < in_tile.y + in_tile.height; ++y) {
+        const auto row = whole.begin() + y * tile_size + in_tile.x;
+        copy.insert(copy.end(), row, row + in_tile.width);
+    }
+    return copy;
+}
+
+void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     const Window area = job.grid.pixels(tile);
+    const Window in_tile = {area.x - job.grid.origin_x(tile), area.y - job.grid.origin_y(tile), area.width, area.height};
     const std::uint32_t channels = job.front.settings.channels;
-    Delivery d;
-    for (int y = area.y; y < area.y + area.height; ++y)
-        for (int x = area.x; x < area.x + area.width; ++x) {
-            const auto p = std::size_t((y - job.grid.origin_y(tile)) * tile_size + x - job.grid.origin_x(tile));
-            d.color.push_back(s.color[p]);
-            if (channels & channel_depth) d.depth.push_back(distance_of(s.depth[p], job.front.view));
-            if (channels & channel_normal) d.normal.push_back(s.normal[p]);
-            if (channels & channel_object) d.object.push_back(s.object[p]);
-            if (channels & channel_material) d.material.push_back(s.material[p]);
-        }
-    sink.tile({area, d.color, d.depth, d.normal, d.object, d.material, {}});
+    if (channels & channel_depth)
+        for (float& key : s.depth) key = distance_of(key, job.front.view);
+    std::vector<vec4> color;
+    std::vector<float> depth;
+    std::vector<vec3> normal;
+    std::vector<std::uint32_t> object, material;
+    Tile result{area, part(s.color, in_tile, color), {}, {}, {}, {}, {}};
+    if (channels & channel_depth) result.depth = part(s.depth, in_tile, depth);
+    if (channels & channel_normal) result.normal = part(s.normal, in_tile, normal);
+    if (channels & channel_object) result.object = part(s.object, in_tile, object);
+    if (channels & channel_material) result.material = part(s.material, in_tile, material);
+    sink.tile(result);
 }
 
 class SoftEngine final : public Engine {

@@ -8,15 +8,21 @@
 namespace rakelight::raster {
 namespace {
 
+bool is_finite(float v) { return v - v == 0; }
+
 /// Colors of a finished batch into the tile; `over` blends (Porter & Duff 1984, straight alpha over an opaque ground).
 void store_batch(std::size_t count, bool over, TileScratch& s) {
     const auto finite = [&s](float v) {
-        if (std::isfinite(v)) return v;
+        if (is_finite(v)) return v;
         ++s.not_finite;
         return 0.0f;
     };
     for (std::size_t i = 0; i < count; ++i) {
         vec4& to = s.color[std::size_t(s.y[i] * tile_size + s.x[i])];
+        if (!over && is_finite(s.red[i] + s.green[i] + s.blue[i])) {  // nearly all; a sum that overflows is looked at below
+            to = {s.red[i], s.green[i], s.blue[i], 1.0f};
+            continue;
+        }
         const float opacity = over ? std::clamp(finite(s.alpha[i]), 0.0f, 1.0f) : 1.0f;
         const vec4 c = {finite(s.red[i]), finite(s.green[i]), finite(s.blue[i]), opacity};
         const float under = to.w * (1 - c.w), alpha = c.w + under;
@@ -57,6 +63,33 @@ void shade_run(const TileJob& job, std::size_t tile, std::uint32_t material, con
     if (batch.normal_x)
         for (std::size_t i = 0; i < count; ++i) s.normal[pixels[i]] = {s.normal_x[i], s.normal_y[i], s.normal_z[i]};
     store_batch(count, false, s);
+}
+
+}  // namespace
+
+namespace {
+
+/// Lists the covered pixels with the object and material of each. Neighbors mostly show one triangle.
+void find_owners(const TileJob& job, std::uint32_t first, TileScratch& s) {
+    std::int32_t position = -1;
+    const Draw* draw = nullptr;
+    for (std::uint32_t p = 0; p < tile_pixels; ++p) {
+        if (s.visible[p] < 0) continue;
+        if (s.visible[p] != position) {
+            position = s.visible[p];
+            draw = &job.front.list.draws[job.binned.at(job.binned.items[first + std::uint32_t(position)]).draw];
+        }
+        s.pixels.push_back(p);
+        s.object[p] = draw->node;
+        s.material[p] = draw->material;
+    }
+}
+
+/// Brings the pixels of one material together, each group row by row.
+void group_by_material(TileScratch& s) {
+    const auto differs = [&s](std::uint32_t a, std::uint32_t b) { return s.material[a] != s.material[b]; };
+    if (std::adjacent_find(s.pixels.begin(), s.pixels.end(), differs) == s.pixels.end()) return;
+    std::stable_sort(s.pixels.begin(), s.pixels.end(), [&s](std::uint32_t a, std::uint32_t b) { return s.material[a] < s.material[b]; });
 }
 
 }  // namespace
@@ -105,22 +138,11 @@ void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     s.record.assign(job.binned.offsets[tile + 1] - first, -1);
     s.triangles.clear();
     s.pixels.clear();
-    const auto material_of = [&](std::uint32_t pixel) {
-        const ScreenTriangle& t = job.binned.at(job.binned.items[first + std::uint32_t(s.visible[pixel])]);
-        return job.front.list.draws[t.draw].material;
-    };
-    for (std::uint32_t p = 0; p < tile_pixels; ++p) {
-        if (s.visible[p] < 0) continue;
-        s.pixels.push_back(p);
-        const ScreenTriangle& t = job.binned.at(job.binned.items[first + std::uint32_t(s.visible[p])]);
-        const Draw& draw = job.front.list.draws[t.draw];
-        s.object[p] = draw.node;
-        s.material[p] = draw.material;
-    }
+    find_owners(job, first, s);
     s.covered += s.pixels.size();
-    std::stable_sort(s.pixels.begin(), s.pixels.end(), [&](std::uint32_t a, std::uint32_t b) { return s.material[a] < s.material[b]; });
+    group_by_material(s);
     for (std::size_t i = 0; i < s.pixels.size();) {
-        const std::uint32_t material = material_of(s.pixels[i]);
+        const std::uint32_t material = s.material[s.pixels[i]];
         std::size_t end = i + 1;
         while (end < s.pixels.size() && s.material[s.pixels[end]] == material) ++end;
         shade_run(job, tile, material, s.pixels.data() + i, end - i, s);
