@@ -26,6 +26,11 @@ struct ScreenTriangle {
 /// Where a draw's vertices are in clip space, [vertices].
 using ClipVertices = std::vector<ClipVertex>;
 
+/// A vertex on the screen, [1/256 px].
+struct ScreenPoint {
+    std::int32_t x, y;
+};
+
 /// The tiles of a picture that a window touches.
 struct TileGrid {
     TileGrid(int width, int height, Window window);
@@ -64,10 +69,15 @@ struct FrontEnd {
     const View& view;
     const RenderSettings& settings;
     std::vector<ClipVertices> clip;      ///< [draws]; empty for draws wholly outside
+    std::vector<std::vector<ScreenPoint>> screen;    ///< [draws][vertices]; means nothing where a cutting plane is violated
+    std::vector<std::vector<std::uint16_t>> codes;   ///< [draws][vertices] planes that each vertex violates; empty: none does
     std::vector<dmat4> to_eye;           ///< [draws] object -> world axes about the eye
     RenderStats stats;
     PictureMemory memory;
 };
+
+/// The place of a vertex on the screen; what is not in the guard band stops at its rim.
+ScreenPoint snap_to_screen(const View& view, const ClipVertex& v);
 
 /// Matrices and clip-space vertices of every draw that may be seen.
 void transform_draws(FrontEnd& front, Context& context);

@@ -92,7 +92,7 @@ public:
                         "for a faceted look use --normals flat");
         const View view = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings);
         const TileGrid grid(settings.width, settings.height, settings.window);
-        FrontEnd front{list_, view, settings, {}, {}, {}, PictureMemory(context.memory())};
+        FrontEnd front{list_, view, settings, {}, {}, {}, {}, {}, PictureMemory(context.memory())};
         transform_draws(front, context);
         const Binned binned = set_up_and_bin(front, grid, context);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
