@@ -16,7 +16,7 @@ inline constexpr int max_mip_levels = 16;    ///< 32768 texels a side
 struct TextureView {
     const uint32_t* rgba8;    ///< code values, R in the low byte; or null
     const float* rgba32f;     ///< four linear floats a texel; or null
-    const float* decode;      ///< [256] code value -> linear for R, G, B (sRGB or /255); null for rgba32f
+    const float* decode;      ///< [256] sRGB code value -> linear for R, G, B; null: code / 255, or rgba32f
     int32_t levels;           ///< 1..max_mip_levels
     int32_t offset[max_mip_levels], width[max_mip_levels], height[max_mip_levels];  ///< [texels] of each level
     int32_t wrap_u, wrap_v;   ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
