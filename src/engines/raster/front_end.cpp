@@ -197,8 +197,10 @@ void add_stats(RenderStats& sum, const RenderStats& part) {
 }
 
 /// Counting sort of all chunks' entries by tile, in the order of the chunks.
-Binned sort_into_tiles(std::vector<Chunk>& chunks, std::size_t tiles) {
-    Binned binned;
+Binned sort_into_tiles(std::vector<Chunk>& chunks, std::size_t tiles, Binned&& used) {
+    Binned binned = std::move(used);
+    binned.chunks.clear();
+    binned.spare.clear();
     std::vector<std::uint64_t> count(tiles + 1, 0);
     std::uint64_t total = 0;
     for (const Chunk& c : chunks) total += c.tiles.size();
@@ -211,7 +213,7 @@ Binned sort_into_tiles(std::vector<Chunk>& chunks, std::size_t tiles) {
     for (std::size_t c = 0; c < chunks.size(); ++c) {
         for (const auto& [tile, index] : chunks[c].tiles) binned.items[std::size_t(count[tile]++)] = std::uint64_t(c) << 32 | index;
         binned.chunks.push_back(std::move(chunks[c].triangles));
-        chunks[c] = {};
+        binned.spare.push_back(std::move(chunks[c].tiles));
     }
     return binned;
 }
@@ -248,15 +250,16 @@ bool edge_planes(const ClipVertex (&v)[3], const View& view, double x0, double y
     const dvec3 rows[3] = {cross(h[1], h[2]), cross(h[2], h[0]), cross(h[0], h[1])};
     const double determinant = dot(h[0], rows[0]);
     if (!(std::fabs(determinant) > 0) || !std::isfinite(1 / determinant)) return false;
+    const double inverse = 1 / determinant;
     for (std::size_t i = 0; i < 3; ++i) {
-        out.ex[i] = rows[i].x / determinant;
-        out.ey[i] = rows[i].y / determinant;
-        out.e0[i] = rows[i].z / determinant;
+        out.ex[i] = rows[i].x * inverse;
+        out.ey[i] = rows[i].y * inverse;
+        out.e0[i] = rows[i].z * inverse;
     }
     return true;
 }
 
-Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Context& context) {
+Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Context& context) {
     std::vector<Chunk> chunks;
     for (std::size_t d = 0; d < front.list.draws.size(); ++d) {
         if (front.clip[d].empty()) continue;
@@ -264,13 +267,19 @@ Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Context& context) {
         for (std::size_t t = 0; t < triangles; t += triangles_per_chunk)
             chunks.push_back({d, t, std::min(triangles, t + triangles_per_chunk), {}, {}, {}});
     }
+    for (std::size_t c = 0; c < std::min(chunks.size(), used.chunks.size()); ++c) {
+        chunks[c].triangles = std::move(used.chunks[c]);
+        chunks[c].tiles = std::move(used.spare[c]);
+        chunks[c].triangles.clear();
+        chunks[c].tiles.clear();
+    }
     context.parallel_for(chunks.size(), [&](std::size_t c) {
         const FlushDenormals guard;
         Setup(front, grid, chunks[c]).run();
     });
     context.throw_if_cancelled();
     for (const Chunk& c : chunks) add_stats(front.stats, c.stats);
-    return sort_into_tiles(chunks, grid.count());
+    return sort_into_tiles(chunks, grid.count(), std::move(used));
 }
 
 }  // namespace rakelight::raster

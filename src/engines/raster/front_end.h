@@ -3,6 +3,7 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -48,6 +49,7 @@ struct Binned {
     std::vector<std::vector<ScreenTriangle>> chunks;
     std::vector<std::uint32_t> offsets;  ///< [tiles + 1] into items
     std::vector<std::uint64_t> items;    ///< chunk << 32 | index in the chunk
+    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> spare;  ///< [chunks] memory for the next picture
     const ScreenTriangle& at(std::uint64_t item) const { return chunks[item >> 32][item & 0xFFFFFFFFu]; }
 };
 
@@ -82,7 +84,8 @@ ScreenPoint snap_to_screen(const View& view, const ClipVertex& v);
 /// Matrices and clip-space vertices of every draw that may be seen.
 void transform_draws(FrontEnd& front, Context& context);
 /// Triangles into tiles.
-Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Context& context);
+/// @param used  what the picture before left: only its memory counts
+Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Context& context);
 
 /// Homogeneous edge functions of a triangle about a pixel position: e_i(x, y) = ex[i] x + ey[i] y + e0[i], in px from (x0, y0);
 /// their sum is 1 / w, so b_i = e_i / sum (Olano & Greer 1997, "Triangle scan conversion using 2D homogeneous coordinates").

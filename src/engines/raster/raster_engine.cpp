@@ -92,13 +92,17 @@ public:
                         "for a faceted look use --normals flat");
         const View view = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings);
         const TileGrid grid(settings.width, settings.height, settings.window);
-        FrontEnd front{list_, view, settings, {}, {}, {}, {}, {}, PictureMemory(context.memory())};
+        FrontEnd front{list_, view, settings, std::move(clip_), std::move(screen_), std::move(codes_), {}, {}, PictureMemory(context.memory())};
         transform_draws(front, context);
-        const Binned binned = set_up_and_bin(front, grid, context);
+        Binned binned = set_up_and_bin(front, grid, std::move(binned_), context);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         draw_tiles({front, binned, grid, lights, *kernels_}, sink, context, front.stats);
         sink.end_pass(0);
+        clip_ = std::move(front.clip);
+        screen_ = std::move(front.screen);
+        codes_ = std::move(front.codes);
+        binned_ = std::move(binned);
         return front.stats;
     }
 
@@ -133,6 +137,11 @@ private:
     TextureCache textures_;
     DrawList list_;
     ScratchPool pool_;
+    // Memory of the picture before, used again.
+    std::vector<ClipVertices> clip_;
+    std::vector<std::vector<ScreenPoint>> screen_;
+    std::vector<std::vector<std::uint16_t>> codes_;
+    Binned binned_;
 };
 
 }  // namespace

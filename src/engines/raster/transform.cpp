@@ -49,9 +49,9 @@ bool is_outside(const Draw& draw, const ToClip& to_clip, const ClipVolume& volum
 void transform_draws(FrontEnd& front, Context& context) {
     const ClipVolume volume(front.view);
     const std::size_t count = front.list.draws.size();
-    front.clip.assign(count, {});
-    front.screen.assign(count, {});
-    front.codes.assign(count, {});
+    front.clip.resize(count);  // the memory of the picture before is used again
+    front.screen.resize(count);
+    front.codes.resize(count);
     front.to_eye.assign(count, {});
     struct Task { std::size_t draw, first; };
     std::vector<Task> tasks;
@@ -65,6 +65,8 @@ void transform_draws(FrontEnd& front, Context& context) {
         front.stats.triangles_in += mesh.triangle_count();
         if (is_outside(draw, to_clip[d], volume)) {
             front.stats.culled_outside += mesh.triangle_count();
+            front.clip[d].clear();
+            front.codes[d].clear();
             continue;
         }
         front.memory.add(mesh.positions.size() * vertex_bytes);
