@@ -2,6 +2,7 @@
 // The soft engine's way of the data: draw list -> vertices -> triangles in tiles -> visibility -> shading -> sink.
 #include "engines/raster/raster_engine.h"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 
@@ -97,7 +98,9 @@ public:
         Binned binned = set_up_and_bin(front, grid, std::move(binned_), context);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
-        draw_tiles({front, binned, grid, lights, *kernels_}, sink, context, front.stats);
+        const bool has_blended =
+            std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
+        draw_tiles({front, binned, grid, lights, *kernels_, has_blended}, sink, context, front.stats);
         sink.end_pass(0);
         clip_ = std::move(front.clip);
         screen_ = std::move(front.screen);

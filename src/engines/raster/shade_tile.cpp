@@ -48,10 +48,15 @@ std::int32_t record_of(const TileJob& job, std::size_t tile, std::int32_t positi
 
 void shade_run(const TileJob& job, std::size_t tile, std::uint32_t material, const std::uint32_t* pixels, std::size_t count,
                TileScratch& s) {
+    std::int32_t position = -1, record = -1;
     for (std::size_t i = 0; i < count; ++i) {
         s.x[i] = std::int32_t(pixels[i] % tile_size);
         s.y[i] = std::int32_t(pixels[i] / tile_size);
-        s.triangle[i] = record_of(job, tile, s.visible[pixels[i]], s);
+        if (s.visible[pixels[i]] != position) {  // neighbors mostly show one triangle
+            position = s.visible[pixels[i]];
+            record = record_of(job, tile, position, s);
+        }
+        s.triangle[i] = record;
     }
     ShadeJob batch = make_job(job, material, count, s);
     if (job.front.settings.channels & channel_normal) {
@@ -131,9 +136,9 @@ ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count,
 void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     const RenderSettings& settings = job.front.settings;
     std::fill(s.color.begin(), s.color.end(), settings.background);
-    std::fill(s.normal.begin(), s.normal.end(), vec3{});
-    std::fill(s.object.begin(), s.object.end(), none);
-    std::fill(s.material.begin(), s.material.end(), none);
+    if (settings.channels & channel_normal) std::fill(s.normal.begin(), s.normal.end(), vec3{});
+    if (settings.channels & channel_object) std::fill(s.object.begin(), s.object.end(), none);
+    if (settings.channels & channel_material) std::fill(s.material.begin(), s.material.end(), none);
     const std::uint32_t first = job.binned.offsets[tile];
     s.record.assign(job.binned.offsets[tile + 1] - first, -1);
     s.triangles.clear();
@@ -148,10 +153,12 @@ void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
         shade_run(job, tile, material, s.pixels.data() + i, end - i, s);
         i = end;
     }
-    for (const std::uint32_t p : s.pixels) s.material[p] = job.front.list.materials[s.material[p]].scene_material;
+    if (settings.channels & channel_material)
+        for (const std::uint32_t p : s.pixels) s.material[p] = job.front.list.materials[s.material[p]].scene_material;
 }
 
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
+    if (!job.has_blended) return;
     struct Layer { float depth; std::uint32_t item; };
     std::vector<Layer> layers;
     for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1]; ++i) {

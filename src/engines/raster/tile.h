@@ -16,6 +16,7 @@ struct TileJob {
     const TileGrid& grid;
     const std::vector<lighting::LightParameters>& lights;
     const Kernels& kernels;
+    bool has_blended;  ///< some material blends
 };
 
 /// Working memory of one tile; used again by the next one.
