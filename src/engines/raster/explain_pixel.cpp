@@ -31,7 +31,9 @@ public:
     }
 
 private:
-    TileJob job_of(const Inspection::Geometry& g) const { return {g.front, g.binned, g.grid, of_.lights(), *scalar::kernels()}; }
+    TileJob job_of(const Inspection::Geometry& g) const {
+        return {g.front, g.binned, g.grid, of_.lights(), *scalar::kernels(), true};
+    }
     const MaterialView& material_of(const CoveringTriangle& t) const {
         return of_.list().materials[of_.list().draws[t.draw].material].view;
     }

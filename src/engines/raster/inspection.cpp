@@ -35,7 +35,7 @@ Inspection::Geometry::Geometry(const Inspection& of, Window window, bool with_cu
       grid(settings.width, settings.height, window),
       front{.list = of.list(), .view = of.view(), .settings = settings, .memory = PictureMemory(context.memory())} {
     transform_draws(front, context);
-    binned = set_up_and_bin(front, grid, context);
+    binned = set_up_and_bin(front, grid, {}, context);
 }
 
 }  // namespace rakelight::raster
