@@ -23,7 +23,7 @@ struct Options {
     PictureRequest picture;  ///< output holds the name template
     InspectRequest inspect;
     SmoothFileOptions smooth;
-    SmoothBenchOptions bench;
+    BenchRequest bench;
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool json = false;

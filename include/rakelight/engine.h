@@ -84,11 +84,21 @@ public:
     std::vector<std::uint32_t> object, material;
 };
 
+/// Where the time of one render() call went [s]. The front end is measured from outside, on all threads; what is done tile by
+/// tile is the sum over all tiles, whichever thread had them: about threads times as long as the clock on the wall.
+struct StageTimes {
+    double front_end = 0;  ///< transformation, clipping, culling, set-up, sorting into tiles
+    double tiles = 0;      ///< from outside: all that follows
+    double visibility = 0, shading = 0, blending = 0;
+    double delivery = 0;   ///< what the sink does with the tiles, tone mapping included
+};
+
 /// Counts of one render() call.
 struct RenderStats {
     std::uint64_t triangles_in = 0, culled_back = 0, culled_degenerate = 0, culled_outside = 0, clipped = 0, drawn = 0;
     std::uint64_t pixels_covered = 0, pixels_shaded = 0;
     std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
+    StageTimes times;  ///< never the same twice
 };
 
 /// One way of making pictures. prepare() takes a scene up (again after an edit: only new blocks cost), render() draws it

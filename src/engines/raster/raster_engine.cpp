@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <mutex>
 
 #include "engines/raster/tile.h"
@@ -37,6 +38,16 @@ public:
     void give_back(std::unique_ptr<TileScratch> scratch) {
         const std::lock_guard lock(mutex_);
         free_.push_back(std::move(scratch));
+    }
+    /// What the tiles of this picture took, and begins anew. When no scratch is out.
+    void add_times_to(StageTimes& sum) {
+        for (const auto& scratch : free_) {
+            const StageTimes t = std::exchange(scratch->times, {});
+            sum.visibility += t.visibility;
+            sum.shading += t.shading;
+            sum.blending += t.blending;
+            sum.delivery += t.delivery;
+        }
     }
 
 private:
@@ -79,6 +90,30 @@ void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     sink.tile(result);
 }
 
+/// Seconds since the last lap, by the clock on the wall.
+class StageClock {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now(), before = std::exchange(last_, now);
+        return std::chrono::duration<double>(now - before).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink& sink) {
+    StageClock clock;
+    find_visible(job, tile, scratch);
+    scratch.times.visibility += clock.lap();
+    shade_opaque(job, tile, scratch);
+    scratch.times.shading += clock.lap();
+    blend_transparent(job, tile, scratch);
+    scratch.times.blending += clock.lap();
+    deliver(job, tile, scratch, sink);
+    scratch.times.delivery += clock.lap();
+}
+
 class SoftEngine final : public Engine {
 public:
     SoftEngine() : kernels_(kernels_for(isa_from_environment())) {}
@@ -92,16 +127,19 @@ public:
             throw Error(ErrorCode::usage, "the soft engine shades per pixel (phong) or not at all (unlit)", {},
                         "for a faceted look use --normals flat");
         const View view = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings);
+        StageClock clock;
         const TileGrid grid(settings.width, settings.height, settings.window);
         FrontEnd front{list_, view, settings, std::move(clip_), std::move(screen_), std::move(codes_), {}, {}, PictureMemory(context.memory())};
         transform_draws(front, context);
         Binned binned = set_up_and_bin(front, grid, std::move(binned_), context);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
+        front.stats.times.front_end = clock.lap();
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
         draw_tiles({front, binned, grid, lights, *kernels_, has_blended}, sink, context, front.stats);
         sink.end_pass(0);
+        front.stats.times.tiles = clock.lap();
         clip_ = std::move(front.clip);
         screen_ = std::move(front.screen);
         codes_ = std::move(front.codes);
@@ -118,16 +156,14 @@ private:
             if (context.cancelled()) return;
             auto scratch = pool_.take();
             scratch->covered = scratch->shaded = scratch->not_finite = 0;
-            find_visible(job, tile, *scratch);
-            shade_opaque(job, tile, *scratch);
-            blend_transparent(job, tile, *scratch);
-            deliver(job, tile, *scratch, sink);
+            draw_tile(job, tile, *scratch, sink);
             covered += scratch->covered;
             shaded += scratch->shaded;
             not_finite += scratch->not_finite;
             pool_.give_back(std::move(scratch));
             context.progress("render", double(++done) / double(job.grid.count()));
         });
+        pool_.add_times_to(stats.times);
         context.throw_if_cancelled();
         stats.pixels_covered = covered;
         stats.pixels_shaded = shaded;

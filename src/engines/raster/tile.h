@@ -37,6 +37,7 @@ struct TileScratch {
     std::vector<vec3> normal = std::vector<vec3>(tile_pixels);
     std::vector<std::uint32_t> object = std::vector<std::uint32_t>(tile_pixels), material = std::vector<std::uint32_t>(tile_pixels);
     std::uint64_t covered = 0, shaded = 0, not_finite = 0;
+    StageTimes times;  ///< of all tiles so far
 
     template <class T>
     static std::vector<T> batch() { return std::vector<T>(tile_pixels + batch_padding); }
