@@ -124,7 +124,8 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Shading", "--engine", w.engine, "NAME",
         "soft (default): own rasterizer, the same picture on every machine");
     add(app, "Shading", "--shading", w.shading, "HOW",
-        "phong (default: lighting at every pixel) or unlit (own color only)");
+        "How often lighting is evaluated: phong (default: at every pixel), gouraud (at every vertex), flat (once a face), "
+        "unlit (never: own color only)");
     add(app, "Shading", "--lighting", w.lighting, "MODEL",
         "auto (default: what the material says), lambert, phong, blinn-phong");
     add(app, "Shading", "--specular", w.specular, "FORM", "auto (default), textbook, normalized (conserves energy)");
@@ -221,6 +222,8 @@ Options parse(int argc, const char* const* argv) {
     CLI::App* render = app.add_subcommand("render", "Draw models to picture files");
     add_inputs(*render, options.inputs, "Model files, or builtin:teapot");
     add_render_options(*render, words);
+    render->add_flag("--stats", words.stats, "Say what the engine counted: lighting evaluations, triangles, pixels, overdraw")
+        ->group("Output");
     add_common_options(*render, common);
     render->footer(render_footer);
     CLI::App* inspect = app.add_subcommand("inspect", "Say what is in models: objects, materials, textures, seams");
@@ -251,6 +254,7 @@ Options parse(int argc, const char* const* argv) {
         throw usage_error(fault, app);
     }
     options.verb = render->parsed() ? Verb::render : Verb::inspect;
+    options.stats = words.stats;
     apply(inspect->parsed() ? inspect_words.render : words, options.picture);
     if (inspect->parsed()) apply(inspect_words, options.inspect, options.picture);
     if (smooth->parsed()) {

@@ -27,6 +27,7 @@ struct Options {
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool json = false;
+    bool stats = false;  ///< render says what it counted
     Loudness loudness = Loudness::normal;
 };
 

@@ -27,6 +27,9 @@ void add(RenderStats& sum, const RenderStats& s) {
     sum.pixels_covered += s.pixels_covered;
     sum.pixels_shaded += s.pixels_shaded;
     sum.pixels_not_finite += s.pixels_not_finite;
+    sum.lighting_evaluations += s.lighting_evaluations;
+    sum.vertices_lit_twice += s.vertices_lit_twice;
+    sum.depth_passes += s.depth_passes;
 }
 
 std::uint64_t count_objects(const Scene& scene) {

@@ -32,7 +32,7 @@ public:
 
 private:
     TileJob job_of(const Inspection::Geometry& g) const {
-        return {g.front, g.binned, g.grid, of_.lights(), *scalar::kernels(), true};
+        return {g.front, g.binned, g.grid, of_.lights(), *scalar::kernels(), true, g.points};
     }
     const MaterialView& material_of(const CoveringTriangle& t) const {
         return of_.list().materials[of_.list().draws[t.draw].material].view;
@@ -70,8 +70,7 @@ private:
     PixelTrace trace(const ScreenTriangle& s, ShadedLayer* layer) {
         const TileJob job = job_of(open_);
         const int ox = open_.grid.origin_x(0), oy = open_.grid.origin_y(0);
-        scratch_.triangles.resize(1);
-        make_shade_triangle(open_.front, s, ox, oy, scratch_.triangles[0]);
+        make_records(job, s, ox, oy, 0, scratch_);
         scratch_.x[0] = x_ - ox;
         scratch_.y[0] = y_ - oy;
         scratch_.triangle[0] = 0;
@@ -83,7 +82,7 @@ private:
         layer->is_unlit = batch.unlit != 0;
         layer->reflection_model = batch.reflection_model;
         layer->reflection_form = batch.reflection_form;
-        if (!layer->is_unlit) layer->lights = std::move(lights);
+        if (!layer->is_unlit && !pixel.is_lit_at_corners) layer->lights = std::move(lights);
         return pixel;
     }
 

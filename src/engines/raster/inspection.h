@@ -7,6 +7,7 @@
 
 #include "engines/raster/front_end.h"
 #include "engines/raster/kernels/trace_types.h"
+#include "engines/raster/light_points.h"
 
 namespace rakelight::raster {
 
@@ -36,7 +37,7 @@ struct CoveringTriangle {
 struct ShadedLayer {
     std::size_t triangle = 0;      ///< into PixelExplanation::triangles
     PixelTrace trace{};
-    std::vector<TracedLight> lights;  ///< as Scene::lights; empty for unlit surfaces
+    std::vector<TracedLight> lights;  ///< as Scene::lights; empty for unlit surfaces and where trace.is_lit_at_corners
     int reflection_model = 0, reflection_form = 0;  ///< of ShadeJob
     bool is_unlit = false, is_blended = false;
     vec4 before, after;            ///< the pixel, linear, before and after this layer
@@ -76,6 +77,7 @@ public:
         TileGrid grid;
         FrontEnd front;  ///< refers to `settings`
         Binned binned;
+        LightPoints points;  ///< flat and Gouraud: lit corners
     };
 
     /// Everything about one pixel. @throws Error usage: outside of the picture

@@ -123,9 +123,6 @@ public:
     void prepare(const Scene& scene, Context& context) override { list_ = make_draw_list(scene, textures_, context); }
 
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
-        if (settings.shading == Shading::flat || settings.shading == Shading::gouraud)
-            throw Error(ErrorCode::usage, "the soft engine shades per pixel (phong) or not at all (unlit)", {},
-                        "for a faceted look use --normals flat");
         const View view = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings);
         StageClock clock;
         const TileGrid grid(settings.width, settings.height, settings.window);
@@ -133,11 +130,12 @@ public:
         transform_draws(front, context);
         Binned binned = set_up_and_bin(front, grid, std::move(binned_), context);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
+        const LightPoints points = light_points(front, binned, lights, *kernels_, context);
         front.stats.times.front_end = clock.lap();
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
-        draw_tiles({front, binned, grid, lights, *kernels_, has_blended}, sink, context, front.stats);
+        draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points}, sink, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap();
         clip_ = std::move(front.clip);
@@ -149,17 +147,19 @@ public:
 
 private:
     void draw_tiles(const TileJob& job, Sink& sink, Context& context, RenderStats& stats) {
-        std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0};
+        std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, lit_pixels{0}, depth_passes{0};
         std::atomic<std::size_t> done{0};
         context.parallel_for(job.grid.count(), [&](std::size_t tile) {
             const FlushDenormals guard;
             if (context.cancelled()) return;
             auto scratch = pool_.take();
-            scratch->covered = scratch->shaded = scratch->not_finite = 0;
+            scratch->covered = scratch->shaded = scratch->not_finite = scratch->lit_pixels = scratch->depth_passes = 0;
             draw_tile(job, tile, *scratch, sink);
             covered += scratch->covered;
             shaded += scratch->shaded;
             not_finite += scratch->not_finite;
+            lit_pixels += scratch->lit_pixels;
+            depth_passes += scratch->depth_passes;
             pool_.give_back(std::move(scratch));
             context.progress("render", double(++done) / double(job.grid.count()));
         });
@@ -168,6 +168,8 @@ private:
         stats.pixels_covered = covered;
         stats.pixels_shaded = shaded;
         stats.pixels_not_finite = not_finite;
+        stats.lighting_evaluations += lit_pixels;
+        stats.depth_passes = depth_passes;
         if (not_finite > 0)
             context.report().add(Remark::warning, list_.scene.source, {}, std::to_string(not_finite) + " color values came out not finite and are shown black");
     }

@@ -10,6 +10,8 @@ namespace {
 
 bool is_finite(float v) { return v - v == 0; }
 
+bool is_lit_at_pixels(const ShadeJob& job) { return !job.unlit && !job.lit; }
+
 /// Colors of a finished batch into the tile; `over` blends (Porter & Duff 1984, straight alpha over an opaque ground).
 void store_batch(std::size_t count, bool over, TileScratch& s) {
     const auto finite = [&s](float v) {
@@ -39,9 +41,8 @@ std::int32_t record_of(const TileJob& job, std::size_t tile, std::int32_t positi
     std::int32_t& record = s.record[std::size_t(position)];
     if (record < 0) {
         record = std::int32_t(s.triangles.size());
-        s.triangles.emplace_back();
-        make_shade_triangle(job.front, job.binned.at(job.binned.items[job.binned.offsets[tile] + std::uint32_t(position)]),
-                            job.grid.origin_x(tile), job.grid.origin_y(tile), s.triangles.back());
+        make_records(job, job.binned.at(job.binned.items[job.binned.offsets[tile] + std::uint32_t(position)]), job.grid.origin_x(tile),
+                     job.grid.origin_y(tile), s.triangles.size(), s);
     }
     return record;
 }
@@ -65,6 +66,7 @@ void shade_run(const TileJob& job, std::size_t tile, std::uint32_t material, con
         batch.normal_z = s.normal_z.data();
     }
     job.kernels.shade(&batch);
+    if (is_lit_at_pixels(batch)) s.lit_pixels += count;
     if (batch.normal_x)
         for (std::size_t i = 0; i < count; ++i) s.normal[pixels[i]] = {s.normal_x[i], s.normal_y[i], s.normal_z[i]};
     store_batch(count, false, s);
@@ -100,8 +102,7 @@ void group_by_material(TileScratch& s) {
 }  // namespace
 
 ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count, TileScratch& s) {
-    const RenderSettings& settings = job.front.settings;
-    ShadeJob out{};
+    ShadeJob out = material_job(job.front, job.lights, material);
     out.count = std::int32_t(count);
     for (std::size_t i = 0; i < batch_padding; ++i) {  // dead lanes repeat the last pixel
         s.x[count + i] = s.x[count - 1];
@@ -112,25 +113,20 @@ ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count,
     out.y = s.y.data();
     out.triangle = s.triangle.data();
     out.triangles = s.triangles.data();
-    const MaterialView& view = job.front.list.materials[material].view;
-    out.material = &view;
-    out.lights = job.lights.data();
-    out.light_count = std::int32_t(job.lights.size());
-    out.reflection_model = settings.lighting == Lighting::lambert ? 0 : settings.lighting == Lighting::phong ? 1 : 2;
-    out.reflection_form = settings.specular_form == SpecularForm::automatic ? view.metallic_roughness
-                                                                       : settings.specular_form == SpecularForm::normalized;
-    out.specular_horizon = settings.specular_horizon;
-    out.orthogonalize = settings.orthogonalize;
-    out.bump = settings.bump != Bump::none;
-    out.unlit = view.unlit || settings.shading == Shading::unlit;
-    out.orthographic = job.front.view.orthographic;
-    const dvec3 back = job.front.view.camera_to_world[2].xyz();
-    out.view_direction[0] = float(back.x), out.view_direction[1] = float(back.y), out.view_direction[2] = float(back.z);
+    if (!job.points.draws.empty()) out.lit = s.lit.data();
     out.red = s.red.data();
     out.green = s.green.data();
     out.blue = s.blue.data();
     out.alpha = s.alpha.data();
     return out;
+}
+
+void make_records(const TileJob& job, const ScreenTriangle& s, int tile_x, int tile_y, std::size_t record, TileScratch& scratch) {
+    scratch.triangles.resize(record + 1);
+    make_shade_triangle(job.front, s, tile_x, tile_y, scratch.triangles[record]);
+    if (job.points.draws.empty()) return;
+    scratch.lit.resize(record + 1);
+    make_lit_triangle(job.front, job.points, s, scratch.triangles[record], scratch.lit[record]);
 }
 
 void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
@@ -180,10 +176,10 @@ void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
             s.triangle[count++] = 0;
         });
         if (count == 0) continue;
-        s.triangles.resize(1);
-        make_shade_triangle(job.front, t, ox, oy, s.triangles[0]);
+        make_records(job, t, ox, oy, 0, s);
         const ShadeJob batch = make_job(job, job.front.list.draws[t.draw].material, count, s);
         job.kernels.shade(&batch);
+        if (is_lit_at_pixels(batch)) s.lit_pixels += count;
         store_batch(count, true, s);
     }
 }

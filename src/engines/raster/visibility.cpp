@@ -31,6 +31,7 @@ void cover_masked(const TileJob& job, const ScreenTriangle& s, std::int32_t posi
         const auto p = std::size_t(scratch.y[i] * tile_size + scratch.x[i]);
         scratch.depth[p] = scratch.batch_depth[i];
         scratch.visible[p] = position;
+        ++scratch.depth_passes;
     }
 }
 
@@ -121,7 +122,10 @@ void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch) {
             continue;
         }
         Coverage c;
-        if (set_coverage(s, area, ox, oy, c)) farthest.written(cover_opaque(job, c, position, scratch));
+        if (!set_coverage(s, area, ox, oy, c)) continue;
+        const std::int32_t written = cover_opaque(job, c, position, scratch);
+        scratch.depth_passes += std::uint64_t(written);
+        farthest.written(written);
     }
 }
 

@@ -149,6 +149,29 @@ TEST(ExplainPixel, SumsAreThePicturesBitsUnderEverySetting) {
     expect_all_explained(scene, s, flat_camera(), 5);
 }
 
+TEST(ExplainPixel, LightOfTheCornersTimesWhatThePixelReflectsIsItsColor) {
+    const Scene scene = busy_scene();
+    for (const Shading shading : {Shading::flat, Shading::gouraud}) {
+        RenderSettings s = settings();
+        s.shading = shading;
+        expect_all_explained(scene, s, eye(), 5);
+        Context context({.threads = 1});
+        const raster::Inspection inspection(scene, eye(), s, context);
+        int lit = 0;
+        for (int x = 0; x < width; x += 3)
+            for (const raster::ShadedLayer& layer : inspection.explain(x, height / 2, context).layers) {
+                const raster::PixelTrace& t = layer.trace;
+                EXPECT_TRUE(layer.lights.empty());
+                EXPECT_EQ(t.is_lit_at_corners != 0, !layer.is_unlit);
+                if (layer.is_unlit) continue;
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_EQ(t.emission[c] + (t.k_ambient[c] * t.received[0][c] + t.k_diffuse[c] * t.received[1][c] + t.k_specular[c] * t.received[2][c]), t.color[c]);
+                ++lit;
+            }
+        EXPECT_GT(lit, 20);
+    }
+}
+
 TEST(ExplainPixel, TermsOfALightAddUpFromTheEmissionOn) {
     const Scene scene = busy_scene();
     Context context({.threads = 1});

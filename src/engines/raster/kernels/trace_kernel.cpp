@@ -117,6 +117,13 @@ void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surf
     }
 }
 
+void trace_received(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
+    const ReceivedLight light = interpolate_light(job.lit, p.triangle, p.b);
+    put(out.received[0], light.ambient);
+    put(out.received[1], light.diffuse);
+    put(out.received[2], light.specular);
+}
+
 }  // namespace
 
 void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights) {
@@ -142,7 +149,9 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights) {
     vec3 emission = splat(m.emission);
     if (m.emission_map.view != nullptr) emission = emission * rgb(texel(m.emission_map, p));
     put(out.emission, emission);
-    if (job->unlit == 0) trace_lights(*job, p, surface, emission, lights);
+    out.is_lit_at_corners = job->unlit == 0 && job->lit != nullptr;
+    if (out.is_lit_at_corners) trace_received(*job, p, out);
+    if (job->unlit == 0 && job->lit == nullptr) trace_lights(*job, p, surface, emission, lights);
     put(out.color, lit_color(*job, p, base.color, surface));
     out.alpha = base.color.w;
 }

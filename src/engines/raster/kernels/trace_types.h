@@ -53,13 +53,15 @@ struct PixelTrace {
     float k_ambient[3], k_diffuse[3], k_specular[3], exponent;
     float metallic, roughness;
     float emission[3];        ///< first term of the sum
+    int32_t is_lit_at_corners;  ///< flat and Gouraud: the sum is emission + k_a received[0] + k_d received[1] + k_s received[2]
+    float received[3][3];     ///< ambient, diffuse, specular light at the pixel, interpolated; 0 where it is lit at the pixel
     TracedTexture map[traced_maps];
     float color[3], alpha;    ///< the kernel's own result
 };
 
 namespace trace {
 /// Shades the first pixel of a job as its `shade` does and records how. `lights` takes job->light_count entries; those of
-/// unlit surfaces are left as they are. The numbers are those of the engine's kernels to the bit, which run the same source.
+/// unlit surfaces and of surfaces lit at their corners are left as they are. The numbers are those of the engine's kernels to the bit, which run the same source.
 void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights);
 }  // namespace trace
 
