@@ -36,7 +36,7 @@ Inspection::Geometry::Geometry(const Inspection& of, Window window, bool with_cu
       front{.list = of.list(), .view = of.view(), .settings = settings, .memory = PictureMemory(context.memory())} {
     transform_draws(front, context);
     binned = set_up_and_bin(front, grid, {}, context);
-    points = light_points(front, binned, of.lights(), *scalar::kernels(), context);
+    points = light_points(front, binned, of.lights(), *scalar::kernels(), {}, context);
 }
 
 }  // namespace rakelight::raster

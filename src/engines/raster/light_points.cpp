@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <utility>
 
+#include "base/assert.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {
@@ -12,53 +14,49 @@ namespace {
 
 constexpr std::size_t points_per_task = 1024;
 
-/// Which points of each draw are to be lit: bit 1 as they are, bit 2 with the normal turned round.
-class Marks {
-public:
-    explicit Marks(FrontEnd& front) : points_(front.list.draws.size()), sides_(front.list.draws.size(), 0) {
-        for (std::size_t d = 0; d < points_.size(); ++d) {
-            const Draw& draw = front.list.draws[d];
-            if (front.clip[d].empty() || front.list.materials[draw.material].view.unlit) continue;
-            const Mesh& mesh = front.list.scene.meshes[draw.mesh];
-            const std::size_t count = is_per_face(front, mesh) ? mesh.triangle_count() : mesh.positions.size();
-            front.memory.add(count);
-            points_[d].resize(count);
-        }
+bool is_per_face(const FrontEnd& front, const Mesh& mesh) {
+    return front.settings.shading == Shading::flat || mesh.normals.empty();
+}
+
+void clear(FrontEnd& front, LightPoints& points) {
+    points.draws.resize(front.list.draws.size());
+    for (std::size_t d = 0; d < points.draws.size(); ++d) {
+        const Draw& draw = front.list.draws[d];
+        const Mesh& mesh = front.list.scene.meshes[draw.mesh];
+        DrawLight& light = points.draws[d];
+        light.per_face = is_per_face(front, mesh);
+        light.sides = 0;
+        light.marks.clear();
+        if (front.clip[d].empty() || front.list.materials[draw.material].view.unlit) continue;
+        const std::size_t count = light.per_face ? mesh.triangle_count() : mesh.positions.size();
+        front.memory.add(count);
+        light.marks.resize(count);
     }
+}
 
-    static bool is_per_face(const FrontEnd& front, const Mesh& mesh) {
-        return front.settings.shading == Shading::flat || mesh.normals.empty();
-    }
+/// From any thread.
+void set_bit(std::uint8_t& byte, std::uint8_t bit) {
+    const std::atomic_ref<std::uint8_t> shared(byte);
+    if ((shared.load(std::memory_order_relaxed) & bit) == 0) shared.fetch_or(bit, std::memory_order_relaxed);
+}
 
-    bool is_lit(std::size_t draw) const { return !points_[draw].empty(); }
-    /// From any thread.
-    void set(std::size_t draw, std::size_t point, std::uint8_t bit) {
-        set_bit(points_[draw][point], bit);
-        set_bit(sides_[draw], bit);
-    }
-    std::uint8_t sides(std::size_t draw) const { return sides_[draw]; }
-    const std::vector<std::uint8_t>& points(std::size_t draw) const { return points_[draw]; }
-
-private:
-    static void set_bit(std::uint8_t& byte, std::uint8_t bit) {
-        const std::atomic_ref<std::uint8_t> shared(byte);
-        if ((shared.load(std::memory_order_relaxed) & bit) == 0) shared.fetch_or(bit, std::memory_order_relaxed);
-    }
-
-    std::vector<std::vector<std::uint8_t>> points_;
-    std::vector<std::uint8_t> sides_;
-};
-
-void mark(const FrontEnd& front, const std::vector<ScreenTriangle>& triangles, Marks& marks) {
+/// The points of triangles that are all of one draw.
+void mark(const FrontEnd& front, const std::vector<ScreenTriangle>& triangles, LightPoints& points) {
+    if (triangles.empty()) return;
+    const std::uint32_t draw = triangles[0].draw;
+    DrawLight& light = points.draws[draw];
+    if (light.marks.empty()) return;
+    const Mesh& mesh = front.list.scene.meshes[front.list.draws[draw].mesh];
+    const DrawFrame frame(front, draw);
     for (const ScreenTriangle& s : triangles) {
-        if (!marks.is_lit(s.draw)) continue;
-        if (Marks::is_per_face(front, front.list.scene.meshes[front.list.draws[s.draw].mesh])) {
-            marks.set(s.draw, s.triangle, 1);
+        RL_ASSERT(s.draw == draw, "a chunk is part of one draw");
+        const auto bit = std::uint8_t(light.per_face ? 1 : 1 << frame.seen_side(s));
+        set_bit(light.sides, bit);
+        if (light.per_face) {
+            set_bit(light.marks[s.triangle], bit);
             continue;
         }
-        std::uint32_t index[3];
-        const int side = seen_side(front, DrawFrame(front, s.draw), s, index);
-        for (const std::uint32_t vertex : index) marks.set(s.draw, vertex, std::uint8_t(1 << side));
+        for (std::size_t k = 0; k < 3; ++k) set_bit(light.marks[mesh.indices[3 * std::size_t(s.triangle) + k]], bit);
     }
 }
 
@@ -83,6 +81,10 @@ struct Batch {
         }
         point[count++] = p;
     }
+    std::uint64_t count_marked(const std::vector<std::uint8_t>& marks, std::uint8_t bits) const {
+        return std::uint64_t(std::count_if(point.begin(), point.begin() + std::ptrdiff_t(count),
+                                           [&](std::uint32_t p) { return marks[p] == bits; }));
+    }
     /// Dead lanes repeat the last point.
     void pad() {
         for (std::size_t c = 0; c < 3; ++c)
@@ -91,14 +93,13 @@ struct Batch {
     }
 };
 
-void gather(const FrontEnd& front, const Task& task, bool per_face, const std::vector<std::uint8_t>& marks,
-            Batch& batch) {
+void gather(const FrontEnd& front, const Task& task, const DrawLight& light, Batch& batch) {
     const DrawFrame frame(front, task.draw);
-    const std::size_t end = std::min(marks.size(), task.first + points_per_task);
+    const std::size_t end = std::min(light.marks.size(), task.first + points_per_task);
     for (std::size_t p = task.first; p < end; ++p) {
-        if ((marks[p] & (1 << task.side)) == 0) continue;
+        if ((light.marks[p] & (1 << task.side)) == 0) continue;
         const auto point = std::uint32_t(p);
-        if (per_face) {
+        if (light.per_face) {
             const DrawFrame::Face face = frame.face(point);
             batch.add(point, face.centroid, face.normal);
         } else {
@@ -145,23 +146,24 @@ void scatter(const Batch& batch, std::vector<LitPoint>& to) {
 }
 
 /// Room for the sides that are seen, and what is to be done.
-std::vector<Task> plan(FrontEnd& front, const Marks& marks, LightPoints& points) {
+std::vector<Task> plan(FrontEnd& front, LightPoints& points) {
     std::vector<Task> tasks;
     for (std::size_t d = 0; d < points.draws.size(); ++d)
         for (int side = 0; side < 2; ++side) {
-            if ((marks.sides(d) & (1 << side)) == 0) continue;
-            const std::size_t count = marks.points(d).size();
+            DrawLight& light = points.draws[d];
+            if ((light.sides & (1 << side)) == 0) continue;
+            const std::size_t count = light.marks.size();
             front.memory.add(count * sizeof(LitPoint));
-            points.draws[d].side[side].resize(count);
+            light.side[side].resize(count);
             for (std::size_t p = 0; p < count; p += points_per_task) tasks.push_back({std::uint32_t(d), side, p});
         }
     return tasks;
 }
 
-void remark_maps(const FrontEnd& front, const Marks& marks, Context& context) {
+void remark_maps(const FrontEnd& front, const LightPoints& points, Context& context) {
     if (front.settings.bump == Bump::none) return;
     for (std::size_t d = 0; d < front.list.draws.size(); ++d)
-        if (marks.sides(d) != 0 && front.list.materials[front.list.draws[d].material].view.normal_map.view) {
+        if (points.draws[d].sides != 0 && front.list.materials[front.list.draws[d].material].view.normal_map.view) {
             context.report().add(
                 Remark::dropped, front.list.scene.source, {},
                 "normal maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels");
@@ -172,37 +174,33 @@ void remark_maps(const FrontEnd& front, const Marks& marks, Context& context) {
 }  // namespace
 
 LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,
-                         const Kernels& kernels, Context& context) {
-    LightPoints points;
-    if (front.settings.shading != Shading::flat && front.settings.shading != Shading::gouraud) return points;
-    Marks marks(front);
+                         const Kernels& kernels, LightPoints&& used, Context& context) {
+    LightPoints points = std::move(used);
+    points.is_used = front.settings.shading == Shading::flat || front.settings.shading == Shading::gouraud;
+    if (!points.is_used) return points;
+    clear(front, points);
     context.parallel_for(binned.chunks.size(), [&](std::size_t c) {
         const FlushDenormals guard;
-        mark(front, binned.chunks[c], marks);
+        mark(front, binned.chunks[c], points);
     });
-    points.draws.resize(front.list.draws.size());
-    for (std::size_t d = 0; d < points.draws.size(); ++d)
-        points.draws[d].per_face = Marks::is_per_face(front, front.list.scene.meshes[front.list.draws[d].mesh]);
-    const std::vector<Task> tasks = plan(front, marks, points);
+    const std::vector<Task> tasks = plan(front, points);
     std::atomic<std::uint64_t> evaluations{0}, twice{0};
     context.parallel_for(tasks.size(), [&](std::size_t t) {
         const FlushDenormals guard;
         const Task& task = tasks[t];
-        const std::vector<std::uint8_t>& marked = marks.points(task.draw);
+        DrawLight& light = points.draws[task.draw];
         Batch batch;
-        gather(front, task, points.draws[task.draw].per_face, marked, batch);
+        gather(front, task, light, batch);
         if (context.cancelled() || batch.count == 0) return;
         run_kernel(material_job(front, lights, front.list.draws[task.draw].material), kernels, batch);
-        scatter(batch, points.draws[task.draw].side[task.side]);
+        scatter(batch, light.side[task.side]);
         evaluations += batch.count;
-        if (task.side == 1)
-            twice += std::uint64_t(std::count_if(batch.point.begin(), batch.point.begin() + std::ptrdiff_t(batch.count),
-                                                 [&](std::uint32_t p) { return marked[p] == 3; }));
+        if (task.side == 1) twice += batch.count_marked(light.marks, 3);
     });
     context.throw_if_cancelled();
     front.stats.lighting_evaluations = evaluations;
     front.stats.vertices_lit_twice = twice;
-    remark_maps(front, marks, context);
+    remark_maps(front, points, context);
     return points;
 }
 

@@ -130,7 +130,7 @@ public:
         transform_draws(front, context);
         Binned binned = set_up_and_bin(front, grid, std::move(binned_), context);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
-        const LightPoints points = light_points(front, binned, lights, *kernels_, context);
+        LightPoints points = light_points(front, binned, lights, *kernels_, std::move(points_), context);
         front.stats.times.front_end = clock.lap();
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended =
@@ -142,6 +142,7 @@ public:
         screen_ = std::move(front.screen);
         codes_ = std::move(front.codes);
         binned_ = std::move(binned);
+        points_ = std::move(points);
         return front.stats;
     }
 
@@ -183,6 +184,7 @@ private:
     std::vector<std::vector<ScreenPoint>> screen_;
     std::vector<std::vector<std::uint16_t>> codes_;
     Binned binned_;
+    LightPoints points_;
 };
 
 }  // namespace

@@ -113,7 +113,7 @@ ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count,
     out.y = s.y.data();
     out.triangle = s.triangle.data();
     out.triangles = s.triangles.data();
-    if (!job.points.draws.empty()) out.lit = s.lit.data();
+    if (job.points.is_used) out.lit = s.lit.data();
     out.red = s.red.data();
     out.green = s.green.data();
     out.blue = s.blue.data();
@@ -124,7 +124,7 @@ ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count,
 void make_records(const TileJob& job, const ScreenTriangle& s, int tile_x, int tile_y, std::size_t record, TileScratch& scratch) {
     scratch.triangles.resize(record + 1);
     make_shade_triangle(job.front, s, tile_x, tile_y, scratch.triangles[record]);
-    if (job.points.draws.empty()) return;
+    if (!job.points.is_used) return;
     scratch.lit.resize(record + 1);
     make_lit_triangle(job.front, job.points, s, scratch.triangles[record], scratch.lit[record]);
 }

@@ -59,8 +59,8 @@ void set_colors(float (&to)[3][4], const Mesh& mesh, const std::uint32_t (&index
     }
 }
 
-}  // namespace
-
+/// Whether the shading normal is turned round. A surface that is shown from both sides is lit from the side it is seen from:
+/// by winding where the format gives winding a meaning, else so that the normals agree with the side that faces the viewer.
 float facing(const FrontEnd& front, const ScreenTriangle& s, const dvec3 (&position)[3], const dvec3 (&normal)[3]) {
     const DrawMaterial& material = front.list.materials[front.list.draws[s.draw].material];
     if (!material.classical) return s.is_back ? -1.0f : 1.0f;
@@ -69,6 +69,8 @@ float facing(const FrontEnd& front, const ScreenTriangle& s, const dvec3 (&posit
     const double seen = dot(face, to_viewer), agree = dot(face, normal[0] + normal[1] + normal[2]);
     return (seen < 0) != (agree < 0) ? -1.0f : 1.0f;
 }
+
+}  // namespace
 
 void make_shade_triangle(const FrontEnd& front, const ScreenTriangle& s, int tile_x, int tile_y, ShadeTriangle& out) {
     const Draw& draw = front.list.draws[s.draw];
