@@ -115,7 +115,7 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     add(render, "--engine", w.engines, "NAMES", "Engines, separated by commas; their pictures are interleaved (default soft)");
     add(render, "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1920,1080)");
     add(render, "--frames", w.frames, "N", "Counted pictures of each engine, after one that is not counted (default 15)");
-    add(render, "--shading", w.shading, "HOW", "phong (default) or unlit");
+    add(render, "--shading", w.shading, "HOW", "phong (default), gouraud, flat or unlit");
     add(render, "--bump", w.bump, "HOW", "normal (default: use normal maps) or none");
     add(render, "-o,--output", w.output, "FILE", "Also write the picture of the first engine");
     add(render, "--export", w.export_file, "FILE", "Also write the scene as .glb, for other programs to be measured with");

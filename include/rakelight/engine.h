@@ -87,7 +87,7 @@ public:
 /// Where the time of one render() call went [s]. The front end is measured from outside, on all threads; what is done tile by
 /// tile is the sum over all tiles, whichever thread had them: about threads times as long as the clock on the wall.
 struct StageTimes {
-    double front_end = 0;  ///< transformation, clipping, culling, set-up, sorting into tiles
+    double front_end = 0;  ///< transformation, clipping, culling, set-up, sorting into tiles; lighting of faces or vertices
     double tiles = 0;      ///< from outside: all that follows
     double visibility = 0, shading = 0, blending = 0;
     double delivery = 0;   ///< what the sink does with the tiles, tone mapping included
