@@ -2,6 +2,7 @@
 // The soft engine beside OpenGL without a GPU: the same scene, equations and texels, pictures in sRGB on both sides, frame by
 // frame in turns. Says medians, their ratio, and how much the pictures differ.
 //   gl_peer --triangles 100k --lights 2 --cases normal,phong,gouraud,unlit --pictures /tmp/peer- --json
+// --least-psnr DB fails where the pictures of both sides agree less.
 // One call is one OpenGL version: what a package brings is chosen by the loader (LD_LIBRARY_PATH, LIBGL_DRIVERS_PATH).
 #include <rakelight/bench.h>
 
@@ -35,6 +36,7 @@ struct Options {
     int width = 1920, height = 1080, frames = 9, samples = 1, threads = 0;
     std::vector<std::string> cases = {"normal"};
     std::string pictures;
+    double least_psnr_db = 0;
     bool json = false, gl_only = false;
 };
 
@@ -72,6 +74,7 @@ Options parse(int argc, char** argv) {
         else if (option == "--samples") o.samples = int(number(value, 1, 4));
         else if (option == "--threads") o.threads = int(number(value, 1, 1024));
         else if (option == "--cases") o.cases = split(value);
+        else if (option == "--least-psnr") o.least_psnr_db = double(number(value, 1, 100));
         else if (option == "--pictures") o.pictures = value;
         else if (option == "--resolution") {
             const auto sides = split(value);
@@ -229,6 +232,9 @@ void run(const Options& o) {
                        {"width", o.width}, {"height", o.height}, {"frames", o.frames}, {"gl_renderer", gl.renderer()}, {"gl_version", gl.version()}};
     if (o.json) std::printf("%s\n", json.dump(2).c_str());
     else print(json);
+    for (const Json& row : rows)
+        if (row.contains("psnr_db") && row["psnr_db"].get<double>() < o.least_psnr_db)
+            throw Error(ErrorCode::check_failed, row["case"].get<std::string>() + ": the pictures differ by more than --least-psnr");
 }
 
 }  // namespace
