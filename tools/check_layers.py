@@ -42,7 +42,7 @@ PUBLIC = {
     "engine": "engines",
     "render": "render",
     "picture": "render", "version": "render",
-    "inspect": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
+    "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
 }
 
 # Third-party include (regular expression) -> the modules that may use it.

@@ -82,4 +82,13 @@ Examples:
       One row a file, schema rakelight.smooth/1.
   rakelight smooth scan.stl -o scan.ply --crease-angle 180)";
 
+inline constexpr const char* explain_footer =
+    R"(The options are those of render: the pixel is that of the picture which render would
+draw with them, and its numbers are the engine's own, to the bit.
+
+Examples:
+  rakelight explain helmet.glb --pixel 640,360
+  rakelight explain builtin:teapot --resolution 320,240 --pixel 100,120 --json
+      Schema rakelight.explain/1.)";
+
 }  // namespace rakelight::cli

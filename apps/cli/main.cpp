@@ -52,6 +52,8 @@ int run(int argc, const char* const* argv) {
             return run_render(options);
         case Verb::inspect:
             return run_inspect(options);
+        case Verb::explain:
+            return run_explain(options);
         case Verb::bench:
             return run_bench(options);
         case Verb::smooth:

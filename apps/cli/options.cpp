@@ -16,7 +16,7 @@ namespace rakelight::cli {
 namespace {
 
 constexpr std::size_t column_width = 32, page_width = 100;
-constexpr std::string_view verbs[] = {"render", "inspect", "smooth", "bench"};
+constexpr std::string_view verbs[] = {"render", "inspect", "smooth", "bench", "explain"};
 
 /// CLI11's layout with descriptions wrapped to the page and single blank lines.
 class HelpLayout final : public CLI::Formatter {
@@ -170,7 +170,7 @@ void check_words(int argc, const char* const* argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (argc > 1 && !first.starts_with('-') && std::find(std::begin(verbs), std::end(verbs), first) == std::end(verbs))
         throw Error(ErrorCode::usage, "unknown command '" + one_line(std::string(first), 40) + "'", {},
-                    "use render, smooth, inspect or bench, see rakelight --help");
+                    "use render, smooth, inspect, explain or bench, see rakelight --help");
     for (int i = 2; i < argc && std::string_view(argv[i]) != "--"; ++i) {
         const std::string_view word = argv[i], option = argv[i - 1];
         const bool is_value = option.starts_with('-') && option.find('=') == option.npos;
@@ -242,6 +242,12 @@ Options parse(int argc, const char* const* argv) {
     BenchWords bench_words;
     add_bench_options(*bench, bench_words);
     add_common_options(*bench, common);
+    CLI::App* explain = app.add_subcommand("explain", "Say why a pixel has its color: every number on the way to it");
+    ExplainWords explain_words;
+    add_inputs(*explain, options.inputs, "Model files, or builtin:teapot");
+    add_explain_options(*explain, explain_words);
+    add_common_options(*explain, common);
+    explain->footer(explain_footer);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -261,6 +267,11 @@ Options parse(int argc, const char* const* argv) {
         options.verb = Verb::smooth;
         options.picture.output = smooth_words.output;
         apply(smooth_words, options.smooth);
+    }
+    if (explain->parsed()) {
+        options.verb = Verb::explain;
+        apply(explain_words.render, options.picture);
+        apply(explain_words, options.explain, options.picture);
     }
     if (bench->parsed()) {
         options.verb = Verb::bench;

@@ -9,12 +9,13 @@
 
 #include "bench_verb.h"
 #include "console.h"
+#include "explain_verb.h"
 #include "inspect_verb.h"
 #include "smooth_verb.h"
 
 namespace rakelight::cli {
 
-enum class Verb { help, version, render, inspect, smooth, bench };
+enum class Verb { help, version, render, inspect, smooth, bench, explain };
 
 struct Options {
     Verb verb = Verb::help;
@@ -24,6 +25,7 @@ struct Options {
     InspectRequest inspect;
     SmoothFileOptions smooth;
     BenchRequest bench;
+    ExplainRequest explain;
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool json = false;

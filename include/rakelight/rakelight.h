@@ -8,6 +8,7 @@
 #include <rakelight/context.h>
 #include <rakelight/engine.h>
 #include <rakelight/error.h>
+#include <rakelight/explain.h>
 #include <rakelight/image.h>
 #include <rakelight/inspect.h>
 #include <rakelight/picture.h>

@@ -37,7 +37,8 @@ std::uint64_t count_objects(const Scene& scene) {
         std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
 }
 
-/// The scene with the lights that the picture is lit by.
+}  // namespace
+
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
     if (request.lights)
         scene.lights = *request.lights;
@@ -45,8 +46,6 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
         scene.lights = default_lights(camera.to_world);
     return scene;
 }
-
-}  // namespace
 
 Window whole_window(const RenderSettings& s) {
     return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
