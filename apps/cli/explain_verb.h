@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `rakelight explain` and `rakelight stages`: their options, and the verbs themselves.
+// `rakelight explain`: its options, and the verb itself.
 #pragma once
 #include <string>
 

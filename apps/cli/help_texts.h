@@ -91,4 +91,13 @@ Examples:
   rakelight explain builtin:teapot --resolution 320,240 --pixel 100,120 --json
       Schema rakelight.explain/1.)";
 
+inline constexpr const char* stages_footer =
+    R"(Stages: model, world, camera and clip space, clipped polygons, normalized device
+coordinates, screen, culled faces, coverage, depth, visibility, normals, each light's
+ambient, diffuse and specular term, the picture. Open DIR/index.html in a browser.
+
+Examples:
+  rakelight stages helmet.glb -o helmet-stages
+  rakelight stages *.glb -o 'out/{model}' --resolution 640,360)";
+
 }  // namespace rakelight::cli

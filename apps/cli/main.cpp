@@ -54,6 +54,8 @@ int run(int argc, const char* const* argv) {
             return run_inspect(options);
         case Verb::explain:
             return run_explain(options);
+        case Verb::stages:
+            return run_stages(options);
         case Verb::bench:
             return run_bench(options);
         case Verb::smooth:

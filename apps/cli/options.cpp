@@ -16,7 +16,7 @@ namespace rakelight::cli {
 namespace {
 
 constexpr std::size_t column_width = 32, page_width = 100;
-constexpr std::string_view verbs[] = {"render", "inspect", "smooth", "bench", "explain"};
+constexpr std::string_view verbs[] = {"render", "inspect", "smooth", "bench", "explain", "stages"};
 
 /// CLI11's layout with descriptions wrapped to the page and single blank lines.
 class HelpLayout final : public CLI::Formatter {
@@ -170,7 +170,7 @@ void check_words(int argc, const char* const* argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (argc > 1 && !first.starts_with('-') && std::find(std::begin(verbs), std::end(verbs), first) == std::end(verbs))
         throw Error(ErrorCode::usage, "unknown command '" + one_line(std::string(first), 40) + "'", {},
-                    "use render, smooth, inspect, explain or bench, see rakelight --help");
+                    "use render, smooth, inspect, explain, stages or bench, see rakelight --help");
     for (int i = 2; i < argc && std::string_view(argv[i]) != "--"; ++i) {
         const std::string_view word = argv[i], option = argv[i - 1];
         const bool is_value = option.starts_with('-') && option.find('=') == option.npos;
@@ -248,6 +248,12 @@ Options parse(int argc, const char* const* argv) {
     add_explain_options(*explain, explain_words);
     add_common_options(*explain, common);
     explain->footer(explain_footer);
+    CLI::App* stages = app.add_subcommand("stages", "Show what each stage of the pipeline makes of a model: a page with pictures and tables");
+    RenderWords stages_words;
+    add_inputs(*stages, options.inputs, "Model files, or builtin:teapot");
+    add_stages_options(*stages, stages_words);
+    add_common_options(*stages, common);
+    stages->footer(stages_footer);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -272,6 +278,10 @@ Options parse(int argc, const char* const* argv) {
         options.verb = Verb::explain;
         apply(explain_words.render, options.picture);
         apply(explain_words, options.explain, options.picture);
+    }
+    if (stages->parsed()) {
+        options.verb = Verb::stages;
+        apply(stages_words, options.picture);
     }
     if (bench->parsed()) {
         options.verb = Verb::bench;

@@ -12,10 +12,11 @@
 #include "explain_verb.h"
 #include "inspect_verb.h"
 #include "smooth_verb.h"
+#include "stages_verb.h"
 
 namespace rakelight::cli {
 
-enum class Verb { help, version, render, inspect, smooth, bench, explain };
+enum class Verb { help, version, render, inspect, smooth, bench, explain, stages };
 
 struct Options {
     Verb verb = Verb::help;

@@ -17,5 +17,6 @@
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
 #include <rakelight/smooth_file.h>
+#include <rakelight/stages.h>
 #include <rakelight/vector.h>
 #include <rakelight/version.h>
