@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The soft engine beside OpenGL without a GPU: the same scene, equations and texels, pictures in sRGB on both sides, frame by
-// frame in turns. Says medians, their ratio, and how much the pictures differ.
+// The soft engine beside OpenGL without a GPU: the same scene, equations and texels, pictures in sRGB on both sides,
+// frame by frame in turns. Says medians, their ratio, and how much the pictures differ.
 //   gl_peer --triangles 100k --lights 2 --cases normal,phong,gouraud,unlit --pictures /tmp/peer- --json
 // --least-psnr DB fails where the pictures of both sides agree less.
 // One call is one OpenGL version: what a package brings is chosen by the loader (LD_LIBRARY_PATH, LIBGL_DRIVERS_PATH).
@@ -47,13 +47,15 @@ long number(const char* word, long low, long high) {
     long n = std::strtol(word, &end, 10);
     if (*end == 'k') n *= 1000, ++end;
     if (*end == 'M') n *= 1'000'000, ++end;
-    if (end == word || *end || n < low || n > high) wrong(std::string("'") + word + "' is no number that is possible here");
+    if (end == word || *end || n < low || n > high)
+        wrong(std::string("'") + word + "' is no number that is possible here");
     return n;
 }
 
 std::vector<std::string> split(std::string words) {
     std::vector<std::string> all;
-    for (std::size_t at; (at = words.find(',')) != std::string::npos; words.erase(0, at + 1)) all.push_back(words.substr(0, at));
+    for (std::size_t at; (at = words.find(',')) != std::string::npos; words.erase(0, at + 1))
+        all.push_back(words.substr(0, at));
     all.push_back(words);
     return all;
 }
@@ -68,19 +70,28 @@ Options parse(int argc, char** argv) {
         }
         if (++i == argc) wrong(option + " is unknown or lacks its value");
         const char* const value = argv[i];
-        if (option == "--triangles") o.triangles = std::uint64_t(number(value, 2000, 100'000'000));
-        else if (option == "--lights") o.lights = std::uint32_t(number(value, 0, bench_lights_max));
-        else if (option == "--frames") o.frames = int(number(value, 1, 10'000));
-        else if (option == "--samples") o.samples = int(number(value, 1, 4));
-        else if (option == "--threads") o.threads = int(number(value, 1, 1024));
-        else if (option == "--cases") o.cases = split(value);
-        else if (option == "--least-psnr") o.least_psnr_db = double(number(value, 1, 100));
-        else if (option == "--pictures") o.pictures = value;
+        if (option == "--triangles")
+            o.triangles = std::uint64_t(number(value, 2000, 100'000'000));
+        else if (option == "--lights")
+            o.lights = std::uint32_t(number(value, 0, bench_lights_max));
+        else if (option == "--frames")
+            o.frames = int(number(value, 1, 10'000));
+        else if (option == "--samples")
+            o.samples = int(number(value, 1, 4));
+        else if (option == "--threads")
+            o.threads = int(number(value, 1, 1024));
+        else if (option == "--cases")
+            o.cases = split(value);
+        else if (option == "--least-psnr")
+            o.least_psnr_db = double(number(value, 1, 100));
+        else if (option == "--pictures")
+            o.pictures = value;
         else if (option == "--resolution") {
             const auto sides = split(value);
             if (sides.size() != 2) wrong("--resolution takes W,H");
             o.width = int(number(sides[0].c_str(), 1, 16384)), o.height = int(number(sides[1].c_str(), 1, 16384));
-        } else wrong("'" + option + "' is unknown");
+        } else
+            wrong("'" + option + "' is unknown");
     }
     return o;
 }
@@ -100,8 +111,12 @@ struct Timings {
         return 0.5 * (v[(v.size() - 1) / 2] + v[v.size() / 2]);
     }
     Json json(const std::string& engine, const std::string& what) const {
-        return {{"engine", engine}, {"case", what}, {"median_ms", median(ms)}, {"fastest_ms", *std::min_element(ms.begin(), ms.end())},
-                {"slowest_ms", *std::max_element(ms.begin(), ms.end())}, {"cpu_ms", median(cpu_ms)}};
+        return {{"engine", engine},
+                {"case", what},
+                {"median_ms", median(ms)},
+                {"fastest_ms", *std::min_element(ms.begin(), ms.end())},
+                {"slowest_ms", *std::max_element(ms.begin(), ms.end())},
+                {"cpu_ms", median(cpu_ms)}};
     }
 };
 
@@ -110,9 +125,12 @@ RenderSettings settings_for(const std::string& name, const Options& o) {
     s.width = o.width, s.height = o.height;
     s.cull = Cull::back;
     s.bump = name == "normal" ? Bump::normal : Bump::none;
-    if (name == "unlit") s.shading = Shading::unlit;
-    else if (name == "gouraud") s.shading = Shading::gouraud;
-    else if (name != "normal" && name != "phong") wrong("cases are normal, phong (no normal map), gouraud, unlit; not '" + name + "'");
+    if (name == "unlit")
+        s.shading = Shading::unlit;
+    else if (name == "gouraud")
+        s.shading = Shading::gouraud;
+    else if (name != "normal" && name != "phong")
+        wrong("cases are normal, phong (no normal map), gouraud, unlit; not '" + name + "'");
     return s;
 }
 
@@ -150,7 +168,8 @@ double mean_difference(const Pixels& a, const Pixels& b) {
 }
 
 /// The soft engine where it has what the case needs; else nothing, and why.
-std::optional<SoftSide> soft_side(const Scene& scene, const RenderSettings& settings, const Options& o, Context& context) {
+std::optional<SoftSide> soft_side(const Scene& scene, const RenderSettings& settings, const Options& o,
+                                  Context& context) {
     if (o.gl_only) return {};
     if (o.samples > 1) {
         std::fprintf(stderr, "gl_peer: the soft engine takes one sample a pixel: not measured\n");
@@ -173,7 +192,8 @@ void compare(const Pixels& soft, const Pixels& gl, Json& row) {
     row["share_over_8_of_255"] = d.differing_share;
 }
 
-void run_case(const std::string& name, const Scene& scene, const std::string& gl_name, const Options& o, Context& context, Json& rows) {
+void run_case(const std::string& name, const Scene& scene, const std::string& gl_name, const Options& o,
+              Context& context, Json& rows) {
     const RenderSettings settings = settings_for(name, o);
     const GlTarget target(o.width, o.height, o.samples);
     const GlScene gl(scene, settings.shading, settings.bump, double(o.width) / o.height, context);
@@ -207,16 +227,22 @@ void run_case(const std::string& name, const Scene& scene, const std::string& gl
 }
 
 void print(const Json& json) {
-    std::printf("%s; %s\n", json["gl_renderer"].get<std::string>().c_str(), json["gl_version"].get<std::string>().c_str());
-    std::printf("%d triangles, %d lights, %d x %d, %d frames\n", json["triangles"].get<int>(), json["lights"].get<int>(),
-                json["width"].get<int>(), json["height"].get<int>(), json["frames"].get<int>());
-    std::printf("case               engine     median ms (fastest  slowest)      CPU   to GL  CPU to GL   PSNR dB  mean/255   over 8\n");
+    std::printf("%s; %s\n", json["gl_renderer"].get<std::string>().c_str(),
+                json["gl_version"].get<std::string>().c_str());
+    std::printf("%d triangles, %d lights, %d x %d, %d frames\n", json["triangles"].get<int>(),
+                json["lights"].get<int>(), json["width"].get<int>(), json["height"].get<int>(),
+                json["frames"].get<int>());
+    std::printf(
+        "case               engine     median ms (fastest  slowest)      CPU   to GL  CPU to GL   PSNR dB  mean/255   "
+        "over 8\n");
     for (const Json& r : json["rows"]) {
-        std::printf("%-18s %-9s %10.2f %8.2f %9.2f %9.2f", r["case"].get<std::string>().c_str(), r["engine"].get<std::string>().c_str(),
-                    r["median_ms"].get<double>(), r["fastest_ms"].get<double>(), r["slowest_ms"].get<double>(), r["cpu_ms"].get<double>());
+        std::printf("%-18s %-9s %10.2f %8.2f %9.2f %9.2f", r["case"].get<std::string>().c_str(),
+                    r["engine"].get<std::string>().c_str(), r["median_ms"].get<double>(), r["fastest_ms"].get<double>(),
+                    r["slowest_ms"].get<double>(), r["cpu_ms"].get<double>());
         if (r.contains("psnr_db"))
-            std::printf(" %7.3f %9.3f %10.2f %9.3f %7.3f %%", r["ratio_to_gl"].get<double>(), r["cpu_ratio_to_gl"].get<double>(),
-                        r["psnr_db"].get<double>(), r["mean_difference_of_255"].get<double>(), 100 * r["share_over_8_of_255"].get<double>());
+            std::printf(" %7.3f %9.3f %10.2f %9.3f %7.3f %%", r["ratio_to_gl"].get<double>(),
+                        r["cpu_ratio_to_gl"].get<double>(), r["psnr_db"].get<double>(),
+                        r["mean_difference_of_255"].get<double>(), 100 * r["share_over_8_of_255"].get<double>());
         std::printf("\n");
     }
 }
@@ -228,13 +254,23 @@ void run(const Options& o) {
     const std::string name = gl.renderer().starts_with("llvmpipe") ? "llvmpipe" : "gl";
     Json rows = Json::array();
     for (const std::string& c : o.cases) run_case(c, scene, name, o, context, rows);
-    const Json json = {{"schema", "rakelight.bench/1"}, {"rows", rows}, {"triangles", triangle_count(scene)}, {"lights", o.lights},
-                       {"width", o.width}, {"height", o.height}, {"frames", o.frames}, {"gl_renderer", gl.renderer()}, {"gl_version", gl.version()}};
-    if (o.json) std::printf("%s\n", json.dump(2).c_str());
-    else print(json);
+    const Json json = {{"schema", "rakelight.bench/1"},
+                       {"rows", rows},
+                       {"triangles", triangle_count(scene)},
+                       {"lights", o.lights},
+                       {"width", o.width},
+                       {"height", o.height},
+                       {"frames", o.frames},
+                       {"gl_renderer", gl.renderer()},
+                       {"gl_version", gl.version()}};
+    if (o.json)
+        std::printf("%s\n", json.dump(2).c_str());
+    else
+        print(json);
     for (const Json& row : rows)
         if (row.contains("psnr_db") && row["psnr_db"].get<double>() < o.least_psnr_db)
-            throw Error(ErrorCode::check_failed, row["case"].get<std::string>() + ": the pictures differ by more than --least-psnr");
+            throw Error(ErrorCode::check_failed,
+                        row["case"].get<std::string>() + ": the pictures differ by more than --least-psnr");
 }
 
 }  // namespace

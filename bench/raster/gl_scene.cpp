@@ -44,8 +44,8 @@ void upload_texture(unsigned unit, const Texture& texture, ColorSpace space, Con
     glBindTexture(GL_TEXTURE_2D, name);
     GLint number = 0;
     for (const MipLevel& level : chain.levels)
-        glTexImage2D(GL_TEXTURE_2D, number++, space == ColorSpace::srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, level.width, level.height, 0,
-                     GL_RGBA, GL_UNSIGNED_BYTE, level.rgba8.data());
+        glTexImage2D(GL_TEXTURE_2D, number++, space == ColorSpace::srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, level.width,
+                     level.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, level.rgba8.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
@@ -83,7 +83,9 @@ GlScene::GlScene(const Scene& scene, Shading shading, Bump bump, double aspect, 
     glUniform1f(place("shininess"), surface.shininess);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& l = scene.lights[i];
-        const auto of = [&](const char* name) { return place((std::string(name) + "[" + std::to_string(i) + "]").c_str()); };
+        const auto of = [&](const char* name) {
+            return place((std::string(name) + "[" + std::to_string(i) + "]").c_str());
+        };
         glUniform3f(of("light_position"), float(l.position.x), float(l.position.y), float(l.position.z));
         glUniform3f(of("light_color"), l.diffuse.x, l.diffuse.y, l.diffuse.z);
         glUniform3f(of("light_ambient"), l.ambient.x, l.ambient.y, l.ambient.z);
@@ -152,7 +154,8 @@ void GlScene::draw() const {
         glUniformMatrix4fv(model_, 1, GL_FALSE, o.model);
         if (rotation_ >= 0) glUniformMatrix3fv(rotation_, 1, GL_FALSE, o.rotation);
         glUniform3fv(base_color_, 1, o.base_color);
-        glDrawElementsBaseVertex(GL_TRIANGLES, o.indices, GL_UNSIGNED_INT, reinterpret_cast<const void*>(o.first_index), o.base_vertex);
+        glDrawElementsBaseVertex(GL_TRIANGLES, o.indices, GL_UNSIGNED_INT, reinterpret_cast<const void*>(o.first_index),
+                                 o.base_vertex);
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene of `rakelight bench render`, drawn by OpenGL as a careful program does it: one vertex array, one draw call an
-// object, a shader made for the case.
+// The scene of `rakelight bench render`, drawn by OpenGL as a careful program does it: one vertex array, one draw call
+// an object, a shader made for the case.
 #pragma once
 #include <vector>
 

@@ -15,7 +15,9 @@
 namespace rakelight::bench {
 namespace {
 
-[[noreturn]] void fail(const char* what) { throw Error(ErrorCode::failed, std::string(what) + ", EGL error " + std::to_string(eglGetError())); }
+[[noreturn]] void fail(const char* what) {
+    throw Error(ErrorCode::failed, std::string(what) + ", EGL error " + std::to_string(eglGetError()));
+}
 
 std::string text(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
 
@@ -37,10 +39,12 @@ GlContext::GlContext() {
     display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) fail("no surfaceless EGL display");
     if (!eglBindAPI(EGL_OPENGL_API)) fail("EGL has no OpenGL");
-    const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                             EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint wanted[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
-    if (context_ == EGL_NO_CONTEXT || !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) fail("no OpenGL 3.3 context");
+    if (context_ == EGL_NO_CONTEXT || !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+        fail("no OpenGL 3.3 context");
 }
 
 GlContext::~GlContext() {
@@ -60,12 +64,17 @@ unsigned GlTarget::make(int samples, bool with_depth) const {
     glBindFramebuffer(GL_FRAMEBUFFER, frame);
     attach(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, width_, height_, samples);
     if (with_depth) attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, width_, height_, samples);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw Error(ErrorCode::failed, "OpenGL cannot draw pictures of this size");
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ErrorCode::failed, "OpenGL cannot draw pictures of this size");
     return frame;
 }
 
 GlTarget::GlTarget(int width, int height, int samples)
-    : width_(width), height_(height), samples_(samples), drawn_(make(samples, true)), resolved_(samples > 1 ? make(1, false) : drawn_) {}
+    : width_(width),
+      height_(height),
+      samples_(samples),
+      drawn_(make(samples, true)),
+      resolved_(samples > 1 ? make(1, false) : drawn_) {}
 
 void GlTarget::begin() const {
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_);

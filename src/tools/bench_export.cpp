@@ -47,7 +47,8 @@ void export_bench_scene(const Scene& scene, const std::string& path, Context& co
     Scene encoded = scene;
     const TemporaryFolder folder;
     for (Texture& texture : encoded.textures)
-        if (!texture.image->bytes && texture.image->path.empty()) texture.image = as_png(texture.image, folder, context);
+        if (!texture.image->bytes && texture.image->path.empty())
+            texture.image = as_png(texture.image, folder, context);
     io::write_glb(encoded, path, context);
 }
 

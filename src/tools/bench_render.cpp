@@ -63,12 +63,14 @@ void check(const RenderBenchOptions& o) {
 
 class RenderBench {
 public:
-    RenderBench(const RenderBenchOptions& options, Context& context) : options_(options), context_(context), settings_(options.settings) {
+    RenderBench(const RenderBenchOptions& options, Context& context)
+        : options_(options), context_(context), settings_(options.settings) {
         const bool is_built_in = options.scene.empty();
         scene_ = is_built_in ? make_bench_scene(options.triangles, options.objects, options.lights, context)
                              : load(options.scene, options.load, context);
         check_drawable(scene_);
-        if (is_built_in) settings_.cull = Cull::back;  // all of it is closed; of classical materials both sides are drawn else
+        if (is_built_in)
+            settings_.cull = Cull::back;  // all of it is closed; of classical materials both sides are drawn else
         if (!options.export_file.empty()) export_bench_scene(scene_, options.export_file, context);
         camera_ = choose_camera(scene_, {}, double(options.settings.width) / double(options.settings.height), context);
         if (!is_built_in && scene_.lights.empty()) scene_.lights = default_lights(camera_.to_world);
@@ -139,8 +141,8 @@ private:
         row.cpu_ms = median(m.cpu_ms);
         row.mtri_per_s = double(triangle_count(scene_)) / row.median_ms * 1e-3;
         row.mpix_per_s = double(row.stats.pixels_shaded) / row.median_ms * 1e-3;
-        for (const auto stage : {&StageTimes::front_end, &StageTimes::tiles, &StageTimes::visibility, &StageTimes::shading,
-                                 &StageTimes::blending, &StageTimes::delivery})
+        for (const auto stage : {&StageTimes::front_end, &StageTimes::tiles, &StageTimes::visibility,
+                                 &StageTimes::shading, &StageTimes::blending, &StageTimes::delivery})
             row.stages.*stage = m.median_stage(stage);
         return row;
     }

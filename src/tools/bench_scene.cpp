@@ -71,13 +71,16 @@ Material material(Random& random) {
 ImageHandle image(const char* name, Pixels pixels) {
     auto made = std::make_shared<EncodedImage>();
     made->name = name;
-    made->decode = [kept = std::make_shared<const Pixels>(std::move(pixels))](const EncodedImage&, Context&) { return *kept; };
+    made->decode = [kept = std::make_shared<const Pixels>(std::move(pixels))](const EncodedImage&, Context&) {
+        return *kept;
+    };
     return made;
 }
 
 void add_lights(Scene& scene, std::uint32_t count) {
-    constexpr dvec3 places[bench_lights_max] = {{-6, 5, -2}, {7, 3, -3}, {0, -6, -4}, {-8, -2, -6}, {8, -5, -8}, {3, 7, -9}, {-4, 8, -12}, {0, 1, 0}};
-    constexpr vec3 colors[bench_lights_max] = {{1, 0.93f, 0.82f}, {0.7f, 0.82f, 1}, {1, 0.6f, 0.5f},  {0.6f, 1, 0.7f},
+    constexpr dvec3 places[bench_lights_max] = {{-6, 5, -2}, {7, 3, -3}, {0, -6, -4},  {-8, -2, -6},
+                                                {8, -5, -8}, {3, 7, -9}, {-4, 8, -12}, {0, 1, 0}};
+    constexpr vec3 colors[bench_lights_max] = {{1, 0.93f, 0.82f}, {0.7f, 0.82f, 1}, {1, 0.6f, 0.5f}, {0.6f, 1, 0.7f},
                                                {0.9f, 0.8f, 1},   {1, 1, 0.7f},     {0.5f, 0.8f, 1}, {1, 1, 1}};
     for (std::uint32_t i = 0; i < count; ++i) {
         Light light;

@@ -46,9 +46,12 @@ struct Grid {
     bool has_poles() const { return shape == BenchShape::sphere; }
     dvec3 at(double u, double v) const {
         switch (shape) {
-            case BenchShape::sphere: return on_sphere(u, v, variant);
-            case BenchShape::knot: return on_knot(u, v, variant);
-            case BenchShape::torus: break;
+            case BenchShape::sphere:
+                return on_sphere(u, v, variant);
+            case BenchShape::knot:
+                return on_knot(u, v, variant);
+            case BenchShape::torus:
+                break;
         }
         return on_torus(u, v, variant);
     }
@@ -73,7 +76,8 @@ struct Arrays {
 
 void add_vertex(const Grid& g, std::uint32_t row, std::uint32_t column, Arrays& out) {
     // What closes has equal places: the last column is the first one again, and so is the last row of a tube.
-    const double u = double(column % g.columns) / g.columns, v = g.has_poles() ? double(row) / g.rows : double(row % g.rows) / g.rows;
+    const double u = double(column % g.columns) / g.columns,
+                 v = g.has_poles() ? double(row) / g.rows : double(row % g.rows) / g.rows;
     constexpr double step = 1e-5, off_pole = 1e-3;
     const double at = g.has_poles() ? std::clamp(v, off_pole, 1 - off_pole) : v;
     const dvec3 along_u = g.at(u + step, at) - g.at(u - step, at), along_v = g.at(u, at + step) - g.at(u, at - step);

@@ -8,8 +8,8 @@ namespace rakelight {
 namespace {
 
 constexpr int size = 1024, brick_width = 128, brick_height = 64;  // [texels]
-constexpr double joint = 5, bevel = 7;                             // [texels] half a joint, and the slope beside it
-constexpr double bump = 6;                                         // [texels] height of a brick above the joint
+constexpr double joint = 5, bevel = 7;                            // [texels] half a joint, and the slope beside it
+constexpr double bump = 6;                                        // [texels] height of a brick above the joint
 
 std::uint32_t hash(std::uint32_t x, std::uint32_t y) {
     std::uint64_t h = (std::uint64_t(y) << 32 | x) * 0x9e3779b97f4a7c15ull;
@@ -25,7 +25,9 @@ double smooth_step(double t) {
 /// Random numbers 0..1 on a lattice, smoothly between; repeats with the texture.
 double noise(int x, int y, int step) {
     const int cells = size / step, cx = x / step, cy = y / step;
-    const auto at = [&](int i, int j) { return double(hash(std::uint32_t(i % cells), std::uint32_t(j % cells))) * 0x1p-32; };
+    const auto at = [&](int i, int j) {
+        return double(hash(std::uint32_t(i % cells), std::uint32_t(j % cells))) * 0x1p-32;
+    };
     const double fx = smooth_step(double(x % step) / step), fy = smooth_step(double(y % step) / step);
     const double top = at(cx, cy) + (at(cx + 1, cy) - at(cx, cy)) * fx;
     const double low = at(cx, cy + 1) + (at(cx + 1, cy + 1) - at(cx, cy + 1)) * fx;
@@ -76,7 +78,8 @@ BenchTextures make_bench_textures() {
             const double gray = grain * (0.55 + (tint - 0.55) * p.height);
             put(made.color, x, y, gray, gray * (1 - 0.06 * p.height), gray * (1 - 0.12 * p.height));
             // Rows go down and green is up: a height that grows downwards leans the normal up.
-            const double dx = 0.5 * (height(x + 1, y) - height(x - 1, y)), dy = 0.5 * (height(x, y + 1) - height(x, y - 1));
+            const double dx = 0.5 * (height(x + 1, y) - height(x - 1, y)),
+                         dy = 0.5 * (height(x, y + 1) - height(x, y - 1));
             const double scale = 0.5 / std::sqrt(dx * dx + dy * dy + 1);
             put(made.normal, x, y, 0.5 - dx * scale, 0.5 + dy * scale, 0.5 + scale);
         }

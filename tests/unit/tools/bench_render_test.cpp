@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene that pictures are measured with is what its documentation says, and what is measured is reported. No time is
-// judged.
+// The scene that pictures are measured with is what its documentation says, and what is measured is reported. No time
+// is judged.
 #include <gtest/gtest.h>
 #include <rakelight/bench.h>
 
@@ -27,7 +27,8 @@ TEST(BenchShape, HasAboutTheTrianglesAskedForAndNoneIsDegenerate) {
             const Mesh mesh = make_bench_shape(shape, triangles, 0.5);
             EXPECT_NEAR(double(mesh.triangle_count()), double(triangles), 0.1 * double(triangles) + 12);
             for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-                const vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]], c = mesh.positions[mesh.indices[i + 2]];
+                const vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
+                           c = mesh.positions[mesh.indices[i + 2]];
                 EXPECT_GT(length(cross(b - a, c - a)), 0) << "triangle " << i / 3;
             }
         }
@@ -38,7 +39,8 @@ TEST(BenchShape, NormalsPointToTheSideThatTrianglesAreCounterClockwiseSeenFrom) 
         const Mesh mesh = make_bench_shape(shape, 4000, 0.5);
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             const std::uint32_t* const v = &mesh.indices[i];
-            const vec3 a = mesh.positions[v[0]], face = normalize_or(cross(mesh.positions[v[1]] - a, mesh.positions[v[2]] - a), vec3{});
+            const vec3 a = mesh.positions[v[0]],
+                       face = normalize_or(cross(mesh.positions[v[1]] - a, mesh.positions[v[2]] - a), vec3{});
             EXPECT_GT(dot(face, mesh.normals[v[0]]), 0.5f) << "shape " << int(shape) << ", triangle " << i / 3;
         }
     }
@@ -53,13 +55,16 @@ TEST(BenchShape, TangentsAreUnitAndPerpendicularAndFollowTheTexture) {
             EXPECT_NEAR(length(mesh.normals[v]), 1, 1e-5);
             EXPECT_NEAR(dot(t, mesh.normals[v]), 0, 1e-5);
         }
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {  // the upper triangles: corner 2 is one step of u from corner 0
+        for (std::size_t i = 0; i < mesh.indices.size();
+             i += 3) {  // the upper triangles: corner 2 is one step of u from corner 0
             const std::uint32_t* const v = &mesh.indices[i];
             const vec2 a = mesh.texcoords[0][v[0]], b = mesh.texcoords[0][v[1]], c = mesh.texcoords[0][v[2]];
-            const vec3 to_b = mesh.positions[v[1]] - mesh.positions[v[0]], to_c = mesh.positions[v[2]] - mesh.positions[v[0]];
+            const vec3 to_b = mesh.positions[v[1]] - mesh.positions[v[0]],
+                       to_c = mesh.positions[v[2]] - mesh.positions[v[0]];
             const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
             ASSERT_NE(area, 0);
-            const vec3 along_u = (to_b * (c.y - a.y) - to_c * (b.y - a.y)) / area, along_v = (to_c * (b.x - a.x) - to_b * (c.x - a.x)) / area;
+            const vec3 along_u = (to_b * (c.y - a.y) - to_c * (b.y - a.y)) / area,
+                       along_v = (to_c * (b.x - a.x) - to_b * (c.x - a.x)) / area;
             EXPECT_GT(dot(along_u, mesh.tangents[v[0]].xyz()), 0);
             const vec3 up = cross(mesh.normals[v[0]], mesh.tangents[v[0]].xyz()) * mesh.tangents[v[0]].w;
             EXPECT_LT(dot(up, along_v), 0) << "green is up, v is down";
