@@ -248,7 +248,7 @@ Options parse(int argc, const char* const* argv) {
     add_explain_options(*explain, explain_words);
     add_common_options(*explain, common);
     explain->footer(explain_footer);
-    CLI::App* stages = app.add_subcommand("stages", "Show what each stage of the pipeline makes of a model: a page with pictures and tables");
+    CLI::App* stages = app.add_subcommand("stages", "Show what each stage makes of a model, as a page");
     RenderWords stages_words;
     add_inputs(*stages, options.inputs, "Model files, or builtin:teapot");
     add_stages_options(*stages, stages_words);
