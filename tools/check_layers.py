@@ -42,7 +42,7 @@ PUBLIC = {
     "engine": "engines",
     "render": "render",
     "picture": "render", "version": "render",
-    "inspect": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
+    "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
 }
 
 # Third-party include (regular expression) -> the modules that may use it.
@@ -63,7 +63,7 @@ LIBRARIES = {
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
 ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|lighting/(lighting|prelude|light_parameters)\.h|lighting/\w+\.glsl|"
-                         r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|engines/raster/kernel_types\.h|engines/raster/kernels/\w+\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
+                         r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|engines/raster/kernel_types\.h|engines/raster/kernels/\w+\.(h|cpp)|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
 ISA_FILES = ["src/engines/raster/kernels", "src/geometry/kernels", "src/lighting/lighting.h", "src/lighting/prelude.h"]
 
 GLSL_RESERVED = set("active half input output filter common partition smooth flat shared fixed sample patch buffer resource "

@@ -44,29 +44,15 @@ std::uint64_t memory_of_machine() {
     return pages > 0 && size > 0 ? std::uint64_t(pages) * std::uint64_t(size) : ~std::uint64_t(0);
 }
 
-}  // namespace
-
-void add_bench_options(CLI::App& app, BenchWords& w) {
-    const char* const group = "Measurement";
-    const auto add = [&](const char* name, std::string& word, const char* type, const char* help) {
-        app.add_option(name, word, help)->type_name(type)->group(group);
-    };
-    app.add_option("WHAT", w.what, "What to measure: smooth")->type_name("")->required();
-    add("--triangles", w.triangles, "N", "Size of the model, a displaced sphere; 100k, 10M (default 1M)");
-    add("--objects", w.objects, "N", "Objects that it is cut into (default 16)");
-    add("--order", w.order, "ORDER", "coherent (default) or shuffled triangles and vertices");
-    add("--weight", w.weight, "HOW", "uniform (default), area, angle, angle-area");
-    add("--crease-angle,--crease", w.crease_angle, "DEG", "Edges bent more than this stay sharp (default 180)");
-    add("--tolerance", w.tolerance, "X", "Weld within X edge lengths, up to 0.25 (default 0: exact)");
-    add("--repetitions", w.repetitions, "N", "Counted runs of each row (default 10)");
-    add("--with", w.with, "ROWS",
-        "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, regroup); all");
-    app.add_flag("--brute-force", w.brute_force, "Also every vertex against every face, up to 50k triangles")
-        ->group(group);
+/// An option that belongs to the other measurement.
+void refuse(const char* what, std::initializer_list<std::pair<const char*, const std::string&>> words) {
+    for (const auto& [option, word] : words)
+        if (!word.empty()) throw Error(ErrorCode::usage, std::string(option) + " is not for bench " + what);
 }
 
-void apply(const BenchWords& w, SmoothBenchOptions& o) {
-    if (w.what != "smooth") throw Error(ErrorCode::usage, "bench measures smooth, not '" + one_line(w.what, 80) + "'");
+void apply_smooth(const BenchWords& w, SmoothBenchOptions& o) {
+    refuse("smooth", {{"a scene", w.scene}, {"--lights", w.lights}, {"--engine", w.engines}, {"--resolution", w.resolution},
+                      {"--frames", w.frames}, {"--shading", w.shading}, {"--bump", w.bump}, {"--output", w.output}, {"--export", w.export_file}});
     o.triangles =
         w.triangles.empty() ? 1'000'000 : std::uint64_t(count("--triangles", w.triangles, 100, 1'000'000'000));
     if (!w.objects.empty()) o.objects = std::uint32_t(count("--objects", w.objects, 1, 100'000));
@@ -84,17 +70,102 @@ void apply(const BenchWords& w, SmoothBenchOptions& o) {
     o.brute_force = w.brute_force;
 }
 
+void apply_render(const BenchWords& w, RenderBenchOptions& o) {
+    refuse("render", {{"--order", w.order}, {"--weight", w.weight}, {"--crease-angle", w.crease_angle}, {"--tolerance", w.tolerance},
+                      {"--repetitions", w.repetitions}, {"--with", w.with}});
+    if (w.brute_force) throw Error(ErrorCode::usage, "--brute-force is not for bench render");
+    if (!w.scene.empty())
+        for (const auto& [option, word] : {std::pair("--triangles", &w.triangles), {"--objects", &w.objects}, {"--lights", &w.lights}})
+            if (!word->empty()) throw Error(ErrorCode::usage, std::string(option) + " is for the built-in scene, not for a file");
+    o.scene = w.scene;
+    o.output = w.output;
+    o.export_file = w.export_file;
+    if (!w.triangles.empty()) o.triangles = std::uint64_t(count("--triangles", w.triangles, 100, 100'000'000));
+    if (!w.objects.empty()) o.objects = std::uint32_t(count("--objects", w.objects, 1, 100'000));
+    if (!w.lights.empty()) o.lights = std::uint32_t(count("--lights", w.lights, 0, 8));
+    if (!w.frames.empty()) o.frames = std::uint32_t(count("--frames", w.frames, 1, 10'000));
+    if (!w.engines.empty()) {
+        o.engines.clear();
+        for (const std::string_view name : split(w.engines, ',')) o.engines.emplace_back(name);
+    }
+    if (!w.resolution.empty()) {
+        const std::vector<int> size = integers("--resolution", w.resolution, 2);
+        o.settings.width = size[0], o.settings.height = size[1];
+    }
+    if (!w.shading.empty())
+        o.settings.shading = word<Shading>("--shading", w.shading,
+                                           {{"unlit", Shading::unlit}, {"flat", Shading::flat}, {"gouraud", Shading::gouraud}, {"phong", Shading::phong}});
+    if (!w.bump.empty()) o.settings.bump = word<Bump>("--bump", w.bump, {{"none", Bump::none}, {"normal", Bump::normal}});
+}
+
+}  // namespace
+
+void add_bench_options(CLI::App& app, BenchWords& w) {
+    const char* const smooth = "Measurement: bench smooth";
+    const char* const render = "Measurement: bench render";
+    const auto add = [&](const char* group, const char* name, std::string& word, const char* type, const char* help) {
+        app.add_option(name, word, help)->type_name(type)->group(group);
+    };
+    app.add_option("WHAT", w.what, "What to measure: smooth (normals and tangents) or render (pictures)")->type_name("")->required();
+    app.add_option("SCENE", w.scene, "For render: a model file, or builtin:teapot (default: a scene made by formulas)")->type_name("");
+    add("Measurement", "--triangles", w.triangles, "N", "Size of the model that is made; 100k, 10M (default: smooth 1M, render 100k)");
+    add("Measurement", "--objects", w.objects, "N", "Objects that it has (default: smooth 16, render 100)");
+    add(smooth, "--order", w.order, "ORDER", "coherent (default) or shuffled triangles and vertices");
+    add(smooth, "--weight", w.weight, "HOW", "uniform (default), area, angle, angle-area");
+    add(smooth, "--crease-angle,--crease", w.crease_angle, "DEG", "Edges bent more than this stay sharp (default 180)");
+    add(smooth, "--tolerance", w.tolerance, "X", "Weld within X edge lengths, up to 0.25 (default 0: exact)");
+    add(smooth, "--repetitions", w.repetitions, "N", "Counted runs of each row (default 10)");
+    add(smooth, "--with", w.with, "ROWS",
+        "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, regroup); all");
+    app.add_flag("--brute-force", w.brute_force, "Also every vertex against every face, up to 50k triangles")
+        ->group(smooth);
+    add(render, "--lights", w.lights, "N", "Point lights of the scene that is made, 0 to 8 (default 2)");
+    add(render, "--engine", w.engines, "NAMES", "Engines, separated by commas; their pictures are interleaved (default soft)");
+    add(render, "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1920,1080)");
+    add(render, "--frames", w.frames, "N", "Counted pictures of each engine, after one that is not counted (default 15)");
+    add(render, "--shading", w.shading, "HOW", "phong (default), gouraud, flat or unlit");
+    add(render, "--bump", w.bump, "HOW", "normal (default: use normal maps) or none");
+    add(render, "-o,--output", w.output, "FILE", "Also write the picture of the first engine");
+    add(render, "--export", w.export_file, "FILE", "Also write the scene as .glb, for other programs to be measured with");
+}
+
+void apply(const BenchWords& w, BenchRequest& request) {
+    request.is_render = w.what == "render";
+    if (request.is_render) return apply_render(w, request.render);
+    if (w.what != "smooth") throw Error(ErrorCode::usage, "bench measures smooth or render, not '" + one_line(w.what, 80) + "'");
+    apply_smooth(w, request.smooth);
+}
+
+namespace {
+
+/// What the program's own models may ask for: no file does.
+std::uint64_t memory_for(const BenchRequest& r) {
+    if (!r.is_render) return r.smooth.triangles * (r.smooth.order ? 500 : 400) + (1u << 30);
+    return r.render.scene.empty() ? r.render.triangles * 1200 + (4ull << 30) : 0;
+}
+
+}  // namespace
+
 int run_bench(const Options& options) {
     ProgressLine progress("bench", options.loudness);
-    // The model is the program's own: no file asks for memory here. What the machine has not is refused, for a model that is
-    // too large is not told so by the system: the process is ended.
-    const std::uint64_t wanted = options.bench.triangles * (options.bench.order ? 500 : 400) + (1u << 30);
-    const std::uint64_t memory = options.max_memory != 0 ? options.max_memory : std::min(wanted, memory_of_machine());
+    const BenchRequest& request = options.bench;
+    // What the machine has not is refused, for a model that is too large is not told so by the system: the process is ended.
+    const std::uint64_t memory = options.max_memory != 0 ? options.max_memory : std::min(memory_for(request), memory_of_machine());
     Context context({.threads = options.threads, .max_memory = memory, .progress = progress.callback()});
     const CancelOnInterrupt guard(context);
-    const SmoothBenchReport report = bench_smooth(options.bench, context);
+    std::string text;
+    if (request.is_render) {
+        RenderBenchOptions render = request.render;
+        render.load = options.picture.load;
+        const RenderBenchReport report = bench_render(render, context);
+        text = options.json ? to_json(report) : to_text(report);
+    } else {
+        const SmoothBenchReport report = bench_smooth(request.smooth, context);
+        text = options.json ? to_json(report) : to_text(report);
+    }
     progress.wipe();
-    print_data(options.json ? to_json(report) : to_text(report));
+    if (request.is_render) print_remarks(context.report().entries(), context.report().left_out(), options.loudness);
+    print_data(text);
     return 0;
 }
 

@@ -14,14 +14,25 @@ namespace rakelight::cli {
 struct Options;
 
 struct BenchWords {
-    std::string what, triangles, objects, order, weight, crease_angle, tolerance, repetitions, with;
+    std::string what, scene, triangles, objects;
+    // bench smooth
+    std::string order, weight, crease_angle, tolerance, repetitions, with;
     bool brute_force = false;
+    // bench render
+    std::string lights, engines, resolution, frames, shading, bump, output, export_file;
 };
 
 void add_bench_options(CLI::App& app, BenchWords& words);
 
-/// @throws Error usage
-void apply(const BenchWords& words, SmoothBenchOptions& options);
+/// What `rakelight bench` measures.
+struct BenchRequest {
+    bool is_render = false;
+    SmoothBenchOptions smooth;
+    RenderBenchOptions render;
+};
+
+/// @throws Error usage: a wrong value, or an option of what is not measured
+void apply(const BenchWords& words, BenchRequest& request);
 
 int run_bench(const Options& options);
 

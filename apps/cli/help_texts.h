@@ -82,4 +82,22 @@ Examples:
       One row a file, schema rakelight.smooth/1.
   rakelight smooth scan.stl -o scan.ply --crease-angle 180)";
 
+inline constexpr const char* explain_footer =
+    R"(The options are those of render: the pixel is that of the picture which render would
+draw with them, and its numbers are the engine's own, to the bit.
+
+Examples:
+  rakelight explain helmet.glb --pixel 640,360
+  rakelight explain builtin:teapot --resolution 320,240 --pixel 100,120 --json
+      Schema rakelight.explain/1.)";
+
+inline constexpr const char* stages_footer =
+    R"(Stages: model, world, camera and clip space, clipped polygons, normalized device
+coordinates, screen, culled faces, coverage, depth, visibility, normals, each light's
+ambient, diffuse and specular term, the picture. Open DIR/index.html in a browser.
+
+Examples:
+  rakelight stages helmet.glb -o helmet-stages
+  rakelight stages *.glb -o 'out/{model}' --resolution 640,360)";
+
 }  // namespace rakelight::cli

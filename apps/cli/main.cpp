@@ -8,6 +8,7 @@
 #include "interrupt.h"
 #include "options.h"
 #include "run_file.h"
+#include "stats_text.h"
 #include "version_text.h"
 
 namespace rakelight::cli {
@@ -31,6 +32,7 @@ int run_render(const Options& options) {
         const int code =
             run_file(options, request.input, row, [&](Context& c) { row.result = render_picture(request, c); });
         if (code == 0) print_note(summary(row.result), options.loudness);
+        if (code == 0 && options.stats && !options.json) print_data(stats_text(row.result));
         worst = std::max(worst, code);
     }
     if (options.json) print_data(to_json(rows));
@@ -50,6 +52,10 @@ int run(int argc, const char* const* argv) {
             return run_render(options);
         case Verb::inspect:
             return run_inspect(options);
+        case Verb::explain:
+            return run_explain(options);
+        case Verb::stages:
+            return run_stages(options);
         case Verb::bench:
             return run_bench(options);
         case Verb::smooth:

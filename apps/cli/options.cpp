@@ -16,7 +16,7 @@ namespace rakelight::cli {
 namespace {
 
 constexpr std::size_t column_width = 32, page_width = 100;
-constexpr std::string_view verbs[] = {"render", "inspect", "smooth", "bench"};
+constexpr std::string_view verbs[] = {"render", "inspect", "smooth", "bench", "explain", "stages"};
 
 /// CLI11's layout with descriptions wrapped to the page and single blank lines.
 class HelpLayout final : public CLI::Formatter {
@@ -124,7 +124,8 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Shading", "--engine", w.engine, "NAME",
         "soft (default): own rasterizer, the same picture on every machine");
     add(app, "Shading", "--shading", w.shading, "HOW",
-        "phong (default: lighting at every pixel) or unlit (own color only)");
+        "How often lighting is evaluated: phong (default: at every pixel), gouraud (at every vertex), flat (once a face), "
+        "unlit (never: own color only)");
     add(app, "Shading", "--lighting", w.lighting, "MODEL",
         "auto (default: what the material says), lambert, phong, blinn-phong");
     add(app, "Shading", "--specular", w.specular, "FORM", "auto (default), textbook, normalized (conserves energy)");
@@ -169,7 +170,7 @@ void check_words(int argc, const char* const* argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (argc > 1 && !first.starts_with('-') && std::find(std::begin(verbs), std::end(verbs), first) == std::end(verbs))
         throw Error(ErrorCode::usage, "unknown command '" + one_line(std::string(first), 40) + "'", {},
-                    "use render, smooth, inspect or bench, see rakelight --help");
+                    "use render, smooth, inspect, explain, stages or bench, see rakelight --help");
     for (int i = 2; i < argc && std::string_view(argv[i]) != "--"; ++i) {
         const std::string_view word = argv[i], option = argv[i - 1];
         const bool is_value = option.starts_with('-') && option.find('=') == option.npos;
@@ -221,6 +222,8 @@ Options parse(int argc, const char* const* argv) {
     CLI::App* render = app.add_subcommand("render", "Draw models to picture files");
     add_inputs(*render, options.inputs, "Model files, or builtin:teapot");
     add_render_options(*render, words);
+    render->add_flag("--stats", words.stats, "Say what the engine counted: lighting evaluations, triangles, pixels, overdraw")
+        ->group("Output");
     add_common_options(*render, common);
     render->footer(render_footer);
     CLI::App* inspect = app.add_subcommand("inspect", "Say what is in models: objects, materials, textures, seams");
@@ -239,6 +242,18 @@ Options parse(int argc, const char* const* argv) {
     BenchWords bench_words;
     add_bench_options(*bench, bench_words);
     add_common_options(*bench, common);
+    CLI::App* explain = app.add_subcommand("explain", "Say why a pixel has its color: every number on the way to it");
+    ExplainWords explain_words;
+    add_inputs(*explain, options.inputs, "Model files, or builtin:teapot");
+    add_explain_options(*explain, explain_words);
+    add_common_options(*explain, common);
+    explain->footer(explain_footer);
+    CLI::App* stages = app.add_subcommand("stages", "Show what each stage makes of a model, as a page");
+    RenderWords stages_words;
+    add_inputs(*stages, options.inputs, "Model files, or builtin:teapot");
+    add_stages_options(*stages, stages_words);
+    add_common_options(*stages, common);
+    stages->footer(stages_footer);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -251,12 +266,22 @@ Options parse(int argc, const char* const* argv) {
         throw usage_error(fault, app);
     }
     options.verb = render->parsed() ? Verb::render : Verb::inspect;
+    options.stats = words.stats;
     apply(inspect->parsed() ? inspect_words.render : words, options.picture);
     if (inspect->parsed()) apply(inspect_words, options.inspect, options.picture);
     if (smooth->parsed()) {
         options.verb = Verb::smooth;
         options.picture.output = smooth_words.output;
         apply(smooth_words, options.smooth);
+    }
+    if (explain->parsed()) {
+        options.verb = Verb::explain;
+        apply(explain_words.render, options.picture);
+        apply(explain_words, options.explain, options.picture);
+    }
+    if (stages->parsed()) {
+        options.verb = Verb::stages;
+        apply(stages_words, options.picture);
     }
     if (bench->parsed()) {
         options.verb = Verb::bench;

@@ -9,12 +9,14 @@
 
 #include "bench_verb.h"
 #include "console.h"
+#include "explain_verb.h"
 #include "inspect_verb.h"
 #include "smooth_verb.h"
+#include "stages_verb.h"
 
 namespace rakelight::cli {
 
-enum class Verb { help, version, render, inspect, smooth, bench };
+enum class Verb { help, version, render, inspect, smooth, bench, explain, stages };
 
 struct Options {
     Verb verb = Verb::help;
@@ -23,10 +25,12 @@ struct Options {
     PictureRequest picture;  ///< output holds the name template
     InspectRequest inspect;
     SmoothFileOptions smooth;
-    SmoothBenchOptions bench;
+    BenchRequest bench;
+    ExplainRequest explain;
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool json = false;
+    bool stats = false;  ///< render says what it counted
     Loudness loudness = Loudness::normal;
 };
 

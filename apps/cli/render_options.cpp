@@ -38,13 +38,15 @@ void apply_size(const RenderWords& w, RenderSettings& s) {
 }
 
 void apply_lighting(const RenderWords& w, RenderSettings& s) {
-    not_yet("--shading", w.shading, {"flat"}, "for flat faces use --normals flat");
-    not_yet("--shading", w.shading, {"gouraud"}, "use unlit or phong");
     not_yet("--lighting", w.lighting, {"oren-nayar", "ward", "pbr"}, "use lambert, phong or blinn-phong");
     not_yet("--bump", w.bump, {"height", "parallax", "parallax-limited", "steep", "occlusion", "displacement"},
             "use none or normal");
     if (!w.shading.empty())
-        s.shading = word<Shading>("--shading", w.shading, {{"unlit", Shading::unlit}, {"phong", Shading::phong}});
+        s.shading = word<Shading>("--shading", w.shading,
+                                  {{"unlit", Shading::unlit},
+                                   {"flat", Shading::flat},
+                                   {"gouraud", Shading::gouraud},
+                                   {"phong", Shading::phong}});
     if (!w.lighting.empty())
         s.lighting = word<Lighting>("--lighting", w.lighting,
                                     {{"auto", Lighting::automatic},

@@ -19,7 +19,7 @@ struct RenderWords {
     std::string normals, crease_angle, weight, uv, tangents, orthogonalize;
     std::string texture_base_color, texture_normal, normal_scale;
     std::string view, camera, position, focal_point, up, view_angle;
-    bool orthographic = false, keep_instances = false;
+    bool orthographic = false, keep_instances = false, stats = false;
     std::vector<std::string> lights;
 };
 

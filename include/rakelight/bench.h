@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <rakelight/attributes.h>
+#include <rakelight/render.h>
 
 namespace rakelight {
 
@@ -59,5 +60,51 @@ SmoothBenchReport bench_smooth(const SmoothBenchOptions& options, Context& conte
 std::string to_json(const SmoothBenchReport& report);
 /// A table for people.
 std::string to_text(const SmoothBenchReport& report);
+
+/// What to draw, how, and how often.
+struct RenderBenchOptions {
+    std::string scene;  ///< model file or "builtin:teapot"; empty: the built-in scene of the three numbers below
+    LoadOptions load;
+    std::uint64_t triangles = 100'000;  ///< about; 100 to 10^8
+    std::uint32_t objects = 100;        ///< 1 to 100 000, at most one for each 20 triangles
+    std::uint32_t lights = 2;           ///< 0 to 8 point lights
+    std::vector<std::string> engines = {"soft"};  ///< see make_engine(); each once or more often
+    std::uint32_t frames = 15;          ///< counted pictures of each engine, 1 to 10 000, after one that is not counted
+    RenderSettings settings = {.width = 1920, .height = 1080};  ///< back faces of the built-in scene are culled whatever it says
+    std::string output;       ///< picture file for what the first engine drew; empty: none
+    std::string export_file;  ///< .glb file for the scene; empty: none
+};
+
+/// One engine's pictures. Times are wall clock; pictures of all engines are interleaved.
+struct RenderBenchRow {
+    std::string engine, isa;
+    int threads = 0;
+    double median_ms = 0, fastest_ms = 0, slowest_ms = 0;  ///< from vertices to 8-bit display values
+    double cpu_ms = 0;      ///< median of the processor time of all threads: less moved by a neighbor's load
+    double first_ms = 0;    ///< the picture that is not counted, into memory never used before
+    double prepare_ms = 0;  ///< taking up the scene, once: mip chains and the like
+    double mtri_per_s = 0;  ///< million triangles of the scene a second, by the median
+    double mpix_per_s = 0;  ///< million shaded pixels a second, by the median
+    StageTimes stages;      ///< medians [s], each for itself
+    RenderStats stats;      ///< of the last picture
+};
+
+struct RenderBenchReport {
+    std::string scene;
+    std::uint64_t triangles = 0, vertices = 0;
+    std::uint32_t objects = 0, lights = 0;
+    int width = 0, height = 0;
+    std::uint32_t frames = 0;
+    std::vector<RenderBenchRow> rows;
+};
+
+/// Draws the scene again and again, through its first camera or one fitted to it, into display values as a picture file
+/// takes them. A model file is prepared as a picture of it would be; where it has no lights, the default rig lights it.
+/// @throws Error usage: options out of range, an engine that is not there; what load() and make_engine() throw
+RenderBenchReport bench_render(const RenderBenchOptions& options, Context& context);
+
+/// Schema rakelight.bench/1: {"schema", "rows": [{"engine", "median_ms", ...}], and the scene}.
+std::string to_json(const RenderBenchReport& report);
+std::string to_text(const RenderBenchReport& report);
 
 }  // namespace rakelight

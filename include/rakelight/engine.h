@@ -84,11 +84,32 @@ public:
     std::vector<std::uint32_t> object, material;
 };
 
+/// Where the time of one render() call went [s]. The front end is measured from outside, on all threads; what is done tile by
+/// tile is the sum over all tiles, whichever thread had them: about threads times as long as the clock on the wall.
+struct StageTimes {
+    double front_end = 0;  ///< transformation, clipping, culling, set-up, sorting into tiles; lighting of faces or vertices
+    double tiles = 0;      ///< from outside: all that follows
+    double visibility = 0, shading = 0, blending = 0;
+    double delivery = 0;   ///< what the sink does with the tiles, tone mapping included
+};
+
 /// Counts of one render() call.
 struct RenderStats {
+    /// Culled ones are counted once, by the first reason that applies. `clipped`: those that were cut; each of their pieces counts as
+    /// drawn or culled.
     std::uint64_t triangles_in = 0, culled_back = 0, culled_degenerate = 0, culled_outside = 0, clipped = 0, drawn = 0;
+    /// Covered: by something opaque. Shaded: those, and each blended surface over each pixel.
     std::uint64_t pixels_covered = 0, pixels_shaded = 0;
+    /// Points where the sum over the lights was evaluated. unlit: 0; flat: faces that are drawn; gouraud: vertices of faces that are
+    /// drawn, one that is seen from both sides twice; phong: shaded pixels. Unlit materials count nowhere.
+    std::uint64_t lighting_evaluations = 0;
+    std::uint64_t vertices_lit_twice = 0;  ///< gouraud: vertices seen from both sides
+    /// Opaque pixels that were nearer than what stood there. Over pixels_covered it is the overdraw that visibility works for:
+    /// 1 where every pixel was written once. Depends on the order of the triangles.
+    std::uint64_t depth_passes = 0;
+    double overdraw() const { return pixels_covered > 0 ? double(depth_passes) / double(pixels_covered) : 0; }
     std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
+    StageTimes times;  ///< never the same twice
 };
 
 /// One way of making pictures. prepare() takes a scene up (again after an edit: only new blocks cost), render() draws it

@@ -8,6 +8,7 @@
 #include <rakelight/context.h>
 #include <rakelight/engine.h>
 #include <rakelight/error.h>
+#include <rakelight/explain.h>
 #include <rakelight/image.h>
 #include <rakelight/inspect.h>
 #include <rakelight/picture.h>
@@ -16,5 +17,6 @@
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
 #include <rakelight/smooth_file.h>
+#include <rakelight/stages.h>
 #include <rakelight/vector.h>
 #include <rakelight/version.h>

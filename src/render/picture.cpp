@@ -27,6 +27,9 @@ void add(RenderStats& sum, const RenderStats& s) {
     sum.pixels_covered += s.pixels_covered;
     sum.pixels_shaded += s.pixels_shaded;
     sum.pixels_not_finite += s.pixels_not_finite;
+    sum.lighting_evaluations += s.lighting_evaluations;
+    sum.vertices_lit_twice += s.vertices_lit_twice;
+    sum.depth_passes += s.depth_passes;
 }
 
 std::uint64_t count_objects(const Scene& scene) {
@@ -34,7 +37,8 @@ std::uint64_t count_objects(const Scene& scene) {
         std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
 }
 
-/// The scene with the lights that the picture is lit by.
+}  // namespace
+
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
     if (request.lights)
         scene.lights = *request.lights;
@@ -42,8 +46,6 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
         scene.lights = default_lights(camera.to_world);
     return scene;
 }
-
-}  // namespace
 
 Window whole_window(const RenderSettings& s) {
     return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;

@@ -15,7 +15,11 @@ Json stats_json(const RenderStats& s) {
             {"clipped", s.clipped},
             {"drawn", s.drawn},
             {"pixels_covered", s.pixels_covered},
-            {"pixels_shaded", s.pixels_shaded}};
+            {"pixels_shaded", s.pixels_shaded},
+            {"lighting_evaluations", s.lighting_evaluations},
+            {"vertices_lit_twice", s.vertices_lit_twice},
+            {"depth_passes", s.depth_passes},
+            {"overdraw", s.overdraw()}};
 }
 
 void add_result(Json& row, const PictureResult& r) {

@@ -8,6 +8,9 @@ namespace rakelight {
 /// The window that is rendered: the whole picture where none is asked for.
 Window whole_window(const RenderSettings& settings);
 
+/// The scene with the lights that the picture is lit by.
+Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
+
 /// Draws what a prepared engine holds and writes the files, in bands.
 void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result,
                    Context& context);

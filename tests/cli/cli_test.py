@@ -241,7 +241,7 @@ class Cli(unittest.TestCase):
                  ("--light", "default", "--light", "ambient:1,1,1"), ("--light", "spot:0,0,1:exponent=-1"), ("--normal-scale", "101"),
                  ("--camera-position", "1e30,0,0"), ("--max-memory", "1.5X"), ("--resolution", "12"), ("--resolution", "0,5"), ("--resolution", "99999999999,5"), ("--resolution", "1e3,5"),
                  ("--window", "0,0,9999,1"), ("--window", "0,0,0,0"), ("--window", "-1,0,5,5"), ("--engine", "hard"), ("--engine", "gl"),
-                 ("--shading", "flat"), ("--shading", "gouraud"), ("--shading", "x"), ("--lighting", "pbr"), ("--bump", "steep"),
+                 ("--shading", "x"), ("--lighting", "pbr"), ("--bump", "steep"),
                  ("--normals", "none"), ("--crease-angle", "181"), ("--crease-angle", "nan"), ("--crease-angle", "60deg"),
                  ("--camera-position", "1,2"), ("--camera-position", "1,2,inf"), ("--camera-view-angle", "180"), ("--view", "behind"),
                  ("--view", "front", "--camera-index", "0"), ("--light", "sun"), ("--light", "point"), ("--light", "point:0,0"),
@@ -466,6 +466,21 @@ class Cli(unittest.TestCase):
             self.assertGreaterEqual(row[key], 0)
         self.assertIsInstance(row["remarks"], list)
         self.assertGreater(row["stats"]["pixels_covered"], 0)
+
+    def test_stats_count_where_lighting_is_evaluated(self):
+        self.write("a.obj", TWO_PARTS)
+        where = {}
+        for shading in ("unlit", "flat", "gouraud", "phong"):
+            arguments = ("render", "a.obj", "-o", "a.png", "--resolution", "32,24", "--shading", shading)
+            stats = json.loads(self.run_program(*arguments, "--stats", "--json").out)["rows"][0]["stats"]
+            where[shading] = stats["lighting_evaluations"]
+            text = self.run_program(*arguments, "--stats")
+            self.assertEqual(text.code, 0, text.err)
+            self.assertRegex(text.out, rf"a\.png: lighting evaluations +{where[shading]}\b")
+            self.assertRegex(text.out, rf"a\.png: pixels covered +{stats['pixels_covered']}\b")
+            self.assertEqual(self.run_program(*arguments).out, "")
+            self.assertGreaterEqual(stats["overdraw"], 1)
+        self.assertEqual(where, {"unlit": 0, "flat": 4, "gouraud": 8, "phong": stats["pixels_covered"]})
 
     def test_inspect_says_what_is_in_a_model(self):
         self.write("a.obj", TWO_PARTS)

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t triangles_per_chunk = 4096;
 constexpr int tile_fixed = tile_size << subpixel_bits;
+constexpr unsigned outside_all = 0xffffu;  // outcode() of what is not finite, as it is kept
 
 /// Part of one draw, and what comes of it. Chunks are cut by numbers of triangles, never by threads.
 struct Chunk {
@@ -22,12 +23,6 @@ struct Chunk {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> tiles;  ///< (tile, index in `triangles`)
     RenderStats stats;
 };
-
-/// Clipping leaves coordinates in the guard band; where its numbers end (w near the smallest float) they stop at its rim.
-std::int32_t snap(double px) {
-    const double in_band = px > -guard_band_px ? (px < guard_band_px ? px : guard_band_px) : -guard_band_px;
-    return std::int32_t(std::floor(in_band * (1 << subpixel_bits) + 0.5));
-}
 
 /// Everything that setting up the triangles of one chunk needs.
 class Setup {
@@ -44,49 +39,75 @@ public:
     }
 
     void run() {
+        chunk_.triangles.reserve(chunk_.end - chunk_.first);
+        chunk_.tiles.reserve(chunk_.end - chunk_.first);
         for (std::size_t t = chunk_.first; t < chunk_.end; ++t) add(std::uint32_t(t));
         front_.memory.add(std::exchange(new_bytes_, 0));
     }
 
 private:
+    /// The pixels whose center may be inside, in the window.
+    struct Box {
+        int left, right, top, bottom;
+    };
+
     void add(std::uint32_t t) {
-        ClipVertex v[3];
-        unsigned all = ~0u, any = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            v[k] = front_.clip[chunk_.draw][mesh_.indices[3 * std::size_t(t) + k]];
-            const unsigned code = outcode(v[k], volume_);
-            all &= code;
-            any |= code;
-        }
-        if (all != 0 || any == ~0u) {
-            ++chunk_.stats.culled_outside;
-            return;
-        }
-        EdgePlanes planes;
-        if (!edge_planes(v, front_.view, 0, 0, planes)) {
-            ++chunk_.stats.culled_degenerate;
-            return;
-        }
+        const std::uint32_t* const index = mesh_.indices.data() + 3 * std::size_t(t);
+        const ClipVertices& clip = front_.clip[chunk_.draw];
+        if (!front_.codes[chunk_.draw].empty() && !is_uncut(t, index)) return;
+        const std::vector<ScreenPoint>& screen = front_.screen[chunk_.draw];
+        const ScreenPoint points[3] = {screen[index[0]], screen[index[1]], screen[index[2]]};
+        ScreenTriangle s = triangle(t);
+        Box box;
+        if (!place(points, s, box)) return;
+        const ClipVertex v[3] = {clip[index[0]], clip[index[1]], clip[index[2]]};
+        if (set_depth(v, s)) bin(s, box);
+    }
+
+    ScreenTriangle triangle(std::uint32_t t) const {
         ScreenTriangle s{};
-        set_depth(v, planes, s);
         s.draw = std::uint32_t(chunk_.draw);
         s.triangle = t;
-        if (any & cutting_planes)
-            add_clipped(v, any & cutting_planes, s);
-        else
-            add_piece(v[0], v[1], v[2], s);
+        return s;
+    }
+
+    /// False when the triangle is outside, or was cut and added.
+    bool is_uncut(std::uint32_t t, const std::uint32_t* index) {
+        const std::vector<std::uint16_t>& codes = front_.codes[chunk_.draw];
+        const unsigned all = codes[index[0]] & codes[index[1]] & codes[index[2]], any = codes[index[0]] | codes[index[1]] | codes[index[2]];
+        if (all != 0 || any == outside_all) {
+            ++chunk_.stats.culled_outside;
+            return false;
+        }
+        if ((any & cutting_planes) == 0) return true;
+        const ClipVertices& clip = front_.clip[chunk_.draw];
+        const ClipVertex v[3] = {clip[index[0]], clip[index[1]], clip[index[2]]};
+        ScreenTriangle s = triangle(t);
+        if (set_depth(v, s)) add_clipped(v, any & cutting_planes, s);
+        return false;
     }
 
     void add_clipped(const ClipVertex (&v)[3], unsigned planes, const ScreenTriangle& s) {
         ClipVertex polygon[max_clipped_vertices];
         const std::size_t count = clip_triangle(v, planes, volume_, polygon);
         ++chunk_.stats.clipped;
-        for (std::size_t k = 2; k < count; ++k) add_piece(polygon[0], polygon[k - 1], polygon[k], s);
+        for (std::size_t k = 2; k < count; ++k) {
+            const ScreenPoint points[3] = {snap_to_screen(front_.view, polygon[0]), snap_to_screen(front_.view, polygon[k - 1]),
+                                           snap_to_screen(front_.view, polygon[k])};
+            ScreenTriangle piece = s;
+            Box box;
+            if (place(points, piece, box)) bin(piece, box);
+        }
     }
 
     /// Depth key: near / distance in perspective, the rest of the way to the far plane in parallel views; both are affine on
     /// the screen, so they come from the planes of the whole triangle also where only a piece of it is drawn.
-    void set_depth(const ClipVertex (&v)[3], const EdgePlanes& e, ScreenTriangle& s) const {
+    bool set_depth(const ClipVertex (&v)[3], ScreenTriangle& s) {
+        EdgePlanes e;
+        if (!edge_planes(v, front_.view, 0, 0, e)) {
+            ++chunk_.stats.culled_degenerate;
+            return false;
+        }
         const double near = front_.view.near, range = front_.view.far - near;
         double key[3];
         for (std::size_t i = 0; i < 3; ++i) {
@@ -98,51 +119,47 @@ private:
         }
         s.depth_low = float(std::min({key[0], key[1], key[2]}));
         s.depth_high = float(std::max({key[0], key[1], key[2]}));
+        return true;
     }
 
-    void add_piece(const ClipVertex& a, const ClipVertex& b, const ClipVertex& c, ScreenTriangle s) {
-        const ClipVertex* corners[3] = {&a, &b, &c};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const dvec2 p = front_.view.screen(*corners[k]);
-            s.x[k] = snap(p.x);
-            s.y[k] = snap(p.y);
-        }
-        const std::int64_t area = std::int64_t(s.x[1] - s.x[0]) * (s.y[2] - s.y[0]) - std::int64_t(s.x[2] - s.x[0]) * (s.y[1] - s.y[0]);
+    /// Corners in order of positive area, and the box; false: culled, and counted.
+    bool place(const ScreenPoint (&p)[3], ScreenTriangle& s, Box& box) {
+        const std::int64_t area =
+            std::int64_t(p[1].x - p[0].x) * (p[2].y - p[0].y) - std::int64_t(p[2].x - p[0].x) * (p[1].y - p[0].y);
         if (area == 0) {
             ++chunk_.stats.culled_degenerate;
-            return;
+            return false;
         }
         s.is_back = (area < 0) != front_is_negative_;
         if (s.is_back ? cull_back_ : cull_front_) {
             ++chunk_.stats.culled_back;
-            return;
+            return false;
         }
-        if (area < 0) {
-            std::swap(s.x[1], s.x[2]);
-            std::swap(s.y[1], s.y[2]);
-        }
-        bin(s);
+        const std::size_t second = area < 0 ? 2 : 1, third = 3 - second;
+        s.x[0] = p[0].x, s.x[1] = p[second].x, s.x[2] = p[third].x;
+        s.y[0] = p[0].y, s.y[1] = p[second].y, s.y[2] = p[third].y;
+        const auto [x_low, x_high] = std::minmax({p[0].x, p[1].x, p[2].x});
+        const auto [y_low, y_high] = std::minmax({p[0].y, p[1].y, p[2].y});
+        box.left = std::max((x_low + 127) >> subpixel_bits, grid_.window.x);
+        box.right = std::min((x_high - 128) >> subpixel_bits, grid_.window.x + grid_.window.width - 1);
+        box.top = std::max((y_low + 127) >> subpixel_bits, grid_.window.y);
+        box.bottom = std::min((y_high - 128) >> subpixel_bits, grid_.window.y + grid_.window.height - 1);
+        if (box.left <= box.right && box.top <= box.bottom) return true;
+        ++chunk_.stats.culled_outside;
+        return false;
     }
 
-    void bin(const ScreenTriangle& s) {
-        const auto [x_low, x_high] = std::minmax({s.x[0], s.x[1], s.x[2]});
-        const auto [y_low, y_high] = std::minmax({s.y[0], s.y[1], s.y[2]});
-        // Pixels whose center may be inside, in the window.
-        const int left = std::max((x_low + 127) >> subpixel_bits, grid_.window.x);
-        const int right = std::min((x_high - 128) >> subpixel_bits, grid_.window.x + grid_.window.width - 1);
-        const int top = std::max((y_low + 127) >> subpixel_bits, grid_.window.y);
-        const int bottom = std::min((y_high - 128) >> subpixel_bits, grid_.window.y + grid_.window.height - 1);
-        if (left > right || top > bottom) {
-            ++chunk_.stats.culled_outside;
-            return;
-        }
+    void bin(const ScreenTriangle& s, const Box& box) {
         ++chunk_.stats.drawn;
         const auto index = std::uint32_t(chunk_.triangles.size());
         chunk_.triangles.push_back(s);
         new_bytes_ += sizeof(ScreenTriangle);
-        for (int ty = top / tile_size; ty <= bottom / tile_size; ++ty) {
-            for (int tx = left / tile_size; tx <= right / tile_size; ++tx) {
-                if (!touches(s, tx, ty)) continue;
+        const int first_x = box.left / tile_size, last_x = box.right / tile_size;
+        const int first_y = box.top / tile_size, last_y = box.bottom / tile_size;
+        const bool is_in_one = first_x == last_x && first_y == last_y;
+        for (int ty = first_y; ty <= last_y; ++ty) {
+            for (int tx = first_x; tx <= last_x; ++tx) {
+                if (!is_in_one && !touches(s, tx, ty)) continue;
                 chunk_.tiles.emplace_back(std::uint32_t((ty - grid_.first_y) * grid_.columns + tx - grid_.first_x), index);
                 new_bytes_ += sizeof(chunk_.tiles[0]) + sizeof(Binned::items[0]);
             }
@@ -180,8 +197,10 @@ void add_stats(RenderStats& sum, const RenderStats& part) {
 }
 
 /// Counting sort of all chunks' entries by tile, in the order of the chunks.
-Binned sort_into_tiles(std::vector<Chunk>& chunks, std::size_t tiles) {
-    Binned binned;
+Binned sort_into_tiles(std::vector<Chunk>& chunks, std::size_t tiles, Binned&& used) {
+    Binned binned = std::move(used);
+    binned.chunks.clear();
+    binned.spare.clear();
     std::vector<std::uint64_t> count(tiles + 1, 0);
     std::uint64_t total = 0;
     for (const Chunk& c : chunks) total += c.tiles.size();
@@ -194,7 +213,7 @@ Binned sort_into_tiles(std::vector<Chunk>& chunks, std::size_t tiles) {
     for (std::size_t c = 0; c < chunks.size(); ++c) {
         for (const auto& [tile, index] : chunks[c].tiles) binned.items[std::size_t(count[tile]++)] = std::uint64_t(c) << 32 | index;
         binned.chunks.push_back(std::move(chunks[c].triangles));
-        chunks[c] = {};
+        binned.spare.push_back(std::move(chunks[c].tiles));
     }
     return binned;
 }
@@ -231,15 +250,16 @@ bool edge_planes(const ClipVertex (&v)[3], const View& view, double x0, double y
     const dvec3 rows[3] = {cross(h[1], h[2]), cross(h[2], h[0]), cross(h[0], h[1])};
     const double determinant = dot(h[0], rows[0]);
     if (!(std::fabs(determinant) > 0) || !std::isfinite(1 / determinant)) return false;
+    const double inverse = 1 / determinant;
     for (std::size_t i = 0; i < 3; ++i) {
-        out.ex[i] = rows[i].x / determinant;
-        out.ey[i] = rows[i].y / determinant;
-        out.e0[i] = rows[i].z / determinant;
+        out.ex[i] = rows[i].x * inverse;
+        out.ey[i] = rows[i].y * inverse;
+        out.e0[i] = rows[i].z * inverse;
     }
     return true;
 }
 
-Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Context& context) {
+Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Context& context) {
     std::vector<Chunk> chunks;
     for (std::size_t d = 0; d < front.list.draws.size(); ++d) {
         if (front.clip[d].empty()) continue;
@@ -247,13 +267,19 @@ Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Context& context) {
         for (std::size_t t = 0; t < triangles; t += triangles_per_chunk)
             chunks.push_back({d, t, std::min(triangles, t + triangles_per_chunk), {}, {}, {}});
     }
+    for (std::size_t c = 0; c < std::min(chunks.size(), used.chunks.size()); ++c) {
+        chunks[c].triangles = std::move(used.chunks[c]);
+        chunks[c].tiles = std::move(used.spare[c]);
+        chunks[c].triangles.clear();
+        chunks[c].tiles.clear();
+    }
     context.parallel_for(chunks.size(), [&](std::size_t c) {
         const FlushDenormals guard;
         Setup(front, grid, chunks[c]).run();
     });
     context.throw_if_cancelled();
     for (const Chunk& c : chunks) add_stats(front.stats, c.stats);
-    return sort_into_tiles(chunks, grid.count());
+    return sort_into_tiles(chunks, grid.count(), std::move(used));
 }
 
 }  // namespace rakelight::raster

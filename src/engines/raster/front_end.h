@@ -3,6 +3,7 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -26,6 +27,11 @@ struct ScreenTriangle {
 /// Where a draw's vertices are in clip space, [vertices].
 using ClipVertices = std::vector<ClipVertex>;
 
+/// A vertex on the screen, [1/256 px].
+struct ScreenPoint {
+    std::int32_t x, y;
+};
+
 /// The tiles of a picture that a window touches.
 struct TileGrid {
     TileGrid(int width, int height, Window window);
@@ -43,6 +49,7 @@ struct Binned {
     std::vector<std::vector<ScreenTriangle>> chunks;
     std::vector<std::uint32_t> offsets;  ///< [tiles + 1] into items
     std::vector<std::uint64_t> items;    ///< chunk << 32 | index in the chunk
+    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> spare;  ///< [chunks] memory for the next picture
     const ScreenTriangle& at(std::uint64_t item) const { return chunks[item >> 32][item & 0xFFFFFFFFu]; }
 };
 
@@ -64,15 +71,21 @@ struct FrontEnd {
     const View& view;
     const RenderSettings& settings;
     std::vector<ClipVertices> clip;      ///< [draws]; empty for draws wholly outside
+    std::vector<std::vector<ScreenPoint>> screen;    ///< [draws][vertices]; means nothing where a cutting plane is violated
+    std::vector<std::vector<std::uint16_t>> codes;   ///< [draws][vertices] planes that each vertex violates; empty: none does
     std::vector<dmat4> to_eye;           ///< [draws] object -> world axes about the eye
     RenderStats stats;
     PictureMemory memory;
 };
 
+/// The place of a vertex on the screen; what is not in the guard band stops at its rim.
+ScreenPoint snap_to_screen(const View& view, const ClipVertex& v);
+
 /// Matrices and clip-space vertices of every draw that may be seen.
 void transform_draws(FrontEnd& front, Context& context);
 /// Triangles into tiles.
-Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Context& context);
+/// @param used  what the picture before left: only its memory counts
+Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Context& context);
 
 /// Homogeneous edge functions of a triangle about a pixel position: e_i(x, y) = ex[i] x + ey[i] y + e0[i], in px from (x0, y0);
 /// their sum is 1 / w, so b_i = e_i / sum (Olano & Greer 1997, "Triangle scan conversion using 2D homogeneous coordinates").

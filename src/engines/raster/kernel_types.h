@@ -16,7 +16,7 @@ inline constexpr int max_mip_levels = 16;    ///< 32768 texels a side
 struct TextureView {
     const uint32_t* rgba8;    ///< code values, R in the low byte; or null
     const float* rgba32f;     ///< four linear floats a texel; or null
-    const float* decode;      ///< [256] code value -> linear for R, G, B (sRGB or /255); null for rgba32f
+    const float* decode;      ///< [256] sRGB code value -> linear for R, G, B; null: code / 255, or rgba32f
     int32_t levels;           ///< 1..max_mip_levels
     int32_t offset[max_mip_levels], width[max_mip_levels], height[max_mip_levels];  ///< [texels] of each level
     int32_t wrap_u, wrap_v;   ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
@@ -56,6 +56,13 @@ struct ShadeTriangle {
 };
 inline constexpr int shade_triangle_floats = int(sizeof(ShadeTriangle) / sizeof(float));
 
+/// Light that the corners of a triangle receive, each term per unit of its reflectance (k_a, k_d, k_s): what flat and Gouraud
+/// shading interpolate. a0, a1 - a0, a2 - a0.
+struct LitTriangle {
+    float ambient[3][3], diffuse[3][3], specular[3][3];
+};
+inline constexpr int lit_triangle_floats = int(sizeof(LitTriangle) / sizeof(float));
+
 /// Pixels of one material in one tile.
 struct ShadeJob {
     int32_t count;
@@ -63,6 +70,7 @@ struct ShadeJob {
     const int32_t* y;
     const int32_t* triangle;               ///< [count] into `triangles`
     const ShadeTriangle* triangles;
+    const LitTriangle* lit;                ///< beside `triangles`; null: lighting is evaluated at every pixel
     const MaterialView* material;
     const lighting::LightParameters* lights;
     int32_t light_count;
@@ -83,11 +91,36 @@ struct ShadeJob {
     float* normal_z;
 };
 
+/// Points of one material where lighting is evaluated before there are pixels: centroids for flat, vertices for Gouraud shading.
+/// Arrays are read and written up to batch_padding past `count`.
+struct LightJob {
+    int32_t count;
+    const float* position[3];              ///< [count] x, y, z about the eye, world axes
+    const float* normal[3];                ///< [count] unit, on the side that is seen
+    const ShadeJob* shade;                 ///< material, lights, model, view; its pixels are not looked at
+    float roughness;                       ///< of the material, with the mean of its map; not looked at for classical materials
+    float* ambient[3];                     ///< [count] out: R, G, B of each term per unit of its reflectance
+    float* diffuse[3];
+    float* specular[3];
+};
+
+/// One opaque triangle in one tile, against the depth that stands there. Edges as in Coverage (coverage.h), in 32 bits.
+struct CoverJob {
+    int32_t left, top, right, bottom;      ///< px in the tile, inclusive
+    int32_t edge[3], step_x[3], step_y[3];
+    float depth_0, depth_x, depth_y, depth_low, depth_high;
+    int32_t position;                      ///< written to `visible` where the triangle is nearer than what stands there
+    float* depth;                          ///< [tile_size * tile_size]
+    int32_t* visible;
+};
+
 /// The functions that exist once per instruction set.
 struct Kernels {
     int32_t lanes;
+    int32_t (*cover)(const CoverJob* job); ///< returns how many pixels were written
     void (*shade)(const ShadeJob* job);
     void (*alpha)(const ShadeJob* job);    ///< only `alpha` is written: for masks
+    void (*light)(const LightJob* job);
 };
 
 namespace scalar { const Kernels* kernels(); }

@@ -2,7 +2,9 @@
 // The soft engine's way of the data: draw list -> vertices -> triangles in tiles -> visibility -> shading -> sink.
 #include "engines/raster/raster_engine.h"
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <mutex>
 
 #include "engines/raster/tile.h"
@@ -37,18 +39,20 @@ public:
         const std::lock_guard lock(mutex_);
         free_.push_back(std::move(scratch));
     }
+    /// What the tiles of this picture took, and begins anew. When no scratch is out.
+    void add_times_to(StageTimes& sum) {
+        for (const auto& scratch : free_) {
+            const StageTimes t = std::exchange(scratch->times, {});
+            sum.visibility += t.visibility;
+            sum.shading += t.shading;
+            sum.blending += t.blending;
+            sum.delivery += t.delivery;
+        }
+    }
 
 private:
     std::mutex mutex_;
     std::vector<std::unique_ptr<TileScratch>> free_;
-};
-
-/// The part of a finished tile that lies in the window, as the sink wants it.
-struct Delivery {
-    std::vector<vec4> color;
-    std::vector<float> depth;
-    std::vector<vec3> normal;
-    std::vector<std::uint32_t> object, material;
 };
 
 float distance_of(float key, const View& view) {
@@ -57,20 +61,57 @@ float distance_of(float key, const View& view) {
     return key > 0 ? float(view.near / double(key)) : std::numeric_limits<float>::infinity();
 }
 
-void deliver(const TileJob& job, std::size_t tile, const TileScratch& s, Sink& sink) {
+/// The rows of a whole tile that lie in the window; a tile that does so wholly is handed on as it stands.
+template <class T>
+std::span<const T> part(const std::vector<T>& whole, const Window& in_tile, std::vector<T>& copy) {
+    if (in_tile.width == tile_size) return std::span(whole).subspan(std::size_t(in_tile.y * tile_size), std::size_t(in_tile.height * tile_size));
+    for (int y = in_tile.y; y < in_tile.y + in_tile.height; ++y) {
+        const auto row = whole.begin() + y * tile_size + in_tile.x;
+        copy.insert(copy.end(), row, row + in_tile.width);
+    }
+    return copy;
+}
+
+void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     const Window area = job.grid.pixels(tile);
+    const Window in_tile = {area.x - job.grid.origin_x(tile), area.y - job.grid.origin_y(tile), area.width, area.height};
     const std::uint32_t channels = job.front.settings.channels;
-    Delivery d;
-    for (int y = area.y; y < area.y + area.height; ++y)
-        for (int x = area.x; x < area.x + area.width; ++x) {
-            const auto p = std::size_t((y - job.grid.origin_y(tile)) * tile_size + x - job.grid.origin_x(tile));
-            d.color.push_back(s.color[p]);
-            if (channels & channel_depth) d.depth.push_back(distance_of(s.depth[p], job.front.view));
-            if (channels & channel_normal) d.normal.push_back(s.normal[p]);
-            if (channels & channel_object) d.object.push_back(s.object[p]);
-            if (channels & channel_material) d.material.push_back(s.material[p]);
-        }
-    sink.tile({area, d.color, d.depth, d.normal, d.object, d.material, {}});
+    if (channels & channel_depth)
+        for (float& key : s.depth) key = distance_of(key, job.front.view);
+    std::vector<vec4> color;
+    std::vector<float> depth;
+    std::vector<vec3> normal;
+    std::vector<std::uint32_t> object, material;
+    Tile result{area, part(s.color, in_tile, color), {}, {}, {}, {}, {}};
+    if (channels & channel_depth) result.depth = part(s.depth, in_tile, depth);
+    if (channels & channel_normal) result.normal = part(s.normal, in_tile, normal);
+    if (channels & channel_object) result.object = part(s.object, in_tile, object);
+    if (channels & channel_material) result.material = part(s.material, in_tile, material);
+    sink.tile(result);
+}
+
+/// Seconds since the last lap, by the clock on the wall.
+class StageClock {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now(), before = std::exchange(last_, now);
+        return std::chrono::duration<double>(now - before).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink& sink) {
+    StageClock clock;
+    find_visible(job, tile, scratch);
+    scratch.times.visibility += clock.lap();
+    shade_opaque(job, tile, scratch);
+    scratch.times.shading += clock.lap();
+    blend_transparent(job, tile, scratch);
+    scratch.times.blending += clock.lap();
+    deliver(job, tile, scratch, sink);
+    scratch.times.delivery += clock.lap();
 }
 
 class SoftEngine final : public Engine {
@@ -82,44 +123,54 @@ public:
     void prepare(const Scene& scene, Context& context) override { list_ = make_draw_list(scene, textures_, context); }
 
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
-        if (settings.shading == Shading::flat || settings.shading == Shading::gouraud)
-            throw Error(ErrorCode::usage, "the soft engine shades per pixel (phong) or not at all (unlit)", {},
-                        "for a faceted look use --normals flat");
         const View view = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings);
+        StageClock clock;
         const TileGrid grid(settings.width, settings.height, settings.window);
-        FrontEnd front{list_, view, settings, {}, {}, {}, PictureMemory(context.memory())};
+        FrontEnd front{list_, view, settings, std::move(clip_), std::move(screen_), std::move(codes_), {}, {}, PictureMemory(context.memory())};
         transform_draws(front, context);
-        const Binned binned = set_up_and_bin(front, grid, context);
+        Binned binned = set_up_and_bin(front, grid, std::move(binned_), context);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
+        LightPoints points = light_points(front, binned, lights, *kernels_, std::move(points_), context);
+        front.stats.times.front_end = clock.lap();
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
-        draw_tiles({front, binned, grid, lights, *kernels_}, sink, context, front.stats);
+        const bool has_blended =
+            std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
+        draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points}, sink, context, front.stats);
         sink.end_pass(0);
+        front.stats.times.tiles = clock.lap();
+        clip_ = std::move(front.clip);
+        screen_ = std::move(front.screen);
+        codes_ = std::move(front.codes);
+        binned_ = std::move(binned);
+        points_ = std::move(points);
         return front.stats;
     }
 
 private:
     void draw_tiles(const TileJob& job, Sink& sink, Context& context, RenderStats& stats) {
-        std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0};
+        std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, lit_pixels{0}, depth_passes{0};
         std::atomic<std::size_t> done{0};
         context.parallel_for(job.grid.count(), [&](std::size_t tile) {
             const FlushDenormals guard;
             if (context.cancelled()) return;
             auto scratch = pool_.take();
-            scratch->covered = scratch->shaded = scratch->not_finite = 0;
-            find_visible(job, tile, *scratch);
-            shade_opaque(job, tile, *scratch);
-            blend_transparent(job, tile, *scratch);
-            deliver(job, tile, *scratch, sink);
+            scratch->covered = scratch->shaded = scratch->not_finite = scratch->lit_pixels = scratch->depth_passes = 0;
+            draw_tile(job, tile, *scratch, sink);
             covered += scratch->covered;
             shaded += scratch->shaded;
             not_finite += scratch->not_finite;
+            lit_pixels += scratch->lit_pixels;
+            depth_passes += scratch->depth_passes;
             pool_.give_back(std::move(scratch));
             context.progress("render", double(++done) / double(job.grid.count()));
         });
+        pool_.add_times_to(stats.times);
         context.throw_if_cancelled();
         stats.pixels_covered = covered;
         stats.pixels_shaded = shaded;
         stats.pixels_not_finite = not_finite;
+        stats.lighting_evaluations += lit_pixels;
+        stats.depth_passes = depth_passes;
         if (not_finite > 0)
             context.report().add(Remark::warning, list_.scene.source, {}, std::to_string(not_finite) + " color values came out not finite and are shown black");
     }
@@ -128,6 +179,12 @@ private:
     TextureCache textures_;
     DrawList list_;
     ScratchPool pool_;
+    // Memory of the picture before, used again.
+    std::vector<ClipVertices> clip_;
+    std::vector<std::vector<ScreenPoint>> screen_;
+    std::vector<std::vector<std::uint16_t>> codes_;
+    Binned binned_;
+    LightPoints points_;
 };
 
 }  // namespace

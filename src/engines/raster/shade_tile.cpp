@@ -8,15 +8,23 @@
 namespace rakelight::raster {
 namespace {
 
+bool is_finite(float v) { return v - v == 0; }
+
+bool is_lit_at_pixels(const ShadeJob& job) { return !job.unlit && !job.lit; }
+
 /// Colors of a finished batch into the tile; `over` blends (Porter & Duff 1984, straight alpha over an opaque ground).
 void store_batch(std::size_t count, bool over, TileScratch& s) {
     const auto finite = [&s](float v) {
-        if (std::isfinite(v)) return v;
+        if (is_finite(v)) return v;
         ++s.not_finite;
         return 0.0f;
     };
     for (std::size_t i = 0; i < count; ++i) {
         vec4& to = s.color[std::size_t(s.y[i] * tile_size + s.x[i])];
+        if (!over && is_finite(s.red[i] + s.green[i] + s.blue[i])) {  // nearly all; a sum that overflows is looked at below
+            to = {s.red[i], s.green[i], s.blue[i], 1.0f};
+            continue;
+        }
         const float opacity = over ? std::clamp(finite(s.alpha[i]), 0.0f, 1.0f) : 1.0f;
         const vec4 c = {finite(s.red[i]), finite(s.green[i]), finite(s.blue[i]), opacity};
         const float under = to.w * (1 - c.w), alpha = c.w + under;
@@ -33,19 +41,23 @@ std::int32_t record_of(const TileJob& job, std::size_t tile, std::int32_t positi
     std::int32_t& record = s.record[std::size_t(position)];
     if (record < 0) {
         record = std::int32_t(s.triangles.size());
-        s.triangles.emplace_back();
-        make_shade_triangle(job.front, job.binned.at(job.binned.items[job.binned.offsets[tile] + std::uint32_t(position)]),
-                            job.grid.origin_x(tile), job.grid.origin_y(tile), s.triangles.back());
+        make_records(job, job.binned.at(job.binned.items[job.binned.offsets[tile] + std::uint32_t(position)]), job.grid.origin_x(tile),
+                     job.grid.origin_y(tile), s.triangles.size(), s);
     }
     return record;
 }
 
 void shade_run(const TileJob& job, std::size_t tile, std::uint32_t material, const std::uint32_t* pixels, std::size_t count,
                TileScratch& s) {
+    std::int32_t position = -1, record = -1;
     for (std::size_t i = 0; i < count; ++i) {
         s.x[i] = std::int32_t(pixels[i] % tile_size);
         s.y[i] = std::int32_t(pixels[i] / tile_size);
-        s.triangle[i] = record_of(job, tile, s.visible[pixels[i]], s);
+        if (s.visible[pixels[i]] != position) {  // neighbors mostly show one triangle
+            position = s.visible[pixels[i]];
+            record = record_of(job, tile, position, s);
+        }
+        s.triangle[i] = record;
     }
     ShadeJob batch = make_job(job, material, count, s);
     if (job.front.settings.channels & channel_normal) {
@@ -54,6 +66,7 @@ void shade_run(const TileJob& job, std::size_t tile, std::uint32_t material, con
         batch.normal_z = s.normal_z.data();
     }
     job.kernels.shade(&batch);
+    if (is_lit_at_pixels(batch)) s.lit_pixels += count;
     if (batch.normal_x)
         for (std::size_t i = 0; i < count; ++i) s.normal[pixels[i]] = {s.normal_x[i], s.normal_y[i], s.normal_z[i]};
     store_batch(count, false, s);
@@ -61,9 +74,35 @@ void shade_run(const TileJob& job, std::size_t tile, std::uint32_t material, con
 
 }  // namespace
 
+namespace {
+
+/// Lists the covered pixels with the object and material of each. Neighbors mostly show one triangle.
+void find_owners(const TileJob& job, std::uint32_t first, TileScratch& s) {
+    std::int32_t position = -1;
+    const Draw* draw = nullptr;
+    for (std::uint32_t p = 0; p < tile_pixels; ++p) {
+        if (s.visible[p] < 0) continue;
+        if (s.visible[p] != position) {
+            position = s.visible[p];
+            draw = &job.front.list.draws[job.binned.at(job.binned.items[first + std::uint32_t(position)]).draw];
+        }
+        s.pixels.push_back(p);
+        s.object[p] = draw->node;
+        s.material[p] = draw->material;
+    }
+}
+
+/// Brings the pixels of one material together, each group row by row.
+void group_by_material(TileScratch& s) {
+    const auto differs = [&s](std::uint32_t a, std::uint32_t b) { return s.material[a] != s.material[b]; };
+    if (std::adjacent_find(s.pixels.begin(), s.pixels.end(), differs) == s.pixels.end()) return;
+    std::stable_sort(s.pixels.begin(), s.pixels.end(), [&s](std::uint32_t a, std::uint32_t b) { return s.material[a] < s.material[b]; });
+}
+
+}  // namespace
+
 ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count, TileScratch& s) {
-    const RenderSettings& settings = job.front.settings;
-    ShadeJob out{};
+    ShadeJob out = material_job(job.front, job.lights, material);
     out.count = std::int32_t(count);
     for (std::size_t i = 0; i < batch_padding; ++i) {  // dead lanes repeat the last pixel
         s.x[count + i] = s.x[count - 1];
@@ -74,20 +113,7 @@ ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count,
     out.y = s.y.data();
     out.triangle = s.triangle.data();
     out.triangles = s.triangles.data();
-    const MaterialView& view = job.front.list.materials[material].view;
-    out.material = &view;
-    out.lights = job.lights.data();
-    out.light_count = std::int32_t(job.lights.size());
-    out.reflection_model = settings.lighting == Lighting::lambert ? 0 : settings.lighting == Lighting::phong ? 1 : 2;
-    out.reflection_form = settings.specular_form == SpecularForm::automatic ? view.metallic_roughness
-                                                                       : settings.specular_form == SpecularForm::normalized;
-    out.specular_horizon = settings.specular_horizon;
-    out.orthogonalize = settings.orthogonalize;
-    out.bump = settings.bump != Bump::none;
-    out.unlit = view.unlit || settings.shading == Shading::unlit;
-    out.orthographic = job.front.view.orthographic;
-    const dvec3 back = job.front.view.camera_to_world[2].xyz();
-    out.view_direction[0] = float(back.x), out.view_direction[1] = float(back.y), out.view_direction[2] = float(back.z);
+    if (job.points.is_used) out.lit = s.lit.data();
     out.red = s.red.data();
     out.green = s.green.data();
     out.blue = s.blue.data();
@@ -95,41 +121,40 @@ ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count,
     return out;
 }
 
+void make_records(const TileJob& job, const ScreenTriangle& s, int tile_x, int tile_y, std::size_t record, TileScratch& scratch) {
+    scratch.triangles.resize(record + 1);
+    make_shade_triangle(job.front, s, tile_x, tile_y, scratch.triangles[record]);
+    if (!job.points.is_used) return;
+    scratch.lit.resize(record + 1);
+    make_lit_triangle(job.front, job.points, s, scratch.triangles[record], scratch.lit[record]);
+}
+
 void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     const RenderSettings& settings = job.front.settings;
     std::fill(s.color.begin(), s.color.end(), settings.background);
-    std::fill(s.normal.begin(), s.normal.end(), vec3{});
-    std::fill(s.object.begin(), s.object.end(), none);
-    std::fill(s.material.begin(), s.material.end(), none);
+    if (settings.channels & channel_normal) std::fill(s.normal.begin(), s.normal.end(), vec3{});
+    if (settings.channels & channel_object) std::fill(s.object.begin(), s.object.end(), none);
+    if (settings.channels & channel_material) std::fill(s.material.begin(), s.material.end(), none);
     const std::uint32_t first = job.binned.offsets[tile];
     s.record.assign(job.binned.offsets[tile + 1] - first, -1);
     s.triangles.clear();
     s.pixels.clear();
-    const auto material_of = [&](std::uint32_t pixel) {
-        const ScreenTriangle& t = job.binned.at(job.binned.items[first + std::uint32_t(s.visible[pixel])]);
-        return job.front.list.draws[t.draw].material;
-    };
-    for (std::uint32_t p = 0; p < tile_pixels; ++p) {
-        if (s.visible[p] < 0) continue;
-        s.pixels.push_back(p);
-        const ScreenTriangle& t = job.binned.at(job.binned.items[first + std::uint32_t(s.visible[p])]);
-        const Draw& draw = job.front.list.draws[t.draw];
-        s.object[p] = draw.node;
-        s.material[p] = draw.material;
-    }
+    find_owners(job, first, s);
     s.covered += s.pixels.size();
-    std::stable_sort(s.pixels.begin(), s.pixels.end(), [&](std::uint32_t a, std::uint32_t b) { return s.material[a] < s.material[b]; });
+    group_by_material(s);
     for (std::size_t i = 0; i < s.pixels.size();) {
-        const std::uint32_t material = material_of(s.pixels[i]);
+        const std::uint32_t material = s.material[s.pixels[i]];
         std::size_t end = i + 1;
         while (end < s.pixels.size() && s.material[s.pixels[end]] == material) ++end;
         shade_run(job, tile, material, s.pixels.data() + i, end - i, s);
         i = end;
     }
-    for (const std::uint32_t p : s.pixels) s.material[p] = job.front.list.materials[s.material[p]].scene_material;
+    if (settings.channels & channel_material)
+        for (const std::uint32_t p : s.pixels) s.material[p] = job.front.list.materials[s.material[p]].scene_material;
 }
 
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
+    if (!job.has_blended) return;
     struct Layer { float depth; std::uint32_t item; };
     std::vector<Layer> layers;
     for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1]; ++i) {
@@ -151,10 +176,10 @@ void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
             s.triangle[count++] = 0;
         });
         if (count == 0) continue;
-        s.triangles.resize(1);
-        make_shade_triangle(job.front, t, ox, oy, s.triangles[0]);
+        make_records(job, t, ox, oy, 0, s);
         const ShadeJob batch = make_job(job, job.front.list.draws[t.draw].material, count, s);
         job.kernels.shade(&batch);
+        if (is_lit_at_pixels(batch)) s.lit_pixels += count;
         store_batch(count, true, s);
     }
 }

@@ -26,6 +26,12 @@ void set_planes(const FrontEnd& front, const ScreenTriangle& s, const std::uint3
     }
 }
 
+/// As normalize_or(), whose care for overflow and underflow few vectors need.
+dvec3 unit_or(dvec3 v, dvec3 fallback) {
+    const double square = dot(v, v);
+    return square > 1e-200 && square < 1e200 ? v * (1 / std::sqrt(square)) : normalize_or(v, fallback);
+}
+
 /// a0, a1 - a0, a2 - a0 of a vector attribute.
 void set_deltas(float (&to)[3][3], const dvec3 (&a)[3]) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -81,11 +87,11 @@ void make_shade_triangle(const FrontEnd& front, const ScreenTriangle& s, int til
     out.handedness = float(mirror);
     for (std::size_t k = 0; k < 3; ++k) {
         position[k] = transform_point(to_eye, cast<double>(mesh.positions[index[k]]));
-        if (!mesh.normals.empty()) normal[k] = normalize_or(to_normal * cast<double>(mesh.normals[index[k]]) * mirror, dvec3{0, 0, 1});
-        if (!mesh.tangents.empty()) tangent[k] = normalize_or(linear * cast<double>(mesh.tangents[index[k]].xyz()), dvec3{});
+        if (!mesh.normals.empty()) normal[k] = unit_or(to_normal * cast<double>(mesh.normals[index[k]]) * mirror, dvec3{0, 0, 1});
+        if (!mesh.tangents.empty()) tangent[k] = unit_or(linear * cast<double>(mesh.tangents[index[k]].xyz()), dvec3{});
     }
     if (mesh.normals.empty()) {
-        const dvec3 face = normalize_or(cross(position[1] - position[0], position[2] - position[0]) * mirror, dvec3{0, 0, 1});
+        const dvec3 face = unit_or(cross(position[1] - position[0], position[2] - position[0]) * mirror, dvec3{0, 0, 1});
         std::fill(normal, normal + 3, face);
     }
     if (!mesh.tangents.empty()) out.handedness = float(mirror) * mesh.tangents[index[0]].w;

@@ -12,16 +12,13 @@ namespace rakelight::raster {
 namespace {
 
 /// Code value -> linear, for colors and for data.
-const float* decode_table(bool srgb) {
-    static const std::array<std::array<float, 256>, 2> tables = [] {
-        std::array<std::array<float, 256>, 2> t;
-        for (int i = 0; i < 256; ++i) {
-            t[0][std::size_t(i)] = float(i) / 255.0f;
-            t[1][std::size_t(i)] = linear_from_srgb8(std::uint8_t(i));
-        }
+const float* srgb_table() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> t{};
+        for (std::size_t i = 0; i < 256; ++i) t[i] = linear_from_srgb8(std::uint8_t(i));
         return t;
     }();
-    return tables[srgb ? 1 : 0].data();
+    return table.data();
 }
 
 /// Kernels address texels, and the four floats of one, by int32_t.
@@ -55,7 +52,7 @@ std::shared_ptr<const TextureData> pack(const MipChain& chain) {
     }
     view.rgba8 = chain.is_float ? nullptr : data->rgba8.data();
     view.rgba32f = chain.is_float ? data->rgba32f.data() : nullptr;
-    view.decode = chain.is_float ? nullptr : decode_table(chain.is_srgb);
+    view.decode = chain.is_srgb && !chain.is_float ? srgb_table() : nullptr;
     return data;
 }
 

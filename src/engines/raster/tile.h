@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engines/raster/front_end.h"
+#include "engines/raster/light_points.h"
 
 namespace rakelight::raster {
 
@@ -16,6 +17,8 @@ struct TileJob {
     const TileGrid& grid;
     const std::vector<lighting::LightParameters>& lights;
     const Kernels& kernels;
+    bool has_blended;  ///< some material blends
+    const LightPoints& points;
 };
 
 /// Working memory of one tile; used again by the next one.
@@ -29,6 +32,7 @@ struct TileScratch {
     std::vector<float> normal_x = batch<float>(), normal_y = batch<float>(), normal_z = batch<float>();
     std::vector<float> batch_depth = batch<float>();
     std::vector<ShadeTriangle> triangles;
+    std::vector<LitTriangle> lit;        ///< beside `triangles` in flat and Gouraud pictures
     std::vector<std::int32_t> record;    ///< [list] position in the list -> in `triangles`, -1: not yet made
     std::vector<std::uint32_t> pixels;   ///< covered pixels, sorted by material
     // The result, [tile_pixels], row by row of the whole tile.
@@ -36,6 +40,9 @@ struct TileScratch {
     std::vector<vec3> normal = std::vector<vec3>(tile_pixels);
     std::vector<std::uint32_t> object = std::vector<std::uint32_t>(tile_pixels), material = std::vector<std::uint32_t>(tile_pixels);
     std::uint64_t covered = 0, shaded = 0, not_finite = 0;
+    StageTimes times;  ///< of all tiles so far
+    std::uint64_t lit_pixels = 0;        ///< lighting was evaluated at
+    std::uint64_t depth_passes = 0;      ///< opaque and masked pixels that were nearer than what stood there
 
     template <class T>
     static std::vector<T> batch() { return std::vector<T>(tile_pixels + batch_padding); }
@@ -50,6 +57,8 @@ void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& scratc
 
 /// The kernel's record of one triangle, about the tile's first pixel center.
 void make_shade_triangle(const FrontEnd& front, const ScreenTriangle& s, int tile_x, int tile_y, ShadeTriangle& out);
+/// The same, and where lighting is not evaluated at the pixels the light of its corners: number `record` of the scratch's arrays.
+void make_records(const TileJob& job, const ScreenTriangle& s, int tile_x, int tile_y, std::size_t record, TileScratch& scratch);
 /// A job for `count` pixels of the batch arrays, all of one material; pads the arrays.
 ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count, TileScratch& scratch);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstdlib>
 
 #include "engines/raster/coverage.h"
 #include "engines/raster/tile.h"
@@ -30,7 +31,75 @@ void cover_masked(const TileJob& job, const ScreenTriangle& s, std::int32_t posi
         const auto p = std::size_t(scratch.y[i] * tile_size + scratch.x[i]);
         scratch.depth[p] = scratch.batch_depth[i];
         scratch.visible[p] = position;
+        ++scratch.depth_passes;
     }
+}
+
+/// Edge functions stay in 32 bits over the tile and the lanes beyond its box. Those of edges longer than 65,000 pixels do not.
+bool fits_kernel(const Coverage& c) {
+    constexpr std::int64_t limit = std::int64_t(1) << 30;
+    std::int64_t largest = 0;
+    for (int k = 0; k < 3; ++k)
+        largest = std::max(largest, std::abs(c.edge[k]) + 2 * tile_size * (std::abs(c.step_x[k]) + std::abs(c.step_y[k])));
+    return largest < limit;
+}
+
+CoverJob cover_job(const Coverage& c, std::int32_t position, TileScratch& scratch) {
+    CoverJob job;
+    job.left = c.left, job.top = c.top, job.right = c.right, job.bottom = c.bottom;
+    for (int k = 0; k < 3; ++k) {
+        job.edge[k] = std::int32_t(c.edge[k]);
+        job.step_x[k] = std::int32_t(c.step_x[k]);
+        job.step_y[k] = std::int32_t(c.step_y[k]);
+    }
+    job.depth_0 = c.depth_0, job.depth_x = c.depth_x, job.depth_y = c.depth_y;
+    job.depth_low = c.depth_low, job.depth_high = c.depth_high;
+    job.position = position;
+    job.depth = scratch.depth.data();
+    job.visible = scratch.visible.data();
+    return job;
+}
+
+/// The farthest depth that stands in a tile: what is not nearer needs no look at the pixels. Found anew when half a tile's worth of
+/// pixels was written since.
+class FarthestDepth {
+public:
+    FarthestDepth(const Window& area, int ox, int oy, const std::vector<float>& depth)
+        : left_(area.x - ox), right_(area.x - ox + area.width), top_(area.y - oy), bottom_(area.y - oy + area.height), depth_(depth) {}
+    bool hides(const ScreenTriangle& s) const { return s.depth_high <= farthest_; }
+    void written(std::int32_t pixels) {
+        if ((since_ += pixels) < tile_pixels / 2) return;
+        since_ = 0;
+        float farthest = depth_[std::size_t(top_ * tile_size + left_)];
+        for (int y = top_; y < bottom_; ++y) {
+            const float* const row = &depth_[std::size_t(y * tile_size)];
+            for (int x = left_; x < right_; ++x) farthest = row[x] < farthest ? row[x] : farthest;
+            if (farthest < 0) break;  // a pixel is still empty
+        }
+        farthest_ = farthest;
+    }
+
+private:
+    int left_, right_, top_, bottom_;
+    const std::vector<float>& depth_;
+    std::int32_t since_ = 0;
+    float farthest_ = -1;
+};
+
+std::int32_t cover_opaque(const TileJob& job, const Coverage& c, std::int32_t position, TileScratch& scratch) {
+    if (fits_kernel(c)) {
+        const CoverJob kernel_job = cover_job(c, position, scratch);
+        return job.kernels.cover(&kernel_job);
+    }
+    std::int32_t written = 0;
+    for_each_covered(c, [&](int x, int y, float depth) {
+        const auto p = std::size_t(y * tile_size + x);
+        if (!(depth > scratch.depth[p])) return;  // the first of equals stays
+        scratch.depth[p] = depth;
+        scratch.visible[p] = position;
+        ++written;
+    });
+    return written;
 }
 
 }  // namespace
@@ -40,9 +109,11 @@ void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch) {
     std::fill(scratch.visible.begin(), scratch.visible.end(), -1);
     const Window area = job.grid.pixels(tile);
     const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
+    FarthestDepth farthest(area, ox, oy, scratch.depth);
     const std::uint32_t first = job.binned.offsets[tile], end = job.binned.offsets[tile + 1];
     for (std::uint32_t i = first; i < end; ++i) {
         const ScreenTriangle& s = job.binned.at(job.binned.items[i]);
+        if (farthest.hides(s)) continue;
         const MaterialView& material = job.front.list.materials[job.front.list.draws[s.draw].material].view;
         const auto position = std::int32_t(i - first);
         if (material.blend) continue;
@@ -50,12 +121,11 @@ void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch) {
             cover_masked(job, s, position, area, ox, oy, scratch);
             continue;
         }
-        cover(s, area, ox, oy, [&](int x, int y, float depth) {
-            const auto p = std::size_t(y * tile_size + x);
-            if (!(depth > scratch.depth[p])) return;  // the first of equals stays
-            scratch.depth[p] = depth;
-            scratch.visible[p] = position;
-        });
+        Coverage c;
+        if (!set_coverage(s, area, ox, oy, c)) continue;
+        const std::int32_t written = cover_opaque(job, c, position, scratch);
+        scratch.depth_passes += std::uint64_t(written);
+        farthest.written(written);
     }
 }
 

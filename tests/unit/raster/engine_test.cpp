@@ -335,9 +335,6 @@ TEST(SoftEngine, ImpossibleCamerasAndSettingsAreRefused) {
     s = small;
     s.window = {60, 0, 10, 10};
     EXPECT_THROW(render(lit_square(), flat_camera(), s), Error);
-    s = small;
-    s.shading = Shading::gouraud;
-    EXPECT_THROW(render(lit_square(), flat_camera(), s), Error);
 }
 
 TEST(SoftEngine, NothingIsNotANumberForDegenerateAndExtremeInput) {

@@ -14,11 +14,14 @@ struct Records {
     integer offset;   ///< of each lane's record
     bool is_uniform;
 
-    Records(const ShadeTriangle* triangles, integer triangle) {
+    Records(const ShadeTriangle* triangles, integer triangle)
+        : Records(reinterpret_cast<const float*>(triangles), shade_triangle_floats, triangle) {}
+    /// Records of `floats` floats each.
+    Records(const float* records, int32_t floats, integer triangle) {
         const int32_t first = lane(triangle, 0);
         is_uniform = all_lanes(triangle == integer(first));
-        base = reinterpret_cast<const float*>(triangles) + (is_uniform ? int64_t(first) * shade_triangle_floats : 0);
-        offset = triangle * integer(int32_t(shade_triangle_floats));
+        base = records + (is_uniform ? int64_t(first) * floats : 0);
+        offset = triangle * integer(floats);
     }
     real operator()(size_t member_offset) const {
         const int32_t k = int32_t(member_offset / sizeof(float));

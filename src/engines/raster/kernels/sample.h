@@ -12,18 +12,27 @@ struct Level {
 };
 
 inline Level level_at(const TextureView& t, integer number) {
-    if (t.levels == 1) return {integer(t.offset[0]), integer(t.width[0]), integer(t.height[0])};
+    const int32_t first = lane(number, 0);  // lanes are mostly of one level
+    if (all_lanes(number == integer(first))) return {integer(t.offset[first]), integer(t.width[first]), integer(t.height[first])};
     return {gather_i(t.offset, number), gather_i(t.width, number), gather_i(t.height, number)};
 }
 
+/// A texel before the scale of the texture: filters are linear, so it is applied once, after them.
 inline vec4 fetch(const TextureView& t, integer texel) {
     if (t.rgba32f != nullptr) {
         const integer i = texel << 2;
         return vec4(gather(t.rgba32f, i), gather(t.rgba32f + 1, i), gather(t.rgba32f + 2, i), gather(t.rgba32f + 3, i));
     }
     const integer rgba = gather_i(t.rgba8, texel), byte = integer(255);
-    return vec4(gather(t.decode, rgba & byte), gather(t.decode, (rgba >> 8) & byte), gather(t.decode, (rgba >> 16) & byte),
-                to_real((rgba >> 24) & byte) * real(1.0f / 255.0f));
+    const integer r = rgba & byte, g = (rgba >> 8) & byte, b = (rgba >> 16) & byte;
+    const real alpha = to_real((rgba >> 24) & byte);
+    if (t.decode == nullptr) return vec4(to_real(r), to_real(g), to_real(b), alpha);
+    return vec4(gather(t.decode, r), gather(t.decode, g), gather(t.decode, b), alpha);
+}
+inline vec4 scaled(const TextureView& t, vec4 v) {
+    if (t.rgba32f != nullptr) return v;
+    const real by_code(1.0f / 255.0f), rgb = t.decode == nullptr ? by_code : real(1.0f);
+    return vec4(v.x * rgb, v.y * rgb, v.z * rgb, v.w * by_code);
 }
 
 /// Texture coordinate -> 0..1 by the wrap mode; not finite and huge values give something in range.
@@ -99,8 +108,8 @@ inline vec4 sample(const TextureSlot& slot, const TexCoords& raw) {
             result = mix(result, sample_level(t, upper, c.uv, t.minify_linear != 0), level - to_real(lower));
         }
     }
-    if (one_filter || all_lanes(is_minified)) return result;
-    return select(is_minified, result, sample_level(t, integer(0), c.uv, t.magnify_linear != 0));
+    if (one_filter || all_lanes(is_minified)) return scaled(t, result);
+    return scaled(t, select(is_minified, result, sample_level(t, integer(0), c.uv, t.magnify_linear != 0)));
 }
 
 }  // namespace rakelight::raster::RL_ISA

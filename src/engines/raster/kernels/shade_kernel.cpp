@@ -3,11 +3,11 @@
 // math/wide.h and what stands on it.
 #include <stddef.h>
 
+#include "engines/raster/kernels/cover_kernel.h"
+#include "engines/raster/kernels/light_kernel.h"
 #include "engines/raster/kernels/sample.h"
-#include "lighting/lighting.h"
 
 namespace rakelight::raster::RL_ISA {
-namespace lit = rakelight::lighting::RL_ISA;
 
 /// One vector of pixels on its way.
 struct Pixels {
@@ -15,14 +15,15 @@ struct Pixels {
     Barycentrics b;
     TexCoords texcoords[2];
     vec3 position;  ///< relative to the eye
+    integer triangle;
 
     Pixels(const ShadeJob& job, int32_t first)
         : records(job.triangles, load_i(job.triangle + first)),
           b(barycentrics(records, to_real(load_i(job.x + first)), to_real(load_i(job.y + first)))),
-          position(interpolate3(records, b, offsetof(ShadeTriangle, position))) {}
+          position(interpolate3(records, b, offsetof(ShadeTriangle, position))),
+          triangle(load_i(job.triangle + first)) {}
 };
 
-inline vec3 splat(const float (&v)[3]) { return vec3(real(v[0]), real(v[1]), real(v[2])); }
 inline vec3 rgb(vec4 v) { return vec3(v.x, v.y, v.z); }
 inline vec4 texel(const TextureSlot& slot, const Pixels& p) { return sample(slot, p.texcoords[slot.texcoord_set == 0 ? 0 : 1]); }
 
@@ -82,15 +83,13 @@ inline void set_metallic_roughness(const MaterialView& m, const Pixels& p, vec3 
     s.ambient = base;
     s.diffuse = base * (real(1.0f) - metallic);
     s.specular = mix(splat(m.dielectric_f0), base, metallic);
-    const real alpha = max(roughness * roughness, real(1e-3f));
-    s.exponent = clamp(real(2.0f) / (alpha * alpha) - real(2.0f), real(1.0f), real(10000.0f));
+    s.exponent = exponent_of_roughness(roughness);
 }
 
-inline lit::Surface surface_of(const ShadeJob& job, const Pixels& p, const BaseColor& base) {
-    const MaterialView& m = *job.material;
+/// What the material reflects at the pixel, without directions.
+inline lit::Surface reflectance_of(const MaterialView& m, const Pixels& p, const BaseColor& base) {
     lit::Surface s;
-    s.n = shading_normal(job, p);
-    s.v = job.orthographic != 0 ? splat(job.view_direction) : safe_normalize(-p.position);
+    s.n = s.v = vec3(real(0.0f));
     s.diffuse = rgb(base.color);
     if (m.metallic_roughness != 0)
         set_metallic_roughness(m, p, rgb(base.color), s);
@@ -101,15 +100,26 @@ inline lit::Surface surface_of(const ShadeJob& job, const Pixels& p, const BaseC
     return s;
 }
 
+inline lit::Surface surface_of(const ShadeJob& job, const Pixels& p, const BaseColor& base) {
+    lit::Surface s = reflectance_of(*job.material, p, base);
+    s.n = shading_normal(job, p);
+    s.v = to_viewer(job, p.position);
+    return s;
+}
+
+/// Flat and Gouraud shading: light that the corners have received, times what the pixel reflects.
+inline vec3 add_interpolated(vec3 sum, const ShadeJob& job, const Pixels& p, const lit::Surface& surface) {
+    const ReceivedLight received = interpolate_light(job.lit, p.triangle, p.b);
+    return sum + (surface.ambient * received.ambient + surface.diffuse * received.diffuse + surface.specular * received.specular);
+}
+
 inline vec3 lit_color(const ShadeJob& job, const Pixels& p, vec4 color, const lit::Surface& surface) {
     const MaterialView& m = *job.material;
     vec3 sum = splat(m.emission);
     if (m.emission_map.view != nullptr) sum = sum * rgb(texel(m.emission_map, p));
     if (job.unlit != 0) return lit::unlit(rgb(color), sum);
-    lit::Reflection reflection;
-    reflection.model = job.reflection_model;
-    reflection.form = job.reflection_form;
-    reflection.horizon = job.specular_horizon;
+    if (job.lit != nullptr) return add_interpolated(sum, job, p, surface);
+    const lit::Reflection reflection = reflection_of(job);
     for (int32_t i = 0; i < job.light_count; ++i)
         sum = lit::add_light(sum, surface, lit::sample_light(job.lights[i], p.position), reflection);
     return sum;
@@ -119,7 +129,8 @@ inline void shade_vector(const ShadeJob& job, int32_t first) {
     Pixels p(job, first);
     find_texcoords(*job.material, p);
     const BaseColor base = base_color(*job.material, p);
-    const lit::Surface surface = surface_of(job, p, base);
+    const bool needs_normal = job.lit == nullptr || job.normal_x != nullptr;
+    const lit::Surface surface = needs_normal ? surface_of(job, p, base) : reflectance_of(*job.material, p, base);
     const vec3 radiance = lit_color(job, p, base.color, surface);
     store(job.red + first, radiance.x);
     store(job.green + first, radiance.y);
@@ -144,7 +155,7 @@ static void alpha(const ShadeJob* job) {
 }
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, shade, alpha};
+    static constexpr Kernels table = {lanes, cover, shade, alpha, light};
     return &table;
 }
 

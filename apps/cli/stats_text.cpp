@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stats_text.h"
+
+#include <cstdio>
+
+namespace rakelight::cli {
+
+std::string stats_text(const PictureResult& result) {
+    const RenderStats& s = result.stats;
+    const struct {
+        const char* what;
+        std::uint64_t count;
+    } rows[] = {{"lighting evaluations", s.lighting_evaluations},
+                {"vertices lit twice", s.vertices_lit_twice},
+                {"triangles in", s.triangles_in},
+                {"culled by side", s.culled_back},
+                {"culled outside", s.culled_outside},
+                {"culled degenerate", s.culled_degenerate},
+                {"clipped", s.clipped},
+                {"triangles drawn", s.drawn},
+                {"pixels covered", s.pixels_covered},
+                {"pixels shaded", s.pixels_shaded},
+                {"depth passes", s.depth_passes}};
+    const std::string name = one_line(result.output) + ": ";
+    std::string text;
+    char line[80];
+    for (const auto& row : rows) {
+        std::snprintf(line, sizeof line, "%-21s %12llu\n", row.what, static_cast<unsigned long long>(row.count));
+        text += name + line;
+    }
+    std::snprintf(line, sizeof line, "%-21s %12.3f\n", "overdraw", s.overdraw());
+    return text + name + line;
+}
+
+}  // namespace rakelight::cli

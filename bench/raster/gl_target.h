@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// An OpenGL 3.3 context without a window, by EGL, and a picture to draw into.
+#pragma once
+#include <string>
+
+#include <rakelight/image.h>
+
+namespace rakelight::bench {
+
+/// Mesa's software rasterizer unless LIBGL_ALWAYS_SOFTWARE says otherwise. One a thread.
+class GlContext {
+public:
+    GlContext();  ///< @throws Error failed: no EGL, no OpenGL 3.3
+    ~GlContext();
+    GlContext(const GlContext&) = delete;
+    GlContext& operator=(const GlContext&) = delete;
+    std::string renderer() const, version() const;
+    static void finish();  ///< returns when all that was asked for is drawn
+
+private:
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+};
+
+/// sRGB color and 24 bits of depth, `samples` a pixel; those are averaged by resolve().
+class GlTarget {
+public:
+    GlTarget(int width, int height, int samples);
+    void begin() const;    ///< binds, clears
+    void resolve() const;  ///< nothing for one sample
+    Pixels read() const;   ///< RGB codes, row 0 on top
+
+private:
+    unsigned make(int samples, bool with_depth) const;
+    int width_, height_, samples_;
+    unsigned drawn_, resolved_;  ///< frame buffer objects; the same for one sample
+};
+
+}  // namespace rakelight::bench

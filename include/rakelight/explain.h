@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why a pixel has its color: everything that the soft engine computes on the way to it.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rakelight/picture.h>
+
+namespace rakelight {
+
+/// One pixel with all its numbers; read it with to_text() and to_json().
+struct ExplainedPixel;
+
+/// Follows one pixel of the picture that `request` describes: its window, channels, output and engine do not count. The
+/// numbers are those of the soft engine: the sum of the terms is the picture's pixel to the bit.
+/// @param x,y  [px] of the whole picture; 0,0 is the top left one
+/// @throws Error usage: the pixel is not in the picture, impossible settings or camera; not_found, bad_file, failed
+std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context);
+
+/// The pixel's color as a PNG file holds it: 3 values, or 4 with alpha where the background is transparent.
+std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel);
+/// Linear RGB and alpha.
+vec4 color_of(const ExplainedPixel& pixel);
+
+/// For people: lines that end with line feeds. Numbers are written with as many digits as tell the float apart.
+std::string to_text(const ExplainedPixel& pixel);
+
+/// A row of the program's JSON: what was found, or the error instead.
+struct ExplainRow {
+    std::string file;
+    int x = 0, y = 0;
+    std::shared_ptr<const ExplainedPixel> pixel;
+    std::vector<ReportEntry> remarks;
+    std::uint64_t remarks_left_out = 0;
+    std::optional<Error> error;
+};
+
+/// {"schema": "rakelight.explain/1", "rows": [...]} with a line feed at its end; docs/explain.md says what is in it.
+std::string to_json(std::span<const ExplainRow> rows);
+
+}  // namespace rakelight

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pipeline made of glass: what each stage of the soft engine makes of a model, as pictures, tables and a page.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rakelight/picture.h>
+
+namespace rakelight {
+
+/// What was written.
+struct StagesResult {
+    std::string file, folder;
+    std::vector<std::string> files;  ///< names in the folder, index.html first
+};
+
+/// Writes a folder with index.html (readable without scripts), a JSON table for each stage and PNG pictures: model, world,
+/// camera and clip space, clipped polygons, normalized device coordinates, screen, culled faces, coverage, depth,
+/// visibility, normals, each light's terms, the picture. `request.output` names the folder. All of it appears at once or not
+/// at all; a folder that exists is replaced when it is empty or holds nothing but what this function once wrote.
+/// @throws Error usage: more than 16 million pixels, impossible settings; failed: the folder holds other things or cannot be
+///         written; not_found, bad_file
+StagesResult write_stages(const PictureRequest& request, Context& context);
+
+/// A row of the program's JSON.
+struct StagesRow {
+    StagesResult result;  ///< at least `file` and `folder`
+    std::vector<ReportEntry> remarks;
+    std::uint64_t remarks_left_out = 0;
+    std::optional<Error> error;
+};
+
+/// {"schema": "rakelight.stages/1", "rows": [...]} with a line feed at its end.
+std::string to_json(std::span<const StagesRow> rows);
+
+}  // namespace rakelight

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/inspect_pixels.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engines/raster/coverage.h"
+#include "engines/raster/tile.h"
+#include "math/flush_denormals.h"
+
+namespace rakelight::raster {
+namespace {
+
+vec3 rgb(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+void allocate(PixelStageData& d, std::size_t pixels, std::size_t lights) {
+    d.overdraw.assign(pixels, 0);
+    d.culled.assign(pixels, 0);
+    d.distance.assign(pixels, std::numeric_limits<float>::infinity());
+    d.draw.assign(pixels, none);
+    d.triangle.assign(pixels, none);
+    d.normal.assign(pixels, {});
+    d.emission.assign(pixels, {});
+    d.color.assign(pixels, {});
+    d.lights.resize(lights);
+    for (TermPictures& t : d.lights) {
+        t.ambient.assign(pixels, {});
+        t.diffuse.assign(pixels, {});
+        t.specular.assign(pixels, {});
+    }
+}
+
+/// The stages of one tile of both geometries.
+class TileStages {
+public:
+    TileStages(const Inspection& of, const Inspection::Geometry& open, const Inspection::Geometry& drawn, std::size_t tile, PixelStageData& out)
+        : of_(of), open_(open), drawn_(drawn), tile_(tile), job_{drawn.front, drawn.binned, drawn.grid, of.lights(), *scalar::kernels(), true, drawn.points},
+          area_(drawn.grid.pixels(tile)), ox_(drawn.grid.origin_x(tile)), oy_(drawn.grid.origin_y(tile)), lights_(of.lights().size()), out_(out) {}
+
+    void run() {
+        count();
+        find_visible(job_, tile_, s_);
+        note_visible();
+        shade_opaque(job_, tile_, s_);
+        blend_transparent(job_, tile_, s_);
+        for (int y = area_.y; y < area_.y + area_.height; ++y)
+            for (int x = area_.x; x < area_.x + area_.width; ++x) out_.color[at(x - ox_, y - oy_)] = s_.color[std::size_t((y - oy_) * tile_size + x - ox_)];
+        trace_all();
+    }
+
+private:
+    std::size_t at(int x, int y) const { return std::size_t(y + oy_) * std::size_t(of_.settings().width) + std::size_t(x + ox_); }
+
+    template <class Visit>
+    void for_each_triangle(const Binned& binned, const Visit& visit) const {
+        for (std::uint32_t i = binned.offsets[tile_]; i < binned.offsets[tile_ + 1]; ++i) visit(binned.at(binned.items[i]));
+    }
+
+    void count() {
+        for_each_triangle(drawn_.binned, [&](const ScreenTriangle& s) {
+            cover(s, area_, ox_, oy_, [&](int x, int y, float) {
+                std::uint16_t& n = out_.overdraw[at(x, y)];
+                n = std::uint16_t(n + (n < 65535));
+            });
+        });
+        for_each_triangle(open_.binned, [&](const ScreenTriangle& s) {
+            if (!of_.is_culled(s.draw, s.is_back)) return;
+            cover(s, area_, ox_, oy_, [&](int x, int y, float) { out_.culled[at(x, y)] |= s.is_back ? 1 : 2; });
+        });
+    }
+
+    void note_visible() {
+        const std::uint32_t first = drawn_.binned.offsets[tile_];
+        for (int y = area_.y - oy_; y < area_.y - oy_ + area_.height; ++y)
+            for (int x = area_.x - ox_; x < area_.x - ox_ + area_.width; ++x) {
+                const auto p = std::size_t(y * tile_size + x);
+                if (s_.visible[p] < 0) continue;
+                const ScreenTriangle& t = drawn_.binned.at(drawn_.binned.items[first + std::uint32_t(s_.visible[p])]);
+                visible_.push_back({x, y, &t});
+                out_.distance[at(x, y)] = of_.distance_of(s_.depth[p]);
+                out_.draw[at(x, y)] = t.draw;
+                out_.triangle[at(x, y)] = t.triangle;
+            }
+    }
+
+    /// The shading of each visible surface with the recorder.
+    void trace_all() {
+        const ScreenTriangle* last = nullptr;
+        s_.triangles.resize(1);
+        for (const Visible& v : visible_) {
+            if (v.triangle != last) make_shade_triangle(drawn_.front, *v.triangle, ox_, oy_, s_.triangles[0]);
+            last = v.triangle;
+            s_.x[0] = v.x;
+            s_.y[0] = v.y;
+            s_.triangle[0] = 0;
+            const ShadeJob batch = make_job(job_, of_.list().draws[last->draw].material, 1, s_);
+            PixelTrace pixel;
+            trace::trace_pixel(&batch, &pixel, lights_.data());
+            const std::size_t p = at(v.x, v.y);
+            out_.normal[p] = rgb(pixel.normal);
+            out_.emission[p] = rgb(pixel.emission);
+            if (batch.unlit) continue;
+            for (std::size_t i = 0; i < out_.lights.size(); ++i) {
+                out_.lights[i].ambient[p] = rgb(lights_[i].ambient);
+                out_.lights[i].diffuse[p] = rgb(lights_[i].diffuse);
+                out_.lights[i].specular[p] = rgb(lights_[i].specular);
+            }
+        }
+    }
+
+    struct Visible {
+        int x, y;
+        const ScreenTriangle* triangle;
+    };
+    const Inspection& of_;
+    const Inspection::Geometry &open_, &drawn_;
+    std::size_t tile_;
+    TileJob job_;
+    Window area_;
+    int ox_, oy_;
+    TileScratch s_;
+    std::vector<Visible> visible_;
+    std::vector<TracedLight> lights_;
+    PixelStageData& out_;
+};
+
+}  // namespace
+
+PixelStageData inspect_pixels(const Inspection& of, const Inspection::Geometry& open, const Inspection::Geometry& drawn,
+                              std::size_t max_lights, Context& context) {
+    PixelStageData out;
+    allocate(out, std::size_t(of.settings().width) * std::size_t(of.settings().height), std::min(max_lights, of.lights().size()));
+    context.parallel_for(drawn.grid.count(), [&](std::size_t tile) {
+        const FlushDenormals guard;
+        if (!context.cancelled()) TileStages(of, open, drawn, tile, out).run();
+    });
+    context.throw_if_cancelled();
+    return out;
+}
+
+}  // namespace rakelight::raster

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/inspection.h"
+
+#include <limits>
+
+namespace rakelight::raster {
+
+Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context)
+    : settings_(settings), list_(make_draw_list(scene, textures_, context)) {
+    settings_.window = {};
+    view_ = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings_);
+    lights_ = make_lights(list_.scene, list_.node_to_world, view_.camera_to_world[3].xyz());
+}
+
+float Inspection::distance_of(float key) const {
+    if (view_.orthographic) return float(view_.near + (1 - double(key)) * (view_.far - view_.near));
+    return key > 0 ? float(view_.near / double(key)) : std::numeric_limits<float>::infinity();
+}
+
+bool Inspection::is_culled(std::uint32_t draw, bool is_back) const {
+    const DrawMaterial& material = list_.materials[list_.draws[draw].material];
+    const bool two_sided = material.double_sided || material.classical;
+    if (settings_.cull == Cull::automatic) return is_back && !two_sided;
+    return settings_.cull == (is_back ? Cull::back : Cull::front);
+}
+
+static RenderSettings settings_for(RenderSettings settings, Window window, bool with_culled) {
+    settings.window = window;
+    if (with_culled) settings.cull = Cull::none;
+    return settings;
+}
+
+Inspection::Geometry::Geometry(const Inspection& of, Window window, bool with_culled, Context& context)
+    : settings(settings_for(of.settings(), window, with_culled)),
+      grid(settings.width, settings.height, window),
+      front{.list = of.list(), .view = of.view(), .settings = settings, .memory = PictureMemory(context.memory())} {
+    transform_draws(front, context);
+    binned = set_up_and_bin(front, grid, {}, context);
+    points = light_points(front, binned, of.lights(), *scalar::kernels(), {}, context);
+}
+
+}  // namespace rakelight::raster

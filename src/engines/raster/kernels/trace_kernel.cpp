@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shading kernel once more, in scalar words in a namespace of its own (RL_ISA is `trace`), with a recorder: the functions
+// are those of the kernel because they are its text.
+#include "engines/raster/kernels/shade_kernel.cpp"
+
+#include "engines/raster/kernels/trace_types.h"
+
+namespace rakelight::raster::RL_ISA {
+namespace {
+
+void put(float (&to)[3], vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
+void put(float (&to)[4], vec4 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
+
+/// What sample() reads where: its coordinates and levels.
+void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out) {
+    if (slot.view == nullptr) return;
+    const TextureView& t = *slot.view;
+    const TexCoords& raw = p.texcoords[slot.texcoord_set == 0 ? 0 : 1];
+    const auto turn = [&slot](vec2 d) { return vec2(slot.uu * d.x + slot.uv * d.y, slot.vu * d.x + slot.vv * d.y); };
+    const TexCoords c = {turn(raw.uv) + vec2(slot.u0, slot.v0), turn(raw.dx), turn(raw.dy)};
+    out.is_used = 1;
+    out.u = c.uv.x;
+    out.v = c.uv.y;
+    out.level_of_detail = level_of_detail(t, c);
+    out.level = 0;
+    if (t.mip != 0 && t.levels > 1 && out.level_of_detail > 0.0f) {
+        out.level = clamp(out.level_of_detail, 0.0f, float(t.levels - 1));
+        if (t.mip == 1) out.level = float(to_int(out.level + 0.5f));
+    }
+    put(out.value, texel(slot, p));
+}
+
+void trace_maps(const MaterialView& m, const Pixels& p, PixelTrace& out) {
+    const TextureSlot* const slots[traced_maps] = {&m.base_color_map, &m.normal_map,   &m.emission_map,          &m.occlusion_map,
+                                                   &m.opacity_map,    &m.specular_map, &m.metallic_roughness_map};
+    for (int i = 0; i < traced_maps; ++i) trace_texture(*slots[i], p, out.map[i]);
+}
+
+void trace_normal(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
+    const MaterialView& m = *job.material;
+    const vec3 n = safe_normalize(interpolate3(p.records, p.b, offsetof(ShadeTriangle, normal)));
+    put(out.interpolated, n);
+    put(out.mapped, vec3(0.0f, 0.0f, 1.0f));
+    out.handedness = p.records(offsetof(ShadeTriangle, handedness));
+    out.facing = p.records(offsetof(ShadeTriangle, facing));
+    if (job.bump == 0 || m.normal_map.view == nullptr) return;
+    const vec3 along = interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent));
+    const vec3 across = lit::orthogonal_tangent(n, along);
+    put(out.tangent, job.orthogonalize != 0 ? across : safe_normalize_or(along, across));
+    put(out.mapped, lit::decode_normal(rgb(texel(m.normal_map, p)), m.normal_scale));
+}
+
+void trace_surface(const MaterialView& m, const lit::Surface& s, PixelTrace& out) {
+    put(out.normal, s.n);
+    put(out.view, s.v);
+    put(out.k_ambient, s.ambient);
+    put(out.k_diffuse, s.diffuse);
+    put(out.k_specular, s.specular);
+    out.exponent = s.exponent;
+    const TracedTexture& map = out.map[traced_metallic_roughness];
+    out.metallic = map.is_used ? m.metallic * map.value[2] : m.metallic;
+    out.roughness = map.is_used ? m.roughness * map.value[1] : m.roughness;
+}
+
+void trace_reach(const lighting::LightParameters& p, vec3 position, TracedLight& out) {
+    out.distance = 0;
+    out.attenuation = out.spot = 1;
+    if (p.kind != lighting::LightKind::point && p.kind != lighting::LightKind::spot) return;
+    const vec3 to_light = lit::broadcast3(p.position) - position;
+    const real squared = dot(to_light, to_light);
+    const real cos_angle = -dot(lit::broadcast3(p.direction), safe_normalize(to_light));
+    const bool is_spot = p.kind == lighting::LightKind::spot;
+    out.distance = sqrt(squared);
+    if (p.is_photometric) {
+        out.attenuation = lit::photometric_attenuation(squared, p.inverse_range);
+        if (is_spot) out.spot = lit::photometric_spot(cos_angle, p.cone_scale, p.cone_offset);
+    } else {
+        out.attenuation = lit::classical_attenuation(squared, p.constant_term, p.linear_term, p.quadratic_term);
+        if (is_spot) out.spot = lit::classical_spot(cos_angle, p.cos_cutoff, p.exponent);
+    }
+}
+
+void trace_lobe(const lit::Surface& s, const lit::LightSample& light, const lit::Reflection& r, TracedLight& out) {
+    out.n_dot_l = dot(s.n, light.l);
+    out.lobe_cosine = out.lobe = out.specular_factor = 0;
+    if (r.model == RL_PHONG) {
+        out.lobe_cosine = lit::phong_r_dot_v(s.n, light.l, s.v);
+        out.lobe = lit::phong_lobe(out.lobe_cosine, s.exponent);
+    }
+    if (r.model == RL_BLINN_PHONG) {
+        out.lobe_cosine = lit::blinn_phong_n_dot_h(s.n, light.l, s.v);
+        out.lobe = lit::blinn_phong_lobe(out.lobe_cosine, s.exponent);
+    }
+    out.specular_factor = lit::specular_factor(s.n, light.l, s.v, lit::lambert_cosine(out.n_dot_l), s.exponent, r);
+}
+
+void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surface, vec3 sum, TracedLight* lights) {
+    lit::Reflection reflection;
+    reflection.model = job.reflection_model;
+    reflection.form = job.reflection_form;
+    reflection.horizon = job.specular_horizon;
+    for (int32_t i = 0; i < job.light_count; ++i) {
+        TracedLight& out = lights[i];
+        const lit::LightSample sample = lit::sample_light(job.lights[i], p.position);
+        const lit::LightTerms terms = lit::light_terms(surface, sample, reflection);
+        sum = lit::add_light(sum, surface, sample, reflection);
+        trace_reach(job.lights[i], p.position, out);
+        trace_lobe(surface, sample, reflection, out);
+        put(out.to_light, sample.l);
+        put(out.ambient_color, sample.ambient);
+        put(out.diffuse_color, sample.diffuse);
+        put(out.specular_color, sample.specular);
+        put(out.ambient, terms.ambient);
+        put(out.diffuse, terms.diffuse);
+        put(out.specular, terms.specular);
+        put(out.sum, sum);
+    }
+}
+
+void trace_received(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
+    const ReceivedLight light = interpolate_light(job.lit, p.triangle, p.b);
+    put(out.received[0], light.ambient);
+    put(out.received[1], light.diffuse);
+    put(out.received[2], light.specular);
+}
+
+}  // namespace
+
+void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights) {
+    const MaterialView& m = *job->material;
+    PixelTrace& out = *pixel;
+    out = PixelTrace{};
+    Pixels p(*job, 0);
+    find_texcoords(m, p);
+    out.barycentric[0] = 1.0f - p.b.b1 - p.b.b2, out.barycentric[1] = p.b.b1, out.barycentric[2] = p.b.b2;
+    put(out.position, p.position);
+    for (int set = 0; set < 2; ++set) {
+        const TexCoords c = texcoords(p.records, p.b, set);
+        out.texcoord[set][0] = c.uv.x, out.texcoord[set][1] = c.uv.y;
+    }
+    trace_maps(m, p, out);
+    const BaseColor base = base_color(m, p);
+    put(out.vertex_color, interpolate_color(p.records, p.b));
+    put(out.paint, base.paint);
+    put(out.base_color, base.color);
+    const lit::Surface surface = surface_of(*job, p, base);
+    trace_normal(*job, p, out);
+    trace_surface(m, surface, out);
+    vec3 emission = splat(m.emission);
+    if (m.emission_map.view != nullptr) emission = emission * rgb(texel(m.emission_map, p));
+    put(out.emission, emission);
+    out.is_lit_at_corners = job->unlit == 0 && job->lit != nullptr;
+    if (out.is_lit_at_corners) trace_received(*job, p, out);
+    if (job->unlit == 0 && job->lit == nullptr) trace_lights(*job, p, surface, emission, lights);
+    put(out.color, lit_color(*job, p, base.color, surface));
+    out.alpha = base.color.w;
+}
+
+}  // namespace rakelight::raster::RL_ISA

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the shading of one pixel went through, as plain data: the recorder's side of kernels/trace_kernel.cpp.
+#pragma once
+#include <stdint.h>
+
+#include "engines/raster/kernel_types.h"
+
+namespace rakelight::raster {
+
+/// One sampled texture. Meaningless where `is_used` is 0.
+struct TracedTexture {
+    int32_t is_used;
+    float u, v;            ///< after the slot's transform, before wrapping
+    float level_of_detail; ///< log2 of texels a pixel; over 0 the picture is shrunk
+    float level;           ///< of the mip chain that was read; a fraction lies between two
+    float value[4];        ///< filtered, linear
+};
+
+/// The maps in the order of MaterialView.
+enum TracedMap : int32_t {
+    traced_base_color, traced_normal, traced_emission, traced_occlusion, traced_opacity, traced_specular,
+    traced_metallic_roughness, traced_maps,
+};
+
+/// One light at the pixel. Vectors in world axes.
+struct TracedLight {
+    float to_light[3];     ///< unit l
+    float distance;        ///< [m]; 0 for lights without a place
+    float attenuation;     ///< [1], photometric lights [1/m^2]
+    float spot;            ///< [1] the cone's factor
+    float n_dot_l;
+    float lobe_cosine;     ///< n.h (Blinn-Phong) or r.v (Phong), 0 for Lambert
+    float lobe;            ///< lobe_cosine to the power of the exponent
+    float specular_factor; ///< what k_s and the light's color are multiplied by
+    float ambient_color[3], diffuse_color[3], specular_color[3];  ///< of the light, attenuated
+    float ambient[3], diffuse[3], specular[3];                    ///< what is added to the sum
+    float sum[3];          ///< after this light
+};
+
+struct PixelTrace {
+    float barycentric[3];
+    float position[3];        ///< [m] relative to the eye, world axes
+    float texcoord[2][2];     ///< both sets, as interpolated
+    float vertex_color[4];
+    float paint[4];           ///< vertex color times base color map
+    float base_color[4];      ///< times the material's factor; alpha with the opacity map
+    float interpolated[3];    ///< unit normal before the map and before facing
+    float tangent[3];         ///< unit, as used by the normal map; 0 without one
+    float mapped[3];          ///< decoded texel in tangent space, not unit; 0, 0, 1 without a map
+    float normal[3];          ///< that is lit
+    float handedness, facing;
+    float view[3];            ///< unit, to the viewer
+    float k_ambient[3], k_diffuse[3], k_specular[3], exponent;
+    float metallic, roughness;
+    float emission[3];        ///< first term of the sum
+    int32_t is_lit_at_corners;  ///< flat and Gouraud: the sum is emission + k_a received[0] + k_d received[1] + k_s received[2]
+    float received[3][3];     ///< ambient, diffuse, specular light at the pixel, interpolated; 0 where it is lit at the pixel
+    TracedTexture map[traced_maps];
+    float color[3], alpha;    ///< the kernel's own result
+};
+
+namespace trace {
+/// Shades the first pixel of a job as its `shade` does and records how. `lights` takes job->light_count entries; those of
+/// unlit surfaces and of surfaces lit at their corners are left as they are. The numbers are those of the engine's kernels to the bit, which run the same source.
+void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights);
+}  // namespace trace
+
+}  // namespace rakelight::raster

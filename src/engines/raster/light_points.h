@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lighting before there are pixels: once a face (flat; Bouknight 1970, "A Procedure for Generation of Three-dimensional
+// Half-toned Computer Graphics Presentations") or once a vertex (Gouraud 1971, "Continuous Shading of Curved
+// Surfaces").
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "engines/raster/front_end.h"
+
+namespace rakelight::raster {
+
+/// Points and normals of one draw about the eye, in world axes.
+class DrawFrame {
+public:
+    DrawFrame(const FrontEnd& front, std::uint32_t draw);
+
+    dvec3 position(std::uint32_t vertex) const;
+    dvec3 normal(std::uint32_t vertex) const;  ///< unit; the mesh must have normals
+
+    struct Face {
+        dvec3 centroid, normal;  ///< unit, towards the viewer
+    };
+    Face face(std::uint32_t triangle) const;
+
+    /// 0: the triangle shows the side of its normals, 1: the other one, whose normals are turned round. The rule of the
+    /// pixels (shade_triangle.cpp: facing), without leaving object space.
+    int seen_side(const ScreenTriangle& s) const;
+
+private:
+    const std::uint32_t* indices(std::uint32_t triangle) const {
+        return mesh_.indices.data() + 3 * std::size_t(triangle);
+    }
+
+    const View& view_;
+    const Mesh& mesh_;
+    const dmat4& to_eye_;
+    dmat3 to_normal_;
+    double mirror_;
+    bool by_winding_;  ///< glTF: winding says which side is in front
+    dmat3 agreement_;  ///< (C f) . (C n) = f . (agreement n) with C the cofactor matrix
+    dvec3 to_viewer_;  ///< (C f) . (to the viewer) = f . (to_viewer - determinant p), f the face's normal, p on it
+    double determinant_;
+};
+
+/// What a point receives, per unit of k_a, k_d and k_s.
+struct LitPoint {
+    float ambient[3], diffuse[3], specular[3];
+};
+
+/// The lit points of a draw. Where it is lit per face: [triangles], in `side[0]`, the side that is seen. Else
+/// [vertices] for the normals as they are and turned round. Points without their side's bit in `marks` mean nothing.
+struct DrawLight {
+    bool per_face = false;
+    std::uint8_t sides = 0;           ///< bit 1: side[0] is in use, bit 2: side[1]
+    std::vector<std::uint8_t> marks;  ///< [points] the same bits
+    std::vector<LitPoint> side[2];
+};
+
+struct LightPoints {
+    bool is_used = false;          ///< not in unlit and Phong pictures
+    std::vector<DrawLight> draws;  ///< [draws]
+};
+
+/// Lights the faces, or the vertices of the faces, that are in a tile's bin; counts them in front.stats. Each is lit
+/// once, however many pieces clipping made and however many tiles it touches. A mesh without normals is lit per face in
+/// both. Nothing in unlit and Phong pictures. Same bits for any number of threads and instruction set.
+/// @throws Error bad_file where the points need more than PictureMemory allows; failed: cancelled
+LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,
+                         const Kernels& kernels, LightPoints&& used, Context& context);
+
+/// The light of a triangle's corners. In flat pictures the normal of `shade` becomes that of the face.
+void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s, ShadeTriangle& shade,
+                       LitTriangle& out);
+
+/// The part of a kernel's job that a material, the settings and the view say: no pixels.
+ShadeJob material_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights,
+                      std::uint32_t material);
+
+}  // namespace rakelight::raster

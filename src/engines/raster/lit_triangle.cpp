@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points about the eye that lighting is evaluated at, and the light of a triangle's corners as the kernels interpolate
+// it.
+#include <algorithm>
+#include <cmath>
+
+#include "engines/raster/light_points.h"
+#include "math/linear.h"
+
+namespace rakelight::raster {
+namespace {
+
+void set_deltas(float (&to)[3][3], const float (&a)[3], const float (&b)[3], const float (&c)[3]) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        to[0][k] = a[k];
+        to[1][k] = b[k] - a[k];
+        to[2][k] = c[k] - a[k];
+    }
+}
+
+/// Unit vector; +Z for none. The short way for nearly all.
+dvec3 unit_or_forward(dvec3 v) {
+    const double square = dot(v, v);
+    return square > 1e-200 && square < 1e200 ? v * (1 / std::sqrt(square)) : normalize_or(v, dvec3{0, 0, 1});
+}
+
+}  // namespace
+
+DrawFrame::DrawFrame(const FrontEnd& front, std::uint32_t draw)
+    : view_(front.view),
+      mesh_(front.list.scene.meshes[front.list.draws[draw].mesh]),
+      to_eye_(front.to_eye[draw]),
+      to_normal_(cofactor(upper_left(to_eye_))),
+      mirror_(front.list.draws[draw].mirrored ? -1 : 1),
+      by_winding_(!front.list.materials[front.list.draws[draw].material].classical),
+      determinant_(view_.orthographic ? 0 : determinant(upper_left(to_eye_))) {
+    const dmat3& c = to_normal_;
+    const dmat3 transposed = {
+        {dvec3{c[0].x, c[1].x, c[2].x}, dvec3{c[0].y, c[1].y, c[2].y}, dvec3{c[0].z, c[1].z, c[2].z}}};
+    agreement_ = transposed * to_normal_;
+    to_viewer_ = transposed * (view_.orthographic ? view_.camera_to_world[2].xyz() : -to_eye_[3].xyz());
+}
+
+dvec3 DrawFrame::position(std::uint32_t vertex) const {
+    return transform_point(to_eye_, cast<double>(mesh_.positions[vertex]));
+}
+
+dvec3 DrawFrame::normal(std::uint32_t vertex) const {
+    return unit_or_forward(to_normal_ * cast<double>(mesh_.normals[vertex]) * mirror_);
+}
+
+DrawFrame::Face DrawFrame::face(std::uint32_t triangle) const {
+    const std::uint32_t* const index = indices(triangle);
+    const dvec3 p[3] = {position(index[0]), position(index[1]), position(index[2])};
+    const dvec3 centroid = (p[0] + p[1] + p[2]) / 3.0;
+    const dvec3 normal = unit_or_forward(cross(p[1] - p[0], p[2] - p[0]));
+    // All of a plane is seen from one side: that of the eye, which is the origin here.
+    const double seen = dot(normal, view_.orthographic ? view_.camera_to_world[2].xyz() : -centroid);
+    return {centroid, seen < 0 ? -normal : normal};
+}
+
+int DrawFrame::seen_side(const ScreenTriangle& s) const {
+    if (by_winding_) return s.is_back ? 1 : 0;
+    const std::uint32_t* const index = indices(s.triangle);
+    const dvec3 p = cast<double>(mesh_.positions[index[0]]);
+    const dvec3 face = cross(cast<double>(mesh_.positions[index[1]]) - p, cast<double>(mesh_.positions[index[2]]) - p);
+    const vec3 normals = mesh_.normals[index[0]] + mesh_.normals[index[1]] + mesh_.normals[index[2]];
+    const double seen = dot(face, to_viewer_ - p * determinant_),
+                 agree = dot(face, agreement_ * cast<double>(normals)) * mirror_;
+    return (seen < 0) != (agree < 0) ? 1 : 0;
+}
+
+void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s, ShadeTriangle& shade,
+                       LitTriangle& out) {
+    const DrawLight& light = points.draws[s.draw];
+    out = {};
+    if (light.per_face && (front.settings.channels & channel_normal)) {
+        const dvec3 n = DrawFrame(front, s.draw).face(s.triangle).normal;
+        shade.facing = 1;
+        std::fill_n(&shade.normal[0][0], 9, 0.0f);
+        for (std::size_t c = 0; c < 3; ++c) shade.normal[0][c] = float(n[c]);
+    }
+    if (light.sides == 0) return;  // unlit
+    if (light.per_face) {
+        const LitPoint& point = light.side[0][s.triangle];
+        std::copy_n(point.ambient, 3, out.ambient[0]);
+        std::copy_n(point.diffuse, 3, out.diffuse[0]);
+        std::copy_n(point.specular, 3, out.specular[0]);
+        return;
+    }
+    const std::vector<LitPoint>& side =
+        light.side[light.sides == 3 ? DrawFrame(front, s.draw).seen_side(s) : light.sides - 1];
+    const std::uint32_t* const index =
+        front.list.scene.meshes[front.list.draws[s.draw].mesh].indices.data() + 3 * std::size_t(s.triangle);
+    const LitPoint &a = side[index[0]], &b = side[index[1]], &c = side[index[2]];
+    set_deltas(out.ambient, a.ambient, b.ambient, c.ambient);
+    set_deltas(out.diffuse, a.diffuse, b.diffuse, c.diffuse);
+    set_deltas(out.specular, a.specular, b.specular, c.specular);
+}
+
+ShadeJob material_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights,
+                      std::uint32_t material) {
+    const RenderSettings& settings = front.settings;
+    ShadeJob out{};
+    const MaterialView& view = front.list.materials[material].view;
+    const bool is_per_pixel = settings.shading != Shading::flat && settings.shading != Shading::gouraud;
+    out.material = &view;
+    out.lights = lights.data();
+    out.light_count = std::int32_t(lights.size());
+    out.reflection_model = settings.lighting == Lighting::lambert ? 0 : settings.lighting == Lighting::phong ? 1 : 2;
+    out.reflection_form = settings.specular_form == SpecularForm::automatic
+                              ? view.metallic_roughness
+                              : settings.specular_form == SpecularForm::normalized;
+    out.specular_horizon = settings.specular_horizon;
+    out.orthogonalize = settings.orthogonalize;
+    out.bump = settings.bump != Bump::none && is_per_pixel;
+    out.unlit = view.unlit || settings.shading == Shading::unlit;
+    out.orthographic = front.view.orthographic;
+    const dvec3 back = front.view.camera_to_world[2].xyz();
+    out.view_direction[0] = float(back.x), out.view_direction[1] = float(back.y), out.view_direction[2] = float(back.z);
+    return out;
+}
+
+}  // namespace rakelight::raster

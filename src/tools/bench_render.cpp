@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures against the clock. Pictures of all engines are interleaved, so that a neighbor's load falls on all of them.
+#include <rakelight/bench.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include <rakelight/picture.h>
+
+#include "render/drawable.h"
+#include "render/engines.h"
+#include "render/picture_sink.h"
+#include "render/picture_steps.h"
+#include "render/stopwatch.h"
+#include "scene/scene_tools.h"
+#include "tools/bench_export.h"
+#include "tools/bench_scene.h"
+
+namespace rakelight {
+namespace {
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t n = values.size();
+    return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+}
+
+/// One engine and what its pictures took.
+struct Measured {
+    RenderBenchRow row;
+    std::unique_ptr<Engine> engine;
+    std::vector<double> ms, cpu_ms;
+    std::vector<StageTimes> stages;
+
+    double median_stage(double StageTimes::*stage) const {
+        std::vector<double> values;
+        for (const StageTimes& t : stages) values.push_back(t.*stage);
+        return median(std::move(values));
+    }
+};
+
+void check(const RenderBenchOptions& o) {
+    const auto refuse = [](const char* text) { throw Error(ErrorCode::usage, text); };
+    if (o.triangles < 100 || o.triangles > 100'000'000) refuse("triangles must be 100 to 100000000");
+    if (o.objects < 1 || o.objects > 100'000 || o.objects > o.triangles / 20)
+        refuse("objects must be 1 to 100000, with 20 triangles or more each");
+    if (o.lights > bench_lights_max) refuse("lights must be 0 to 8");
+    if (o.frames < 1 || o.frames > 10'000) refuse("frames must be 1 to 10000");
+    if (o.engines.empty()) refuse("no engine to measure");
+    for (const std::string& name : o.engines) {
+        if (name == "gl") refuse("engine gl is not there yet in this version");
+        check_engine_name(name);
+    }
+    if (!o.export_file.empty() && !o.export_file.ends_with(".glb"))
+        throw Error(ErrorCode::usage, "scenes are exported as .glb").with_file(o.export_file);
+    if (o.output.empty()) return;
+    PictureRequest request;
+    request.input = "builtin:bench";
+    request.output = o.output;
+    request.settings = o.settings;
+    check_request(request);
+}
+
+class RenderBench {
+public:
+    RenderBench(const RenderBenchOptions& options, Context& context)
+        : options_(options), context_(context), settings_(options.settings) {
+        const bool is_built_in = options.scene.empty();
+        scene_ = is_built_in ? make_bench_scene(options.triangles, options.objects, options.lights, context)
+                             : load(options.scene, options.load, context);
+        check_drawable(scene_);
+        if (is_built_in)
+            settings_.cull = Cull::back;  // all of it is closed; of classical materials both sides are drawn else
+        if (!options.export_file.empty()) export_bench_scene(scene_, options.export_file, context);
+        camera_ = choose_camera(scene_, {}, double(options.settings.width) / double(options.settings.height), context);
+        if (!is_built_in && scene_.lights.empty()) scene_.lights = default_lights(camera_.to_world);
+        scene_ = prepare_scene(scene_, {}, context);
+    }
+
+    RenderBenchReport run() {
+        for (const std::string& name : options_.engines) add_engine(name);
+        for (std::uint32_t frame = 0; frame < options_.frames; ++frame) {
+            for (Measured& m : measured_) draw(m);
+            context_.progress("bench", double(frame + 1) / options_.frames);
+        }
+        if (!options_.output.empty()) write_picture();
+        RenderBenchReport report = about_the_scene();
+        for (Measured& m : measured_) report.rows.push_back(finished(m));
+        return report;
+    }
+
+private:
+    void add_engine(const std::string& name) {
+        Measured& m = measured_.emplace_back();
+        m.engine = make_engine(name);
+        m.row.engine = name;
+        m.row.isa = engine_isa(name);
+        m.row.threads = context_.threads();
+        Stopwatch watch;
+        m.engine->prepare(scene_, context_);
+        m.row.prepare_ms = watch.lap_ms();
+        m.engine->render(camera_, settings_, sink_, context_);
+        m.row.first_ms = watch.lap_ms();
+    }
+
+    void draw(Measured& m) {
+        context_.throw_if_cancelled();
+        const std::clock_t cpu = std::clock();
+        const Stopwatch watch;
+        m.row.stats = m.engine->render(camera_, settings_, sink_, context_);
+        m.ms.push_back(watch.ms());
+        m.cpu_ms.push_back(1e3 * double(std::clock() - cpu) / CLOCKS_PER_SEC);
+        m.stages.push_back(m.row.stats.times);
+    }
+
+    void write_picture() {
+        PictureRequest request;
+        request.output = options_.output;
+        request.settings = settings_;
+        PictureResult result;
+        draw_to_files(*measured_.front().engine, camera_, request, result, context_);
+    }
+
+    RenderBenchReport about_the_scene() const {
+        RenderBenchReport report{.scene = options_.scene.empty() ? "built-in" : options_.scene,
+                                 .triangles = triangle_count(scene_),
+                                 .width = options_.settings.width,
+                                 .height = options_.settings.height,
+                                 .frames = options_.frames};
+        for (const Mesh& mesh : scene_.meshes) report.vertices += mesh.positions.size();
+        for (const Node& node : scene_.nodes) report.objects += !node.meshes.empty();
+        report.lights = std::uint32_t(scene_.lights.size());
+        return report;
+    }
+
+    RenderBenchRow finished(const Measured& m) const {
+        RenderBenchRow row = m.row;
+        row.median_ms = median(m.ms);
+        row.fastest_ms = *std::min_element(m.ms.begin(), m.ms.end());
+        row.slowest_ms = *std::max_element(m.ms.begin(), m.ms.end());
+        row.cpu_ms = median(m.cpu_ms);
+        row.mtri_per_s = double(triangle_count(scene_)) / row.median_ms * 1e-3;
+        row.mpix_per_s = double(row.stats.pixels_shaded) / row.median_ms * 1e-3;
+        for (const auto stage : {&StageTimes::front_end, &StageTimes::tiles, &StageTimes::visibility,
+                                 &StageTimes::shading, &StageTimes::blending, &StageTimes::delivery})
+            row.stages.*stage = m.median_stage(stage);
+        return row;
+    }
+
+    const RenderBenchOptions& options_;
+    Context& context_;
+    RenderSettings settings_;
+    Scene scene_;
+    Camera camera_;
+    PictureSink sink_{PixelFormat{}};  ///< display values, three bytes a pixel
+    std::vector<Measured> measured_;
+};
+
+}  // namespace
+
+RenderBenchReport bench_render(const RenderBenchOptions& options, Context& context) {
+    check(options);
+    // Half a vertex of 48 bytes and three indices a triangle, and as much again while they are made.
+    if (options.scene.empty()) context.memory().check(options.triangles * 80, "the scene to measure");
+    return RenderBench(options, context).run();
+}
+
+}  // namespace rakelight

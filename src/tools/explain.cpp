@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/explain.h>
+
+#include <new>
+
+#include "render/rows.h"
+#include "tools/explained_pixel.h"
+#include "tools/open_engine.h"
+
+namespace rakelight {
+namespace {
+
+using raster::CoveringTriangle;
+using raster::ShadedLayer;
+
+std::vector<std::uint8_t> codes(vec4 color, bool with_alpha) {
+    const PixelFormat format{.component = Component::u8, .channels = with_alpha ? 4 : 3};
+    std::vector<std::uint8_t> out(format.bytes());
+    convert_row(&color, 1, format, reinterpret_cast<std::byte*>(out.data()));
+    return out;
+}
+
+const raster::Draw& draw_of(const ExplainedPixel& e, const ShadedLayer& layer) {
+    return e.engine->list().draws[e.pixel.triangles[layer.triangle].draw];
+}
+
+}  // namespace
+
+std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context) {
+    try {
+        auto out = std::make_shared<ExplainedPixel>();
+        out->file = request.input;
+        if (x < 0 || y < 0 || x >= request.settings.width || y >= request.settings.height)  // before anything is loaded
+            throw Error(ErrorCode::usage, "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not in the picture of " +
+                                              std::to_string(request.settings.width) + " x " +
+                                              std::to_string(request.settings.height) + " pixels");
+        out->engine = open_engine(request, context);
+        out->pixel = out->engine->explain(x, y, context);
+        out->codes = codes(out->pixel.color, request.settings.background.w < 1);
+        return out;
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::failed, "out of memory").with_file(request.input);
+    } catch (const Error& error) {
+        throw error.with_file(request.input);
+    }
+}
+
+std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel) { return pixel.codes; }
+vec4 color_of(const ExplainedPixel& pixel) { return pixel.pixel.color; }
+
+TriangleNames names_of(const ExplainedPixel& e, const CoveringTriangle& triangle) {
+    const raster::DrawList& list = e.engine->list();
+    const raster::Draw& draw = list.draws[triangle.draw];
+    TriangleNames names;
+    names.node = draw.node;
+    names.mesh_index = draw.mesh;
+    names.material_index = list.materials[draw.material].scene_material;
+    names.object = list.scene.nodes[draw.node].name;
+    names.mesh = list.scene.meshes[draw.mesh].name;
+    if (names.material_index != none) names.material = list.scene.materials[names.material_index].name;
+    return names;
+}
+
+const char* word_for(raster::Fate fate) {
+    switch (fate) {
+        case raster::Fate::visible: return "visible";
+        case raster::Fate::blended: return "blended";
+        case raster::Fate::hidden: return "hidden";
+        case raster::Fate::masked_out: return "masked_out";
+        case raster::Fate::culled_back: return "culled_back";
+        case raster::Fate::culled_front: return "culled_front";
+    }
+    return "";
+}
+
+const char* name_of_map(int map) {
+    static constexpr const char* names[raster::traced_maps] = {"base_color", "normal",   "emission",          "occlusion",
+                                                               "opacity",    "specular", "metallic_roughness"};
+    return names[map];
+}
+
+std::string picture_of_map(const ExplainedPixel& e, const ShadedLayer& layer, int map) {
+    const raster::DrawList& list = e.engine->list();
+    const std::uint32_t index = list.materials[draw_of(e, layer).material].scene_material;
+    if (index == none) return {};
+    const Material& m = list.scene.materials[index];
+    const TextureUse* const uses[raster::traced_maps] = {
+        &m.base_color_texture, &m.normal_texture,  &m.emission_texture,          &m.occlusion_texture,
+        &m.opacity_texture,    &m.classical.specular_texture, &m.metallic_roughness.texture};
+    if (!*uses[map]) return {};
+    const Texture& texture = list.scene.textures[uses[map]->texture];
+    return texture.image && !texture.image->name.empty() ? texture.image->name : texture.name;
+}
+
+const char* material_model(const ExplainedPixel& e, const ShadedLayer& layer) {
+    const raster::MaterialView& view = e.engine->list().materials[draw_of(e, layer).material].view;
+    return view.unlit ? "unlit" : view.metallic_roughness ? "metallic_roughness" : "classical";
+}
+
+const char* reflection_model(const ShadedLayer& layer) {
+    static constexpr const char* names[] = {"lambert", "phong", "blinn_phong"};
+    return names[layer.reflection_model];
+}
+
+dvec3 world_position(const ExplainedPixel& e, const float (&relative)[3]) {
+    const dvec3 eye = e.engine->view().camera_to_world[3].xyz();
+    return {eye.x + double(relative[0]), eye.y + double(relative[1]), eye.z + double(relative[2])};
+}
+
+}  // namespace rakelight

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Explained pixels as the program's JSON, schema rakelight.explain/1 (docs/explain.md): fields are added, never renamed.
+// Floats are written as the doubles that they are equal to, so that the bits come back.
+#include "render/report_json.h"
+#include "tools/explained_pixel.h"
+#include "tools/texture_uses.h"
+
+namespace rakelight {
+namespace {
+
+using raster::CoveringTriangle;
+using raster::ShadedLayer;
+using raster::TracedLight;
+
+template <std::size_t n>
+Json list(const float (&v)[n]) {
+    Json out = Json::array();
+    for (const float f : v) out.push_back(double(f));
+    return out;
+}
+Json list(vec4 v) { return {double(v.x), double(v.y), double(v.z), double(v.w)}; }
+Json list(dvec3 v) { return {v.x, v.y, v.z}; }
+Json index_or_null(std::uint32_t index) { return index == none ? Json() : Json(index); }
+
+Json triangle_json(const ExplainedPixel& e, const CoveringTriangle& t) {
+    const TriangleNames names = names_of(e, t);
+    return {{"fate", word_for(t.fate)},
+            {"object", names.object},
+            {"node", names.node},
+            {"mesh_name", names.mesh},
+            {"mesh", names.mesh_index},
+            {"triangle", t.triangle},
+            {"vertices", {t.vertex[0], t.vertex[1], t.vertex[2]}},
+            {"material_name", names.material},
+            {"material", index_or_null(names.material_index)},
+            {"side", t.is_back ? "back" : "front"},
+            {"clipped", t.is_clipped},
+            {"distance", double(t.distance)},
+            {"depth_key", double(t.depth_key)},
+            {"alpha", double(t.alpha)}};
+}
+
+Json maps_json(const ExplainedPixel& e, const ShadedLayer& layer) {
+    Json out = Json::array();
+    for (int i = 0; i < raster::traced_maps; ++i) {
+        const raster::TracedTexture& map = layer.trace.map[i];
+        if (map.is_used)
+            out.push_back({{"role", name_of_map(i)},
+                           {"picture", picture_of_map(e, layer, i)},
+                           {"uv", {double(map.u), double(map.v)}},
+                           {"level_of_detail", double(map.level_of_detail)},
+                           {"level", double(map.level)},
+                           {"value", list(map.value)}});
+    }
+    return out;
+}
+
+Json light_json(const Light& light, std::size_t index, const ShadedLayer& layer) {
+    const TracedLight& t = layer.lights[index];
+    Json out = {{"light", index},
+                {"name", light.name},
+                {"type", name_of(light.type)},
+                {"to_light", list(t.to_light)},
+                {"distance", double(t.distance)},
+                {"attenuation", double(t.attenuation)},
+                {"spot", double(t.spot)},
+                {"n_dot_l", double(t.n_dot_l)}};
+    if (layer.reflection_model == 1) out["r_dot_v"] = double(t.lobe_cosine);
+    if (layer.reflection_model == 2) out["n_dot_h"] = double(t.lobe_cosine);
+    out["lobe"] = double(t.lobe);
+    out["specular_factor"] = double(t.specular_factor);
+    out["light_color"] = {{"ambient", list(t.ambient_color)}, {"diffuse", list(t.diffuse_color)}, {"specular", list(t.specular_color)}};
+    out["ambient"] = list(t.ambient);
+    out["diffuse"] = list(t.diffuse);
+    out["specular"] = list(t.specular);
+    out["sum"] = list(t.sum);
+    return out;
+}
+
+Json surface_json(const ShadedLayer& layer) {
+    const raster::PixelTrace& t = layer.trace;
+    return {{"vertex_color", list(t.vertex_color)}, {"paint", list(t.paint)},
+            {"base_color", list(t.base_color)},     {"k_ambient", list(t.k_ambient)},
+            {"k_diffuse", list(t.k_diffuse)},       {"k_specular", list(t.k_specular)},
+            {"exponent", double(t.exponent)},       {"metallic", double(t.metallic)},
+            {"roughness", double(t.roughness)}};
+}
+
+Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
+    const raster::PixelTrace& t = layer.trace;
+    Json out = {{"triangle", layer.triangle},
+                {"blended", layer.is_blended},
+                {"material_model", material_model(e, layer)},
+                {"unlit", layer.is_unlit},
+                {"reflection_model", reflection_model(layer)},
+                {"reflection_form", layer.reflection_form ? "normalized" : "textbook"},
+                {"barycentric", list(t.barycentric)},
+                {"position", list(world_position(e, t.position))},
+                {"position_from_eye", list(t.position)},
+                {"texcoords", {list(t.texcoord[0]), list(t.texcoord[1])}},
+                {"maps", maps_json(e, layer)},
+                {"normal_interpolated", list(t.interpolated)},
+                {"tangent", list(t.tangent)},
+                {"handedness", double(t.handedness)},
+                {"normal_texel", list(t.mapped)},
+                {"facing", double(t.facing)},
+                {"normal", list(t.normal)},
+                {"to_viewer", list(t.view)}};
+    out["surface"] = surface_json(layer);
+    out["emission"] = list(t.emission);
+    out["lights"] = Json::array();
+    for (std::size_t i = 0; i < layer.lights.size(); ++i)
+        out["lights"].push_back(light_json(e.engine->list().scene.lights[i], i, layer));
+    out["color"] = list(t.color);
+    out["alpha"] = double(t.alpha);
+    out["before"] = list(layer.before);
+    out["after"] = list(layer.after);
+    return out;
+}
+
+Json pixel_json(const ExplainedPixel& e) {
+    const RenderSettings& settings = e.engine->settings();
+    const raster::PixelExplanation& p = e.pixel;
+    Json out = {{"width", settings.width},
+                {"height", settings.height},
+                {"background", list(p.background)},
+                {"is_background", p.layers.empty()},
+                {"color", list(p.color)},
+                {"sum", list(p.sum)},
+                {"codes", e.codes},
+                {"triangles", Json::array()},
+                {"layers", Json::array()}};
+    for (const CoveringTriangle& t : p.triangles) out["triangles"].push_back(triangle_json(e, t));
+    for (const ShadedLayer& layer : p.layers) out["layers"].push_back(layer_json(e, layer));
+    return out;
+}
+
+}  // namespace
+
+std::string to_json(std::span<const ExplainRow> rows) {
+    Json list = Json::array();
+    for (const ExplainRow& row : rows) {
+        Json json = {{"file", row.file}, {"pixel", {row.x, row.y}}};
+        if (row.error) json["error"] = error_json(*row.error);
+        if (row.pixel) json.update(pixel_json(*row.pixel));
+        json["remarks"] = remarks_json(row.remarks);
+        json["remarks_left_out"] = row.remarks_left_out;
+        list.push_back(std::move(json));
+    }
+    return document("rakelight.explain/1", std::move(list));
+}
+
+}  // namespace rakelight

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Explained pixels for people. Floats with the fewest digits that read back as the same float (std::to_chars).
+#include <charconv>
+
+#include "tools/explained_pixel.h"
+#include "tools/text_table.h"
+#include "tools/texture_uses.h"
+
+namespace rakelight {
+namespace {
+
+using raster::CoveringTriangle;
+using raster::ShadedLayer;
+using raster::TracedLight;
+
+template <class Number>
+std::string digits(Number v) {
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, v).ptr;
+    return {buffer, end};
+}
+
+using Cells = std::vector<std::string>;
+
+template <std::size_t n>
+void append(Cells& cells, const float (&v)[n]) {
+    for (const float f : v) cells.push_back(digits(f));
+}
+
+std::string shown(const std::string& name, std::uint32_t index) {
+    if (index == none) return "(none)";
+    return name.empty() ? "number " + digits(index) : one_line(name, 60);
+}
+
+std::string fate_text(raster::Fate fate) {
+    switch (fate) {
+        case raster::Fate::visible: return "visible";
+        case raster::Fate::blended: return "blended: laid over what is behind";
+        case raster::Fate::hidden: return "hidden: a nearer one is in front";
+        case raster::Fate::masked_out: return "masked out: alpha below the cutoff";
+        case raster::Fate::culled_back: return "culled: seen from behind";
+        case raster::Fate::culled_front: return "culled: seen from the front";
+    }
+    return {};
+}
+
+std::string triangles_text(const ExplainedPixel& e) {
+    TextTable table({">#", "object", "mesh", ">triangle", "material", "side", ">distance [m]", ">depth key", ">alpha", "what becomes of it"});
+    for (std::size_t i = 0; i < e.pixel.triangles.size(); ++i) {
+        const CoveringTriangle& t = e.pixel.triangles[i];
+        const TriangleNames n = names_of(e, t);
+        table.add({digits(i), shown(n.object, n.node), shown(n.mesh, n.mesh_index), digits(t.triangle), shown(n.material, n.material_index),
+                   t.is_back ? "back" : "front", digits(t.distance), digits(t.depth_key), digits(t.alpha),
+                   fate_text(t.fate) + (t.is_clipped ? " (clipped)" : "")});
+    }
+    return "\nTriangles that cover the pixel, nearest first\n" + table.text("  ");
+}
+
+/// "name   x  y  z" lines.
+class Values {
+public:
+    explicit Values(std::size_t columns) : columns_(columns), table_(head(columns)) {}
+    template <std::size_t n>
+    void add(const char* name, const float (&v)[n], const char* note = "") {
+        Cells cells{name};
+        append(cells, v);
+        fill(std::move(cells), note);
+    }
+    void add(const char* name, dvec3 v, const char* note = "") { fill({name, digits(v.x), digits(v.y), digits(v.z)}, note); }
+    void add(const char* name, float v, const char* note = "") { fill({name, digits(v)}, note); }
+    void add(const std::string& name, vec4 v, const char* note = "") {
+        fill({name, digits(v.x), digits(v.y), digits(v.z), digits(v.w)}, note);
+    }
+    std::string text(const char* indent) const {
+        const std::string whole = table_.text(indent);
+        return whole.substr(whole.find('\n') + 1);  // the head is empty
+    }
+
+private:
+    static Cells head(std::size_t columns) {
+        Cells cells{""};
+        cells.insert(cells.end(), columns, ">");
+        cells.push_back("");
+        return cells;
+    }
+    void fill(Cells cells, const char* note) {
+        cells.resize(columns_ + 1);
+        cells.push_back(note);
+        table_.add(std::move(cells));
+    }
+    std::size_t columns_;
+    TextTable table_;
+};
+
+std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
+    const raster::PixelTrace& t = layer.trace;
+    Values values(3);
+    values.add("barycentrics", t.barycentric, "of the three vertices");
+    values.add("position [m]", world_position(e, t.position), "world");
+    values.add("from the eye [m]", t.position, "world axes");
+    const raster::DrawList& list = e.engine->list();
+    const std::size_t sets = list.scene.meshes[list.draws[e.pixel.triangles[layer.triangle].draw].mesh].texcoords.size();
+    if (sets > 0) values.add("texture coordinates 0", t.texcoord[0]);
+    if (sets > 1) values.add("texture coordinates 1", t.texcoord[1]);
+    values.add("normal, interpolated", t.interpolated);
+    if (t.map[raster::traced_normal].is_used) {
+        values.add("tangent", t.tangent, t.handedness < 0 ? "handedness -1" : "handedness +1");
+        values.add("normal, decoded texel", t.mapped, "tangent space, not yet unit");
+    }
+    values.add("normal that is lit (n)", t.normal, t.facing < 0 ? "turned to the viewer's side" : "");
+    values.add("to the viewer (v)", t.view);
+    return values.text("  ");
+}
+
+std::string maps_text(const ExplainedPixel& e, const ShadedLayer& layer) {
+    TextTable table({"map", "picture", ">u", ">v", ">level of detail", ">level read", ">red", ">green", ">blue", ">alpha"});
+    for (int i = 0; i < raster::traced_maps; ++i) {
+        const raster::TracedTexture& m = layer.trace.map[i];
+        if (!m.is_used) continue;
+        Cells cells{name_of_map(i), one_line(picture_of_map(e, layer, i), 60), digits(m.u), digits(m.v), digits(m.level_of_detail), digits(m.level)};
+        append(cells, m.value);
+        table.add(std::move(cells));
+    }
+    return table.empty() ? "" : "  Texels, filtered and linear\n" + table.text("    ");
+}
+
+std::string surface_text(const ExplainedPixel& e, const ShadedLayer& layer) {
+    const raster::PixelTrace& t = layer.trace;
+    Values values(4);
+    values.add("vertex color", t.vertex_color);
+    values.add("times base color map", t.paint);
+    values.add("times material factor", t.base_color);
+    if (!layer.is_unlit) {
+        if (std::string(material_model(e, layer)) == "metallic_roughness") {
+            values.add("metallic", t.metallic);
+            values.add("roughness", t.roughness);
+        }
+        values.add("k ambient", t.k_ambient);
+        values.add("k diffuse", t.k_diffuse);
+        values.add("k specular", t.k_specular);
+        values.add("exponent", t.exponent);
+    }
+    return "  Surface\n" + values.text("    ");
+}
+
+std::string light_name(const ExplainedPixel& e, std::size_t i) {
+    const Light& light = e.engine->list().scene.lights[i];
+    return "Light " + digits(i) + " (" + name_of(light.type) + (light.name.empty() ? "" : ", " + one_line(light.name, 40)) + ")";
+}
+
+std::string light_text(const ExplainedPixel& e, const ShadedLayer& layer, std::size_t i) {
+    const TracedLight& l = layer.lights[i];
+    const bool has_place = l.distance > 0, is_ambient = e.engine->list().scene.lights[i].type == LightType::ambient;
+    Values values(3);
+    if (!is_ambient) values.add("to the light (l)", l.to_light);
+    if (has_place) values.add("distance [m]", l.distance);
+    if (has_place) values.add("attenuation", l.attenuation);
+    if (e.engine->list().scene.lights[i].type == LightType::spot) values.add("spot", l.spot);
+    if (!is_ambient) {
+        values.add("n.l", l.n_dot_l, l.n_dot_l > 0 ? "" : "the light is below the surface");
+        if (layer.reflection_model != 0) {
+            values.add(layer.reflection_model == 1 ? "r.v" : "n.h", l.lobe_cosine);
+            values.add("to the exponent", l.lobe);
+            values.add("specular factor", l.specular_factor, layer.reflection_form ? "normalized: times energy factor and n.l" : "");
+        }
+    }
+    values.add("ambient that arrives", l.ambient_color);
+    if (!is_ambient) values.add("diffuse that arrives", l.diffuse_color);
+    if (!is_ambient) values.add("specular that arrives", l.specular_color);
+    return "  " + light_name(e, i) + "\n" + values.text("    ");
+}
+
+std::string sum_text(const ShadedLayer& layer) {
+    TextTable table({"The sum", ">red", ">green", ">blue"});
+    const auto add = [&table](const std::string& name, const auto& v) { table.add({name, digits(v[0]), digits(v[1]), digits(v[2])}); };
+    const raster::PixelTrace& t = layer.trace;
+    add(layer.is_unlit ? "  own color: emission" : "  emission", t.emission);
+    if (layer.is_unlit) add("+ base color", t.base_color);
+    for (std::size_t i = 0; i < layer.lights.size(); ++i) {
+        const std::string light = "light " + digits(i);
+        add("+ " + light + " ambient", layer.lights[i].ambient);
+        add("+ " + light + " diffuse", layer.lights[i].diffuse);
+        add("+ " + light + " specular", layer.lights[i].specular);
+        add("  after " + light, layer.lights[i].sum);
+    }
+    add("= color of the surface", t.color);
+    return table.text("  ");
+}
+
+std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::size_t number) {
+    const CoveringTriangle& t = e.pixel.triangles[layer.triangle];
+    const TriangleNames n = names_of(e, t);
+    std::string text = "\nLayer " + digits(number) + ": triangle " + digits(t.triangle) + " of mesh " + shown(n.mesh, n.mesh_index) + ", object " +
+                       shown(n.object, n.node) + ", vertices " + digits(t.vertex[0]) + " " + digits(t.vertex[1]) + " " + digits(t.vertex[2]) + "\n";
+    text += "  material " + shown(n.material, n.material_index) + " (" + material_model(e, layer) + ")";
+    if (!layer.is_unlit)
+        text += std::string(", ") + reflection_model(layer) + (layer.reflection_form ? ", normalized" : ", textbook form");
+    text += "\n" + place_text(e, layer) + maps_text(e, layer) + surface_text(e, layer);
+    for (std::size_t i = 0; i < layer.lights.size(); ++i) text += light_text(e, layer, i);
+    text += sum_text(layer);
+    if (layer.is_blended) {
+        Values over(4);
+        over.add("behind", layer.before);
+        over.add("opacity", layer.trace.alpha);
+        over.add("laid over it", layer.after);
+        text += over.text("  ");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string to_text(const ExplainedPixel& e) {
+    const RenderSettings& settings = e.engine->settings();
+    const raster::PixelExplanation& p = e.pixel;
+    std::string text = one_line(e.file) + ": pixel " + digits(p.x) + "," + digits(p.y) + " of " + digits(settings.width) + " x " +
+                       digits(settings.height) + "\n";
+    if (p.triangles.empty()) text += "  background: no triangle covers it\n";
+    Values color(4);
+    color.add("linear color, alpha", p.color, p.layers.empty() ? "background" : "");
+    text += color.text("  ");
+    text += "  sRGB code ";
+    for (const std::uint8_t code : e.codes) text += " " + digits(int(code));
+    text += "\n";
+    if (!p.triangles.empty()) text += triangles_text(e);
+    for (std::size_t i = 0; i < p.layers.size(); ++i) text += layer_text(e, p.layers[i], i);
+    return text;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What explain() hands out, and the names that its text and its JSON share.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <rakelight/explain.h>
+
+#include "engines/raster/inspection.h"
+
+namespace rakelight {
+
+struct ExplainedPixel {
+    std::string file;
+    std::unique_ptr<const raster::Inspection> engine;  ///< the scene, for names
+    raster::PixelExplanation pixel;
+    std::vector<std::uint8_t> codes;
+};
+
+/// Names of a covering triangle's parts; empty where the file gives none.
+struct TriangleNames {
+    std::string object, mesh, material;
+    std::uint32_t node = none, mesh_index = none, material_index = none;  ///< into the scene's arrays
+};
+TriangleNames names_of(const ExplainedPixel& e, const raster::CoveringTriangle& triangle);
+
+/// "visible", "blended", "hidden", "masked_out", "culled_back", "culled_front"
+const char* word_for(raster::Fate fate);
+
+/// The maps in the order of raster::TracedMap: "base_color", "normal", ...
+const char* name_of_map(int map);
+/// The picture that a map of a layer's material reads, or empty.
+std::string picture_of_map(const ExplainedPixel& e, const raster::ShadedLayer& layer, int map);
+
+/// "classical", "metallic_roughness" or "unlit"
+const char* material_model(const ExplainedPixel& e, const raster::ShadedLayer& layer);
+/// "lambert", "phong" or "blinn_phong"
+const char* reflection_model(const raster::ShadedLayer& layer);
+
+/// [m] in the world of a point relative to the eye.
+dvec3 world_position(const ExplainedPixel& e, const float (&relative)[3]);
+
+}  // namespace rakelight

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/open_engine.h"
+
+#include "render/drawable.h"
+#include "render/picture_steps.h"
+
+namespace rakelight {
+
+std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& request, Context& context) {
+    const RenderSettings& settings = request.settings;
+    if (settings.shading == Shading::flat || settings.shading == Shading::gouraud)
+        throw Error(ErrorCode::usage, "only shading per pixel (phong) and own color (unlit) can be looked into");
+    context.progress("load", 0);
+    Scene scene = load(request.input, request.load, context);
+    scene = override_textures(scene, request.textures, request.prepare.uv, context);
+    context.progress("prepare", 0);
+    check_drawable(scene);
+    const double aspect = double(settings.width) / double(settings.height);
+    const Camera camera = choose_camera(scene, request.view, aspect, context);
+    scene = prepare_scene(with_lights(std::move(scene), request, camera), request.prepare, context);
+    return std::make_unique<const raster::Inspection>(scene, camera, settings, context);
+}
+
+}  // namespace rakelight

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/stages/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/color.h"
+
+namespace rakelight::stages {
+namespace {
+
+std::uint8_t code(double v) { return std::uint8_t(v > 0 ? (v < 1 ? v * 255 + 0.5 : 255) : 0); }
+
+/// Liang & Barsky 1984: the part of a + t (b - a) with low <= coordinate <= high.
+bool clip(double a, double b, double low, double high, double& t0, double& t1) {
+    const double d = b - a;
+    if (d == 0) return a >= low && a <= high;
+    const double u = (low - a) / d, v = (high - a) / d;
+    t0 = std::max(t0, std::min(u, v));
+    t1 = std::min(t1, std::max(u, v));
+    return t0 <= t1;
+}
+
+}  // namespace
+
+Canvas::Canvas(int width, int height, Code ground) {
+    pixels_.width = width;
+    pixels_.height = height;
+    pixels_.channels = 3;
+    pixels_.bytes.resize(pixels_.row_bytes() * std::size_t(height));
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) set(x, y, ground);
+}
+
+void Canvas::set(int x, int y, Code c) {
+    if (x < 0 || y < 0 || x >= pixels_.width || y >= pixels_.height) return;
+    std::byte* const at = pixels_.row(y) + 3 * std::size_t(x);
+    at[0] = std::byte(c.r), at[1] = std::byte(c.g), at[2] = std::byte(c.b);
+}
+
+void Canvas::line(dvec2 a, dvec2 b, Code color) {
+    if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) || !std::isfinite(b.y)) return;
+    double t0 = 0, t1 = 1;
+    if (!clip(a.x, b.x, 0, pixels_.width, t0, t1) || !clip(a.y, b.y, 0, pixels_.height, t0, t1)) return;
+    const dvec2 d = {b.x - a.x, b.y - a.y};
+    const dvec2 p = {a.x + d.x * t0, a.y + d.y * t0}, q = {a.x + d.x * t1, a.y + d.y * t1};
+    const int steps = int(std::ceil(std::max(std::fabs(q.x - p.x), std::fabs(q.y - p.y))));
+    for (int i = 0; i <= steps; ++i) {
+        const double t = steps == 0 ? 0 : double(i) / steps;
+        set(int(std::floor(p.x + (q.x - p.x) * t)), int(std::floor(p.y + (q.y - p.y) * t)), color);
+    }
+}
+
+Code color_of_number(std::uint32_t number) {
+    const double hue = double(number * 2654435769u) / 4294967296.0 * 6;  // 2^32 / golden ratio
+    const double value = 0.65 + 0.35 * double((number * 40503u >> 4) % 8) / 7;
+    const auto part = [&](double at) {
+        const double d = std::fabs(hue - at), distance = std::min(d, 6 - d);
+        return value * (0.25 + 0.75 * std::clamp(2 - distance, 0.0, 1.0));
+    };
+    return {code(part(0)), code(part(2)), code(part(4))};
+}
+
+Code heat(double v) {
+    static constexpr double stops[][3] = {{0.08, 0.08, 0.25}, {0.1, 0.4, 0.6}, {0.2, 0.7, 0.35}, {0.95, 0.8, 0.2}, {0.9, 0.3, 0.15}, {1, 1, 1}};
+    const double at = std::clamp(v, 0.0, 1.0) * 5;
+    const auto i = std::size_t(std::min(at, 4.0));
+    const double t = at - double(i);
+    const auto mix = [&](int c) { return code(stops[i][c] * (1 - t) + stops[i + 1][c] * t); };
+    return {mix(0), mix(1), mix(2)};
+}
+
+Code gray(double v) { return {code(v), code(v), code(v)}; }
+
+Code color_of_normal(vec3 n) { return {code(double(n.x) * 0.5 + 0.5), code(double(n.y) * 0.5 + 0.5), code(double(n.z) * 0.5 + 0.5)}; }
+
+Code display(vec3 l) { return {srgb8_from_linear(l.x), srgb8_from_linear(l.y), srgb8_from_linear(l.z)}; }
+
+}  // namespace rakelight::stages

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stages as a page and as JSON. The page needs no script and nothing from outside of its folder.
+#include <charconv>
+
+#include "render/report_json.h"
+#include "tools/stages/stage.h"
+
+namespace rakelight::stages {
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light dark; }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 0 auto; padding: 1rem; background: Canvas; color: CanvasText; }
+h1 { font-size: 1.7rem; overflow-wrap: anywhere; } h2 { font-size: 1.3rem; margin-top: 3rem; border-top: 1px solid GrayText; padding-top: 1rem; }
+p { max-width: 46rem; } nav ol { columns: 16rem; } figure { margin: 1rem 0; } img { max-width: 100%; height: auto; display: block; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 0 1rem; }
+figcaption, caption { text-align: left; color: GrayText; font-size: .9rem; padding: .3rem 0; }
+.scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; margin: .5rem 0; }
+th, td { text-align: right; padding: .1rem .8rem .1rem 0; border-bottom: 1px solid color-mix(in srgb, GrayText 30%, transparent); white-space: nowrap; }
+th:first-child, td:first-child { text-align: left; }
+)";
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '&') out += "&amp;";
+        else if (c == '<') out += "&lt;";
+        else if (c == '>') out += "&gt;";
+        else if (c == '"') out += "&quot;";
+        else out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+    }
+    return out;
+}
+
+std::string digits(double v) {
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, v, std::chars_format::general, 7).ptr;
+    return {buffer, end};
+}
+
+std::string shown(const Json& v) {
+    if (v.is_string()) return escaped(v.get<std::string>());
+    if (v.is_number_float()) return digits(v.get<double>());
+    if (!v.is_array()) return v.dump();
+    std::string out;
+    for (const Json& part : v) out += (out.empty() ? "" : part.is_array() ? " | " : " ") + shown(part);
+    return out;
+}
+
+std::string numbers_html(const Json& numbers) {
+    if (numbers.empty()) return {};
+    std::string out = "<div class=\"scroll\"><table>\n";
+    for (const auto& [name, value] : numbers.items()) {
+        const bool is_range = name.starts_with("range of ") && value.is_array() && value.size() == 2;
+        out += "<tr><td>" + escaped(name) + "</td><td>" + (is_range ? shown(value[0]) + " to " + shown(value[1]) : shown(value)) + "</td></tr>\n";
+    }
+    return out + "</table></div>\n";
+}
+
+std::string rows_html(const Stage& stage) {
+    if (stage.rows.empty()) return stage.rows_note.empty() ? "" : "<p>" + escaped(stage.rows_note) + "</p>\n";
+    std::string out = "<details><summary>" + escaped(stage.rows_note) + "</summary><div class=\"scroll\"><table>\n<tr>";
+    for (const std::string& column : stage.columns) out += "<th>" + escaped(column) + "</th>";
+    out += "</tr>\n";
+    for (const Json& row : stage.rows) {
+        out += "<tr>";
+        for (const Json& cell : row) out += "<td>" + shown(cell) + "</td>";
+        out += "</tr>\n";
+    }
+    return out + "</table></div></details>\n";
+}
+
+std::string stage_html(const Stage& stage, std::size_t number) {
+    std::string out = "<section id=\"" + stage.id + "\">\n<h2>" + std::to_string(number) + ". " + escaped(stage.title) + "</h2>\n<p>" + escaped(stage.text) + "</p>\n";
+    out += stage.pictures.size() > 1 ? "<div class=\"pictures\">\n" : "";
+    for (const Picture& p : stage.pictures)
+        out += "<figure><a href=\"" + p.name + ".png\"><img src=\"" + p.name + ".png\" width=\"" + std::to_string(p.canvas.width()) + "\" height=\"" +
+               std::to_string(p.canvas.height()) + "\" alt=\"" + escaped(p.caption) + "\"></a><figcaption>" + escaped(p.caption) + "</figcaption></figure>\n";
+    out += stage.pictures.size() > 1 ? "</div>\n" : "";
+    return out + numbers_html(stage.numbers) + rows_html(stage) + "<p><a href=\"" + stage.id + ".json\">" + stage.id + ".json</a></p>\n</section>\n";
+}
+
+}  // namespace
+
+std::string table_json(const Stage& stage) {
+    Json pictures = Json::array();
+    for (const Picture& p : stage.pictures) pictures.push_back({{"file", p.name + ".png"}, {"caption", p.caption}});
+    const Json whole = {{"schema", "rakelight.stages/1"}, {"stage", stage.id},        {"title", stage.title}, {"text", stage.text},
+                        {"pictures", pictures},           {"numbers", stage.numbers}, {"columns", stage.columns}, {"rows", stage.rows},
+                        {"rows_note", stage.rows_note}};
+    return whole.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string page(const std::string& model, const std::vector<Stage>& stages) {
+    std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+                      escaped(model) + ": stages</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(model) +
+                      ": from the model to the picture</h1>\n<p>Every number and picture here is what the soft engine itself made on the way.</p>\n<nav><ol>\n";
+    for (const Stage& s : stages) out += "<li><a href=\"#" + s.id + "\">" + escaped(s.title) + "</a></li>\n";
+    out += "</ol></nav>\n<main>\n";
+    for (std::size_t i = 0; i < stages.size(); ++i) out += stage_html(stages[i], i + 1);
+    return out + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace rakelight::stages

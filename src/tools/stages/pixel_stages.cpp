@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages that pixels go through: pictures of the engine's channels, and their totals.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "tools/stages/stage.h"
+#include "tools/texture_uses.h"
+
+namespace rakelight::stages {
+namespace {
+
+constexpr Code ground{16, 18, 24};
+
+Canvas paint(const Sources& of, const std::function<Code(std::size_t)>& color) {
+    Canvas canvas(of.engine.settings().width, of.engine.settings().height, ground);
+    std::size_t p = 0;
+    for (int y = 0; y < canvas.height(); ++y)
+        for (int x = 0; x < canvas.width(); ++x) canvas.set(x, y, color(p++));
+    return canvas;
+}
+
+std::uint64_t count(const std::vector<std::uint16_t>& overdraw) {
+    return std::uint64_t(std::count_if(overdraw.begin(), overdraw.end(), [](std::uint16_t n) { return n > 0; }));
+}
+
+Stage culling_stage(const Sources& of) {
+    Stage s{.id = "culled", .title = "Culling", .text = "What cannot be seen is dropped before any pixel is looked at: objects and triangles wholly outside of the picture, triangles without area on the screen, and faces that "
+            "are seen from behind (of closed surfaces, as their material says; --cull chooses)."};
+    const RenderStats& stats = of.drawn.front.stats;
+    s.numbers = {{"triangles in", stats.triangles_in},
+                 {"outside, or no pixel center in their box", stats.culled_outside},
+                 {"without area", stats.culled_degenerate},
+                 {"facing the wrong way", stats.culled_back},
+                 {"clipped", stats.clipped},
+                 {"drawn, pieces counted", stats.drawn}};
+    Canvas canvas = paint(of, [&](std::size_t p) {
+        if (of.pixels.culled[p] & 1) return of.pixels.overdraw[p] > 0 ? Code{120, 60, 60} : Code{240, 70, 60};
+        if (of.pixels.culled[p] & 2) return of.pixels.overdraw[p] > 0 ? Code{60, 70, 130} : Code{80, 110, 250};
+        return of.pixels.overdraw[p] > 0 ? Code{110, 110, 110} : ground;
+    });
+    s.pictures.push_back({"culled", "Red: a face seen from behind was dropped here; blue: one from the front. Bright where nothing else covers the pixel, dull where something does; gray: nothing was dropped.", std::move(canvas)});
+    return s;
+}
+
+Stage coverage_stage(const Sources& of) {
+    Stage s{.id = "coverage", .title = "Coverage", .text = "Which pixel centers lie in each triangle: three edge functions in whole numbers, with the rule that a center exactly on an edge belongs to the triangle whose top or left edge it is. "
+            "How often a pixel is covered is the overdraw."};
+    const std::vector<std::uint16_t>& overdraw = of.pixels.overdraw;
+    const std::uint16_t most = *std::max_element(overdraw.begin(), overdraw.end());
+    std::uint64_t sum = 0;
+    std::vector<std::uint64_t> histogram(std::size_t(most) + 1, 0);
+    for (const std::uint16_t n : overdraw) sum += n, ++histogram[n];
+    const std::uint64_t covered = count(overdraw);
+    s.numbers = {{"pixels", overdraw.size()}, {"pixels covered", covered}, {"times covered, all pixels", sum},
+                 {"mean overdraw of covered pixels", covered > 0 ? double(sum) / double(covered) : 0.0}, {"largest overdraw", most}};
+    s.columns = {"triangles over a pixel", "pixels"};
+    for (std::size_t n = 0; n < std::min<std::size_t>(histogram.size(), 48); ++n) s.rows.push_back({n, histogram[n]});
+    s.rows_note = "How many pixels are covered how often";
+    const double scale = 1.0 / std::max(1, std::min<int>(most, 12));
+    s.pictures.push_back({"coverage", "Triangles over each pixel: blue 1, over green and yellow to white " + std::to_string(std::min<int>(most, 12)) + " and more.",
+                          paint(of, [&](std::size_t p) { return overdraw[p] == 0 ? ground : heat(overdraw[p] * scale); })});
+    return s;
+}
+
+Stage depth_stage(const Sources& of) {
+    Stage s{.id = "depth", .title = "Depth", .text = "At each covered pixel the depth keys are compared and the nearest surface that is not seen through stays; of equal ones the first. Depth is shown as distance along the view axis."};
+    const std::vector<float>& distance = of.pixels.distance;
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (const float d : distance)
+        if (std::isfinite(d)) low = std::min(low, double(d)), high = std::max(high, double(d));
+    if (std::isfinite(low)) s.numbers = {{"nearest [m]", low}, {"farthest [m]", high}};
+    s.pictures.push_back({"depth", "Light is near, dark is far.", paint(of, [&](std::size_t p) {
+        return std::isfinite(distance[p]) ? gray(high > low ? 1 - 0.85 * (double(distance[p]) - low) / (high - low) : 1) : ground;
+    })});
+    return s;
+}
+
+Stage visibility_stage(const Sources& of) {
+    Stage s{.id = "visibility", .title = "Visibility", .text = "What is left is one triangle a pixel: only these are shaded, whatever the overdraw. Each triangle, and each object, has a color of its own."};
+    const raster::DrawList& list = of.engine.list();
+    const std::vector<std::uint32_t>&draw = of.pixels.draw, &triangle = of.pixels.triangle;
+    s.pictures.push_back({"triangles", "Visible triangles.", paint(of, [&](std::size_t p) { return draw[p] == none ? ground : color_of_number(triangle[p] * 7 + draw[p] * 131); })});
+    s.pictures.push_back({"objects", "Visible objects.", paint(of, [&](std::size_t p) { return draw[p] == none ? ground : color_of_number(list.draws[draw[p]].node); })});
+    std::vector<std::uint64_t> pixels(list.scene.nodes.size(), 0);
+    std::vector<std::uint64_t> seen;
+    for (std::size_t p = 0; p < draw.size(); ++p)
+        if (draw[p] != none) ++pixels[list.draws[draw[p]].node], seen.push_back(std::uint64_t(draw[p]) << 32 | triangle[p]);
+    std::sort(seen.begin(), seen.end());
+    s.numbers["pixels that show a surface"] = seen.size();
+    s.numbers["triangles of which a pixel is seen"] = std::unique(seen.begin(), seen.end()) - seen.begin();
+    std::vector<std::size_t> order(pixels.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
+    s.columns = {"object", "node", "pixels"};
+    for (const std::size_t n : order)
+        if (pixels[n] > 0 && s.rows.size() < 48) s.rows.push_back({list.scene.nodes[n].name, n, pixels[n]});
+    s.rows_note = "Pixels of each object, the largest first";
+    return s;
+}
+
+Stage normal_stage(const Sources& of) {
+    Stage s{.id = "normal", .title = "Normals", .text = "The vertices' normals, interpolated with perspective, bent by the normal map where the material has one, and turned to the viewer's side. Lighting uses this one."};
+    s.pictures.push_back({"normal", "Red, green and blue are x, y and z of the world, from -1 to 1.", paint(of, [&](std::size_t p) {
+        return of.pixels.draw[p] == none ? ground : color_of_normal(of.pixels.normal[p]);
+    })});
+    return s;
+}
+
+/// Mean and largest value of a term over the visible pixels.
+Json totals(const Sources& of, const std::vector<vec3>& term) {
+    dvec3 sum{}, most{};
+    std::uint64_t n = 0;
+    for (std::size_t p = 0; p < term.size(); ++p) {
+        if (of.pixels.draw[p] == none) continue;
+        const dvec3 v = {double(term[p].x), double(term[p].y), double(term[p].z)};
+        sum = sum + v;
+        most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
+        ++n;
+    }
+    const double scale = n > 0 ? 1.0 / double(n) : 0;
+    return {sum.x * scale, sum.y * scale, sum.z * scale, most.x, most.y, most.z};
+}
+
+bool is_black(const std::vector<vec3>& term) {
+    return std::all_of(term.begin(), term.end(), [](vec3 v) { return v.x == 0 && v.y == 0 && v.z == 0; });
+}
+
+Stage lighting_stage(const Sources& of) {
+    Stage s{.id = "lighting", .title = "Lighting, term by term", .text = "Each light adds an ambient term (k ambient times its color), a diffuse one (k diffuse, its color, the cosine n.l) and a specular one (k specular, its color, the lobe). "
+            "The terms are those of the visible surfaces before blended ones are laid over; their sum with the emission is the pixel. Terms that are black everywhere have no picture."};
+    s.columns = {"term", "mean red", "mean green", "mean blue", "largest red", "largest green", "largest blue"};
+    const auto add = [&](const std::string& name, const std::string& file, const std::vector<vec3>& term) {
+        Json row = {name};
+        for (const Json& v : totals(of, term)) row.push_back(v);
+        s.rows.push_back(std::move(row));
+        if (!is_black(term))
+            s.pictures.push_back({file, name, paint(of, [&](std::size_t p) { return of.pixels.draw[p] == none ? ground : display(term[p]); })});
+    };
+    add("Emission", "emission", of.pixels.emission);
+    for (std::size_t i = 0; i < of.pixels.lights.size(); ++i) {
+        const raster::TermPictures& t = of.pixels.lights[i];
+        const Light& light = of.engine.list().scene.lights[i];
+        const std::string number = std::to_string(i), name = "Light " + number + " (" + name_of(light.type) + (light.name.empty() ? "" : ", " + light.name) + "): ";
+        add(name + "ambient", "light-" + number + "-ambient", t.ambient);
+        add(name + "diffuse", "light-" + number + "-diffuse", t.diffuse);
+        add(name + "specular", "light-" + number + "-specular", t.specular);
+    }
+    s.rows_note = "Linear values over the visible pixels";
+    const std::size_t all = of.engine.lights().size();
+    s.numbers["lights"] = all;
+    if (all > of.pixels.lights.size()) s.numbers["lights shown"] = of.pixels.lights.size();
+    return s;
+}
+
+Stage picture_stage(const Sources& of) {
+    Stage s{.id = "picture", .title = "The picture", .text = "The sums of the terms, blended surfaces laid over them far to near, then tone mapping: linear light clamped to 0..1 and encoded as sRGB with 8 bits. "
+            "It is the picture that rakelight render writes, to the bit."};
+    std::uint64_t clamped = 0;
+    for (const vec4& c : of.pixels.color) clamped += c.x > 1 || c.y > 1 || c.z > 1;
+    s.numbers["pixels brighter than 1, clamped"] = clamped;
+    s.pictures.push_back({"picture", "The picture.", paint(of, [&](std::size_t p) { return display(of.pixels.color[p].xyz()); })});
+    return s;
+}
+
+}  // namespace
+
+std::vector<Stage> pixel_stages(const Sources& of) {
+    std::vector<Stage> stages;
+    stages.push_back(culling_stage(of));
+    stages.push_back(coverage_stage(of));
+    stages.push_back(depth_stage(of));
+    stages.push_back(visibility_stage(of));
+    stages.push_back(normal_stage(of));
+    stages.push_back(lighting_stage(of));
+    stages.push_back(picture_stage(of));
+    return stages;
+}
+
+}  // namespace rakelight::stages

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// A stage as it is written: a title, words, pictures and a table.
+#pragma once
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "engines/raster/inspect_pixels.h"
+#include "tools/stages/canvas.h"
+
+namespace rakelight::stages {
+
+using Json = nlohmann::ordered_json;
+
+struct Picture {
+    std::string name;     ///< of the file, without ending
+    std::string caption;
+    Canvas canvas;
+};
+
+struct Stage {
+    std::string id;       ///< "clip-space": names the files
+    std::string title;
+    std::string text;     ///< what happens, for people; plain text
+    std::vector<Picture> pictures;
+    Json numbers = Json::object();  ///< name -> number, text or list of numbers
+    std::vector<std::string> columns;  ///< of the rows
+    Json rows = Json::array();      ///< arrays of cells
+    std::string rows_note;          ///< which rows these are
+};
+
+/// What the stages are made of.
+struct Sources {
+    const raster::Inspection& engine;
+    const raster::Inspection::Geometry& open;   ///< with what culling drops
+    const raster::Inspection::Geometry& drawn;
+    const raster::PixelStageData& pixels;
+};
+
+/// Vertices: model, world, camera, clip space, normalized device coordinates, screen; clipped polygons before the division.
+std::vector<Stage> vertex_stages(const Sources& of);
+/// Pixels: culled faces, coverage, depth, visibility, normals, terms of the lights, the picture.
+std::vector<Stage> pixel_stages(const Sources& of);
+
+/// One stage's table: {"schema": "rakelight.stages/1", "stage": ..., ...}
+std::string table_json(const Stage& stage);
+/// index.html
+std::string page(const std::string& model, const std::vector<Stage>& stages);
+
+}  // namespace rakelight::stages

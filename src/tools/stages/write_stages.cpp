@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <new>
+
+#include <rakelight/stages.h>
+
+#include "render/report_json.h"
+#include "tools/open_engine.h"
+#include "tools/stages/folder.h"
+#include "tools/stages/stage.h"
+
+namespace rakelight {
+namespace {
+
+constexpr std::int64_t most_pixels = 1 << 24;
+constexpr std::size_t most_lights = 8;
+
+StagesResult write(const PictureRequest& request, Context& context) {
+    const RenderSettings& settings = request.settings;
+    if (std::int64_t(settings.width) * settings.height > most_pixels)
+        throw Error(ErrorCode::usage, "the stages are shown of at most 16 million pixels", {}, "give a smaller --resolution");
+    stages::NewFolder folder(request.output);  // first: what stands in the way is said at once
+    const auto engine = open_engine(request, context);
+    context.progress("stages", 0);
+    const raster::Inspection::Geometry open(*engine, {}, true, context), drawn(*engine, {}, false, context);
+    const raster::PixelStageData pixels = raster::inspect_pixels(*engine, open, drawn, most_lights, context);
+    const stages::Sources sources{*engine, open, drawn, pixels};
+    std::vector<stages::Stage> all = stages::vertex_stages(sources);
+    for (stages::Stage& stage : stages::pixel_stages(sources)) all.push_back(std::move(stage));
+    folder.write("index.html", stages::page(one_line(request.input, 200), all));
+    std::size_t done = 0;
+    for (const stages::Stage& stage : all) {
+        folder.write(stage.id + ".json", stages::table_json(stage));
+        for (const stages::Picture& picture : stage.pictures) {
+            context.throw_if_cancelled();
+            folder.write(picture.name + ".png", picture.canvas.pixels());
+        }
+        context.progress("stages", double(++done) / double(all.size()));
+    }
+    folder.finish();
+    return {request.input, request.output, folder.names()};
+}
+
+}  // namespace
+
+StagesResult write_stages(const PictureRequest& request, Context& context) {
+    try {
+        return write(request, context);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::failed, "out of memory").with_file(request.input);
+    } catch (const Error& error) {
+        throw error.with_file(request.input);
+    }
+}
+
+std::string to_json(std::span<const StagesRow> rows) {
+    Json list = Json::array();
+    for (const StagesRow& row : rows) {
+        Json json = {{"file", row.result.file}, {"folder", row.result.folder}};
+        if (row.error)
+            json["error"] = error_json(*row.error);
+        else
+            json["files"] = row.result.files;
+        json["remarks"] = remarks_json(row.remarks);
+        json["remarks_left_out"] = row.remarks_left_out;
+        list.push_back(std::move(json));
+    }
+    return document("rakelight.stages/1", std::move(list));
+}
+
+}  // namespace rakelight

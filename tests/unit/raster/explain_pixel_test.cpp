@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// One pixel explained: the numbers are those of the picture, and what lies behind is said.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+#include "engines/raster/inspection.h"
+#include "engines/raster/raster_engine.h"
+#include "math/isa.h"
+#include "support/scene_builder.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+using raster::Fate;
+
+namespace {
+
+constexpr int width = 96, height = 64;
+
+RenderSettings settings() { return {.width = width, .height = height, .background = {0.1f, 0.2f, 0.3f, 0.5f}}; }
+
+Camera eye() {
+    Camera camera;
+    camera.vertical_fov_rad = 1;
+    camera.near = 0.5;
+    camera.far = 50;
+    camera.to_world = translation(dvec3{0.2, 0.1, 4});
+    return camera;
+}
+
+Frame draw(const Scene& scene, const Camera& camera, const RenderSettings& s) {
+    Context context({.threads = 1});
+    const auto engine = raster::make_engine();
+    engine->prepare(scene, context);
+    Frame frame;
+    engine->render(camera, s, frame, context);
+    return frame;
+}
+
+bool same_bits(vec4 a, vec4 b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// Squares in every attitude, some through the eye plane: classical with textures, metallic-roughness with all its maps,
+/// masked, blended, culled and unlit; five kinds of lights.
+Scene busy_scene() {
+    Scene scene;
+    const auto checks = [](int x, int y) { return std::array<int, 3>{(x ^ y) & 4 ? 255 : 40, x * 8 % 256, 128 + y * 3 % 127}; };
+    Sampler mixed;
+    mixed.magnify = Filter::nearest;
+    const TextureUse picture_use = add_texture(scene, picture(rgb_pixels(32, 32, checks)));
+    const TextureUse nearest = add_texture(scene, picture(rgb_pixels(16, 64, checks)), mixed);
+    Material shiny = matte({0.8f, 0.6f, 0.4f});
+    shiny.classical.specular = {0.5f, 0.5f, 0.5f};
+    shiny.base_color_texture = shiny.normal_texture = picture_use;
+    shiny.classical.specular_texture = nearest;
+    Material metal;
+    metal.metallic_roughness.roughness = 0.6f;
+    metal.metallic_roughness.texture = metal.emission_texture = metal.occlusion_texture = picture_use;
+    metal.normal_texture = nearest;
+    metal.emission = {0.2f, 0.1f, 0};
+    Material masked = matte({0.2f, 0.9f, 0.3f}), glass = matte({0.9f, 0.2f, 0.3f}), plain;
+    masked.alpha_mode = AlphaMode::mask;
+    masked.opacity_texture = picture_use;
+    glass.alpha_mode = AlphaMode::blend;
+    glass.base_color.w = 0.4f;
+    plain.model = MaterialModel::unlit;
+    scene.materials = {shiny, metal, masked, glass, plain};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> at(-3, 3);
+    for (std::uint32_t n = 0; n < 60; ++n) {
+        Mesh mesh = square_mesh(n % 5);
+        std::vector<vec3> positions;
+        for (int k = 0; k < 4; ++k) positions.push_back({at(random), at(random), at(random) + 1});
+        mesh.positions = positions;
+        add_object(scene, std::move(mesh), scaling(dvec3{n % 2 ? -1.0 : 1.0, 1, 1}));
+    }
+    Light point, spot, lamp, ambient;
+    point.position = {1, 2, 3};
+    point.linear = 0.1f;
+    spot.type = LightType::spot;
+    spot.position = {-2, 0, 4};
+    spot.cutoff_rad = 0.7;
+    spot.exponent = 4;
+    lamp.type = LightType::spot;
+    lamp.units = LightUnits::photometric;
+    lamp.position = {0, 3, 3};
+    lamp.direction = {0, -1, -1};
+    lamp.intensity = 20;
+    ambient.type = LightType::ambient;
+    ambient.ambient = {0.1f, 0.1f, 0.2f};
+    scene.lights = {directional({1, -1, -2}, {0.5f, 0.5f, 0.6f}), point, spot, lamp, ambient};
+    return scene;
+}
+
+/// Every `step`th pixel of the picture is explained to the bit.
+void expect_all_explained(const Scene& scene, const RenderSettings& s, const Camera& camera, int step = 3) {
+    const Frame frame = draw(scene, camera, s);
+    Context context({.threads = 1});
+    const raster::Inspection inspection(scene, camera, s, context);
+    int layers = 0;
+    for (int y = 0; y < height; y += step)
+        for (int x = 0; x < width; x += step) {
+            const raster::PixelExplanation e = inspection.explain(x, y, context);
+            const vec4 drawn = frame.color[std::size_t(y * width + x)];
+            ASSERT_TRUE(same_bits(e.sum, drawn)) << x << "," << y << ": " << e.sum.x << " is not " << drawn.x;
+            ASSERT_TRUE(same_bits(e.color, drawn)) << x << "," << y;
+            layers += int(e.layers.size());
+        }
+    EXPECT_GT(layers, 100);
+}
+
+/// The soft engine with another instruction set for this scope.
+class UseIsa {
+public:
+    explicit UseIsa(const char* name) { setenv("RAKELIGHT_ISA", name, 1); }
+    ~UseIsa() { unsetenv("RAKELIGHT_ISA"); }
+};
+
+}  // namespace
+
+TEST(ExplainPixel, SumsAreThePicturesBitsInEveryInstructionSet) {
+    const Scene scene = busy_scene();
+    for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
+        if (!is_available(isa)) continue;
+        const UseIsa use(name(isa));
+        SCOPED_TRACE(name(isa));
+        expect_all_explained(scene, settings(), eye());
+    }
+}
+
+TEST(ExplainPixel, SumsAreThePicturesBitsUnderEverySetting) {
+    const Scene scene = busy_scene();
+    for (const Lighting lighting : {Lighting::lambert, Lighting::phong, Lighting::blinn_phong})
+        for (const SpecularForm form : {SpecularForm::textbook, SpecularForm::normalized}) {
+            RenderSettings s = settings();
+            s.lighting = lighting;
+            s.specular_form = form;
+            s.specular_horizon = form == SpecularForm::normalized;
+            s.orthogonalize = lighting != Lighting::phong;
+            s.cull = lighting == Lighting::phong ? Cull::back : lighting == Lighting::lambert ? Cull::front : Cull::automatic;
+            expect_all_explained(scene, s, eye(), 5);
+        }
+    RenderSettings s = settings();
+    s.shading = Shading::unlit;
+    expect_all_explained(scene, s, eye(), 5);
+    s = settings();
+    s.bump = Bump::none;
+    expect_all_explained(scene, s, flat_camera(), 5);
+}
+
+TEST(ExplainPixel, LightOfTheCornersTimesWhatThePixelReflectsIsItsColor) {
+    const Scene scene = busy_scene();
+    for (const Shading shading : {Shading::flat, Shading::gouraud}) {
+        RenderSettings s = settings();
+        s.shading = shading;
+        expect_all_explained(scene, s, eye(), 5);
+        Context context({.threads = 1});
+        const raster::Inspection inspection(scene, eye(), s, context);
+        int lit = 0;
+        for (int x = 0; x < width; x += 3)
+            for (const raster::ShadedLayer& layer : inspection.explain(x, height / 2, context).layers) {
+                const raster::PixelTrace& t = layer.trace;
+                EXPECT_TRUE(layer.lights.empty());
+                EXPECT_EQ(t.is_lit_at_corners != 0, !layer.is_unlit);
+                if (layer.is_unlit) continue;
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_EQ(t.emission[c] + (t.k_ambient[c] * t.received[0][c] + t.k_diffuse[c] * t.received[1][c] + t.k_specular[c] * t.received[2][c]), t.color[c]);
+                ++lit;
+            }
+        EXPECT_GT(lit, 20);
+    }
+}
+
+TEST(ExplainPixel, TermsOfALightAddUpFromTheEmissionOn) {
+    const Scene scene = busy_scene();
+    Context context({.threads = 1});
+    const raster::Inspection inspection(scene, eye(), settings(), context);
+    int lit = 0;
+    for (int x = 0; x < width; ++x)
+        for (const raster::ShadedLayer& layer : inspection.explain(x, height / 2, context).layers) {
+            if (layer.is_unlit) continue;
+            for (int c = 0; c < 3; ++c) {
+                float sum = layer.trace.emission[c];
+                for (const raster::TracedLight& l : layer.lights) {
+                    sum = sum + (l.ambient[c] + l.diffuse[c] + l.specular[c]);
+                    EXPECT_EQ(sum, l.sum[c]);
+                    EXPECT_FLOAT_EQ(l.diffuse[c], layer.trace.k_diffuse[c] * l.diffuse_color[c] * std::max(0.0f, std::min(1.0f, l.n_dot_l)));
+                }
+                EXPECT_EQ(sum, layer.trace.color[c]);
+            }
+            ++lit;
+        }
+    EXPECT_GT(lit, 50);
+}
+
+TEST(ExplainPixel, NothingIsBackground) {
+    Scene scene;
+    add_object(scene, square_mesh());
+    Camera camera = flat_camera();
+    camera.half_height = 4;
+    Context context({.threads = 1});
+    const raster::PixelExplanation e = raster::Inspection(scene, camera, settings(), context).explain(0, height - 1, context);
+    EXPECT_TRUE(e.triangles.empty());
+    EXPECT_TRUE(e.layers.empty());
+    EXPECT_TRUE(same_bits(e.color, settings().background));
+    EXPECT_TRUE(same_bits(e.sum, settings().background));
+}
+
+TEST(ExplainPixel, WhatLiesBehindIsListedNearestFirstWithItsFate) {
+    Scene scene;
+    Material solid, glass, holes;
+    glass.alpha_mode = AlphaMode::blend;
+    glass.base_color.w = 0.25f;
+    holes.alpha_mode = AlphaMode::mask;
+    holes.base_color.w = 0.25f;
+    scene.materials = {solid, glass, holes};
+    const dmat4 turned = scaling(dvec3{-1, 1, -1});  // half round the y axis
+    add_object(scene, square_mesh(0), translation(dvec3{0, 0, -2}));          // hidden
+    add_object(scene, square_mesh(0), translation(dvec3{0, 0, -1}));          // seen
+    add_object(scene, square_mesh(1), translation(dvec3{0, 0, -3}));          // glass behind
+    add_object(scene, square_mesh(1), translation(dvec3{0, 0, 0}));           // glass before
+    add_object(scene, square_mesh(2), translation(dvec3{0, 0, 1}));           // alpha below the cutoff
+    add_object(scene, square_mesh(0), translation(dvec3{0, 0, 2}) * turned);  // from behind
+    scene.lights = {directional({0, 0, -1})};
+    Context context({.threads = 1});
+    const raster::PixelExplanation e = raster::Inspection(scene, flat_camera(), settings(), context).explain(50, 20, context);
+    const std::pair<std::uint32_t, Fate> expected[] = {{5, Fate::culled_back}, {4, Fate::masked_out}, {3, Fate::blended},
+                                                       {1, Fate::visible},     {0, Fate::hidden},     {2, Fate::hidden}};
+    ASSERT_EQ(e.triangles.size(), 6u);
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(e.triangles[i].draw, expected[i].first) << i;
+        EXPECT_EQ(e.triangles[i].fate, expected[i].second) << i;
+        EXPECT_NEAR(e.triangles[i].distance, 3.0 + double(i), 1e-4) << i;
+    }
+    ASSERT_EQ(e.layers.size(), 2u);
+    EXPECT_EQ(e.layers[0].triangle, 3u);
+    EXPECT_FALSE(e.layers[0].is_blended);
+    EXPECT_EQ(e.layers[1].triangle, 2u);
+    EXPECT_TRUE(e.layers[1].is_blended);
+    EXPECT_EQ(e.triangles[2].alpha, 0.25f);
+    EXPECT_TRUE(same_bits(e.sum, e.color));
+}
+
+TEST(ExplainPixel, APixelOutsideOfThePictureIsAUsageError) {
+    Scene scene;
+    add_object(scene, square_mesh());
+    Context context({.threads = 1});
+    const raster::Inspection inspection(scene, flat_camera(), settings(), context);
+    for (const auto& [x, y] : {std::pair{-1, 0}, {0, -1}, {width, 0}, {0, height}}) {
+        try {
+            inspection.explain(x, y, context);
+            FAIL() << x << "," << y;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::usage);
+        }
+    }
+    EXPECT_NO_THROW(inspection.explain(width - 1, height - 1, context));
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Explained pixels of real models: the sum is the picture's color to the bit.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include <rakelight/explain.h>
+
+#include "engines/raster/inspection.h"
+#include "engines/raster/raster_engine.h"
+#include "scene/scene_tools.h"
+#include "support/shared.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+
+namespace {
+
+constexpr int width = 160, height = 120;
+
+/// Explains a grid of pixels of a model; returns how many showed it.
+int expect_explained(const std::string& file) {
+    Context context({.threads = 1});
+    Scene scene = load(file, {}, context);
+    const Camera camera = choose_camera(scene, {}, double(width) / height, context);
+    if (scene.lights.empty()) scene.lights = default_lights(camera.to_world);
+    scene = prepare_scene(scene, {}, context);
+    const RenderSettings settings{.width = width, .height = height};
+    const auto engine = raster::make_engine();
+    engine->prepare(scene, context);
+    Frame frame;
+    engine->render(camera, settings, frame, context);
+    const raster::Inspection inspection(scene, camera, settings, context);
+    int shown = 0;
+    for (int y = 0; y < height; y += 7)
+        for (int x = y % 7; x < width; x += 7) {
+            const raster::PixelExplanation e = inspection.explain(x, y, context);
+            const vec4 drawn = frame.color[std::size_t(y * width + x)];
+            EXPECT_EQ(std::memcmp(&e.sum, &drawn, sizeof drawn), 0) << file << " " << x << "," << y;
+            EXPECT_EQ(std::memcmp(&e.color, &drawn, sizeof drawn), 0) << file << " " << x << "," << y;
+            shown += !e.layers.empty();
+        }
+    return shown;
+}
+
+}  // namespace
+
+TEST(Explain, ThePixelsOfTheTeapotAddUp) { EXPECT_GT(expect_explained("builtin:teapot"), 50); }
+
+TEST(Explain, ThePixelsOfRealModelsAddUp) {
+    RL_NEEDS_SHARED("assets");
+    for (const char* name : {"FlightHelmet", "AlphaBlendModeTest", "TextureSettingsTest", "NegativeScaleTest", "MultiUVTest", "BoomBoxWithAxes"}) {
+        const std::filesystem::path folder = shared_dir() / "assets/gltf" / name;
+        int found = 0;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+            if (entry.path().extension() != ".gltf" && entry.path().extension() != ".glb") continue;
+            ++found;
+            EXPECT_GT(expect_explained(entry.path().string()), 10) << entry.path();
+            break;
+        }
+        EXPECT_EQ(found, 1) << name;
+    }
+}
+
+TEST(Explain, CodesAndColorAreThoseOfTheText) {
+    Context context({.threads = 1});
+    PictureRequest request{.input = "builtin:teapot"};
+    request.settings.width = width;
+    request.settings.height = height;
+    const auto pixel = explain(request, width / 2, height / 2, context);
+    const std::vector<std::uint8_t> codes = codes_of(*pixel);
+    ASSERT_EQ(codes.size(), 3u);
+    std::string line = "sRGB code ";
+    for (const int code : codes) line += " " + std::to_string(code);
+    EXPECT_NE(to_text(*pixel).find(line + "\n"), std::string::npos);
+    request.settings.background.w = 0;
+    EXPECT_EQ(codes_of(*explain(request, 0, 0, context)).size(), 4u);
+}
+
+TEST(Explain, BadPixelsAndModelsAreErrorsOfTheirKind) {
+    Context context({.threads = 1});
+    PictureRequest request{.input = "no such file.obj"};
+    const auto code_of = [&](int x, int y) {
+        try {
+            explain(request, x, y, context);
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return ErrorCode::failed;
+    };
+    EXPECT_EQ(code_of(1280, 0), ErrorCode::usage);  // before anything is loaded
+    EXPECT_EQ(code_of(0, 0), ErrorCode::not_found);
+}
