@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/tone.h"
 
+#include <cstring>
+
 #include "base/assert.h"
 #include "image/srgb_encoder.h"
 #include "math/color.h"
@@ -17,7 +19,14 @@ void to_srgb8(std::span<const vec4> linear, int channels, std::span<std::uint8_t
     RL_ASSERT((channels == 3 || channels == 4) && out.size() == linear.size() * std::size_t(channels), "wrong size of a row");
     const SrgbEncoder& encode = SrgbEncoder::instance();
     std::uint8_t* to = out.data();
+    const vec4* previous = nullptr;
     for (const vec4& color : linear) {
+        if (previous != nullptr && std::memcmp(previous, &color, sizeof color) == 0) {  // most of a background
+            std::memcpy(to, to - channels, std::size_t(channels));
+            to += channels;
+            continue;
+        }
+        previous = &color;
         to[0] = std::uint8_t(encode(color.x));
         to[1] = std::uint8_t(encode(color.y));
         to[2] = std::uint8_t(encode(color.z));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engines/raster/coverage.h"
 #include "engines/raster/tile.h"
@@ -92,11 +93,36 @@ void find_owners(const TileJob& job, std::uint32_t first, TileScratch& s) {
     }
 }
 
-/// Brings the pixels of one material together, each group row by row.
-void group_by_material(TileScratch& s) {
-    const auto differs = [&s](std::uint32_t a, std::uint32_t b) { return s.material[a] != s.material[b]; };
-    if (std::adjacent_find(s.pixels.begin(), s.pixels.end(), differs) == s.pixels.end()) return;
+constexpr std::size_t most_groups = 64;  // that are looked through one by one
+
+void sort_by_material(TileScratch& s) {
     std::stable_sort(s.pixels.begin(), s.pixels.end(), [&s](std::uint32_t a, std::uint32_t b) { return s.material[a] < s.material[b]; });
+}
+
+/// Brings the pixels of one material together, each group row by row; groups in the order of their first pixels.
+void group_by_material(TileScratch& s) {
+    struct Group {
+        std::uint32_t material;
+        std::size_t at;  ///< first their number, then where the next pixel goes
+    };
+    std::vector<Group> groups;
+    auto group_of = [&, last = std::size_t(0)](std::uint32_t material) mutable -> Group& {
+        if (last < groups.size() && groups[last].material == material) return groups[last];  // neighbors mostly are of one
+        for (last = 0; last < groups.size() && groups[last].material != material; ++last) {
+        }
+        if (last == groups.size()) groups.push_back({material, 0});
+        return groups[last];
+    };
+    for (const std::uint32_t p : s.pixels) {
+        ++group_of(s.material[p]).at;
+        if (groups.size() > most_groups) return sort_by_material(s);
+    }
+    if (groups.size() < 2) return;
+    std::size_t sum = 0;
+    for (Group& group : groups) sum += std::exchange(group.at, sum);
+    s.grouped.resize(s.pixels.size());
+    for (const std::uint32_t p : s.pixels) s.grouped[group_of(s.material[p]).at++] = p;
+    s.pixels.swap(s.grouped);
 }
 
 }  // namespace
