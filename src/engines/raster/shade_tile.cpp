@@ -93,6 +93,16 @@ void find_owners(const TileJob& job, std::uint32_t first, TileScratch& s) {
     }
 }
 
+/// Brings the pixels of one triangle together, row by row: where a vector of them has one triangle its record need not be gathered.
+void group_by_triangle(std::size_t list, TileScratch& s) {
+    s.tally.assign(list + 1, 0);
+    for (const std::uint32_t p : s.pixels) ++s.tally[std::size_t(s.visible[p]) + 1];
+    for (std::size_t i = 0; i < list; ++i) s.tally[i + 1] += s.tally[i];
+    s.grouped.resize(s.pixels.size());
+    for (const std::uint32_t p : s.pixels) s.grouped[s.tally[std::size_t(s.visible[p])]++] = p;
+    s.pixels.swap(s.grouped);
+}
+
 constexpr std::size_t most_groups = 64;  // that are looked through one by one
 
 void sort_by_material(TileScratch& s) {
@@ -167,6 +177,7 @@ void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     s.pixels.clear();
     find_owners(job, first, s);
     s.covered += s.pixels.size();
+    group_by_triangle(s.record.size(), s);
     group_by_material(s);
     for (std::size_t i = 0; i < s.pixels.size();) {
         const std::uint32_t material = s.material[s.pixels[i]];

@@ -35,6 +35,7 @@ struct TileScratch {
     std::vector<LitTriangle> lit;        ///< beside `triangles` in flat and Gouraud pictures
     std::vector<std::int32_t> record;    ///< [list] position in the list -> in `triangles`, -1: not yet made
     std::vector<std::uint32_t> pixels;   ///< covered pixels, those of one material together
+    std::vector<std::uint32_t> tally;    ///< [list + 1] pixels of each triangle
     std::vector<std::uint32_t> grouped;  ///< where they are brought together
     // The result, [tile_pixels], row by row of the whole tile.
     std::vector<vec4> color = std::vector<vec4>(tile_pixels);
