@@ -56,6 +56,8 @@ DrawList make_draw_list(const Scene& scene, TextureCache& textures, Context& con
     list.node_to_world = world_matrices(scene);
     add_draws(list, context);
     fill_materials(list, textures, context);
+    for (const Draw& draw : list.draws)
+        if (!scene.meshes[draw.mesh].colors.empty()) list.materials[draw.material].view.vertex_colors = 1;
     return list;
 }
 

@@ -38,6 +38,7 @@ struct MaterialView {
     float normal_scale, occlusion_strength;
     float alpha_cutoff;                    ///< < 0: no mask
     int32_t blend;                         ///< 0: alpha is 1
+    int32_t vertex_colors;                 ///< 0: no mesh with this material has any, all corners are white
     TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map, metallic_roughness_map;
 };
 

@@ -44,7 +44,8 @@ struct BaseColor {
 
 inline BaseColor base_color(const MaterialView& m, const Pixels& p) {
     BaseColor base;
-    base.paint = interpolate_color(p.records, p.b);
+    const real one(1.0f);
+    base.paint = m.vertex_colors != 0 ? interpolate_color(p.records, p.b) : vec4(one, one, one, one);
     if (m.base_color_map.view != nullptr) base.paint = base.paint * texel(m.base_color_map, p);
     base.color = vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * base.paint;
     if (m.opacity_map.view != nullptr) base.color.w = base.color.w * texel(m.opacity_map, p).x;
