@@ -5,7 +5,6 @@
 #include "render/report_json.h"
 
 namespace rakelight {
-namespace {
 
 Json stats_json(const RenderStats& s) {
     return {{"triangles_in", s.triangles_in},
@@ -21,6 +20,8 @@ Json stats_json(const RenderStats& s) {
             {"depth_passes", s.depth_passes},
             {"overdraw", s.overdraw()}};
 }
+
+namespace {
 
 void add_result(Json& row, const PictureResult& r) {
     row["width"] = r.width;

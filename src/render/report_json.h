@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <rakelight/engine.h>
 #include <rakelight/error.h>
 #include <rakelight/report.h>
 
@@ -18,6 +19,9 @@ Json remarks_json(const std::vector<ReportEntry>& remarks);
 
 /// {"code": "bad_file", "exit_code": 4, "message": ..., "place": ..., "advice": ...}
 Json error_json(const Error& error);
+
+/// What the engine counted, every field of RenderStats by its name.
+Json stats_json(const RenderStats& stats);
 
 /// The whole document as text, two spaces a level, a line feed at its end; invalid UTF-8 becomes U+FFFD.
 std::string document(const char* schema, Json rows);

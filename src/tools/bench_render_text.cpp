@@ -15,17 +15,6 @@ Json json_of(const StageTimes& t) {
             {"shading", 1e3 * t.shading},     {"blending", 1e3 * t.blending}, {"delivery", 1e3 * t.delivery}};
 }
 
-Json json_of(const RenderStats& s) {
-    return {{"triangles_in", s.triangles_in},
-            {"culled_back", s.culled_back},
-            {"culled_degenerate", s.culled_degenerate},
-            {"culled_outside", s.culled_outside},
-            {"clipped", s.clipped},
-            {"drawn", s.drawn},
-            {"pixels_covered", s.pixels_covered},
-            {"pixels_shaded", s.pixels_shaded}};
-}
-
 }  // namespace
 
 std::string to_json(const RenderBenchReport& report) {
@@ -43,7 +32,7 @@ std::string to_json(const RenderBenchReport& report) {
                         {"mtri_per_s", r.mtri_per_s},
                         {"mpix_per_s", r.mpix_per_s},
                         {"stages_ms", json_of(r.stages)},
-                        {"stats", json_of(r.stats)}});
+                        {"stats", stats_json(r.stats)}});
     const Json json = {{"schema", "rakelight.bench/1"}, {"rows", rows},
                        {"scene", report.scene},         {"triangles", report.triangles},
                        {"vertices", report.vertices},   {"objects", report.objects},

@@ -140,6 +140,8 @@ TEST(BenchRender, ReportsARowForEachEngineWithTimesAndStages) {
         const double share = stats["pixels_covered"].get<double>() / (320 * 180);
         EXPECT_GT(share, 0.55);
         EXPECT_LT(share, 0.65);
+        EXPECT_EQ(stats["lighting_evaluations"], stats["pixels_shaded"]);
+        EXPECT_GE(stats["overdraw"].get<double>(), 1.0);
         EXPECT_GT(stats["culled_back"].get<double>(), 0.35 * json["triangles"].get<double>());
     }
     EXPECT_EQ(json["rows"][0]["stats"], json["rows"][1]["stats"]);
