@@ -4,17 +4,11 @@
 
   explain_test.py PROGRAM [unittest arguments]"""
 import json
-import os
-import pathlib
-import shutil
 import struct
-import subprocess
-import sys
-import tempfile
-import unittest
-import zlib
 
-PROGRAM = ""
+import program
+from program import png
+
 SIZE = (96, 64)
 # A wall, a pane of glass before it, and a wall behind it.
 SCENE = ("mtllib m.mtl\no back\nv -2 -2 -1\nv 2 -2 -1\nv 2 2 -1\nv -2 2 -1\nusemtl red\nf 1 2 3 4\n"
@@ -23,59 +17,32 @@ SCENE = ("mtllib m.mtl\no back\nv -2 -2 -1\nv 2 -2 -1\nv 2 2 -1\nv -2 2 -1\nusem
 MATERIALS = "newmtl red\nKd 1 0 0\nnewmtl gray\nKd 0.5 0.5 0.5\nKs 0.3 0.3 0.3\nNs 20\nnewmtl glass\nKd 0.2 0.4 1\nd 0.3\n"
 
 
-def png_pixel(path, x, y):
-    """One pixel of an 8-bit RGB PNG without interlacing."""
-    data, at, compressed = path.read_bytes(), 8, b""
-    while at < len(data):
-        size, kind = struct.unpack(">I4s", data[at:at + 8])
-        if kind == b"IHDR":
-            width, _, depth, color = struct.unpack(">IIBB", data[at + 8:at + 18])
-            assert (depth, color) == (8, 2)
-        if kind == b"IDAT":
-            compressed += data[at + 8:at + 8 + size]
-        at += 12 + size
-    raw, stride, above = zlib.decompress(compressed), 3 * width, bytearray(3 * width)
-    for line in range(y + 1):
-        kind, row = raw[line * (stride + 1)], bytearray(raw[line * (stride + 1) + 1:(line + 1) * (stride + 1)])
-        for i in range(stride):
-            a, b, c = (row[i - 3] if i > 2 else 0), above[i], (above[i - 3] if i > 2 else 0)
-            paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
-            row[i] = (row[i] + (0, a, b, (a + b) // 2, paeth)[kind]) & 255
-        above = row
-    return list(above[3 * x:3 * x + 3])
-
-
 def single(value):
     return struct.unpack("<f", struct.pack("<f", value))[0]
 
 
-class Explain(unittest.TestCase):
+class Explain(program.Case):
     def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.dir)
-        (self.dir / "scene.obj").write_text(SCENE)
-        (self.dir / "m.mtl").write_text(MATERIALS)
-
-    def run_program(self, *arguments, **environment):
-        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.dir, capture_output=True, text=True, timeout=300,
-                              env={**os.environ, **environment})
+        super().setUp()
+        (self.folder / "scene.obj").write_text(SCENE)
+        (self.folder / "m.mtl").write_text(MATERIALS)
 
     def explain(self, model, x, y, *options, **environment):
         run = self.run_program("explain", model, "--pixel", f"{x},{y}", "--resolution", "%d,%d" % SIZE, "--json", *options, **environment)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        document = json.loads(run.stdout)
+        self.assertEqual(run.code, 0, run.err)
+        document = json.loads(run.out)
         self.assertEqual(document["schema"], "rakelight.explain/1")
         return document["rows"][0]
 
     def test_codes_are_those_of_the_rendered_picture(self):
         for model in ("scene.obj", "builtin:teapot"):
             for options in ((), ("--lighting", "phong", "--specular", "normalized"), ("--shading", "unlit")):
-                picture = self.dir / "picture.png"
+                picture = self.folder / "picture.png"
                 run = self.run_program("render", model, "-o", picture, "--resolution", "%d,%d" % SIZE, *options)
-                self.assertEqual(run.returncode, 0, run.stderr)
+                self.assertEqual(run.code, 0, run.err)
                 for x, y in ((0, 0), (48, 32), (30, 40), (60, 25), (95, 63)):
                     row = self.explain(model, x, y, *options)
-                    self.assertEqual(row["codes"], png_pixel(picture, x, y), (model, options, x, y))
+                    self.assertEqual(row["codes"], list(png(picture)[3][y][3 * x:3 * x + 3]), (model, options, x, y))
                     self.assertEqual(row["sum"], row["color"])
 
     def test_the_terms_add_up_to_the_color_in_single_precision(self):
@@ -94,8 +61,8 @@ class Explain(unittest.TestCase):
         rows = []
         for isa in ("scalar", "sse2", "avx2", "avx512"):
             run = self.run_program("explain", "scene.obj", "--pixel", "40,30", "--resolution", "96,64", "--json", RAKELIGHT_ISA=isa)
-            if run.returncode == 0:
-                rows.append(run.stdout)
+            if run.code == 0:
+                rows.append(run.out)
         self.assertGreater(len(rows), 1)
         self.assertEqual(len(set(rows)), 1)
 
@@ -112,29 +79,28 @@ class Explain(unittest.TestCase):
         self.assertTrue(row["is_background"])
         self.assertEqual(row["triangles"], [])
         run = self.run_program("explain", "builtin:teapot", "--pixel", "0,0")
-        self.assertIn("background: no triangle covers it", run.stdout)
+        self.assertIn("background: no triangle covers it", run.out)
 
     def test_text_has_every_part(self):
         run = self.run_program("explain", "builtin:teapot", "--pixel", "640,360")
-        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual((run.code, run.err), (0, ""))
         for word in ("barycentrics", "normal, interpolated", "n.l", "n.h", "light 1 specular", "= color of the surface", "sRGB code"):
-            self.assertIn(word, run.stdout)
+            self.assertIn(word, run.out)
 
     def test_wrong_pixels_are_usage_errors(self):
         for pixel in ("96,0", "0,64", "-1,0", "0,-1", "1", "1,2,3", "a,b", "", "1.5,2", "99999999999,0"):
             run = self.run_program("explain", "builtin:teapot", f"--pixel={pixel}", "--resolution", "96,64")
-            self.assertEqual(run.returncode, 2, (pixel, run.stderr))
-            self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
-        self.assertEqual(self.run_program("explain", "builtin:teapot").returncode, 2)
-        self.assertEqual(self.run_program("explain", "builtin:teapot", "--pixel", "1,1", "-o", "a.png").returncode, 2)
+            self.assertEqual(run.code, 2, (pixel, run.err))
+            self.assertEqual(len(run.err.splitlines()), 1, run.err)
+        self.assertEqual(self.run_program("explain", "builtin:teapot").code, 2)
+        self.assertEqual(self.run_program("explain", "builtin:teapot", "--pixel", "1,1", "-o", "a.png").code, 2)
 
     def test_a_missing_model_is_an_error_row(self):
         run = self.run_program("explain", "none.obj", "builtin:teapot", "--pixel", "1,1", "--json")
-        rows = json.loads(run.stdout)["rows"]
-        self.assertEqual(run.returncode, 3)
+        rows = json.loads(run.out)["rows"]
+        self.assertEqual(run.code, 3)
         self.assertEqual([("error" in row) for row in rows], [True, False])
 
 
 if __name__ == "__main__":
-    PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
-    unittest.main()
+    program.main()

@@ -5,16 +5,11 @@
   inspect_test.py PROGRAM [unittest arguments]"""
 import base64
 import json
-import pathlib
-import shutil
 import struct
-import subprocess
-import sys
-import tempfile
-import unittest
-import zlib
 
-PROGRAM = ""
+import program
+from program import png
+
 # A sheet bent along x = 0, cut there into two objects; no normals.
 TWO_PARTS = "o left\nv -1 0 0\nv 0 0 0.3\nv 0 1 0.3\nv -1 1 0\nf 1 2 3 4\no right\nv 0 0 0.3\nv 1 0 0\nv 1 1 0\nv 0 1 0.3\nf 5 6 7 8\n"
 CUBE = ("o cube\n" + "".join(f"v {i & 1} {i >> 1 & 1} {i >> 2 & 1}\n" for i in range(8)) +
@@ -22,73 +17,43 @@ CUBE = ("o cube\n" + "".join(f"v {i & 1} {i >> 1 & 1} {i >> 2 & 1}\n" for i in r
 LIMITS = ("--no-degenerate", "--no-t-junctions", "--no-non-manifold", "--consistent-winding", "--closed", "--unit-normals")
 
 
-def pixels(path):
-    """Width, height and rows of RGB bytes of an 8-bit RGB PNG without interlacing."""
-    data, at, compressed = path.read_bytes(), 8, b""
-    while at < len(data):
-        size, kind = struct.unpack(">I4s", data[at:at + 8])
-        if kind == b"IHDR":
-            width, height, depth, color = struct.unpack(">IIBB", data[at + 8:at + 18])
-            assert (depth, color) == (8, 2)
-        if kind == b"IDAT":
-            compressed += data[at + 8:at + 8 + size]
-        at += 12 + size
-    raw, stride, rows, above = zlib.decompress(compressed), 3 * width, [], bytearray(3 * width)
-    for y in range(height):
-        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        for x in range(stride):
-            a, b, c = (row[x - 3] if x > 2 else 0), above[x], (above[x - 3] if x > 2 else 0)
-            paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
-            row[x] = (row[x] + (0, a, b, (a + b) // 2, paeth)[kind]) & 255
-        rows.append(row)
-        above = row
-    return width, height, rows
-
-
-class Inspect(unittest.TestCase):
+class Inspect(program.Case):
     def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.dir)
+        super().setUp()
         self.write("parts.obj", TWO_PARTS)
         self.write("cube.obj", CUBE)
 
-    def write(self, name, text):
-        (self.dir / name).write_text(text)
-
-    def run_program(self, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.dir, capture_output=True, text=True, timeout=300)
-
     def row(self, *arguments):
-        return json.loads(self.run_program("inspect", *arguments, "--json").stdout)["rows"][0]
+        return json.loads(self.run_program("inspect", *arguments, "--json").out)["rows"][0]
 
     def smooth(self, source, output, *options):
         done = self.run_program("smooth", source, "-o", output, *options)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.code, 0, done.err)
 
     def test_a_model_cut_in_two_fails_with_normals_per_object_and_passes_after_smooth(self):
         for ending in ("obj", "glb"):
             with self.subTest(ending=ending):
                 self.smooth("parts.obj", "object." + ending, "--scope", "object")
                 before = self.run_program("inspect", "object." + ending, "--check")
-                self.assertEqual(before.returncode, 5)
-                lines = before.stderr.splitlines()
-                self.assertEqual(len(lines), 1, before.stderr)
+                self.assertEqual(before.code, 5)
+                lines = before.err.splitlines()
+                self.assertEqual(len(lines), 1, before.err)
                 for word in ("object." + ending, "max-seam", "'left'", "'right'", "33.4 degrees"):
                     self.assertIn(word, lines[0])
                 self.smooth("object." + ending, "model." + ending)
                 after = self.run_program("inspect", "model." + ending, "--check")
-                self.assertEqual((after.returncode, after.stderr), (0, ""))
+                self.assertEqual((after.code, after.err), (0, ""))
 
     def test_a_model_without_normals_is_checked_by_those_of_its_objects(self):
-        self.assertEqual(self.run_program("inspect", "parts.obj", "--check").returncode, 5)
-        self.assertEqual(self.run_program("inspect", "parts.obj", "--check", "--normals", "model").returncode, 0)
+        self.assertEqual(self.run_program("inspect", "parts.obj", "--check").code, 5)
+        self.assertEqual(self.run_program("inspect", "parts.obj", "--check", "--normals", "model").code, 0)
 
     def test_the_limit_and_the_crease_angle_decide_what_is_a_seam(self):
         check = ("inspect", "parts.obj", "--check")
-        self.assertEqual(self.run_program(*check, "--max-seam", "33").returncode, 5)
-        self.assertEqual(self.run_program(*check, "--max-seam", "34").returncode, 0)
-        self.assertEqual(self.run_program(*check, "--crease-angle", "30").returncode, 0)  # an edge of 33.4 degrees is a crease then
-        self.assertEqual(self.run_program("inspect", "parts.obj").returncode, 0)  # nothing is checked unless asked for
+        self.assertEqual(self.run_program(*check, "--max-seam", "33").code, 5)
+        self.assertEqual(self.run_program(*check, "--max-seam", "34").code, 0)
+        self.assertEqual(self.run_program(*check, "--crease-angle", "30").code, 0)  # an edge of 33.4 degrees is a crease then
+        self.assertEqual(self.run_program("inspect", "parts.obj").code, 0)  # nothing is checked unless asked for
 
     def test_the_weld_distance_decides_what_is_one_position(self):
         self.write("apart.obj", TWO_PARTS.replace("o right\nv 0 0 0.3", "o right\nv 0.001 0 0.3"))
@@ -96,7 +61,7 @@ class Inspect(unittest.TestCase):
         self.assertEqual(self.row("apart.obj", "--weld-distance", "0.01")["shared_positions"], 2)
 
     def test_every_limit_has_its_own_line(self):
-        self.assertEqual(self.run_program("inspect", "cube.obj", "--check", *LIMITS).returncode, 0)
+        self.assertEqual(self.run_program("inspect", "cube.obj", "--check", *LIMITS).code, 0)
         faults = {
             "--closed": CUBE.replace("f 1 3 4 2\n", ""),
             "--consistent-winding": CUBE.replace("f 1 3 4 2\n", "f 2 4 3 1\n"),
@@ -108,14 +73,14 @@ class Inspect(unittest.TestCase):
             with self.subTest(limit=limit):
                 self.write("fault.obj", text)
                 done = self.run_program("inspect", "fault.obj", "--check", limit, "--quiet")
-                self.assertEqual(done.returncode, 5, done.stderr)
-                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-                self.assertIn("fault.obj: " + limit[2:] + ": ", done.stderr)
-                self.assertIn("cube", done.stderr)
+                self.assertEqual(done.code, 5, done.err)
+                self.assertEqual(len(done.err.splitlines()), 1, done.err)
+                self.assertIn("fault.obj: " + limit[2:] + ": ", done.err)
+                self.assertIn("cube", done.err)
         self.write("fault.obj", CUBE.replace("f 1 3 4 2\n", "f 1 1 2\n"))
         done = self.run_program("inspect", "fault.obj", "--check", *LIMITS, "--quiet", "--json")
-        self.assertEqual(len(done.stderr.splitlines()), 2)
-        check = json.loads(done.stdout)["rows"][0]["check"]
+        self.assertEqual(len(done.err.splitlines()), 2)
+        check = json.loads(done.out)["rows"][0]["check"]
         self.assertFalse(check["passed"])
         self.assertEqual([f["limit"] for f in check["failures"]], ["no-degenerate", "closed"])
 
@@ -131,14 +96,14 @@ class Inspect(unittest.TestCase):
                     "accessors": [dict(accessor(0), min=[0, 0, 0], max=[1, 1, 0]), accessor(1)], "bufferViews": [view(0), view(36)],
                     "buffers": [{"byteLength": 72, "uri": "data:application/octet-stream;base64," + base64.b64encode(floats).decode()}]}))
                 done = self.run_program("inspect", "normals.gltf", "--check", "--unit-normals", "--quiet")
-                self.assertEqual(done.returncode, 5 if length in (0, 2) else 0, done.stderr)
-                if done.returncode:
-                    self.assertIn("unit-normals: 3 zero, non-finite or non-unit normals in 'face'", done.stderr)
+                self.assertEqual(done.code, 5 if length in (0, 2) else 0, done.err)
+                if done.code:
+                    self.assertIn("unit-normals: 3 zero, non-finite or non-unit normals in 'face'", done.err)
 
     def test_of_several_models_the_worst_code_counts_and_all_are_looked_at(self):
         done = self.run_program("inspect", "cube.obj", "none.obj", "parts.obj", "--check", "--json")
-        self.assertEqual(done.returncode, 5)
-        rows = json.loads(done.stdout)["rows"]
+        self.assertEqual(done.code, 5)
+        rows = json.loads(done.out)["rows"]
         self.assertEqual([r.get("check", {}).get("passed") for r in rows], [True, None, False])
         self.assertEqual(rows[1]["error"]["exit_code"], 3)
 
@@ -153,7 +118,7 @@ class Inspect(unittest.TestCase):
         self.assertEqual(row["objects"][0]["surface"]["open_edges"], 4)
         cube = self.row("cube.obj")["objects"][0]["surface"]
         self.assertEqual((cube["closed"], cube["edges"]), (True, 18))
-        text = self.run_program("inspect", "parts.obj").stdout
+        text = self.run_program("inspect", "parts.obj").out
         for word in ("surfaces", "borders", "33.40", "smoothed per object"):
             self.assertIn(word, text)
 
@@ -162,11 +127,11 @@ class Inspect(unittest.TestCase):
         row = self.row("t.obj")
         self.assertEqual(row["t_junctions"]["count"], 1)
         self.assertEqual(row["t_junctions"]["places"], [{"position": [1, 0, 0], "object": 1, "edge_object": 0}])
-        self.assertIn("1 0 0  fine       coarse", self.run_program("inspect", "t.obj").stdout)
+        self.assertIn("1 0 0  fine       coarse", self.run_program("inspect", "t.obj").out)
 
     def test_many_objects_are_cut_for_people_and_whole_in_json(self):
         self.write("many.obj", "".join(f"o part{i}\nv {i} 0 0\nv {i} 1 0\nv {i + 1} 0 0\nf {3 * i + 1} {3 * i + 2} {3 * i + 3}\n" for i in range(100)))
-        text = self.run_program("inspect", "many.obj").stdout
+        text = self.run_program("inspect", "many.obj").out
         self.assertEqual(text.count("... 60 more, see --json"), 2)  # objects, surfaces
         self.assertIn("... 59 more, see --json", text)  # borders
         self.assertEqual(len(self.row("many.obj")["borders"]), 99)
@@ -176,8 +141,8 @@ class Inspect(unittest.TestCase):
         for name, is_colored in (("parts", True), ("model", False)):
             with self.subTest(name=name):
                 done = self.run_program("inspect", name + ".obj", "--heatmap", "{model}.png", "--view", "front", "--resolution", "120,80")
-                self.assertEqual((done.returncode, done.stderr), (0, ""))
-                width, height, rows = pixels(self.dir / (name + ".png"))
+                self.assertEqual((done.code, done.err), (0, ""))
+                width, height, _, rows = png(self.folder / (name + ".png"))
                 self.assertEqual((width, height), (120, 80))
                 r, g, b = rows[40][180:183]
                 self.assertEqual(r > 200 and g > 100 and b < 100, is_colored, (r, g, b))  # 33 degrees: orange to yellow
@@ -187,7 +152,7 @@ class Inspect(unittest.TestCase):
     def test_the_heat_map_is_the_same_for_any_number_of_threads(self):
         for threads in (1, 3):
             self.run_program("inspect", "parts.obj", "--heatmap", f"{threads}.png", "--threads", threads)
-        self.assertEqual((self.dir / "1.png").read_bytes(), (self.dir / "3.png").read_bytes())
+        self.assertEqual((self.folder / "1.png").read_bytes(), (self.folder / "3.png").read_bytes())
 
     def test_wrong_usage_is_one_line_and_exit_code_2(self):
         for options in (["--closed"], ["--max-seam", "2"], ["--check", "--max-seam", "-1"], ["--check", "--max-seam", "x"],
@@ -198,13 +163,12 @@ class Inspect(unittest.TestCase):
                         ["--heatmap", "a.png", "--resolution", "60000,60000"]):
             with self.subTest(options=options):
                 done = self.run_program("inspect", "parts.obj", *options)
-                self.assertIn(done.returncode, (1, 2) if "no/such/folder.png" in options else (2,), done.stderr)
-                self.assertEqual((len(done.stderr.splitlines()), done.stdout), (1, ""))
+                self.assertIn(done.code, (1, 2) if "no/such/folder.png" in options else (2,), done.err)
+                self.assertEqual((len(done.err.splitlines()), done.out), (1, ""))
                 if "cube.obj" in options:
-                    self.assertIn("--heatmap 'out/{model}.png'", done.stderr)
-        self.assertEqual(sorted(p.name for p in self.dir.iterdir()), ["cube.obj", "parts.obj"])
+                    self.assertIn("--heatmap 'out/{model}.png'", done.err)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["cube.obj", "parts.obj"])
 
 
 if __name__ == "__main__":
-    PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
-    unittest.main()
+    program.main()

@@ -11,11 +11,11 @@ import resource
 import shutil
 import struct
 import subprocess
-import sys
 import tempfile
 import unittest
 
-PROGRAM = ""
+import program
+
 HERE = pathlib.Path(__file__).resolve().parent
 SHARED = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", HERE.parent.parent.parent / "shared"))
 TWO_PARTS = "o left\nv -1 0 0\nv 0 0 0\nv 0 1 0.5\nv -1 1 0\nf 1 2 3 4\no right\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 5 6 7 8\n"
@@ -47,7 +47,7 @@ class Smooth(unittest.TestCase):
         (self.dir / "parts.obj").write_text(TWO_PARTS)
 
     def run_program(self, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.dir, capture_output=True, text=True, timeout=300)
+        return subprocess.run([program.PROGRAM, *map(str, arguments)], cwd=self.dir, capture_output=True, text=True, timeout=300)
 
     def test_seams_are_there_before_and_gone_after(self):
         def seam(name):
@@ -65,7 +65,7 @@ class Smooth(unittest.TestCase):
         self.assertEqual(self.run_program("smooth", "in.gltf", "-o", "out.gltf", "--crease-angle", "180").returncode, 0)
         older = {p.name: p.read_bytes() for p in self.dir.iterdir()}
         self.assertIn("out.bin", older)
-        arguments = (PROGRAM, "smooth", "in.gltf", "-o", "out.gltf", "--crease-angle", "1")
+        arguments = (program.PROGRAM, "smooth", "in.gltf", "-o", "out.gltf", "--crease-angle", "1")
         done = subprocess.run(arguments, cwd=self.dir, capture_output=True, text=True, timeout=300,
                               restore_signals=False,  # the signal of the limit stays ignored: writing fails, as on a full disk
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100000, 100000)))
@@ -156,5 +156,4 @@ class Smooth(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM = os.path.abspath(sys.argv.pop(1))
-    unittest.main()
+    program.main()

@@ -5,14 +5,9 @@
   stages_test.py PROGRAM [unittest arguments]"""
 import html.parser
 import json
-import pathlib
-import shutil
-import subprocess
-import sys
-import tempfile
-import unittest
 
-PROGRAM = ""
+import program
+
 SIZE = "96,64"
 STAGES = ["model", "world", "camera", "clip-space", "clipped", "device", "screen", "culled", "coverage", "depth", "visibility", "normal",
           "lighting", "picture"]
@@ -36,18 +31,14 @@ class Links(html.parser.HTMLParser):
         assert self.open.pop() == tag, tag
 
 
-class Stages(unittest.TestCase):
+class Stages(program.Case):
     def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.dir)
-        self.out = self.dir / "out"
-
-    def run_program(self, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.dir, capture_output=True, text=True, timeout=300)
+        super().setUp()
+        self.out = self.folder / "out"
 
     def stages(self, *options, model="builtin:teapot"):
         run = self.run_program("stages", model, "-o", self.out, "--resolution", SIZE, *options)
-        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.code, 0, run.err)
         return run
 
     def table(self, stage):
@@ -70,7 +61,7 @@ class Stages(unittest.TestCase):
     def test_counts_are_those_of_render(self):
         self.stages()
         run = self.run_program("render", "builtin:teapot", "-o", "a.png", "--resolution", SIZE, "--json")
-        stats = json.loads(run.stdout)["rows"][0]
+        stats = json.loads(run.out)["rows"][0]
         numbers = self.table("culled")["numbers"]
         self.assertEqual(numbers["triangles in"], numbers["outside, or no pixel center in their box"] + numbers["without area"] +
                          numbers["facing the wrong way"] + numbers["drawn, pieces counted"])
@@ -82,7 +73,7 @@ class Stages(unittest.TestCase):
     def test_the_picture_is_the_rendered_one(self):
         self.stages()
         self.run_program("render", "builtin:teapot", "-o", "a.png", "--resolution", SIZE)
-        self.assertEqual((self.out / "picture.png").read_bytes(), (self.dir / "a.png").read_bytes())
+        self.assertEqual((self.out / "picture.png").read_bytes(), (self.folder / "a.png").read_bytes())
 
     def test_vertices_agree_from_space_to_space(self):
         self.stages()
@@ -96,7 +87,7 @@ class Stages(unittest.TestCase):
             self.assertLessEqual(abs(s[2] * 256 - s[4]), 0.5)
 
     def test_a_triangle_through_the_eye_plane_is_clipped_and_listed(self):
-        (self.dir / "a.obj").write_text("v -1 -1 -5\nv 1 -1 -5\nv 0 0 5\nf 1 2 3\n")
+        (self.folder / "a.obj").write_text("v -1 -1 -5\nv 1 -1 -5\nv 0 0 5\nf 1 2 3\n")
         self.stages("--camera-position", "0,1,0", "--camera-focal-point", "0,0,-3", model="a.obj")
         table = self.table("clipped")
         self.assertEqual(table["numbers"]["triangles clipped"], 1)
@@ -111,29 +102,28 @@ class Stages(unittest.TestCase):
         (self.out / "mine.txt").write_text("keep")
         before = {p.name: p.stat().st_mtime_ns for p in self.out.iterdir()}
         run = self.run_program("stages", "builtin:teapot", "-o", self.out, "--resolution", SIZE)
-        self.assertEqual(run.returncode, 1)
-        self.assertIn("mine.txt", run.stderr)
+        self.assertEqual(run.code, 1)
+        self.assertIn("mine.txt", run.err)
         self.assertEqual({p.name: p.stat().st_mtime_ns for p in self.out.iterdir()}, before)
-        (self.dir / "file").write_text("keep")
-        self.assertEqual(self.run_program("stages", "builtin:teapot", "-o", "file", "--resolution", SIZE).returncode, 1)
-        (self.dir / "other").mkdir()
-        (self.dir / "other" / "stages.json").write_text('{"schema": "rakelight.stages/1", "files": 3}')
-        self.assertEqual(self.run_program("stages", "builtin:teapot", "-o", "other", "--resolution", SIZE).returncode, 1)
+        (self.folder / "file").write_text("keep")
+        self.assertEqual(self.run_program("stages", "builtin:teapot", "-o", "file", "--resolution", SIZE).code, 1)
+        (self.folder / "other").mkdir()
+        (self.folder / "other" / "stages.json").write_text('{"schema": "rakelight.stages/1", "files": 3}')
+        self.assertEqual(self.run_program("stages", "builtin:teapot", "-o", "other", "--resolution", SIZE).code, 1)
 
     def test_nothing_is_left_of_what_fails(self):
         for arguments in (("none.obj", "-o", "out"), ("builtin:teapot", "-o", "no/such/out"), ("builtin:teapot", "-o", "out", "--camera-index", "9"),
                           ("builtin:teapot", "-o", "out", "--resolution", "65536,65536")):
             run = self.run_program("stages", *arguments)
-            self.assertNotEqual(run.returncode, 0)
-            self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
-            self.assertEqual(list(self.dir.iterdir()), [], arguments)
+            self.assertNotEqual(run.code, 0)
+            self.assertEqual(len(run.err.splitlines()), 1, run.err)
+            self.assertEqual(list(self.folder.iterdir()), [], arguments)
 
     def test_json_lists_the_files(self):
-        row = json.loads(self.stages("--json").stdout)["rows"][0]
+        row = json.loads(self.stages("--json").out)["rows"][0]
         self.assertEqual(row["files"][0], "index.html")
         self.assertTrue(all((self.out / name).is_file() for name in row["files"]))
 
 
 if __name__ == "__main__":
-    PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
-    unittest.main()
+    program.main()

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the tests of the program share: running it in a folder of its own, and reading 8-bit PNG files. Standard library only."""
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+PROGRAM = ""  # main() sets it
+
+SQUARE = "o {name}\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"
+TWO_PARTS = "o left\nv -1 0 0\nv 0 0 0\nv 0 1 0.5\nv -1 1 0\nf 1 2 3 4\no right\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 5 6 7 8\n"
+
+
+class Result:
+    def __init__(self, done):
+        self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
+        self.lines = self.err.splitlines()
+
+
+def png(path):
+    """(width, height, channels, rows of bytes) of an 8-bit, non-interlaced PNG."""
+    data, at, packed = pathlib.Path(path).read_bytes(), 8, b""
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
+        chunk = data[at + 8:at + 8 + size]
+        at += 12 + size
+        if kind == b"IHDR":
+            width, height, depth, color, _, _, interlace = struct.unpack(">IIBBBBB", chunk)
+        if kind == b"IDAT":
+            packed += chunk
+    assert (depth, interlace) == (8, 0)
+    channels = {0: 1, 2: 3, 4: 2, 6: 4}[color]
+    raw, stride, rows, above = zlib.decompress(packed), width * channels, [], bytearray(width * channels)
+    for y in range(height):
+        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for x in range(stride):
+            a = row[x - channels] if x >= channels else 0
+            b, c = above[x], above[x - channels] if x >= channels else 0
+            p = a + b - c
+            nearest = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+            row[x] = (row[x] + (0, a, b, (a + b) // 2, nearest)[kind]) & 255
+        rows.append(row)
+        above = row
+    return width, height, channels, rows
+
+
+class Case(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="rakelight_cli_"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def run_program(self, *arguments, **environment):
+        return Result(subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=300,
+                                     stdin=subprocess.DEVNULL, env={**os.environ, **environment}))
+
+    def write(self, name, text=None):
+        path = self.folder / name
+        path.write_text(SQUARE.format(name="square") if text is None else text)
+        return path
+
+    def files(self):
+        return sorted(p.name for p in self.folder.iterdir())
+
+    def check_refused(self, result, code, *words):
+        """One line on standard error, nothing on standard output, the expected code."""
+        self.assertEqual(result.code, code, result.err)
+        self.assertEqual(len(result.lines), 1, result.err)
+        self.assertTrue(result.err.startswith("rakelight: error: "), result.err)
+        self.assertEqual(result.out, "")
+        for word in words:
+            self.assertIn(word, result.err)
+
+
+def main():
+    """Runs the tests of the file that calls it: FILE PROGRAM [unittest arguments]."""
+    global PROGRAM
+    PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    unittest.main()
