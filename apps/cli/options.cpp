@@ -5,8 +5,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
 
 #include "help_texts.h"
 #include "render_options.h"
@@ -16,7 +14,6 @@ namespace rakelight::cli {
 namespace {
 
 constexpr std::size_t column_width = 32, page_width = 100;
-constexpr std::string_view verbs[] = {"render", "inspect", "smooth", "bench", "explain", "stages"};
 
 /// CLI11's layout with descriptions wrapped to the page and single blank lines.
 class HelpLayout final : public CLI::Formatter {
@@ -165,10 +162,80 @@ Options finish(Options options, const CommonWords& common) {
     return options;
 }
 
+/// What the options of all verbs were given.
+struct VerbWords {
+    RenderWords render, stages;
+    InspectWords inspect;
+    SmoothWords smooth;
+    BenchWords bench;
+    ExplainWords explain;
+};
+
+/// A verb of the program: its help, its options and what they mean.
+struct VerbEntry {
+    std::string_view name;
+    const char* help;
+    const char* footer;  ///< of its own help; may be null
+    bool takes_models;
+    Verb verb;
+    void (*declare)(CLI::App& app, VerbWords& words);
+    void (*read)(const VerbWords& words, Options& options);
+};
+
+void declare_render(CLI::App& app, VerbWords& w) {
+    add_render_options(app, w.render);
+    app.add_flag("--stats", w.render.stats,
+                 "Say what the engine counted: lighting evaluations, triangles, pixels, overdraw")
+        ->group("Output");
+}
+
+constexpr VerbEntry verbs[] = {
+    {"render", "Draw models to picture files", render_footer, true, Verb::render, declare_render,
+     [](const VerbWords& w, Options& o) {
+         o.stats = w.render.stats;
+         apply(w.render, o.picture);
+     }},
+    {"inspect", "Say what is in models: objects, materials, textures, seams", inspect_footer, true, Verb::inspect,
+     [](CLI::App& app, VerbWords& w) { add_inspect_options(app, w.inspect); },
+     [](const VerbWords& w, Options& o) {
+         apply(w.inspect.render, o.picture);
+         apply(w.inspect, o.inspect, o.picture);
+     }},
+    {"smooth", "Write models back with seam-free normals and tangents", smooth_footer, true, Verb::smooth,
+     [](CLI::App& app, VerbWords& w) { add_smooth_options(app, w.smooth); },
+     [](const VerbWords& w, Options& o) {
+         o.picture.output = w.smooth.output;
+         apply(w.smooth, o.smooth);
+     }},
+    {"bench", "Measure the program itself, beside what it is compared with", nullptr, false, Verb::bench,
+     [](CLI::App& app, VerbWords& w) { add_bench_options(app, w.bench); },
+     [](const VerbWords& w, Options& o) { apply(w.bench, o.bench); }},
+    {"explain", "Say why a pixel has its color: every number on the way to it", explain_footer, true, Verb::explain,
+     [](CLI::App& app, VerbWords& w) { add_explain_options(app, w.explain); },
+     [](const VerbWords& w, Options& o) {
+         apply(w.explain.render, o.picture);
+         apply(w.explain, o.explain, o.picture);
+     }},
+    {"stages", "Show what each stage makes of a model, as a page", stages_footer, true, Verb::stages,
+     [](CLI::App& app, VerbWords& w) { add_stages_options(app, w.stages); },
+     [](const VerbWords& w, Options& o) { apply(w.stages, o.picture); }},
+};
+
+/// The verbs with their options.
+void add_verbs(CLI::App& app, VerbWords& words, CommonWords& common, std::vector<std::string>& inputs) {
+    for (const VerbEntry& verb : verbs) {
+        CLI::App* const sub = app.add_subcommand(std::string(verb.name), verb.help);
+        if (verb.takes_models) add_inputs(*sub, inputs, "Model files, or builtin:teapot");
+        verb.declare(*sub, words);
+        add_common_options(*sub, common);
+        if (verb.footer) sub->footer(verb.footer);
+    }
+}
+
 /// The words that CLI11 would not explain: a verb that is none, an empty value, a file that looks like an option.
 void check_words(int argc, const char* const* argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
-    if (argc > 1 && !first.starts_with('-') && std::find(std::begin(verbs), std::end(verbs), first) == std::end(verbs))
+    if (argc > 1 && !first.starts_with('-') && std::ranges::find(verbs, first, &VerbEntry::name) == std::end(verbs))
         throw Error(ErrorCode::usage, "unknown command '" + one_line(std::string(first), 40) + "'", {},
                     "use render, smooth, inspect, explain, stages or bench, see rakelight --help");
     for (int i = 2; i < argc && std::string_view(argv[i]) != "--"; ++i) {
@@ -211,7 +278,7 @@ Options parse(int argc, const char* const* argv) {
     if (argc > 1 && std::string_view(argv[1]) == "help") return parse_help(argc, argv);
     check_words(argc, argv);
     Options options;
-    RenderWords words;
+    VerbWords words;
     CommonWords common;
     CLI::App app("Renders 3D models made of many parts: bumps show, seams do not.", "rakelight");
     app.formatter(std::make_shared<HelpLayout>());  // before the verbs, which inherit it
@@ -219,41 +286,7 @@ Options parse(int argc, const char* const* argv) {
     app.set_version_flag("-V,--version", std::string("-"), "Say version, formats, engines and instruction sets");
     app.require_subcommand(1);
     app.footer(main_footer);
-    CLI::App* render = app.add_subcommand("render", "Draw models to picture files");
-    add_inputs(*render, options.inputs, "Model files, or builtin:teapot");
-    add_render_options(*render, words);
-    render->add_flag("--stats", words.stats, "Say what the engine counted: lighting evaluations, triangles, pixels, overdraw")
-        ->group("Output");
-    add_common_options(*render, common);
-    render->footer(render_footer);
-    CLI::App* inspect = app.add_subcommand("inspect", "Say what is in models: objects, materials, textures, seams");
-    add_inputs(*inspect, options.inputs, "Model files, or builtin:teapot");
-    InspectWords inspect_words;
-    add_inspect_options(*inspect, inspect_words);
-    add_common_options(*inspect, common);
-    inspect->footer(inspect_footer);
-    CLI::App* smooth = app.add_subcommand("smooth", "Write models back with seam-free normals and tangents");
-    SmoothWords smooth_words;
-    add_inputs(*smooth, options.inputs, "Model files, or builtin:teapot");
-    add_smooth_options(*smooth, smooth_words);
-    add_common_options(*smooth, common);
-    smooth->footer(smooth_footer);
-    CLI::App* bench = app.add_subcommand("bench", "Measure the program itself, beside what it is compared with");
-    BenchWords bench_words;
-    add_bench_options(*bench, bench_words);
-    add_common_options(*bench, common);
-    CLI::App* explain = app.add_subcommand("explain", "Say why a pixel has its color: every number on the way to it");
-    ExplainWords explain_words;
-    add_inputs(*explain, options.inputs, "Model files, or builtin:teapot");
-    add_explain_options(*explain, explain_words);
-    add_common_options(*explain, common);
-    explain->footer(explain_footer);
-    CLI::App* stages = app.add_subcommand("stages", "Show what each stage makes of a model, as a page");
-    RenderWords stages_words;
-    add_inputs(*stages, options.inputs, "Model files, or builtin:teapot");
-    add_stages_options(*stages, stages_words);
-    add_common_options(*stages, common);
-    stages->footer(stages_footer);
+    add_verbs(app, words, common, options.inputs);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -265,72 +298,12 @@ Options parse(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& fault) {
         throw usage_error(fault, app);
     }
-    options.verb = render->parsed() ? Verb::render : Verb::inspect;
-    options.stats = words.stats;
-    apply(inspect->parsed() ? inspect_words.render : words, options.picture);
-    if (inspect->parsed()) apply(inspect_words, options.inspect, options.picture);
-    if (smooth->parsed()) {
-        options.verb = Verb::smooth;
-        options.picture.output = smooth_words.output;
-        apply(smooth_words, options.smooth);
-    }
-    if (explain->parsed()) {
-        options.verb = Verb::explain;
-        apply(explain_words.render, options.picture);
-        apply(explain_words, options.explain, options.picture);
-    }
-    if (stages->parsed()) {
-        options.verb = Verb::stages;
-        apply(stages_words, options.picture);
-    }
-    if (bench->parsed()) {
-        options.verb = Verb::bench;
-        apply(bench_words, options.bench);
+    for (const VerbEntry& verb : verbs) {
+        if (!app.got_subcommand(std::string(verb.name))) continue;
+        options.verb = verb.verb;
+        verb.read(words, options);
     }
     return finish(std::move(options), common);
-}
-
-/// No "{...}" but "{model}".
-static void check_template(const std::string& output) {
-    for (std::size_t at = 0; (at = output.find('{', at)) != std::string::npos; ++at)
-        if (const std::size_t end = output.find('}', at);
-            end != std::string::npos && std::string_view(output).substr(at, end + 1 - at) != "{model}")
-            throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "': only {model} is filled in");
-}
-
-static Error no_name_for_each(Verb verb) {
-    if (verb == Verb::smooth)
-        return Error(ErrorCode::usage, "several models need a name for each output", {},
-                     "write for example -o 'out/{model}.glb'");
-    return Error(ErrorCode::usage, "several models need a name for each picture", {},
-                 verb == Verb::inspect ? "write for example --heatmap 'out/{model}.png'"
-                                       : "write for example -o 'out/{model}.png'");
-}
-
-std::vector<PictureRequest> picture_requests(const Options& options) {
-    constexpr std::string_view mark = "{model}";
-    std::vector<PictureRequest> requests;
-    check_template(options.picture.output);
-    std::map<std::string, std::string> inputs_of;  // output -> input
-    for (const std::string& input : options.inputs) {
-        PictureRequest request = options.picture;
-        request.input = input;
-        const std::string stem =
-            input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
-        bool replaced = false;
-        for (std::size_t at = 0; (at = request.output.find(mark, at)) != std::string::npos;
-             at += stem.size(), replaced = true)
-            request.output.replace(at, mark.size(), stem);
-        if (options.inputs.size() > 1 && !replaced)
-            throw no_name_for_each(options.verb);
-        const auto [entry, is_new] =
-            inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
-        if (!is_new)
-            throw Error(ErrorCode::usage, "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) +
-                                              "' would both be written to '" + one_line(request.output, 80) + "'");
-        requests.push_back(std::move(request));
-    }
-    return requests;
 }
 
 }  // namespace rakelight::cli

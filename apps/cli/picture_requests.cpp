@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// One request for each model on the command line, each with an output of its own.
+#include <filesystem>
+#include <map>
+#include <string_view>
+
+#include "options.h"
+
+namespace rakelight::cli {
+namespace {
+
+/// No "{...}" but "{model}".
+void check_template(const std::string& output) {
+    for (std::size_t at = 0; (at = output.find('{', at)) != std::string::npos; ++at)
+        if (const std::size_t end = output.find('}', at);
+            end != std::string::npos && std::string_view(output).substr(at, end + 1 - at) != "{model}")
+            throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "': only {model} is filled in");
+}
+
+Error no_name_for_each(Verb verb) {
+    if (verb == Verb::smooth)
+        return Error(ErrorCode::usage, "several models need a name for each output", {},
+                     "write for example -o 'out/{model}.glb'");
+    return Error(ErrorCode::usage, "several models need a name for each picture", {},
+                 verb == Verb::inspect ? "write for example --heatmap 'out/{model}.png'"
+                                       : "write for example -o 'out/{model}.png'");
+}
+
+}  // namespace
+
+std::vector<PictureRequest> picture_requests(const Options& options) {
+    constexpr std::string_view mark = "{model}";
+    std::vector<PictureRequest> requests;
+    check_template(options.picture.output);
+    std::map<std::string, std::string> inputs_of;  // output -> input
+    for (const std::string& input : options.inputs) {
+        PictureRequest request = options.picture;
+        request.input = input;
+        const std::string stem =
+            input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
+        bool replaced = false;
+        for (std::size_t at = 0; (at = request.output.find(mark, at)) != std::string::npos;
+             at += stem.size(), replaced = true)
+            request.output.replace(at, mark.size(), stem);
+        if (options.inputs.size() > 1 && !replaced) throw no_name_for_each(options.verb);
+        const auto [entry, is_new] =
+            inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
+        if (!is_new)
+            throw Error(ErrorCode::usage, "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) +
+                                              "' would both be written to '" + one_line(request.output, 80) + "'");
+        requests.push_back(std::move(request));
+    }
+    return requests;
+}
+
+}  // namespace rakelight::cli
