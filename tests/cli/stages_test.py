@@ -58,6 +58,14 @@ class Stages(program.Case):
         listed = json.loads((self.out / "stages.json").read_text())["files"]
         self.assertEqual(set(listed) | {"stages.json"}, {p.name for p in self.out.iterdir()})
 
+    def test_the_page_names_the_model_without_its_folder(self):
+        (self.folder / "sub").mkdir()
+        self.stages(model=self.write("sub/a & b.obj"))
+        text = (self.out / "index.html").read_text()
+        self.assertIn("<title>a &amp; b.obj: stages</title>", text)
+        self.assertIn("<h1>a &amp; b.obj: from", text)
+        self.assertNotIn(str(self.folder), text)
+
     def test_counts_are_those_of_render(self):
         self.stages()
         run = self.run_program("render", "builtin:teapot", "-o", "a.png", "--resolution", SIZE, "--json")

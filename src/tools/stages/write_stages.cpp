@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <new>
 
 #include <rakelight/stages.h>
@@ -26,7 +27,8 @@ StagesResult write(const PictureRequest& request, Context& context) {
     const stages::Sources sources{*engine, open, drawn, pixels};
     std::vector<stages::Stage> all = stages::vertex_stages(sources);
     for (stages::Stage& stage : stages::pixel_stages(sources)) all.push_back(std::move(stage));
-    folder.write("index.html", stages::page(one_line(request.input, 200), all));
+    const std::string name = std::filesystem::path(request.input).filename().string();  // "builtin:teapot" has no folder
+    folder.write("index.html", stages::page(one_line(name, 200), all));
     std::size_t done = 0;
     for (const stages::Stage& stage : all) {
         folder.write(stage.id + ".json", stages::table_json(stage));
