@@ -21,19 +21,19 @@ struct Coverage {
 /// @param area  pixels of the picture that count; lies in the tile
 /// @return false: no pixel is covered
 inline bool set_coverage(const ScreenTriangle& s, const Window& area, int tile_x, int tile_y, Coverage& c) {
-    const auto [x_low, x_high] = std::minmax({s.x[0], s.x[1], s.x[2]});
-    const auto [y_low, y_high] = std::minmax({s.y[0], s.y[1], s.y[2]});
+    const auto [x_low, x_high] = std::minmax({s.x0, s.x1, s.x2});
+    const auto [y_low, y_high] = std::minmax({s.y0, s.y1, s.y2});
     const int left = std::max((x_low + 127) >> subpixel_bits, area.x);
     const int right = std::min((x_high - 128) >> subpixel_bits, area.x + area.width - 1);
     const int top = std::max((y_low + 127) >> subpixel_bits, area.y);
     const int bottom = std::min((y_high - 128) >> subpixel_bits, area.y + area.height - 1);
     if (left > right || top > bottom) return false;
-    for (int k = 0; k < 3; ++k) {
-        const int n = (k + 1) % 3;
-        const std::int64_t dx = s.x[n] - s.x[k], dy = s.y[n] - s.y[k];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t n = (k + 1) % 3;
+        const std::int64_t dx = s.x(n) - s.x(k), dy = s.y(n) - s.y(k);
         const std::int64_t px = (std::int64_t(left) << subpixel_bits) + 128, py = (std::int64_t(top) << subpixel_bits) + 128;
         const bool is_top_or_left = dy < 0 || (dy == 0 && dx > 0);  // positive area, y down
-        c.edge[k] = (dx * (py - s.y[k]) - dy * (px - s.x[k]) - (is_top_or_left ? 0 : 1)) >> subpixel_bits;
+        c.edge[k] = (dx * (py - s.y(k)) - dy * (px - s.x(k)) - (is_top_or_left ? 0 : 1)) >> subpixel_bits;
         c.step_x[k] = -dy;
         c.step_y[k] = dx;
         const std::int64_t across = c.step_x[k] * (right - left), down = c.step_y[k] * (bottom - top);

@@ -95,6 +95,7 @@ private:
             const ScreenPoint points[3] = {snap_to_screen(front_.view, polygon[0]), snap_to_screen(front_.view, polygon[k - 1]),
                                            snap_to_screen(front_.view, polygon[k])};
             ScreenTriangle piece = s;
+            piece.is_piece = true;
             Box box;
             if (place(points, piece, box)) bin(piece, box);
         }
@@ -136,8 +137,9 @@ private:
             return false;
         }
         const std::size_t second = area < 0 ? 2 : 1, third = 3 - second;
-        s.x[0] = p[0].x, s.x[1] = p[second].x, s.x[2] = p[third].x;
-        s.y[0] = p[0].y, s.y[1] = p[second].y, s.y[2] = p[third].y;
+        s.is_swapped = area < 0;
+        s.x0 = p[0].x, s.x1 = p[second].x, s.x2 = p[third].x;
+        s.y0 = p[0].y, s.y1 = p[second].y, s.y2 = p[third].y;
         const auto [x_low, x_high] = std::minmax({p[0].x, p[1].x, p[2].x});
         const auto [y_low, y_high] = std::minmax({p[0].y, p[1].y, p[2].y});
         box.left = std::max((x_low + 127) >> subpixel_bits, grid_.window.x);
@@ -169,12 +171,12 @@ private:
 
     /// False when one edge has the whole tile on its outer side.
     static bool touches(const ScreenTriangle& s, int tx, int ty) {
-        for (int k = 0; k < 3; ++k) {
-            const int n = (k + 1) % 3;
-            const std::int64_t dx = s.x[n] - s.x[k], dy = s.y[n] - s.y[k];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t n = (k + 1) % 3;
+            const std::int64_t dx = s.x(n) - s.x(k), dy = s.y(n) - s.y(k);
             const std::int64_t px = std::int64_t(tx) * tile_fixed + (dy < 0 ? tile_fixed : 0);
             const std::int64_t py = std::int64_t(ty) * tile_fixed + (dx > 0 ? tile_fixed : 0);
-            if (dx * (py - s.y[k]) - dy * (px - s.x[k]) < 0) return false;
+            if (dx * (py - s.y(k)) - dy * (px - s.x(k)) < 0) return false;
         }
         return true;
     }

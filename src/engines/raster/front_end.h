@@ -15,13 +15,18 @@ namespace rakelight::raster {
 
 inline constexpr int subpixel_bits = 8;  ///< screen coordinates are integers of 1/256 pixel
 
-/// A triangle, or a piece of one that was clipped, on the screen: counter-clockwise as seen with y down means positive area.
+/// A triangle, or a piece of one that was clipped, on the screen: counter-clockwise as seen with y down means positive
+/// area. Its corners are ordered so that the area is positive: corner k is the mesh's corner k, or 2 and 1 are swapped.
 struct ScreenTriangle {
-    std::int32_t x[3], y[3];      ///< [1/256 px], ordered so that the area is positive
+    std::int32_t x0, y0, x1, y1, x2, y2;  ///< [1/256 px]
     double depth_x, depth_y, depth_0;  ///< depth key at (x, y) in px: greater is nearer
     float depth_low, depth_high;  ///< keys of the triangle's corners: the plane is clamped to them
     std::uint32_t draw, triangle; ///< which mesh at which place, which triangle of it
     bool is_back;                 ///< seen from behind
+    bool is_piece;                ///< what clipping left: its corners are not the mesh's
+    bool is_swapped;              ///< corner 1 is the mesh's corner 2 and the other way round
+    std::int32_t x(std::size_t corner) const { return corner == 0 ? x0 : corner == 1 ? x1 : x2; }
+    std::int32_t y(std::size_t corner) const { return corner == 0 ? y0 : corner == 1 ? y1 : y2; }
 };
 
 /// Where a draw's vertices are in clip space, [vertices].

@@ -19,8 +19,8 @@ ScreenTriangle triangle_of(Point a, Point b, Point c) {
     ScreenTriangle s{};
     const std::int64_t area = std::int64_t(b.first - a.first) * (c.second - a.second) - std::int64_t(c.first - a.first) * (b.second - a.second);
     if (area < 0) std::swap(b, c);
-    s.x[0] = a.first, s.x[1] = b.first, s.x[2] = c.first;
-    s.y[0] = a.second, s.y[1] = b.second, s.y[2] = c.second;
+    s.x0 = a.first, s.x1 = b.first, s.x2 = c.first;
+    s.y0 = a.second, s.y1 = b.second, s.y2 = c.second;
     s.depth_high = 1;
     return s;
 }
@@ -33,9 +33,10 @@ std::multiset<Point> pixels_of(const ScreenTriangle& s, Window area) {
 
 /// Strictly inside all three edges, in exact integers.
 bool is_strictly_inside(const ScreenTriangle& s, int x, int y) {
-    for (int k = 0; k < 3; ++k) {
-        const int n = (k + 1) % 3;
-        const __int128 e = __int128(s.x[n] - s.x[k]) * (y * 256 + 128 - s.y[k]) - __int128(s.y[n] - s.y[k]) * (x * 256 + 128 - s.x[k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t n = (k + 1) % 3;
+        const __int128 e =
+            __int128(s.x(n) - s.x(k)) * (y * 256 + 128 - s.y(k)) - __int128(s.y(n) - s.y(k)) * (x * 256 + 128 - s.x(k));
         if (e <= 0) return false;
     }
     return true;
