@@ -38,8 +38,12 @@ struct Sources {
     const raster::PixelStageData& pixels;
 };
 
-/// Vertices: model, world, camera, clip space, normalized device coordinates, screen; clipped polygons before the division.
-std::vector<Stage> vertex_stages(const Sources& of);
+/// Vertices up to clip space: model, world, camera, clip space.
+std::vector<Stage> space_stages(const Sources& of);
+/// What clipping cuts off before the division.
+std::vector<Stage> clip_stages(const Sources& of);
+/// Vertices after it: normalized device coordinates, screen.
+std::vector<Stage> screen_stages(const Sources& of);
 /// Pixels: culled faces, coverage, depth, visibility, normals, terms of the lights, the picture.
 std::vector<Stage> pixel_stages(const Sources& of);
 

@@ -25,8 +25,9 @@ StagesResult write(const PictureRequest& request, Context& context) {
     const raster::Inspection::Geometry open(*engine, {}, true, context), drawn(*engine, {}, false, context);
     const raster::PixelStageData pixels = raster::inspect_pixels(*engine, open, drawn, most_lights, context);
     const stages::Sources sources{*engine, open, drawn, pixels};
-    std::vector<stages::Stage> all = stages::vertex_stages(sources);
-    for (stages::Stage& stage : stages::pixel_stages(sources)) all.push_back(std::move(stage));
+    std::vector<stages::Stage> all;
+    for (const auto part : {stages::space_stages, stages::clip_stages, stages::screen_stages, stages::pixel_stages})
+        for (stages::Stage& stage : part(sources)) all.push_back(std::move(stage));
     const std::string name = std::filesystem::path(request.input).filename().string();  // "builtin:teapot" has no folder
     folder.write("index.html", stages::page(one_line(name, 200), all));
     std::size_t done = 0;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/stages/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rakelight::stages {
+namespace {
+
+constexpr std::size_t drawn_triangles = 150000;
+
+struct Extent {
+    dvec2 low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+    dvec2 high{-std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()};
+    void add(dvec2 p) {
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    bool is_empty() const { return low.x > high.x; }
+};
+
+/// Every so many-th triangle, so that large models stay lines.
+class Triangles {
+public:
+    Triangles(const Vertices& vertices, bool only_transformed) : vertices_(vertices) {
+        std::size_t total = 0;
+        for (std::size_t d = 0; d < vertices.draws().size(); ++d)
+            if (!only_transformed || vertices.is_transformed(d))
+                draws_.push_back(d), total += vertices.mesh(d).triangle_count();
+        step_ = total / drawn_triangles + 1;
+    }
+    std::string note() const { return step_ > 1 ? " One of " + std::to_string(step_) + " triangles is drawn." : ""; }
+
+    template <class Visit>
+    void visit(const Visit& visit) const {
+        std::size_t n = 0;
+        for (const std::size_t d : draws_) {
+            const Mesh& mesh = vertices_.mesh(d);
+            for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+                if (n++ % step_ == 0) visit(d, mesh.indices.data() + 3 * t);
+        }
+    }
+
+private:
+    const Vertices& vertices_;
+    std::vector<std::size_t> draws_;
+    std::size_t step_ = 1;
+};
+
+/// Everything that is plotted, in the picture.
+Fit fit_all(const Triangles& triangles, const Space& space, int width, int height) {
+    Extent e;
+    triangles.visit([&](std::size_t d, const std::uint32_t* index) {
+        for (int k = 0; k < 3; ++k) e.add(space.place(d, index[k]));
+    });
+    for (const std::vector<PlotLine>* lines : {&space.behind, &space.before})
+        for (const PlotLine& l : *lines) e.add(l.a), e.add(l.b);
+    return e.is_empty() ? Fit{} : fit(e.low, e.high, width, height);
+}
+
+}  // namespace
+
+Json cell(double v) { return std::isfinite(v) ? Json(v) : Json(v > 0 ? "inf" : v < 0 ? "-inf" : "nan"); }
+
+dvec3 Vertices::device(std::size_t d, std::uint32_t v) const {
+    const raster::View& view = of_.engine.view();
+    const raster::ClipVertex c = clip(d, v);
+    const double distance = c.distance,
+                 key = view.orthographic ? 1 - (distance - view.near) / (view.far - view.near) : view.near / distance;
+    return {double(c.x) / double(c.w), double(c.y) / double(c.w), key};
+}
+
+double Vertices::farthest() const {
+    double far = 0;
+    for (std::size_t d = 0; d < draws().size(); ++d)
+        for (std::uint32_t v = 0; v < mesh(d).positions.size(); ++v) {
+            const double distance = -camera(d, v).z;
+            if (std::isfinite(distance)) far = std::max(far, distance);
+        }
+    return far;
+}
+
+Fit fit(dvec2 low, dvec2 high, int width, int height) {
+    const double w = std::max(high.x - low.x, 1e-30), h = std::max(high.y - low.y, 1e-30);
+    Fit f;
+    f.scale = std::min(width * 0.9 / w, height * 0.9 / h);
+    f.x = width * 0.5 - (low.x + high.x) * 0.5 * f.scale;
+    f.y = height * 0.5 + (low.y + high.y) * 0.5 * f.scale;
+    return f;
+}
+
+dvec2 oblique(dvec3 p) {
+    return {(p.x - p.z) * 0.70710678118654752, p.y * 0.81649658092772603 - (p.x + p.z) * 0.40824829046386302};
+}
+
+std::array<dvec3, 8> frustum(const raster::View& view, double far) {
+    std::array<dvec3, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double distance = i < 4 ? view.near : far, w = view.orthographic ? 1 : distance;
+        const double x = (i % 4 == 1 || i % 4 == 2 ? 1 : -1) * w / view.scale_x,
+                     y = (i % 4 >= 2 ? 1 : -1) * w / view.scale_y;
+        corners[i] = {x, y, -distance};
+    }
+    return corners;
+}
+
+void add_plot(Stage& stage, const Sources& of, const Vertices& vertices, const std::string& name, const Space& space) {
+    const Triangles triangles(vertices, space.only_transformed);
+    Canvas canvas(of.engine.settings().width, of.engine.settings().height, ground);
+    const Fit f = space.fixed ? *space.fixed : fit_all(triangles, space, canvas.width(), canvas.height());
+    for (const PlotLine& l : space.behind) canvas.line(f(l.a), f(l.b), l.color);
+    triangles.visit([&](std::size_t d, const std::uint32_t* index) {
+        const dvec2 p[3] = {f(space.place(d, index[0])), f(space.place(d, index[1])), f(space.place(d, index[2]))};
+        for (int k = 0; k < 3; ++k) canvas.line(p[k], p[(k + 1) % 3], wire);
+    });
+    for (const PlotLine& l : space.before) canvas.line(f(l.a), f(l.b), l.color);
+    stage.pictures.push_back({name, space.caption + triangles.note(), std::move(canvas)});
+}
+
+void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, const std::vector<std::string>& columns,
+               const VertexRow& values) {
+    std::vector<double> low(columns.size(), std::numeric_limits<double>::infinity()),
+        high(columns.size(), -std::numeric_limits<double>::infinity());
+    std::size_t count = 0;
+    for (std::size_t d = 0; d < vertices.draws().size(); ++d) {
+        if (only_transformed && !vertices.is_transformed(d)) continue;
+        for (std::uint32_t v = 0; v < vertices.mesh(d).positions.size(); ++v, ++count) {
+            const std::vector<double> row = values(d, v);
+            for (std::size_t c = 0; c < row.size(); ++c) {
+                if (!std::isfinite(row[c])) continue;
+                low[c] = std::min(low[c], row[c]);
+                high[c] = std::max(high[c], row[c]);
+            }
+            if (count >= listed_rows) continue;
+            Json cells = {vertices.object(d), v};
+            for (const double value : row) cells.push_back(cell(value));
+            stage.rows.push_back(std::move(cells));
+        }
+    }
+    stage.numbers["vertices"] = count;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+        stage.numbers["range of " + columns[c]] = {cell(low[c]), cell(high[c])};
+    stage.columns = {"object", "vertex"};
+    stage.columns.insert(stage.columns.end(), columns.begin(), columns.end());
+    stage.rows_note = "The first " + std::to_string(stage.rows.size()) + " of " + std::to_string(count) + " vertices";
+}
+
+}  // namespace rakelight::stages
