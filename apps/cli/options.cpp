@@ -135,6 +135,12 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Shading", "--front-face", w.front_face, "ccw|cw", "Which turn of a triangle --cull takes for its front (default ccw)");
     add(app, "Shading", "--cull", w.cull, "WHICH",
         "Faces left out: auto (default: as the material says), none, back, front");
+    add(app, "Shading", "--visibility", w.visibility, "METHOD",
+        "How hidden surfaces are taken away: z-reversed (default: z-buffer of reversed float depth), z16, z24, z32 or "
+        "z-float "
+        "(z-buffer of the textbook's depth), painter (triangles sorted by depth), none (the last drawn stays), "
+        "back-face (none, "
+        "and back faces are left out)");
     add_normal_options(app,
                        "auto (default: the file's, else as its format says, else model), file, flat, object (smooth "
                        "within each object), model (smooth over all objects: no seams)",

@@ -65,6 +65,16 @@ void apply_lighting(const RenderWords& w, RenderSettings& s) {
         s.front_face = word<FrontFace>("--front-face", w.front_face,
                                        {{"ccw", FrontFace::counter_clockwise}, {"cw", FrontFace::clockwise}});
     s.orthogonalize = w.orthogonalize != "off";
+    if (!w.visibility.empty())
+        s.visibility = word<Visibility>("--visibility", w.visibility,
+                                        {{"z-reversed", Visibility::z_reversed},
+                                         {"z-float", Visibility::z_float},
+                                         {"z16", Visibility::z16},
+                                         {"z24", Visibility::z24},
+                                         {"z32", Visibility::z32},
+                                         {"painter", Visibility::painter},
+                                         {"none", Visibility::none},
+                                         {"back-face", Visibility::back_face}});
     if (!w.cull.empty())
         s.cull =
             word<Cull>("--cull", w.cull,

@@ -15,7 +15,7 @@ namespace rakelight::cli {
 /// The words as given; empty where not given.
 struct RenderWords {
     std::string output, engine = "soft", resolution, window, background, channels;
-    std::string shading, lighting, specular, specular_horizon, bump, front_face, cull;
+    std::string shading, lighting, specular, specular_horizon, bump, front_face, cull, visibility;
     std::string normals, crease_angle, weight, uv, tangents, orthogonalize;
     std::string texture_base_color, texture_normal, normal_scale;
     std::string view, camera, position, focal_point, up, view_angle;

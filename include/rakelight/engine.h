@@ -24,6 +24,12 @@ enum class Bump : std::uint8_t { none, normal };
 enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };
 enum class Cull : std::uint8_t { automatic, none, back, front };  ///< automatic: back faces of closed single-sided surfaces as glTF says
 
+/// How hidden surfaces are taken away. A z-buffer of reversed depth (near / distance, float: what the engine is made
+/// for), of the textbook's depth 0..1 in whole numbers of 16, 24 or 32 bits or in float; painter's algorithm, triangles
+/// sorted by the mean distance of their corners; not at all: the last that is drawn stays; the same with back faces
+/// left out where Cull is automatic.
+enum class Visibility : std::uint8_t { z_reversed, z_float, z16, z24, z32, painter, none, back_face };
+
 /// Channels beside color that an engine can hand out, as bits.
 enum Channel : std::uint32_t {
     channel_depth = 1u << 0,     ///< [m] distance along the view axis; +infinity where nothing is
@@ -42,6 +48,7 @@ struct RenderSettings {
     Bump bump = Bump::normal;
     FrontFace front_face = FrontFace::counter_clockwise;
     Cull cull = Cull::automatic;
+    Visibility visibility = Visibility::z_reversed;
     vec4 background{0.18f, 0.18f, 0.2f, 1};  ///< linear RGB and alpha
     bool specular_horizon = true;    ///< no highlight where the light is below the surface (false: as printed)
     bool orthogonalize = true;       ///< normal maps: the tangent is made perpendicular to the normal at every pixel

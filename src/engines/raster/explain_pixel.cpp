@@ -2,10 +2,12 @@
 // One pixel with all its numbers: which triangles cover it, what became of each, and how those that show were shaded.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engines/raster/coverage.h"
 #include "engines/raster/inspection.h"
 #include "engines/raster/tile.h"
+#include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {
@@ -62,6 +64,7 @@ private:
         }
         const MaterialView& m = material_of(t);
         screen_.push_back(&s);
+        seen_order_.push_back(SurfaceOrder(open_.front, s).at(x_, y_, depth));
         if (m.blend || m.alpha_cutoff >= 0) t.alpha = trace(s, nullptr).alpha;
         out_.triangles.push_back(t);
     }
@@ -88,7 +91,8 @@ private:
 
     /// Who wins: the rules of find_visible() and blend_transparent().
     void decide() {
-        float nearest = -1;
+        const Visibility method = of_.settings().visibility;
+        double standing = std::numeric_limits<double>::infinity();
         std::size_t visible = out_.triangles.size();
         for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
             CoveringTriangle& t = out_.triangles[i];
@@ -97,8 +101,8 @@ private:
                 t.fate = t.is_back ? Fate::culled_back : Fate::culled_front;
             else if (!m.blend && m.alpha_cutoff >= 0 && !(t.alpha >= m.alpha_cutoff))
                 t.fate = Fate::masked_out;
-            else if (!m.blend && t.depth_key > nearest) {  // the first of equals stays
-                nearest = t.depth_key;
+            else if (!m.blend && is_seen_before(method, seen_order_[i], standing, true)) {
+                standing = seen_order_[i];
                 visible = i;
             }
         }
@@ -109,12 +113,16 @@ private:
         std::vector<std::size_t> blended;
         for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
             CoveringTriangle& t = out_.triangles[i];
-            if (t.fate != Fate::hidden || !material_of(t).blend || !(t.depth_key > nearest)) continue;
+            const bool is_later = visible == out_.triangles.size() || i > visible;
+            if (t.fate != Fate::hidden || !material_of(t).blend ||
+                !is_seen_before(method, seen_order_[i], standing, is_later))
+                continue;
             t.fate = Fate::blended;
             blended.push_back(i);
         }
-        const auto depth = [this](std::size_t i) { return screen_[i]->depth_low + screen_[i]->depth_high; };
-        std::stable_sort(blended.begin(), blended.end(), [&](std::size_t a, std::size_t b) { return depth(a) < depth(b); });
+        const auto place = [this](std::size_t i) { return blending_place(open_.front, *screen_[i]); };
+        std::stable_sort(blended.begin(), blended.end(),
+                         [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
         order_.insert(order_.end(), blended.begin(), blended.end());
     }
 
@@ -166,6 +174,7 @@ private:
     int x_, y_;
     TileScratch scratch_;
     std::vector<const ScreenTriangle*> screen_;  ///< of out_.triangles while in the order of the scene
+    std::vector<double> seen_order_;             ///< the same: what the method of visibility compares
     std::vector<std::size_t> order_;             ///< of the layers
     PixelExplanation out_;
 };

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "engines/raster/tile.h"
+#include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
 #include "math/isa.h"
 #include "math/linear.h"
@@ -122,7 +123,8 @@ public:
 
     void prepare(const Scene& scene, Context& context) override { list_ = make_draw_list(scene, textures_, context); }
 
-    RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
+    RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {
+        const RenderSettings settings = settings_for_method(wanted);
         const View view = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings);
         StageClock clock;
         const TileGrid grid(settings.width, settings.height, settings.window);

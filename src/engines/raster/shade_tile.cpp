@@ -5,6 +5,7 @@
 
 #include "engines/raster/coverage.h"
 #include "engines/raster/tile.h"
+#include "engines/raster/visibility_methods.h"
 
 namespace rakelight::raster {
 namespace {
@@ -192,22 +193,26 @@ void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
 
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
     if (!job.has_blended) return;
-    struct Layer { float depth; std::uint32_t item; };
+    struct Layer {
+        double place;
+        std::uint32_t item;
+    };
     std::vector<Layer> layers;
     for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1]; ++i) {
         const ScreenTriangle& t = job.binned.at(job.binned.items[i]);
         if (job.front.list.materials[job.front.list.draws[t.draw].material].view.blend)
-            layers.push_back({t.depth_low + t.depth_high, i});
+            layers.push_back({blending_place(job.front, t), i});
     }
     if (layers.empty()) return;
-    std::stable_sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.depth < b.depth; });
+    std::stable_sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.place < b.place; });
     const Window area = job.grid.pixels(tile);
     const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
     for (const Layer& layer : layers) {
         const ScreenTriangle& t = job.binned.at(job.binned.items[layer.item]);
         std::size_t count = 0;
+        const BlendTest is_before(job.front, t, std::int32_t(layer.item - job.binned.offsets[tile]));
         cover(t, area, ox, oy, [&](int x, int y, float depth) {
-            if (!(depth > s.depth[std::size_t(y * tile_size + x)])) return;
+            if (!is_before(x, y, ox, oy, depth, s)) return;
             s.x[count] = x;
             s.y[count] = y;
             s.triangle[count++] = 0;

@@ -26,6 +26,7 @@ struct TileScratch {
     // Visibility: depth key and position in the tile's list of the nearest triangle, -1 for none. [tile_pixels], row by row.
     std::vector<float> depth = std::vector<float>(tile_pixels);
     std::vector<std::int32_t> visible = std::vector<std::int32_t>(tile_pixels);
+    std::vector<double> order;  ///< [tile_pixels] of what is seen, in pictures by another method (visibility_methods.h)
     // A batch for the kernel. [tile_pixels + batch_padding]
     std::vector<std::int32_t> x = batch<std::int32_t>(), y = batch<std::int32_t>(), triangle = batch<std::int32_t>();
     std::vector<float> red = batch<float>(), green = batch<float>(), blue = batch<float>(), alpha = batch<float>();

@@ -4,6 +4,7 @@
 
 #include "engines/raster/coverage.h"
 #include "engines/raster/tile.h"
+#include "engines/raster/visibility_methods.h"
 
 namespace rakelight::raster {
 namespace {
@@ -105,6 +106,7 @@ std::int32_t cover_opaque(const TileJob& job, const Coverage& c, std::int32_t po
 }  // namespace
 
 void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch) {
+    if (job.front.settings.visibility != Visibility::z_reversed) return find_visible_by_method(job, tile, scratch);
     std::fill(scratch.depth.begin(), scratch.depth.end(), -1.0f);  // farther than any key: those are 0 or more
     std::fill(scratch.visible.begin(), scratch.visible.end(), -1);
     const Window area = job.grid.pixels(tile);

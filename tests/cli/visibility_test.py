@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`rakelight render --visibility` on the scenes of data/visibility: each failure where the textbook says it is, and none elsewhere.
+
+  visibility_test.py PROGRAM [unittest arguments]"""
+import pathlib
+
+import program
+
+DATA = pathlib.Path(__file__).resolve().parents[2] / "data/visibility"
+SIDE = 120
+FRONT = ("--shading", "unlit", "--camera-position", "0,0,5", "--camera-focal-point", "0,0,0")
+DEPTHS = ("z16", "z24", "z32", "z-float", "z-reversed")
+
+
+class Visibility(program.Case):
+    def picture(self, model, *options):
+        run = self.run_program("render", DATA / model, "-o", "out.png", "--resolution", f"{SIDE},{SIDE}", *options)
+        self.assertEqual((run.code, run.err), (0, ""))
+        _, _, channels, rows = program.png(self.folder / "out.png")
+        return lambda x, y: tuple(rows[y][x * channels:x * channels + 3])
+
+    def owner(self, color):
+        """red, green, blue or background: the names of data/visibility/colors.mtl."""
+        red, green, blue = color
+        if max(color) - min(color) < 20:
+            return "background"
+        return {red: "red", green: "green", blue: "blue"}[max(color)]
+
+    def test_only_depth_solves_the_cyclic_overlap(self):
+        places, right = ((35, 74), (84, 74), (60, 32)), ["red", "green", "blue"]
+        for method, owners in [(m, right) for m in DEPTHS] + [("painter", ["blue", "green", "blue"]), ("none", ["blue", "green", "blue"])]:
+            at = self.picture("cyclic.obj", *FRONT, "--camera-view-angle", "46", "--visibility", method)
+            self.assertEqual([self.owner(at(*p)) for p in places], owners, method)
+
+    def test_only_depth_splits_triangles_that_pass_through_each_other(self):
+        for method in DEPTHS + ("painter",):
+            at = self.picture("crossing.obj", *FRONT, "--camera-view-angle", "36", "--visibility", method)
+            left, right = self.owner(at(52, 45)), self.owner(at(68, 45))
+            self.assertEqual((left, right), ("blue", "blue") if method == "painter" else ("red", "blue"), method)
+
+    def test_planes_2_cm_apart_fight_in_16_bits_at_20_m_and_in_no_finer_format(self):
+        for method in DEPTHS:
+            at = self.picture("near_planes.gltf", "--visibility", method)
+            blue_rows = sum(at(60, y)[2] > at(60, y)[0] for y in range(40, 100))
+            if method == "z16":
+                self.assertGreater(blue_rows, 10)
+                self.assertLess(blue_rows, 50)
+            else:
+                self.assertEqual(blue_rows, 0, method)
+
+    def test_the_default_is_reversed_depth(self):
+        for options, name in (((), "a.png"), (("--visibility", "z-reversed"), "b.png")):
+            run = self.run_program("render", "builtin:teapot", "-o", name, "--resolution", "90,60", *options)
+            self.assertEqual(run.code, 0, run.err)
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
+    def test_an_unknown_method_is_wrong_usage(self):
+        run = self.run_program("render", "builtin:teapot", "-o", "out.png", "--visibility", "w-buffer")
+        self.check_refused(run, 2, "--visibility", "w-buffer", "painter")
+        self.assertEqual(self.files(), [])
+
+
+if __name__ == "__main__":
+    program.main()
