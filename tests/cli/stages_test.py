@@ -5,11 +5,12 @@
   stages_test.py PROGRAM [unittest arguments]"""
 import html.parser
 import json
+import pathlib
 
 import program
 
 SIZE = "96,64"
-STAGES = ["model", "world", "camera", "clip-space", "clipped", "device", "screen", "culled", "coverage", "depth", "visibility", "normal",
+STAGES = ["model", "world", "camera", "clip-space", "clipped", "device", "screen", "culled", "coverage", "depth", "depth-precision", "visibility", "normal",
           "lighting", "picture"]
 
 
@@ -126,6 +127,18 @@ class Stages(program.Case):
             self.assertNotEqual(run.code, 0)
             self.assertEqual(len(run.err.splitlines()), 1, run.err)
             self.assertEqual(list(self.folder.iterdir()), [], arguments)
+
+    def test_the_depth_is_as_fine_as_the_formula_says(self):
+        model = pathlib.Path(__file__).resolve().parents[2] / "data/visibility/near_planes.gltf"
+        self.stages("--camera-index", "1", model=model)  # near 1 m, far 1000 m
+        table = self.table("depth-precision")
+        self.assertAlmostEqual(table["numbers"]["share of the depths in the first 2 % of the range"], 0.9533, 4)
+        self.assertAlmostEqual(table["numbers"]["part of the range that 98 % of the depths reach"], 0.0467, 4)
+        for distance, depth, *steps in table["rows"]:
+            self.assertAlmostEqual(depth, 1000 * (distance - 1) / (distance * 999), 12)
+            slope = 1000 / (999 * distance ** 2)
+            for step, bits in zip((steps[0], steps[1], steps[3]), (16, 24, 32)):
+                self.assertAlmostEqual(step * slope * (2 ** bits - 1), 1, 9)
 
     def test_json_lists_the_files(self):
         row = json.loads(self.stages("--json").out)["rows"][0]

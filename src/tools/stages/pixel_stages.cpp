@@ -170,6 +170,7 @@ std::vector<Stage> pixel_stages(const Sources& of) {
     stages.push_back(culling_stage(of));
     stages.push_back(coverage_stage(of));
     stages.push_back(depth_stage(of));
+    stages.push_back(depth_precision_stage(of));
     stages.push_back(visibility_stage(of));
     stages.push_back(normal_stage(of));
     stages.push_back(lighting_stage(of));

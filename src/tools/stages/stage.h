@@ -44,6 +44,8 @@ std::vector<Stage> space_stages(const Sources& of);
 std::vector<Stage> clip_stages(const Sources& of);
 /// Vertices after it: normalized device coordinates, screen.
 std::vector<Stage> screen_stages(const Sources& of);
+/// What the depth test's number keeps of a distance.
+Stage depth_precision_stage(const Sources& of);
 /// Pixels: culled faces, coverage, depth, visibility, normals, terms of the lights, the picture.
 std::vector<Stage> pixel_stages(const Sources& of);
 
