@@ -5,12 +5,15 @@
   stages_test.py PROGRAM [unittest arguments]"""
 import html.parser
 import json
+import math
 import pathlib
 
 import program
+from program import png
 
 SIZE = "96,64"
-STAGES = ["model", "world", "camera", "clip-space", "clipped", "device", "screen", "culled", "coverage", "depth", "depth-precision", "visibility", "normal",
+STAGES = ["model", "world", "camera", "normalized-frustum", "central-projection", "depth-mapping", "clip-space", "clipped", "clip-planes",
+          "wrap-round", "device", "screen", "culled", "coverage", "depth", "depth-precision", "visibility", "normal", "shading-frequency",
           "lighting", "picture"]
 
 
@@ -94,6 +97,97 @@ class Stages(program.Case):
             self.assertAlmostEqual((d[2] * 0.5 + 0.5) * 96, s[2], places=6)
             self.assertAlmostEqual((0.5 - d[3] * 0.5) * 64, s[3], places=6)
             self.assertLessEqual(abs(s[2] * 256 - s[4]), 0.5)
+
+    def test_every_stage_has_a_picture_a_table_and_words(self):
+        self.stages()
+        for stage in STAGES:
+            table = self.table(stage)
+            self.assertTrue(table["pictures"], stage)
+            self.assertTrue(table["numbers"] or table["rows"], stage)
+            self.assertGreater(len(table["text"]), 100, stage)
+
+    def test_the_projection_is_its_three_matrices_one_after_the_other(self):
+        self.stages("--camera-view-angle", "50")
+        camera, frustum, central, depth, clip = (self.table(s)["rows"] for s in STAGES[2:7])
+        step_1, step_2 = (self.table(s)["numbers"]["matrix"] for s in STAGES[3:5])
+        numbers = self.table("depth-mapping")["numbers"]
+
+        def times(matrix, v):
+            return [sum(a * b for a, b in zip(row, v)) for row in matrix]
+
+        self.assertAlmostEqual(step_1[1][1], 1 / math.tan(math.radians(25)), 12)
+        for i, row in enumerate(camera):
+            p = times(step_1, [*row[2:], 1])
+            self.assertEqual(p[:3], frustum[i][2:])
+            q = times(step_2, p)
+            for found, expected in zip(central[i][2:], (q[3], q[0] / q[3], q[1] / q[3])):
+                self.assertAlmostEqual(found, expected, 12)
+            self.assertAlmostEqual(q[2] / q[3], -1, 12)  # all lie in the plane
+            self.assertAlmostEqual(clip[i][2], q[0], 6)  # the engine's own, in single precision
+            self.assertAlmostEqual(clip[i][4], q[3], 6)
+            for k, name in ((3, "from 0 to 1"), (4, "from -1 to 1")):
+                r = times(numbers["matrix of steps 2 and 3, depth " + name], p)
+                self.assertAlmostEqual(depth[i][k], r[2] / r[3], 12)
+                self.assertEqual(r[:2] + r[3:], q[:2] + q[3:])
+        for name, low in (("from 0 to 1", 0), ("from -1 to 1", -1)):
+            for distance, expected in ((numbers["near"], low), (numbers["far"], 1)):
+                r = times(numbers["matrix of steps 2 and 3, depth " + name], [0, 0, -distance, 1])
+                self.assertAlmostEqual(r[2] / r[3], expected, 12)
+
+    def test_a_parallel_projection_divides_by_nothing_and_maps_depth_evenly(self):
+        self.stages("--camera-orthographic", "--view", "front")
+        for row in self.table("central-projection")["rows"]:
+            self.assertEqual(row[2], 1)
+        near, far = (self.table("depth-mapping")["numbers"][name] for name in ("near", "far"))
+        for _, _, distance, zero_one, minus_one, key in self.table("depth-mapping")["rows"]:
+            self.assertAlmostEqual(zero_one, (distance - near) / (far - near), 12)
+            self.assertAlmostEqual(minus_one, 2 * zero_one - 1, 12)
+            self.assertAlmostEqual(key, 1 - zero_one, 12)
+        self.assertIn("nothing can wrap round", self.table("wrap-round")["text"])
+
+    def test_each_plane_cuts_what_passes_it(self):
+        # Seen from (0, 0, 0) along -z with 90 degrees: behind the eye, through the left, through the right and top plane, inside.
+        (self.folder / "a.obj").write_text("v -1 -1 -5\nv 1 -1 -5\nv 0 0 5\nf 1 2 3\nv -9 0 -5\nv 0 0 -5\nv 0 1 -5\nf 4 5 6\n"
+                                         "v 0 0 -4\nv 9 0 -4\nv 0 9 -4\nf 7 8 9\nv 0 0 -3\nv 1 0 -3\nv 0 1 -3\nf 10 11 12\n")
+        self.stages("--camera-position", "0,0,0", "--camera-focal-point", "0,0,-3", "--camera-view-angle", "90", model="a.obj")
+        rows = {row[0]: row[1:] for row in self.table("clip-planes")["rows"]}
+        self.assertEqual(rows["near"], [4, 1, 0, 12, 13])
+        # What is left of the first one reaches beyond the sides and the bottom of the picture too.
+        self.assertEqual([rows[plane][1] for plane in ("far", "left", "right", "bottom", "top")], [0, 2, 2, 1, 1])
+        ordered = [row[1:] for row in self.table("clip-planes")["rows"]]
+        for before, after in zip(ordered, ordered[1:]):
+            self.assertEqual(before[4], after[3])
+        self.assertEqual({p["file"] for p in self.table("clip-planes")["pictures"]},
+                         {f"clip-{plane}.png" for plane in ("near", "left", "right", "bottom", "top")})
+
+    def test_what_lies_behind_the_eye_wraps_round_only_without_clipping(self):
+        (self.folder / "a.obj").write_text("v -1 -1 -5\nv 1 -1 -5\nv 0 -1 5\nf 1 2 3\n")
+        self.stages("--camera-position", "0,0,0", "--camera-focal-point", "0,0,-3", model="a.obj")
+        table = self.table("wrap-round")
+        self.assertEqual(table["numbers"], {"triangles": 1, "through the eye's plane": 1, "wholly behind the eye": 0})
+        wrong, right = (png(self.out / name)[3] for name in ("wrap-round.png", "wrap-round-clipped.png"))
+        ground = wrong[0][:3]
+
+        def shows(row):
+            return any(row[3 * x:3 * x + 3] != ground for x in range(96))
+
+        self.assertTrue(any(map(shows, wrong[:32])))  # the floor's end behind the eye stands in the sky
+        self.assertFalse(any(map(shows, right[:32])))
+        self.assertTrue(shows(right[63]))
+        self.assertFalse(shows(wrong[63]))  # and the part under the eye is missing
+        self.stages()
+        table = self.table("wrap-round")
+        self.assertEqual(table["numbers"]["through the eye's plane"], 0)
+        self.assertIn("built-in example", table["text"])
+        self.assertEqual([p["file"] for p in table["pictures"]], ["wrap-round-example.png", "wrap-round-example-clipped.png"])
+
+    def test_shading_frequencies_are_those_of_render(self):
+        self.stages()
+        for shading, _, evaluations, difference in self.table("shading-frequency")["rows"]:
+            run = self.run_program("render", "builtin:teapot", "-o", "a.png", "--resolution", SIZE, "--shading", shading, "--json")
+            self.assertEqual(json.loads(run.out)["rows"][0]["stats"]["lighting_evaluations"], evaluations, shading)
+            self.assertEqual((self.folder / "a.png").read_bytes(), (self.out / f"shading-{shading}.png").read_bytes())
+            self.assertEqual(difference == 0, shading == "phong")
 
     def test_a_triangle_through_the_eye_plane_is_clipped_and_listed(self):
         (self.folder / "a.obj").write_text("v -1 -1 -5\nv 1 -1 -5\nv 0 0 5\nf 1 2 3\n")

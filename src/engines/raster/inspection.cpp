@@ -26,14 +26,17 @@ bool Inspection::is_culled(std::uint32_t draw, bool is_back) const {
     return settings_.cull == (is_back ? Cull::back : Cull::front);
 }
 
-static RenderSettings settings_for(RenderSettings settings, Window window, bool with_culled) {
+static RenderSettings settings_for(RenderSettings settings, Window window, bool with_culled,
+                                   std::optional<Shading> shading) {
     settings.window = window;
+    settings.shading = shading.value_or(settings.shading);
     if (with_culled) settings.cull = Cull::none;
     return settings;
 }
 
-Inspection::Geometry::Geometry(const Inspection& of, Window window, bool with_culled, Context& context)
-    : settings(settings_for(of.settings(), window, with_culled)),
+Inspection::Geometry::Geometry(const Inspection& of, Window window, bool with_culled, Context& context,
+                               std::optional<Shading> shading)
+    : settings(settings_for(of.settings(), window, with_culled, shading)),
       grid(settings.width, settings.height, window),
       front{.list = of.list(), .view = of.view(), .settings = settings, .memory = PictureMemory(context.memory())} {
     transform_draws(front, context);

@@ -3,6 +3,7 @@
 // what happens on the way (`rakelight explain`, `rakelight stages`).
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "engines/raster/front_end.h"
@@ -72,7 +73,9 @@ public:
     /// The geometry stages of a window of the picture.
     struct Geometry {
         /// @param with_culled also the triangles that culling drops, so that they can be shown
-        Geometry(const Inspection& of, Window window, bool with_culled, Context& context);
+        /// @param shading     another one than the settings name
+        Geometry(const Inspection& of, Window window, bool with_culled, Context& context,
+                 std::optional<Shading> shading = {});
         RenderSettings settings;
         TileGrid grid;
         FrontEnd front;  ///< refers to `settings`

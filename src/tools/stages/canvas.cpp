@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/color.h"
 
@@ -48,6 +49,28 @@ void Canvas::line(dvec2 a, dvec2 b, Code color) {
     for (int i = 0; i <= steps; ++i) {
         const double t = steps == 0 ? 0 : double(i) / steps;
         set(int(std::floor(p.x + (q.x - p.x) * t)), int(std::floor(p.y + (q.y - p.y) * t)), color);
+    }
+}
+
+void Canvas::fill(dvec2 a, dvec2 b, dvec2 c, Code color) {
+    const dvec2 corner[3] = {a, b, c};
+    for (const dvec2& p : corner)
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
+    const double top = std::max(0.0, std::min({a.y, b.y, c.y})),
+                 bottom = std::min(double(pixels_.height), std::max({a.y, b.y, c.y}));
+    for (int y = int(std::ceil(top - 0.5)); y + 0.5 < bottom; ++y) {
+        double left = pixels_.width, right = 0;
+        for (int k = 0; k < 3; ++k) {  // where the row of centers meets the edges
+            dvec2 p = corner[k], q = corner[(k + 1) % 3];
+            if ((p.y <= y + 0.5) == (q.y <= y + 0.5)) continue;
+            if (p.y > q.y) std::swap(p, q);  // the same number for both triangles of an edge
+            const double x = p.x + (q.x - p.x) * ((y + 0.5 - p.y) / (q.y - p.y));
+            left = std::min(left, x);
+            right = std::max(right, x);
+        }
+        left = std::max(left, 0.0);
+        right = std::min(right, double(pixels_.width));
+        for (int x = int(std::ceil(left - 0.5)); x + 0.5 < right; ++x) set(x, y, color);
     }
 }
 

@@ -22,6 +22,8 @@ public:
     void set(int x, int y, Code color);
     /// [px] a line of one pixel's width; parts outside, and ends that are not finite, are left out.
     void line(dvec2 a, dvec2 b, Code color);
+    /// [px] the pixels whose centers lie in the triangle, either way round; nothing where a corner is not finite.
+    void fill(dvec2 a, dvec2 b, dvec2 c, Code color);
     const Pixels& pixels() const { return pixels_; }
 
 private:

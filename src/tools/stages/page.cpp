@@ -18,6 +18,7 @@ figcaption, caption { text-align: left; color: GrayText; font-size: .9rem; paddi
 .scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; margin: .5rem 0; }
 th, td { text-align: right; padding: .1rem .8rem .1rem 0; border-bottom: 1px solid color-mix(in srgb, GrayText 30%, transparent); white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; }
+.matrix { margin: 0; border-inline: 1px solid GrayText; } .matrix td { border: 0; text-align: right; padding: 0 .5rem; }
 )";
 
 std::string escaped(const std::string& text) {
@@ -32,16 +33,23 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-std::string digits(double v) {
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, v, std::chars_format::general, 7).ptr;
-    return {buffer, end};
+std::string shown(const Json& v);
+
+std::string matrix_html(const Json& rows) {
+    std::string out = "<table class=\"matrix\">";
+    for (const Json& row : rows) {
+        out += "<tr>";
+        for (const Json& v : row) out += "<td>" + shown(v) + "</td>";
+        out += "</tr>";
+    }
+    return out + "</table>";
 }
 
 std::string shown(const Json& v) {
     if (v.is_string()) return escaped(v.get<std::string>());
     if (v.is_number_float()) return digits(v.get<double>());
     if (!v.is_array()) return v.dump();
+    if (!v.empty() && v[0].is_array() && v.size() == 4 && v[0].size() == 4) return matrix_html(v);
     std::string out;
     for (const Json& part : v) out += (out.empty() ? "" : part.is_array() ? " | " : " ") + shown(part);
     return out;
@@ -82,6 +90,12 @@ std::string stage_html(const Stage& stage, std::size_t number) {
 
 }  // namespace
 
+std::string digits(double v) {
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, v, std::chars_format::general, 7).ptr;
+    return {buffer, end};
+}
+
 std::string table_json(const Stage& stage) {
     Json pictures = Json::array();
     for (const Picture& p : stage.pictures) pictures.push_back({{"file", p.name + ".png"}, {"caption", p.caption}});
@@ -92,9 +106,12 @@ std::string table_json(const Stage& stage) {
 }
 
 std::string page(const std::string& model, const std::vector<Stage>& stages) {
-    std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-                      escaped(model) + ": stages</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(model) +
-                      ": from the model to the picture</h1>\n<p>Every number and picture here is what the soft engine itself made on the way.</p>\n<nav><ol>\n";
+    std::string out =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\">\n<title>" +
+        escaped(model) + ": stages</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(model) +
+        ": from the model to the picture</h1>\n<p>Numbers and pictures are what the soft engine itself made on the "
+        "way; where a stage shows what a textbook does instead, it says so.</p>\n<nav><ol>\n";
     for (const Stage& s : stages) out += "<li><a href=\"#" + s.id + "\">" + escaped(s.title) + "</a></li>\n";
     out += "</ol></nav>\n<main>\n";
     for (std::size_t i = 0; i < stages.size(); ++i) out += stage_html(stages[i], i + 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "tools/stages/stage.h"
 #include "tools/texture_uses.h"
@@ -104,6 +105,24 @@ Stage normal_stage(const Sources& of) {
     s.pictures.push_back({"normal", "Red, green and blue are x, y and z of the world, from -1 to 1.", paint(of, [&](std::size_t p) {
         return of.pixels.draw[p] == none ? ground : color_of_normal(of.pixels.normal[p]);
     })});
+    const double inf = std::numeric_limits<double>::infinity();
+    double sum[3] = {}, low[3] = {inf, inf, inf}, high[3] = {-inf, -inf, -inf};
+    std::uint64_t n = 0;
+    for (std::size_t p = 0; p < of.pixels.normal.size(); ++p) {
+        if (of.pixels.draw[p] == none) continue;
+        ++n;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double v = of.pixels.normal[p][c];
+            sum[c] += v;
+            low[c] = std::min(low[c], v);
+            high[c] = std::max(high[c], v);
+        }
+    }
+    s.numbers["pixels that show a surface"] = n;
+    s.columns = {"axis", "mean", "least", "greatest"};
+    for (std::size_t c = 0; n > 0 && c < 3; ++c)
+        s.rows.push_back({std::string(1, char('x' + c)), sum[c] / double(n), low[c], high[c]});
+    s.rows_note = n > 0 ? "Over the visible pixels" : "";
     return s;
 }
 

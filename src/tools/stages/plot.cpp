@@ -64,12 +64,14 @@ Fit fit_all(const Triangles& triangles, const Space& space, int width, int heigh
 
 Json cell(double v) { return std::isfinite(v) ? Json(v) : Json(v > 0 ? "inf" : v < 0 ? "-inf" : "nan"); }
 
-dvec3 Vertices::device(std::size_t d, std::uint32_t v) const {
+double Vertices::depth_key(double distance) const {
     const raster::View& view = of_.engine.view();
+    return view.orthographic ? 1 - (distance - view.near) / (view.far - view.near) : view.near / distance;
+}
+
+dvec3 Vertices::device(std::size_t d, std::uint32_t v) const {
     const raster::ClipVertex c = clip(d, v);
-    const double distance = c.distance,
-                 key = view.orthographic ? 1 - (distance - view.near) / (view.far - view.near) : view.near / distance;
-    return {double(c.x) / double(c.w), double(c.y) / double(c.w), key};
+    return {double(c.x) / double(c.w), double(c.y) / double(c.w), depth_key(double(c.distance))};
 }
 
 double Vertices::farthest() const {

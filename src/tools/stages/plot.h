@@ -37,6 +37,8 @@ public:
     }
     /// The engine's own; not there for objects that are wholly outside.
     raster::ClipVertex clip(std::size_t d, std::uint32_t v) const { return of_.drawn.front.clip[d][v]; }
+    /// What the engine compares, from a distance [m] along the view axis: greater is nearer.
+    double depth_key(double distance) const;
     /// Of what is not behind the near plane: x, y in the square from -1 to 1, and the depth key.
     dvec3 device(std::size_t d, std::uint32_t v) const;
     /// [m] along the view axis, of the farthest vertex.
@@ -87,5 +89,10 @@ using VertexRow = std::function<std::vector<double>(std::size_t draw, std::uint3
 /// Adds rows of numbers and the range of each column, for all vertices.
 void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, const std::vector<std::string>& columns,
                const VertexRow& values);
+
+/// Clipping by all six planes, one after the other.
+Stage planes_stage(const Sources& of, const Vertices& vertices);
+/// What clipping before the division prevents.
+Stage wrap_stage(const Sources& of, const Vertices& vertices);
 
 }  // namespace rakelight::stages

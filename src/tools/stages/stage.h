@@ -38,17 +38,23 @@ struct Sources {
     const raster::PixelStageData& pixels;
 };
 
-/// Vertices up to clip space: model, world, camera, clip space.
+/// Vertices before the projection: model, world, camera.
 std::vector<Stage> space_stages(const Sources& of);
-/// What clipping cuts off before the division.
+/// The projection in three steps.
+std::vector<Stage> projection_stages(const Sources& of);
+/// Clip space, what clipping cuts off, and what would happen without.
 std::vector<Stage> clip_stages(const Sources& of);
 /// Vertices after it: normalized device coordinates, screen.
 std::vector<Stage> screen_stages(const Sources& of);
 /// What the depth test's number keeps of a distance.
 Stage depth_precision_stage(const Sources& of);
+/// The picture with each shading frequency.
+Stage frequency_stage(const Sources& of, Context& context);
 /// Pixels: culled faces, coverage, depth, visibility, normals, terms of the lights, the picture.
 std::vector<Stage> pixel_stages(const Sources& of);
 
+/// For people: at most 7 digits.
+std::string digits(double value);
 /// One stage's table: {"schema": "rakelight.stages/1", "stage": ..., ...}
 std::string table_json(const Stage& stage);
 /// index.html

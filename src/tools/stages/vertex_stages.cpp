@@ -75,31 +75,6 @@ Stage camera_stage(const Sources& of, const Vertices& vertices) {
     return s;
 }
 
-Stage clip_stage(const Sources& of, const Vertices& vertices) {
-    Stage s{.id = "clip-space", .title = "Clip space, before the division", .text = "x and y are scaled so that the frustum's sides become the planes x = +-w and y = +-w: in perspective, where w is the "
-            "distance along the view axis, a frustum of 90 degrees. Here the engine goes from double to single precision. Clipping is done here, because "
-            "behind the eye w is negative, and a division would wrap such points round to the front."};
-    const raster::View& view = of.engine.view();
-    const bool parallel = view.orthographic;
-    const double far = std::min(view.far, vertices.farthest()), w = parallel ? 1 : view.near;
-    Space space{.caption = std::string(parallel ? "Distance" : "w") +
-                           " to the right, y up; in orange the planes y = +-w and the near plane.",
-                .only_transformed = true,
-                .place = [&](std::size_t d, std::uint32_t v) {
-                    const ClipVertex c = vertices.clip(d, v);
-                    return dvec2{double(c.distance), double(c.y)};
-                }};
-    space.behind.push_back({{0, 0}, {far, 0}, axis});
-    for (const double y : {-1.0, 1.0}) space.before.push_back({{0, parallel ? y : 0}, {far, y * (parallel ? 1 : far)}});
-    space.before.push_back({{view.near, -w}, {view.near, w}});
-    add_plot(s, of, vertices, "clip-space", space);
-    add_table(s, vertices, true, {"x", "y", "w", "distance"}, [&](std::size_t d, std::uint32_t v) {
-        const ClipVertex c = vertices.clip(d, v);
-        return std::vector<double>{double(c.x), double(c.y), double(c.w), double(c.distance)};
-    });
-    return s;
-}
-
 Stage device_stage(const Sources& of, const Vertices& vertices) {
     Stage s{.id = "device", .title = "Normalized device coordinates", .text = "After the division by w: the picture is the square from -1 to 1. This is the central projection. The depth that is compared is near / distance "
             "in perspective: 1 at the near plane, 0 at infinity, straight on the screen, so that it can be stepped from pixel to pixel. Vertices behind the near plane have no place here (NaN is listed)."};
@@ -160,7 +135,7 @@ Stage screen_stage(const Sources& of, const Vertices& vertices) {
 std::vector<Stage> space_stages(const Sources& of) {
     const Vertices vertices(of);
     std::vector<Stage> stages;
-    for (const auto stage : {model_stage, world_stage, camera_stage, clip_stage}) stages.push_back(stage(of, vertices));
+    for (const auto stage : {model_stage, world_stage, camera_stage}) stages.push_back(stage(of, vertices));
     return stages;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <filesystem>
 #include <new>
 
@@ -26,8 +27,12 @@ StagesResult write(const PictureRequest& request, Context& context) {
     const raster::PixelStageData pixels = raster::inspect_pixels(*engine, open, drawn, most_lights, context);
     const stages::Sources sources{*engine, open, drawn, pixels};
     std::vector<stages::Stage> all;
-    for (const auto part : {stages::space_stages, stages::clip_stages, stages::screen_stages, stages::pixel_stages})
+    for (const auto part : {stages::space_stages, stages::projection_stages, stages::clip_stages, stages::screen_stages,
+                            stages::pixel_stages})
         for (stages::Stage& stage : part(sources)) all.push_back(std::move(stage));
+    const auto lighting =
+        std::find_if(all.begin(), all.end(), [](const stages::Stage& stage) { return stage.id == "lighting"; });
+    all.insert(lighting, stages::frequency_stage(sources, context));
     const std::string name = std::filesystem::path(request.input).filename().string();  // "builtin:teapot" has no folder
     folder.write("index.html", stages::page(one_line(name, 200), all));
     std::size_t done = 0;
