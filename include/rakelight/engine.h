@@ -58,6 +58,8 @@ struct RenderSettings {
 struct Tile {
     Window area;
     std::span<const vec4> color;               ///< linear RGB, not clamped; alpha is coverage of the background's complement
+    std::span<const std::uint32_t>
+        srgb8;  ///< in place of `color` for sinks that take it: R in the low byte, straight alpha
     std::span<const float> depth;
     std::span<const vec3> normal;
     std::span<const std::uint32_t> object, material;
@@ -70,6 +72,8 @@ public:
     virtual ~Sink() = default;
     /// Before the first tile: size of the whole picture, the window, the channels that will come.
     virtual void begin(int width, int height, Window window, std::uint32_t channels) = 0;
+    /// Whether tiles should come as 8-bit display values, clamped and correctly rounded, in place of linear colors.
+    virtual bool takes_srgb8() const { return false; }
     /// From any thread, several at once, never two with a common pixel in the same pass.
     virtual void tile(const Tile& tile) = 0;
     /// After all tiles of a pass, from the thread that called render().

@@ -26,19 +26,20 @@ const SrgbEncoder& SrgbEncoder::instance() {
 }
 
 SrgbEncoder::SrgbEncoder() {
-    for (Bucket& bucket : buckets_) bucket = {2.0f, 0};
-    constexpr std::uint32_t first = std::bit_cast<std::uint32_t>(lowest);
+    constexpr std::uint32_t first = std::bit_cast<std::uint32_t>(srgb_lowest), none = 1u << srgb_bucket_bits;
+    table_.fill(none);
     for (std::uint32_t code = 1; code <= 255; ++code) {
         const std::uint32_t hint = std::bit_cast<std::uint32_t>(linear_from_srgb((float(code) - 0.25f) / 255.0f));
-        const std::uint32_t bits = first_bits_of(code, hint);
-        const std::size_t at = (bits - first) >> shift;
-        RL_ASSERT(buckets_[at].step == 2.0f, "two steps in one bucket");
-        buckets_[at].step = std::bit_cast<float>(bits);
+        const std::uint32_t above = first_bits_of(code, hint) - first;
+        std::uint32_t& entry = table_[above >> srgb_bucket_bits];
+        RL_ASSERT(entry == none, "two steps in one bucket");
+        entry = above & (none - 1);
     }
     std::uint32_t code = 0;
-    for (Bucket& bucket : buckets_) {
-        bucket.code = code;
-        code += bucket.step < 2.0f ? 1 : 0;
+    for (std::uint32_t& entry : table_) {
+        const bool has_step = entry != none;
+        entry |= code << 24;
+        code += has_step ? 1 : 0;
     }
 }
 

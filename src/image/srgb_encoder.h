@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "image/srgb_table.h"
+
 namespace rakelight {
 
 /// A table keyed by the upper bits of the float. Each octave is cut into 128 buckets, so fine that at most one of the 255
@@ -16,23 +18,20 @@ public:
 
     /// NaN and negative give 0, over 1 gives 255.
     std::uint32_t operator()(float linear) const {
-        const float low = linear > lowest ? linear : lowest;  // NaN too
-        const float clamped = low < highest ? low : highest;
-        const Bucket& bucket = buckets_[(std::bit_cast<std::uint32_t>(clamped) - std::bit_cast<std::uint32_t>(lowest)) >> shift];
-        return bucket.code + std::uint32_t(clamped >= bucket.step);
+        const float low = linear > srgb_lowest ? linear : srgb_lowest;  // NaN too
+        const float clamped = low < srgb_highest ? low : srgb_highest;
+        const std::uint32_t above = std::bit_cast<std::uint32_t>(clamped) - std::bit_cast<std::uint32_t>(srgb_lowest);
+        const std::uint32_t entry = table_[above >> srgb_bucket_bits];
+        return (entry >> 24) + std::uint32_t((above & 0xFFFFu) >= (entry & 0x1FFFFu));
     }
+
+    /// [srgb_buckets] the code at the bucket's lower end in the upper 8 bits; in the lower 17 the place in the bucket
+    /// where it goes up by one, 0x10000 where it does not.
+    const std::uint32_t* table() const { return table_.data(); }
 
 private:
     SrgbEncoder();
-    static constexpr int shift = 16;                      // 7 of the 23 mantissa bits stay
-    static constexpr float lowest = 0x1p-13f;             // below the first step, 0.5 / 255 / 12.92 = 0.000152
-    static constexpr float highest = 0x1.fffffep-1f;      // the last float below 1
-    static constexpr std::size_t bucket_count = 13 * 128;
-    struct Bucket {
-        float step;          // where the code of this bucket goes up by one; 2 when it does not
-        std::uint32_t code;  // at the bucket's lower end
-    };
-    std::array<Bucket, bucket_count> buckets_;
+    std::array<std::uint32_t, srgb_buckets> table_;
 };
 
 }  // namespace rakelight

@@ -37,7 +37,7 @@
     using rakelight::wide::RL_ISA::lanes, rakelight::wide::RL_ISA::lane_indices, rakelight::wide::RL_ISA::lane;     \
     using rakelight::wide::RL_ISA::load, rakelight::wide::RL_ISA::load_i, rakelight::wide::RL_ISA::store;           \
     using rakelight::wide::RL_ISA::load_masked, rakelight::wide::RL_ISA::load_i_masked;                             \
-    using rakelight::wide::RL_ISA::store_masked;                                                                    \
+    using rakelight::wide::RL_ISA::store_masked, rakelight::wide::RL_ISA::store_compressed;                         \
     using rakelight::wide::RL_ISA::broadcast, rakelight::wide::RL_ISA::broadcast_i;                                 \
     using rakelight::wide::RL_ISA::gather, rakelight::wide::RL_ISA::gather_i;                                       \
     using rakelight::wide::RL_ISA::to_int, rakelight::wide::RL_ISA::to_int_floor, rakelight::wide::RL_ISA::to_real; \

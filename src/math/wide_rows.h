@@ -14,6 +14,7 @@ inline void store_rows4(float* rows, const real* v) {
 inline void store_rows8(float* rows, const real* v) {
     for (int k = 0; k < 8; ++k) rows[k] = v[k];
 }
+inline void store_columns4(float* rows, int, const real* v) { store_rows4(rows, v); }
 inline void load_rows4(const float* rows, real* v) {
     for (int k = 0; k < 4; ++k) v[k] = rows[k];
 }
@@ -93,7 +94,8 @@ inline void load_columns4(const float* rows, int stride, real* v) {
     for (int k = 0; k < 4; ++k) v[k] = from_quads(column[k]);
 }
 
-/// Lane i: the vector of `width` (2 or 3) floats number index[i * index_stride]. Reads four floats from each one's beginning.
+/// Lane i: the vector of `width` (2, 3 or 4) floats number index[i * index_stride]. Reads four floats from each one's
+/// beginning.
 template <int width, int index_stride>
 inline void load_vectors(const float* base, const uint32_t* index, real* v) {
     const auto at = [&](int i) { return base + width * uint64_t(index[i * index_stride]); };
@@ -130,7 +132,8 @@ inline void load_vectors(const float* base, const uint32_t* index, real* v) {
     const Packed ab = low(a, b), cd = low(c, d);
     v[0] = real(RealBatch(halves_low(ab, cd)));
     v[1] = real(RealBatch(halves_high(ab, cd)));
-    if constexpr (width == 3) v[2] = real(RealBatch(halves_low(high(a, b), high(c, d))));
+    if constexpr (width > 2) v[2] = real(RealBatch(halves_low(high(a, b), high(c, d))));
+    if constexpr (width == 4) v[3] = real(RealBatch(halves_high(high(a, b), high(c, d))));
 }
 
 inline void store_rows4(float* rows, const real* v) { store_columns4(rows, 4, v); }

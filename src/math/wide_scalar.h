@@ -30,6 +30,11 @@ inline void store_masked(float* p, real x, mask m) {
 inline void store_masked(int32_t* p, integer x, mask m) {
     if (m) *p = x;
 }
+/// The lanes of m, one after another; returns their number. Writes up to `lanes` values.
+inline int32_t store_compressed(int32_t* p, integer x, mask m) {
+    *p = x;
+    return m ? 1 : 0;
+}
 inline real gather(const float* base, integer index) { return base[index]; }
 inline integer gather_i(const int32_t* base, integer index) { return base[index]; }
 inline integer gather_i(const uint32_t* base, integer index) { return int32_t(base[index]); }

@@ -205,6 +205,20 @@ inline void store_masked(int32_t* p, integer x, mask m) {
     store_masked(reinterpret_cast<float*>(p), real_from_bits(x), m);
 }
 
+/// The lanes of m, one after another; returns their number. Writes up to `lanes` values.
+inline int32_t store_compressed(int32_t* p, integer x, mask m) {
+#if defined(RL_ISA_avx512)
+    _mm512_storeu_si512(p, _mm512_maskz_compress_epi32(m.v.data, x.v));
+    return int32_t(__builtin_popcount(lane_bits(m)));
+#else
+    int32_t all[lanes];
+    store(all, x);
+    int32_t count = 0;
+    for (uint32_t bits = lane_bits(m); bits != 0; bits &= bits - 1) p[count++] = all[__builtin_ctz(bits)];
+    return count;
+#endif
+}
+
 inline real gather(const float* base, integer index) {
 #if defined(RL_ISA_avx512)
     return real(RealBatch(_mm512_i32gather_ps(index.v, base, 4)));

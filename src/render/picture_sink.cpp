@@ -53,7 +53,11 @@ void PictureSink::tile(const Tile& tile) {
         const std::size_t from = std::size_t(row) * count;
         const std::size_t to =
             std::size_t(a.y - window_.y + row) * std::size_t(window_.width) + std::size_t(a.x - window_.x);
-        convert_row(tile.color.data() + from, count, format_, color_.data() + to * format_.bytes());
+        std::byte* const out = color_.data() + to * format_.bytes();
+        if (!tile.srgb8.empty())
+            pack_row(tile.srgb8.data() + from, count, format_.channels, out);
+        else
+            convert_row(tile.color.data() + from, count, format_, out);
         for (ChannelPlane& plane : planes_) store(plane, tile, from, to, count);
     }
 }

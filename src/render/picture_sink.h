@@ -28,6 +28,7 @@ public:
     explicit PictureSink(PixelFormat format) : format_(format) {}
 
     void begin(int width, int height, Window window, std::uint32_t channels) override;
+    bool takes_srgb8() const override { return format_.component == Component::u8; }
     void tile(const Tile& tile) override;
     void end_pass(int) override {}
 

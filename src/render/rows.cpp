@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/rows.h"
 
+#include <bit>
 #include <cstring>
 
 #include "image/tone.h"
@@ -24,6 +25,17 @@ void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& forma
         linear_row(pixels, count, format.channels, out);
     else
         to_srgb8({pixels, count}, format.channels, {reinterpret_cast<std::uint8_t*>(out), count * format.bytes()});
+}
+
+void pack_row(const std::uint32_t* srgb8, std::size_t count, int channels, std::byte* out) {
+    static_assert(std::endian::native == std::endian::little);
+    if (channels == 4) {
+        std::memcpy(out, srgb8, 4 * count);
+        return;
+    }
+    for (std::size_t i = 0; i + 1 < count; ++i)
+        std::memcpy(out + 3 * i, srgb8 + i, 4);  // the next pixel covers the fourth
+    if (count > 0) std::memcpy(out + 3 * (count - 1), srgb8 + count - 1, 3);
 }
 
 }  // namespace rakelight

@@ -20,4 +20,7 @@ struct PixelFormat {
 /// alpha: 8-bit formats store them so, EXR by its convention multiplied.
 void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& format, std::byte* out);
 
+/// The same of pixels that are sRGB codes already, R in the low byte; `out` takes count * channels bytes.
+void pack_row(const std::uint32_t* srgb8, std::size_t count, int channels, std::byte* out);
+
 }  // namespace rakelight

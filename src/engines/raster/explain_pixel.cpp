@@ -34,7 +34,7 @@ public:
 
 private:
     TileJob job_of(const Inspection::Geometry& g) const {
-        return {g.front, g.binned, g.grid, of_.lights(), *scalar::kernels(), true, g.points};
+        return {g.front, g.binned, g.grid, of_.lights(), *scalar::kernels(), true, g.points, false, true};
     }
     const MaterialView& material_of(const CoveringTriangle& t) const {
         return of_.list().materials[of_.list().draws[t.draw].material].view;
@@ -73,11 +73,11 @@ private:
     PixelTrace trace(const ScreenTriangle& s, ShadedLayer* layer) {
         const TileJob job = job_of(open_);
         const int ox = open_.grid.origin_x(0), oy = open_.grid.origin_y(0);
-        make_records(job, s, ox, oy, 0, scratch_);
-        scratch_.x[0] = x_ - ox;
-        scratch_.y[0] = y_ - oy;
+        const ScreenTriangle* const only = &s;
+        make_records(job, s.draw, {&only, 1}, ox, oy, scratch_);
+        scratch_.pixel[0] = (y_ - oy) * tile_size + x_ - ox;
         scratch_.triangle[0] = 0;
-        const ShadeJob batch = make_job(job, of_.list().draws[s.draw].material, 1, scratch_);
+        const ShadeJob batch = make_job(job, s.draw, ox, oy, 1, scratch_);
         std::vector<TracedLight> lights(of_.lights().size());
         PixelTrace pixel;
         trace::trace_pixel(&batch, &pixel, lights.data());
@@ -150,8 +150,7 @@ private:
     void draw() {
         const TileJob job = job_of(drawn_);
         find_visible(job, 0, scratch_);
-        shade_opaque(job, 0, scratch_);
-        blend_transparent(job, 0, scratch_);
+        if (shade_opaque(job, 0, scratch_)) blend_transparent(job, 0, scratch_);
         out_.color = scratch_.color[std::size_t((y_ - drawn_.grid.origin_y(0)) * tile_size + x_ - drawn_.grid.origin_x(0))];
     }
 

@@ -33,16 +33,24 @@ void allocate(PixelStageData& d, std::size_t pixels, std::size_t lights) {
 /// The stages of one tile of both geometries.
 class TileStages {
 public:
-    TileStages(const Inspection& of, const Inspection::Geometry& open, const Inspection::Geometry& drawn, std::size_t tile, PixelStageData& out)
-        : of_(of), open_(open), drawn_(drawn), tile_(tile), job_{drawn.front, drawn.binned, drawn.grid, of.lights(), *scalar::kernels(), true, drawn.points},
-          area_(drawn.grid.pixels(tile)), ox_(drawn.grid.origin_x(tile)), oy_(drawn.grid.origin_y(tile)), lights_(of.lights().size()), out_(out) {}
+    TileStages(const Inspection& of, const Inspection::Geometry& open, const Inspection::Geometry& drawn,
+               std::size_t tile, PixelStageData& out)
+        : of_(of),
+          open_(open),
+          drawn_(drawn),
+          tile_(tile),
+          job_{drawn.front, drawn.binned, drawn.grid, of.lights(), *scalar::kernels(), true, drawn.points, false, true},
+          area_(drawn.grid.pixels(tile)),
+          ox_(drawn.grid.origin_x(tile)),
+          oy_(drawn.grid.origin_y(tile)),
+          lights_(of.lights().size()),
+          out_(out) {}
 
     void run() {
         count();
         find_visible(job_, tile_, s_);
         note_visible();
-        shade_opaque(job_, tile_, s_);
-        blend_transparent(job_, tile_, s_);
+        if (shade_opaque(job_, tile_, s_)) blend_transparent(job_, tile_, s_);
         for (int y = area_.y; y < area_.y + area_.height; ++y)
             for (int x = area_.x; x < area_.x + area_.width; ++x) out_.color[at(x - ox_, y - oy_)] = s_.color[std::size_t((y - oy_) * tile_size + x - ox_)];
         trace_all();
@@ -86,14 +94,12 @@ private:
     /// The shading of each visible surface with the recorder.
     void trace_all() {
         const ScreenTriangle* last = nullptr;
-        s_.triangles.resize(1);
         for (const Visible& v : visible_) {
-            if (v.triangle != last) make_shade_triangle(drawn_.front, *v.triangle, ox_, oy_, s_.triangles[0]);
+            if (v.triangle != last) make_records(job_, v.triangle->draw, {&v.triangle, 1}, ox_, oy_, s_);
             last = v.triangle;
-            s_.x[0] = v.x;
-            s_.y[0] = v.y;
+            s_.pixel[0] = v.y * tile_size + v.x;
             s_.triangle[0] = 0;
-            const ShadeJob batch = make_job(job_, of_.list().draws[last->draw].material, 1, s_);
+            const ShadeJob batch = make_job(job_, last->draw, ox_, oy_, 1, s_);
             PixelTrace pixel;
             trace::trace_pixel(&batch, &pixel, lights_.data());
             const std::size_t p = at(v.x, v.y);

@@ -4,11 +4,13 @@
 #pragma once
 #include <stdint.h>
 
+#include "image/srgb_table.h"
 #include "lighting/light_parameters.h"
 
 namespace rakelight::raster {
 
 inline constexpr int tile_size = 64;         ///< [px] side of a tile; tiles lie on the picture's own grid, not the window's
+inline constexpr int tile_bits = 6;          ///< log2 of it
 inline constexpr int batch_padding = 16;     ///< arrays of a batch may be read and written this far past their count
 inline constexpr int max_mip_levels = 16;    ///< 32768 texels a side
 
@@ -42,33 +44,59 @@ struct MaterialView {
     TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map, metallic_roughness_map;
 };
 
-/// What a pixel needs of its triangle, about the tile's first pixel center. Barycentrics by homogeneous edge functions
-/// (Olano & Greer 1997): e_i = ex[i] x + ey[i] y + e0[i], b_i = e_i / (e_0 + e_1 + e_2); x, y in pixels from the tile's corner.
-/// Attributes: value at vertex 0 and the differences to vertices 1 and 2. Floats only: kernels gather by number.
-struct ShadeTriangle {
-    float ex[3], ey[3], e0[3];
-    float position[3][3];   ///< relative to the eye, world axes: a0, a1 - a0, a2 - a0
-    float normal[3][3];
-    float tangent[3][3];
-    float texcoord0[3][2], texcoord1[3][2];
-    float color[3][4];
+/// What a pixel needs of its triangle. Planes over the screen: change per pixel in x and y, value at the tile's first
+/// pixel center. Perspective: those of b1 / w, b2 / w and 1 / w are affine on the screen (Heckbert & Moreton 1991,
+/// "Interpolation for polygon texture mapping and shading"). Attributes: value at corner 0 of the mesh's triangle and
+/// the differences to corners 1 and 2. Floats only: kernels address them by number.
+struct alignas(64) ShadeTriangle {
+    float b1[3], b2[3];     ///< perspective: b1 / w, b2 / w; affine: b1, b2
+    float depth[3];         ///< perspective: 1 / w [1/m]; orthographic: distance along the view axis [m]
     float handedness;       ///< +1 or -1 of the tangent frame in the world
-    float facing;           ///< -1: the shading normal is to be turned round
+    float texcoord0[2][3];  ///< u, then v: a0, a1 - a0, a2 - a0
+    float normal[3][3];     ///< x, y, z likewise, world axes
+    float tangent[3][3];
+    float facing;  ///< -1: the shading normal is to be turned round
+    float texcoord1[2][3];
+    float color[4][3];
+    float unused[11];
 };
 inline constexpr int shade_triangle_floats = int(sizeof(ShadeTriangle) / sizeof(float));
 
-/// Light that the corners of a triangle receive, each term per unit of its reflectance (k_a, k_d, k_s): what flat and Gouraud
-/// shading interpolate. a0, a1 - a0, a2 - a0.
+/// Light that the corners of a triangle receive, each term per unit of its reflectance (k_a, k_d, k_s): what flat and
+/// Gouraud shading interpolate. R, G, B of each: a0, a1 - a0, a2 - a0.
 struct LitTriangle {
     float ambient[3][3], diffuse[3][3], specular[3][3];
 };
 inline constexpr int lit_triangle_floats = int(sizeof(LitTriangle) / sizeof(float));
 
-/// Pixels of one material in one tile.
+/// Triangles of one draw in one tile, whose records are wanted. Arrays [count] are read up to batch_padding past it.
+struct RecordJob {
+    int32_t count;
+    const int32_t* triangle;   ///< [count] of the mesh
+    const int32_t* x[3];       ///< [count] the mesh's corners on the screen about the tile's first pixel center,
+    const int32_t* y[3];       ///< [1/256 px]
+    const int32_t* is_turned;  ///< [count] 1: seen from behind; where winding has no meaning: clockwise
+    const uint32_t* indices;   ///< of the mesh, [3 * triangles]
+    int32_t vertices;
+    const float* clip;                    ///< [vertices] x, y, w, distance
+    const float* positions;               ///< [vertices] of 3
+    const float* normals;                 ///< [vertices] of 3; null: those of the faces
+    const float* tangents;                ///< [vertices] of 4; null: none
+    const float* texcoords[2];            ///< [vertices] of 2; null: none
+    const float* colors;                  ///< [vertices] of 4; null: white
+    float to_normal[3][3], linear[3][3];  ///< rows of the matrices object -> world axes, for normals and for tangents
+    float mirror;                         ///< -1: the placement mirrors
+    int32_t by_winding;                   ///< 0: surfaces are lit from the side that is seen, whatever their winding
+    int32_t whole;                        ///< 0: texcoord1 and color are not written
+    int32_t affine;                       ///< 1: barycentrics are not divided by w
+    int32_t orthographic;
+    ShadeTriangle* out;  ///< [count + batch_padding]
+};
+
+/// Pixels of one draw in one tile.
 struct ShadeJob {
     int32_t count;
-    const int32_t* x;                      ///< [count] pixel in the tile, 0..tile_size-1
-    const int32_t* y;
+    const int32_t* pixel;                  ///< [count] y * tile_size + x in the tile
     const int32_t* triangle;               ///< [count] into `triangles`
     const ShadeTriangle* triangles;
     const LitTriangle* lit;                ///< beside `triangles`; null: lighting is evaluated at every pixel
@@ -81,12 +109,18 @@ struct ShadeJob {
     int32_t bump;                          ///< 0: normal maps are ignored
     int32_t orthogonalize;                 ///< 0: tangents are used as they are interpolated, only made unit
     int32_t unlit;                         ///< own color: no lighting
+    int32_t affine;                        ///< as in RecordJob
     int32_t orthographic;
     float view_direction[3];               ///< towards the viewer, for orthographic views
-    float* red;                            ///< [count] out, linear
+    float ray[3][3];  ///< x, y, z of the pixel's ray: change per pixel in x and y, value at the tile's first
+                      ///< pixel center. Perspective: times w it is the position about the eye;
+                      ///< orthographic: the position where the distance is 0
+    float* red;       ///< [count] out, linear, finite
     float* green;
     float* blue;
     float* alpha;
+    uint32_t* srgb8;             ///< [count] out in place of these: sRGB codes, opaque, R in the low byte; or null
+    const uint32_t* srgb_table;  ///< SrgbEncoder::table()
     float* normal_x;                       ///< [count] out, shading normal in the world; null: not wanted
     float* normal_y;
     float* normal_z;
@@ -119,7 +153,11 @@ struct CoverJob {
 struct Kernels {
     int32_t lanes;
     int32_t (*cover)(const CoverJob* job); ///< returns how many pixels were written
-    void (*shade)(const ShadeJob* job);
+    /// Lists the pixels [tile_size * tile_size] whose `visible` is in begin..end-1, in order; returns their number.
+    /// Writes up to batch_padding past it.
+    int32_t (*collect)(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel);
+    void (*record)(const RecordJob* job);
+    int32_t (*shade)(const ShadeJob* job);  ///< returns how many components came out not finite: they are 0
     void (*alpha)(const ShadeJob* job);    ///< only `alpha` is written: for masks
     void (*light)(const LightJob* job);
 };

@@ -12,9 +12,9 @@ namespace {
 
 void set_deltas(float (&to)[3][3], const float (&a)[3], const float (&b)[3], const float (&c)[3]) {
     for (std::size_t k = 0; k < 3; ++k) {
-        to[0][k] = a[k];
-        to[1][k] = b[k] - a[k];
-        to[2][k] = c[k] - a[k];
+        to[k][0] = a[k];
+        to[k][1] = b[k] - a[k];
+        to[k][2] = c[k] - a[k];
     }
 }
 
@@ -78,14 +78,16 @@ void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const S
         const dvec3 n = DrawFrame(front, s.draw).face(s.triangle).normal;
         shade.facing = 1;
         std::fill_n(&shade.normal[0][0], 9, 0.0f);
-        for (std::size_t c = 0; c < 3; ++c) shade.normal[0][c] = float(n[c]);
+        for (std::size_t c = 0; c < 3; ++c) shade.normal[c][0] = float(n[c]);
     }
     if (light.sides == 0) return;  // unlit
     if (light.per_face) {
         const LitPoint& point = light.side[0][s.triangle];
-        std::copy_n(point.ambient, 3, out.ambient[0]);
-        std::copy_n(point.diffuse, 3, out.diffuse[0]);
-        std::copy_n(point.specular, 3, out.specular[0]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            out.ambient[c][0] = point.ambient[c];
+            out.diffuse[c][0] = point.diffuse[c];
+            out.specular[c][0] = point.specular[c];
+        }
         return;
     }
     const std::vector<LitPoint>& side =
@@ -115,7 +117,7 @@ ShadeJob material_job(const FrontEnd& front, const std::vector<lighting::LightPa
     out.orthogonalize = settings.orthogonalize;
     out.bump = settings.bump != Bump::none && is_per_pixel;
     out.unlit = view.unlit || settings.shading == Shading::unlit;
-    out.orthographic = front.view.orthographic;
+    out.orthographic = out.affine = front.view.orthographic;
     const dvec3 back = front.view.camera_to_world[2].xyz();
     out.view_direction[0] = float(back.x), out.view_direction[1] = float(back.y), out.view_direction[2] = float(back.z);
     return out;

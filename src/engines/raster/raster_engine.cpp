@@ -82,8 +82,13 @@ void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     std::vector<vec4> color;
     std::vector<float> depth;
     std::vector<vec3> normal;
-    std::vector<std::uint32_t> object, material;
-    Tile result{area, part(s.color, in_tile, color), {}, {}, {}, {}, {}};
+    std::vector<std::uint32_t> object, material, srgb8;
+    Tile result;
+    result.area = area;
+    if (job.to_srgb8)
+        result.srgb8 = part(s.srgb8, in_tile, srgb8);
+    else
+        result.color = part(s.color, in_tile, color);
     if (channels & channel_depth) result.depth = part(s.depth, in_tile, depth);
     if (channels & channel_normal) result.normal = part(s.normal, in_tile, normal);
     if (channels & channel_object) result.object = part(s.object, in_tile, object);
@@ -107,9 +112,9 @@ void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink&
     StageClock clock;
     find_visible(job, tile, scratch);
     scratch.times.visibility += clock.lap();
-    shade_opaque(job, tile, scratch);
+    const bool blends = shade_opaque(job, tile, scratch);
     scratch.times.shading += clock.lap();
-    blend_transparent(job, tile, scratch);
+    if (blends) blend_transparent(job, tile, scratch);
     scratch.times.blending += clock.lap();
     deliver(job, tile, scratch, sink);
     scratch.times.delivery += clock.lap();
@@ -137,7 +142,8 @@ public:
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
-        draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points}, sink, context, front.stats);
+        draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8()}, sink, context,
+                   front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap();
         clip_ = std::move(front.clip);

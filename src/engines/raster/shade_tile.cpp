@@ -1,153 +1,177 @@
 // SPDX-License-Identifier: Apache-2.0
+// Colors of a tile: the visible pixels draw by draw in full vectors, then what is blended over them.
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "engines/raster/coverage.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
+#include "image/srgb_encoder.h"
+#include "image/tone.h"
+#include "math/linear.h"
 
 namespace rakelight::raster {
 namespace {
 
-bool is_finite(float v) { return v - v == 0; }
-
 bool is_lit_at_pixels(const ShadeJob& job) { return !job.unlit && !job.lit; }
 
-/// Colors of a finished batch into the tile; `over` blends (Porter & Duff 1984, straight alpha over an opaque ground).
-void store_batch(std::size_t count, bool over, TileScratch& s) {
-    const auto finite = [&s](float v) {
-        if (is_finite(v)) return v;
-        ++s.not_finite;
-        return 0.0f;
-    };
+/// Colors of a finished batch over what is there (Porter & Duff 1984, straight alpha over an opaque ground).
+void blend_batch(std::size_t count, TileScratch& s) {
     for (std::size_t i = 0; i < count; ++i) {
-        vec4& to = s.color[std::size_t(s.y[i] * tile_size + s.x[i])];
-        if (!over && is_finite(s.red[i] + s.green[i] + s.blue[i])) {  // nearly all; a sum that overflows is looked at below
-            to = {s.red[i], s.green[i], s.blue[i], 1.0f};
-            continue;
-        }
-        const float opacity = over ? std::clamp(finite(s.alpha[i]), 0.0f, 1.0f) : 1.0f;
-        const vec4 c = {finite(s.red[i]), finite(s.green[i]), finite(s.blue[i]), opacity};
+        vec4& to = s.color[std::size_t(s.pixel[i])];
+        const bool is_finite = s.alpha[i] - s.alpha[i] == 0;
+        if (!is_finite) ++s.not_finite;
+        const vec4 c = {s.red[i], s.green[i], s.blue[i], is_finite ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f};
         const float under = to.w * (1 - c.w), alpha = c.w + under;
-        if (!over || !(alpha > 0))
-            to = over ? to : c;
-        else
+        if (alpha > 0)
             to = {(c.x * c.w + to.x * under) / alpha, (c.y * c.w + to.y * under) / alpha, (c.z * c.w + to.z * under) / alpha, alpha};
     }
+}
+
+/// Shades `count` pixels of the batch arrays, all of one draw, into the tile.
+void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::size_t count, bool to_srgb8,
+                 TileScratch& s) {
+    ShadeJob batch = make_job(job, draw, job.grid.origin_x(tile), job.grid.origin_y(tile), count, s);
+    const bool with_normal = (job.front.settings.channels & channel_normal) != 0;
+    if (with_normal)
+        batch.normal_x = s.normal_x.data(), batch.normal_y = s.normal_y.data(), batch.normal_z = s.normal_z.data();
+    if (to_srgb8) batch.srgb8 = s.codes.data(), batch.srgb_table = SrgbEncoder::instance().table();
+    s.not_finite += std::uint64_t(job.kernels.shade(&batch));
     s.shaded += count;
-}
-
-/// Position in the list -> record, made on first use.
-std::int32_t record_of(const TileJob& job, std::size_t tile, std::int32_t position, TileScratch& s) {
-    std::int32_t& record = s.record[std::size_t(position)];
-    if (record < 0) {
-        record = std::int32_t(s.triangles.size());
-        make_records(job, job.binned.at(job.binned.items[job.binned.offsets[tile] + std::uint32_t(position)]), job.grid.origin_x(tile),
-                     job.grid.origin_y(tile), s.triangles.size(), s);
-    }
-    return record;
-}
-
-void shade_run(const TileJob& job, std::size_t tile, std::uint32_t material, const std::uint32_t* pixels, std::size_t count,
-               TileScratch& s) {
-    std::int32_t position = -1, record = -1;
-    for (std::size_t i = 0; i < count; ++i) {
-        s.x[i] = std::int32_t(pixels[i] % tile_size);
-        s.y[i] = std::int32_t(pixels[i] / tile_size);
-        if (s.visible[pixels[i]] != position) {  // neighbors mostly show one triangle
-            position = s.visible[pixels[i]];
-            record = record_of(job, tile, position, s);
-        }
-        s.triangle[i] = record;
-    }
-    ShadeJob batch = make_job(job, material, count, s);
-    if (job.front.settings.channels & channel_normal) {
-        batch.normal_x = s.normal_x.data();
-        batch.normal_y = s.normal_y.data();
-        batch.normal_z = s.normal_z.data();
-    }
-    job.kernels.shade(&batch);
     if (is_lit_at_pixels(batch)) s.lit_pixels += count;
-    if (batch.normal_x)
-        for (std::size_t i = 0; i < count; ++i) s.normal[pixels[i]] = {s.normal_x[i], s.normal_y[i], s.normal_z[i]};
-    store_batch(count, false, s);
+    for (std::size_t i = 0; i < count && to_srgb8; ++i) s.srgb8[std::size_t(s.pixel[i])] = s.codes[i];
+    for (std::size_t i = 0; i < count && !to_srgb8; ++i)
+        s.color[std::size_t(s.pixel[i])] = {s.red[i], s.green[i], s.blue[i], 1.0f};
+    for (std::size_t i = 0; i < count && with_normal; ++i)
+        s.normal[std::size_t(s.pixel[i])] = {s.normal_x[i], s.normal_y[i], s.normal_z[i]};
+}
+
+/// The records of what `count` pixels of the batch arrays show, each once, in the order of their first pixels.
+void find_records(const TileJob& job, std::size_t tile, std::uint32_t draw, std::size_t count, TileScratch& s) {
+    const std::uint64_t* const items = job.binned.items.data() + job.binned.offsets[tile];
+    s.wanted.clear();
+    std::int32_t position = -1, number = -1;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::int32_t shown = s.visible[std::size_t(s.pixel[i])];
+        if (shown != position) {  // neighbors mostly show one triangle
+            position = shown;
+            std::int32_t& record = s.record[std::size_t(position)];
+            if (record < 0) {
+                record = std::int32_t(s.wanted.size());
+                s.wanted.push_back(&job.binned.at(items[position]));
+            }
+            number = record;
+        }
+        s.triangle[i] = number;
+    }
+    make_records(job, draw, s.wanted, job.grid.origin_x(tile), job.grid.origin_y(tile), s);
+}
+
+void shade_draw(const TileJob& job, std::size_t tile, std::uint32_t draw, std::size_t count, bool to_srgb8,
+                TileScratch& s) {
+    if (count == 0) return;
+    s.covered += count;
+    find_records(job, tile, draw, count, s);
+    shade_batch(job, draw, tile, count, to_srgb8, s);
+    const std::uint32_t channels = job.front.settings.channels;
+    const Draw& d = job.front.list.draws[draw];
+    const std::uint32_t material = job.front.list.materials[d.material].scene_material;
+    for (std::size_t i = 0; i < count && (channels & channel_object); ++i) s.object[std::size_t(s.pixel[i])] = d.node;
+    for (std::size_t i = 0; i < count && (channels & channel_material); ++i)
+        s.material[std::size_t(s.pixel[i])] = material;
+}
+
+/// Positions begin..end-1 of a tile's list, all of one draw.
+struct DrawRun {
+    std::int32_t begin, end;
+    std::uint32_t draw;
+};
+
+/// The draws in a tile's list, which is in the order of the scene.
+void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs) {
+    runs.clear();
+    const auto first = job.binned.items.begin() + job.binned.offsets[tile],
+               end = job.binned.items.begin() + job.binned.offsets[tile + 1];
+    for (auto at = first; at != end;) {
+        const std::uint32_t draw = job.binned.at(*at).draw;
+        const auto next =
+            std::partition_point(at, end, [&](std::uint64_t item) { return job.binned.at(item).draw <= draw; });
+        runs.push_back({std::int32_t(at - first), std::int32_t(next - first), draw});
+        at = next;
+    }
+}
+
+constexpr std::size_t most_passes =
+    24;  ///< over the tile, one a draw; where there are more draws its pixels are sorted
+
+/// As a pass for each draw, in one.
+void shade_sorted(const TileJob& job, std::size_t tile, const std::vector<DrawRun>& runs, bool to_srgb8,
+                  TileScratch& s) {
+    s.sorted.resize(tile_pixels + batch_padding);
+    const auto count = std::size_t(job.kernels.collect(s.visible.data(), 0, runs.back().end, s.sorted.data()));
+    const auto run_of = [&](std::int32_t pixel) {
+        return std::partition_point(runs.begin(), runs.end(),
+                                    [&](const DrawRun& r) { return r.end <= s.visible[std::size_t(pixel)]; });
+    };
+    const auto begin = s.sorted.begin(), end = begin + std::ptrdiff_t(count);
+    std::stable_sort(begin, end, [&](std::int32_t a, std::int32_t b) { return run_of(a) < run_of(b); });
+    for (auto at = begin; at != end;) {
+        const auto run = run_of(*at);
+        const auto next =
+            std::partition_point(at, end, [&](std::int32_t pixel) { return s.visible[std::size_t(pixel)] < run->end; });
+        std::copy(at, next, s.pixel.begin());
+        shade_draw(job, tile, run->draw, std::size_t(next - at), to_srgb8, s);
+        at = next;
+    }
+}
+
+void set_background(const RenderSettings& settings, bool to_srgb8, TileScratch& s) {
+    if (to_srgb8) {
+        std::uint8_t code[4];
+        rakelight::to_srgb8({&settings.background, 1}, 4, code);
+        std::uint32_t packed;
+        std::memcpy(&packed, code, sizeof packed);
+        std::fill(s.srgb8.begin(), s.srgb8.end(), packed);
+    } else {
+        std::fill(s.color.begin(), s.color.end(), settings.background);
+    }
+    if (settings.channels & channel_normal) std::fill(s.normal.begin(), s.normal.end(), vec3{});
+    if (settings.channels & channel_object) std::fill(s.object.begin(), s.object.end(), none);
+    if (settings.channels & channel_material) std::fill(s.material.begin(), s.material.end(), none);
+}
+
+bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs) {
+    return job.has_blended && std::any_of(runs.begin(), runs.end(), [&](const DrawRun& r) {
+               return job.front.list.materials[job.front.list.draws[r.draw].material].view.blend != 0;
+           });
+}
+
+/// Where a pixel's ray leads: ShadeJob::ray.
+void set_ray(const View& view, int tile_x, int tile_y, ShadeJob& out) {
+    const dvec3 right = view.camera_to_world[0].xyz() / view.scale_x, up = view.camera_to_world[1].xyz() / view.scale_y;
+    const double x = 2 * (tile_x + 0.5) / view.width - 1, y = 1 - 2 * (tile_y + 0.5) / view.height;
+    const dvec3 forward = view.orthographic ? dvec3{} : -view.camera_to_world[2].xyz();
+    const dvec3 along_x = right * (2.0 / view.width), along_y = up * (-2.0 / view.height),
+                at = right * x + up * y + forward;
+    for (std::size_t c = 0; c < 3; ++c) {
+        out.ray[c][0] = float(along_x[c]);
+        out.ray[c][1] = float(along_y[c]);
+        out.ray[c][2] = float(at[c]);
+    }
 }
 
 }  // namespace
 
-namespace {
-
-/// Lists the covered pixels with the object and material of each. Neighbors mostly show one triangle.
-void find_owners(const TileJob& job, std::uint32_t first, TileScratch& s) {
-    std::int32_t position = -1;
-    const Draw* draw = nullptr;
-    for (std::uint32_t p = 0; p < tile_pixels; ++p) {
-        if (s.visible[p] < 0) continue;
-        if (s.visible[p] != position) {
-            position = s.visible[p];
-            draw = &job.front.list.draws[job.binned.at(job.binned.items[first + std::uint32_t(position)]).draw];
-        }
-        s.pixels.push_back(p);
-        s.object[p] = draw->node;
-        s.material[p] = draw->material;
-    }
-}
-
-/// Brings the pixels of one triangle together, row by row: where a vector of them has one triangle its record need not be gathered.
-void group_by_triangle(std::size_t list, TileScratch& s) {
-    s.tally.assign(list + 1, 0);
-    for (const std::uint32_t p : s.pixels) ++s.tally[std::size_t(s.visible[p]) + 1];
-    for (std::size_t i = 0; i < list; ++i) s.tally[i + 1] += s.tally[i];
-    s.grouped.resize(s.pixels.size());
-    for (const std::uint32_t p : s.pixels) s.grouped[s.tally[std::size_t(s.visible[p])]++] = p;
-    s.pixels.swap(s.grouped);
-}
-
-constexpr std::size_t most_groups = 64;  // that are looked through one by one
-
-void sort_by_material(TileScratch& s) {
-    std::stable_sort(s.pixels.begin(), s.pixels.end(), [&s](std::uint32_t a, std::uint32_t b) { return s.material[a] < s.material[b]; });
-}
-
-/// Brings the pixels of one material together, each group row by row; groups in the order of their first pixels.
-void group_by_material(TileScratch& s) {
-    struct Group {
-        std::uint32_t material;
-        std::size_t at;  ///< first their number, then where the next pixel goes
-    };
-    std::vector<Group> groups;
-    auto group_of = [&, last = std::size_t(0)](std::uint32_t material) mutable -> Group& {
-        if (last < groups.size() && groups[last].material == material) return groups[last];  // neighbors mostly are of one
-        for (last = 0; last < groups.size() && groups[last].material != material; ++last) {
-        }
-        if (last == groups.size()) groups.push_back({material, 0});
-        return groups[last];
-    };
-    for (const std::uint32_t p : s.pixels) {
-        ++group_of(s.material[p]).at;
-        if (groups.size() > most_groups) return sort_by_material(s);
-    }
-    if (groups.size() < 2) return;
-    std::size_t sum = 0;
-    for (Group& group : groups) sum += std::exchange(group.at, sum);
-    s.grouped.resize(s.pixels.size());
-    for (const std::uint32_t p : s.pixels) s.grouped[group_of(s.material[p]).at++] = p;
-    s.pixels.swap(s.grouped);
-}
-
-}  // namespace
-
-ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count, TileScratch& s) {
-    ShadeJob out = material_job(job.front, job.lights, material);
+ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y, std::size_t count, TileScratch& s) {
+    ShadeJob out = material_job(job.front, job.lights, job.front.list.draws[draw].material);
+    set_ray(job.front.view, tile_x, tile_y, out);
     out.count = std::int32_t(count);
     for (std::size_t i = 0; i < batch_padding; ++i) {  // dead lanes repeat the last pixel
-        s.x[count + i] = s.x[count - 1];
-        s.y[count + i] = s.y[count - 1];
+        s.pixel[count + i] = s.pixel[count - 1];
         s.triangle[count + i] = s.triangle[count - 1];
     }
-    out.x = s.x.data();
-    out.y = s.y.data();
+    out.pixel = s.pixel.data();
     out.triangle = s.triangle.data();
     out.triangles = s.triangles.data();
     if (job.points.is_used) out.lit = s.lit.data();
@@ -158,41 +182,25 @@ ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count,
     return out;
 }
 
-void make_records(const TileJob& job, const ScreenTriangle& s, int tile_x, int tile_y, std::size_t record, TileScratch& scratch) {
-    scratch.triangles.resize(record + 1);
-    make_shade_triangle(job.front, s, tile_x, tile_y, scratch.triangles[record]);
-    if (!job.points.is_used) return;
-    scratch.lit.resize(record + 1);
-    make_lit_triangle(job.front, job.points, s, scratch.triangles[record], scratch.lit[record]);
+bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
+    std::vector<DrawRun> runs;
+    find_runs(job, tile, runs);
+    const bool blends = has_blended(job, runs), direct = job.to_srgb8 && !blends;
+    set_background(job.front.settings, direct, s);
+    s.record.assign(job.binned.offsets[tile + 1] - job.binned.offsets[tile], -1);
+    if (runs.size() > most_passes)
+        shade_sorted(job, tile, runs, direct, s);
+    else
+        for (const DrawRun& run : runs)
+            shade_draw(job, tile, run.draw,
+                       std::size_t(job.kernels.collect(s.visible.data(), run.begin, run.end, s.pixel.data())), direct,
+                       s);
+    return blends;
 }
 
-void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
-    const RenderSettings& settings = job.front.settings;
-    std::fill(s.color.begin(), s.color.end(), settings.background);
-    if (settings.channels & channel_normal) std::fill(s.normal.begin(), s.normal.end(), vec3{});
-    if (settings.channels & channel_object) std::fill(s.object.begin(), s.object.end(), none);
-    if (settings.channels & channel_material) std::fill(s.material.begin(), s.material.end(), none);
-    const std::uint32_t first = job.binned.offsets[tile];
-    s.record.assign(job.binned.offsets[tile + 1] - first, -1);
-    s.triangles.clear();
-    s.pixels.clear();
-    find_owners(job, first, s);
-    s.covered += s.pixels.size();
-    group_by_triangle(s.record.size(), s);
-    group_by_material(s);
-    for (std::size_t i = 0; i < s.pixels.size();) {
-        const std::uint32_t material = s.material[s.pixels[i]];
-        std::size_t end = i + 1;
-        while (end < s.pixels.size() && s.material[s.pixels[end]] == material) ++end;
-        shade_run(job, tile, material, s.pixels.data() + i, end - i, s);
-        i = end;
-    }
-    if (settings.channels & channel_material)
-        for (const std::uint32_t p : s.pixels) s.material[p] = job.front.list.materials[s.material[p]].scene_material;
-}
+namespace {
 
-void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
-    if (!job.has_blended) return;
+void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
     struct Layer {
         double place;
         std::uint32_t item;
@@ -213,17 +221,25 @@ void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
         const BlendTest is_before(job.front, t, std::int32_t(layer.item - job.binned.offsets[tile]));
         cover(t, area, ox, oy, [&](int x, int y, float depth) {
             if (!is_before(x, y, ox, oy, depth, s)) return;
-            s.x[count] = x;
-            s.y[count] = y;
+            s.pixel[count] = y * tile_size + x;
             s.triangle[count++] = 0;
         });
         if (count == 0) continue;
-        make_records(job, t, ox, oy, 0, s);
-        const ShadeJob batch = make_job(job, job.front.list.draws[t.draw].material, count, s);
-        job.kernels.shade(&batch);
+        const ScreenTriangle* const only = &t;
+        make_records(job, t.draw, {&only, 1}, ox, oy, s);
+        const ShadeJob batch = make_job(job, t.draw, ox, oy, count, s);
+        s.not_finite += std::uint64_t(job.kernels.shade(&batch));
+        s.shaded += count;
         if (is_lit_at_pixels(batch)) s.lit_pixels += count;
-        store_batch(count, true, s);
+        blend_batch(count, s);
     }
+}
+
+}  // namespace
+
+void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
+    blend_layers(job, tile, s);
+    if (job.to_srgb8) to_srgb8(s.color, 4, {reinterpret_cast<std::uint8_t*>(s.srgb8.data()), 4 * s.srgb8.size()});
 }
 
 }  // namespace rakelight::raster

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel's record of a triangle: edge functions about the tile, attributes of the corners in world axes about the eye.
+// The kernels' records of triangles: by a vector of triangles where the corners are the mesh's; one by one, in double,
+// for the few pieces that clipping made.
 #include <algorithm>
 #include <cmath>
 
@@ -9,99 +10,194 @@
 namespace rakelight::raster {
 namespace {
 
-void set_planes(const FrontEnd& front, const ScreenTriangle& s, const std::uint32_t (&index)[3], int tile_x, int tile_y,
+/// What the triangles of a draw have in common.
+struct DrawRecords {
+    const FrontEnd& front;
+    const Draw& draw;
+    const Mesh& mesh;
+    const DrawMaterial& material;
+    const dmat4& to_eye;
+    dmat3 linear, to_normal;  ///< object -> world axes; for normals the cofactor matrix, mirrored back
+    double mirror;
+
+    DrawRecords(const FrontEnd& f, std::uint32_t number)
+        : front(f),
+          draw(f.list.draws[number]),
+          mesh(f.list.scene.meshes[draw.mesh]),
+          material(f.list.materials[draw.material]),
+          to_eye(f.to_eye[number]),
+          linear(upper_left(to_eye)),
+          to_normal(cofactor(linear)),
+          mirror(draw.mirrored ? -1 : 1) {
+        for (std::size_t c = 0; c < 3; ++c) to_normal[c] = to_normal[c] * mirror;
+    }
+    const vec2* texcoords(std::size_t set) const {
+        return set < mesh.texcoords.size() && !mesh.texcoords[set].empty() ? mesh.texcoords[set].data() : nullptr;
+    }
+};
+
+void set_planes(const DrawRecords& d, const ScreenTriangle& s, const std::uint32_t (&index)[3], int tile_x, int tile_y,
                 ShadeTriangle& out) {
     ClipVertex v[3];
-    double scale = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        v[k] = front.clip[s.draw][index[k]];
-        scale = std::max(scale, std::fabs(double(v[k].w)));  // keeps the sum of the three near 1 at any size of the model
-    }
+    for (std::size_t k = 0; k < 3; ++k) v[k] = d.front.clip[s.draw][index[k]];
     EdgePlanes e;
-    if (!edge_planes(v, front.view, tile_x + 0.5, tile_y + 0.5, e)) e = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}};
-    for (std::size_t k = 0; k < 3; ++k) {
-        out.ex[k] = float(e.ex[k] * scale);
-        out.ey[k] = float(e.ey[k] * scale);
-        out.e0[k] = float(e.e0[k] * scale);
+    if (!edge_planes(v, d.front.view, tile_x + 0.5, tile_y + 0.5, e)) e = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}};
+    const double* const planes[3] = {e.ex, e.ey, e.e0};
+    for (std::size_t c = 0; c < 3; ++c) {
+        out.b1[c] = float(planes[c][1]);
+        out.b2[c] = float(planes[c][2]);
+        double depth = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            depth += planes[c][k] * (d.front.view.orthographic ? double(v[k].distance) : 1.0);
+        out.depth[c] = float(depth);
     }
-}
-
-/// As normalize_or(), whose care for overflow and underflow few vectors need.
-dvec3 unit_or(dvec3 v, dvec3 fallback) {
-    const double square = dot(v, v);
-    return square > 1e-200 && square < 1e200 ? v * (1 / std::sqrt(square)) : normalize_or(v, fallback);
 }
 
 /// a0, a1 - a0, a2 - a0 of a vector attribute.
 void set_deltas(float (&to)[3][3], const dvec3 (&a)[3]) {
     for (std::size_t c = 0; c < 3; ++c) {
-        to[0][c] = float(a[0][c]);
-        to[1][c] = float(a[1][c] - a[0][c]);
-        to[2][c] = float(a[2][c] - a[0][c]);
+        to[c][0] = float(a[0][c]);
+        to[c][1] = float(a[1][c] - a[0][c]);
+        to[c][2] = float(a[2][c] - a[0][c]);
     }
 }
 
-void set_texcoords(float (&to)[3][2], const Mesh& mesh, std::size_t set, const std::uint32_t (&index)[3]) {
-    if (set >= mesh.texcoords.size() || mesh.texcoords[set].empty()) return;
-    const Block<vec2>& uv = mesh.texcoords[set];
+void set_texcoords(float (&to)[2][3], const vec2* uv, const std::uint32_t (&index)[3]) {
+    if (!uv) return;
     for (std::size_t c = 0; c < 2; ++c) {
-        to[0][c] = uv[index[0]][c];
-        to[1][c] = uv[index[1]][c] - to[0][c];
-        to[2][c] = uv[index[2]][c] - to[0][c];
+        to[c][0] = uv[index[0]][c];
+        to[c][1] = uv[index[1]][c] - to[c][0];
+        to[c][2] = uv[index[2]][c] - to[c][0];
     }
 }
 
-void set_colors(float (&to)[3][4], const Mesh& mesh, const std::uint32_t (&index)[3]) {
+void set_colors(float (&to)[4][3], const Mesh& mesh, const std::uint32_t (&index)[3]) {
     for (std::size_t c = 0; c < 4; ++c) {
-        to[0][c] = mesh.colors.empty() ? 1.0f : mesh.colors[index[0]][c];
-        to[1][c] = mesh.colors.empty() ? 0.0f : mesh.colors[index[1]][c] - to[0][c];
-        to[2][c] = mesh.colors.empty() ? 0.0f : mesh.colors[index[2]][c] - to[0][c];
+        to[c][0] = mesh.colors.empty() ? 1.0f : mesh.colors[index[0]][c];
+        to[c][1] = mesh.colors.empty() ? 0.0f : mesh.colors[index[1]][c] - to[c][0];
+        to[c][2] = mesh.colors.empty() ? 0.0f : mesh.colors[index[2]][c] - to[c][0];
     }
 }
 
-/// Whether the shading normal is turned round. A surface that is shown from both sides is lit from the side it is seen from:
-/// by winding where the format gives winding a meaning, else so that the normals agree with the side that faces the viewer.
-float facing(const FrontEnd& front, const ScreenTriangle& s, const dvec3 (&position)[3], const dvec3 (&normal)[3]) {
-    const DrawMaterial& material = front.list.materials[front.list.draws[s.draw].material];
-    if (!material.classical) return s.is_back ? -1.0f : 1.0f;
+/// Whether the shading normal is turned round: the rule of kernels/record_kernel.h. What clipping cut may be seen in
+/// part only, so the side is found in space.
+float facing(const DrawRecords& d, const ScreenTriangle& s, const dvec3 (&position)[3], const dvec3 (&normal)[3]) {
+    if (!d.material.classical) return s.is_back ? -1.0f : 1.0f;
     const dvec3 face = cross(position[1] - position[0], position[2] - position[0]);
-    const dvec3 to_viewer = front.view.orthographic ? front.view.camera_to_world[2].xyz() : -position[0];
+    const dvec3 to_viewer = d.front.view.orthographic ? d.front.view.camera_to_world[2].xyz() : -position[0];
     const double seen = dot(face, to_viewer), agree = dot(face, normal[0] + normal[1] + normal[2]);
     return (seen < 0) != (agree < 0) ? -1.0f : 1.0f;
 }
 
-}  // namespace
-
-void make_shade_triangle(const FrontEnd& front, const ScreenTriangle& s, int tile_x, int tile_y, ShadeTriangle& out) {
-    const Draw& draw = front.list.draws[s.draw];
-    const Mesh& mesh = front.list.scene.meshes[draw.mesh];
-    const dmat4& to_eye = front.to_eye[s.draw];
-    const dmat3 linear = upper_left(to_eye), to_normal = cofactor(linear);
-    const double mirror = draw.mirrored ? -1 : 1;
+void make_piece_record(const DrawRecords& d, const ScreenTriangle& s, int tile_x, int tile_y, ShadeTriangle& out) {
+    const Mesh& mesh = d.mesh;
     std::uint32_t index[3];
     for (std::size_t k = 0; k < 3; ++k) index[k] = mesh.indices[3 * std::size_t(s.triangle) + k];
-
     out = {};
-    set_planes(front, s, index, tile_x, tile_y, out);
+    set_planes(d, s, index, tile_x, tile_y, out);
     dvec3 position[3], normal[3], tangent[3];
-    out.handedness = float(mirror);
+    out.handedness = float(d.mirror);
     for (std::size_t k = 0; k < 3; ++k) {
-        position[k] = transform_point(to_eye, cast<double>(mesh.positions[index[k]]));
-        if (!mesh.normals.empty()) normal[k] = unit_or(to_normal * cast<double>(mesh.normals[index[k]]) * mirror, dvec3{0, 0, 1});
-        if (!mesh.tangents.empty()) tangent[k] = unit_or(linear * cast<double>(mesh.tangents[index[k]].xyz()), dvec3{});
+        position[k] = transform_point(d.to_eye, cast<double>(mesh.positions[index[k]]));
+        if (!mesh.normals.empty())
+            normal[k] = normalize_or(d.to_normal * cast<double>(mesh.normals[index[k]]), dvec3{0, 0, 1});
+        if (!mesh.tangents.empty())
+            tangent[k] = normalize_or(d.linear * cast<double>(mesh.tangents[index[k]].xyz()), dvec3{});
     }
-    if (mesh.normals.empty()) {
-        const dvec3 face = unit_or(cross(position[1] - position[0], position[2] - position[0]) * mirror, dvec3{0, 0, 1});
-        std::fill(normal, normal + 3, face);
-    }
-    if (!mesh.tangents.empty()) out.handedness = float(mirror) * mesh.tangents[index[0]].w;
-    set_deltas(out.position, position);
+    if (mesh.normals.empty())
+        std::fill(normal, normal + 3,
+                  normalize_or(cross(position[1] - position[0], position[2] - position[0]) * d.mirror, dvec3{0, 0, 1}));
+    if (!mesh.tangents.empty()) out.handedness *= mesh.tangents[index[0]].w;
     set_deltas(out.normal, normal);
     set_deltas(out.tangent, tangent);
-    set_texcoords(out.texcoord0, mesh, 0, index);
-    set_texcoords(out.texcoord1, mesh, 1, index);
+    set_texcoords(out.texcoord0, d.texcoords(0), index);
+    set_texcoords(out.texcoord1, d.texcoords(1), index);
     set_colors(out.color, mesh, index);
-    out.facing = facing(front, s, position, normal);
+    out.facing = facing(d, s, position, normal);
+}
+
+/// Rows of a matrix as floats, scaled so that none is out of their range: only directions count.
+void set_rows(float (&to)[3][3], const dmat3& m) {
+    double largest = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t r = 0; r < 3; ++r) largest = std::max(largest, std::fabs(m[c][r]));
+    const double scale = largest > 0 && std::isfinite(largest) ? 1 / largest : 1;
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t r = 0; r < 3; ++r) to[r][c] = float(m[c][r] * scale);
+}
+
+bool uses_second_set(const MaterialView& m) {
+    const TextureSlot* const slots[] = {&m.base_color_map, &m.normal_map,   &m.emission_map,          &m.occlusion_map,
+                                        &m.opacity_map,    &m.specular_map, &m.metallic_roughness_map};
+    return std::any_of(std::begin(slots), std::end(slots),
+                       [](const TextureSlot* s) { return s->view && s->texcoord_set != 0; });
+}
+
+RecordJob record_job(const DrawRecords& d, std::uint32_t number, bool whole) {
+    const Mesh& mesh = d.mesh;
+    RecordJob job{};
+    job.indices = mesh.indices.data();
+    job.vertices = std::int32_t(mesh.positions.size());
+    job.clip = &d.front.clip[number][0].x;
+    job.positions = &mesh.positions[0].x;
+    if (!mesh.normals.empty()) job.normals = &mesh.normals[0].x;
+    if (!mesh.tangents.empty()) job.tangents = &mesh.tangents[0].x;
+    for (std::size_t set = 0; set < 2; ++set)
+        if (const vec2* const uv = d.texcoords(set)) job.texcoords[set] = &uv->x;
+    if (!mesh.colors.empty()) job.colors = &mesh.colors[0].x;
+    set_rows(job.to_normal, d.to_normal);
+    set_rows(job.linear, d.linear);
+    job.mirror = float(d.mirror);
+    job.by_winding = !d.material.classical;
+    job.whole = whole || d.material.view.vertex_colors || uses_second_set(d.material.view);
+    job.orthographic = job.affine = d.front.view.orthographic;
+    return job;
+}
+
+/// The corners in the mesh's order, about the tile's first pixel center.
+void set_corners(const ScreenTriangle& s, bool by_winding, int tile_x, int tile_y, std::size_t i, RecordInput& in) {
+    const std::int32_t x0 = (tile_x << subpixel_bits) + 128, y0 = (tile_y << subpixel_bits) + 128;
+    in.triangle[i] = std::int32_t(s.triangle);
+    const std::size_t second = s.is_swapped ? 2 : 1;
+    in.x[0][i] = s.x0 - x0, in.y[0][i] = s.y0 - y0;
+    in.x[second][i] = s.x1 - x0, in.y[second][i] = s.y1 - y0;
+    in.x[3 - second][i] = s.x2 - x0, in.y[3 - second][i] = s.y2 - y0;
+    in.is_turned[i] = by_winding ? s.is_back : !s.is_swapped;
+}
+
+}  // namespace
+
+void RecordInput::resize(std::size_t count) {
+    for (std::vector<std::int32_t>* v : {&triangle, &x[0], &x[1], &x[2], &y[0], &y[1], &y[2], &is_turned})
+        if (v->size() < count + batch_padding) v->resize(count + batch_padding);
+}
+
+void make_records(const TileJob& job, std::uint32_t draw, std::span<const ScreenTriangle* const> triangles, int tile_x,
+                  int tile_y, TileScratch& s) {
+    const DrawRecords d(job.front, draw);
+    RecordInput& in = s.record_input;
+    in.resize(triangles.size());
+    if (s.triangles.size() < triangles.size() + batch_padding) s.triangles.resize(triangles.size() + batch_padding);
+    bool has_piece = false;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        set_corners(*triangles[i], !d.material.classical, tile_x, tile_y, i, in);
+        has_piece |= triangles[i]->is_piece;
+    }
+    for (std::size_t i = triangles.size(); i < triangles.size() + batch_padding; ++i)
+        in.triangle[i] = in.triangle[triangles.size() - 1];
+    RecordJob kernel_job = record_job(d, draw, job.whole_records);
+    kernel_job.count = std::int32_t(triangles.size());
+    kernel_job.triangle = in.triangle.data();
+    for (std::size_t k = 0; k < 3; ++k) kernel_job.x[k] = in.x[k].data(), kernel_job.y[k] = in.y[k].data();
+    kernel_job.is_turned = in.is_turned.data();
+    kernel_job.out = s.triangles.data();
+    job.kernels.record(&kernel_job);
+    for (std::size_t i = 0; i < triangles.size() && has_piece; ++i)
+        if (triangles[i]->is_piece) make_piece_record(d, *triangles[i], tile_x, tile_y, s.triangles[i]);
+    if (!job.points.is_used) return;
+    s.lit.resize(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        make_lit_triangle(job.front, job.points, *triangles[i], s.triangles[i], s.lit[i]);
 }
 
 }  // namespace rakelight::raster

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One tile of the picture: visibility first, so that each pixel is shaded once whatever the overdraw, then shading.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "engines/raster/front_end.h"
@@ -19,6 +20,14 @@ struct TileJob {
     const Kernels& kernels;
     bool has_blended;  ///< some material blends
     const LightPoints& points;
+    bool to_srgb8 = false;       ///< the sink takes display values
+    bool whole_records = false;  ///< records have what no texture of their material needs, too: for inspection
+};
+
+/// Arrays for the record kernel: triangles of one draw. [count + batch_padding]
+struct RecordInput {
+    std::vector<std::int32_t> triangle, x[3], y[3], is_turned;
+    void resize(std::size_t count);
 };
 
 /// Working memory of one tile; used again by the next one.
@@ -28,18 +37,21 @@ struct TileScratch {
     std::vector<std::int32_t> visible = std::vector<std::int32_t>(tile_pixels);
     std::vector<double> order;  ///< [tile_pixels] of what is seen, in pictures by another method (visibility_methods.h)
     // A batch for the kernel. [tile_pixels + batch_padding]
-    std::vector<std::int32_t> x = batch<std::int32_t>(), y = batch<std::int32_t>(), triangle = batch<std::int32_t>();
+    std::vector<std::int32_t> pixel = batch<std::int32_t>(), triangle = batch<std::int32_t>();
+    std::vector<std::uint32_t> codes = batch<std::uint32_t>();
     std::vector<float> red = batch<float>(), green = batch<float>(), blue = batch<float>(), alpha = batch<float>();
     std::vector<float> normal_x = batch<float>(), normal_y = batch<float>(), normal_z = batch<float>();
     std::vector<float> batch_depth = batch<float>();
     std::vector<ShadeTriangle> triangles;
     std::vector<LitTriangle> lit;        ///< beside `triangles` in flat and Gouraud pictures
-    std::vector<std::int32_t> record;    ///< [list] position in the list -> in `triangles`, -1: not yet made
-    std::vector<std::uint32_t> pixels;   ///< covered pixels, those of one material together
-    std::vector<std::uint32_t> tally;    ///< [list + 1] pixels of each triangle
-    std::vector<std::uint32_t> grouped;  ///< where they are brought together
+    RecordInput record_input;
+    std::vector<std::int32_t> record;           ///< [list] position in the list -> in `triangles`, -1: not wanted
+    std::vector<const ScreenTriangle*> wanted;  ///< whose records are to be made
+    std::vector<std::int32_t> sorted;  ///< covered pixels of tiles with very many draws, those of one draw together
     // The result, [tile_pixels], row by row of the whole tile.
     std::vector<vec4> color = std::vector<vec4>(tile_pixels);
+    std::vector<std::uint32_t> srgb8 =
+        std::vector<std::uint32_t>(tile_pixels);  ///< in place of `color` where the sink takes display values
     std::vector<vec3> normal = std::vector<vec3>(tile_pixels);
     std::vector<std::uint32_t> object = std::vector<std::uint32_t>(tile_pixels), material = std::vector<std::uint32_t>(tile_pixels);
     std::uint64_t covered = 0, shaded = 0, not_finite = 0;
@@ -53,16 +65,17 @@ struct TileScratch {
 
 /// Nearest opaque (or masked, where its texture is opaque) triangle of every pixel.
 void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch);
-/// Colors of the visible pixels.
-void shade_opaque(const TileJob& job, std::size_t tile, TileScratch& scratch);
+/// Colors of the visible pixels. True where something is to be blended over them.
+bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& scratch);
 /// Blended triangles over them, far to near.
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& scratch);
 
-/// The kernel's record of one triangle, about the tile's first pixel center.
-void make_shade_triangle(const FrontEnd& front, const ScreenTriangle& s, int tile_x, int tile_y, ShadeTriangle& out);
-/// The same, and where lighting is not evaluated at the pixels the light of its corners: number `record` of the scratch's arrays.
-void make_records(const TileJob& job, const ScreenTriangle& s, int tile_x, int tile_y, std::size_t record, TileScratch& scratch);
-/// A job for `count` pixels of the batch arrays, all of one material; pads the arrays.
-ShadeJob make_job(const TileJob& job, std::uint32_t material, std::size_t count, TileScratch& scratch);
+/// The kernel's records of triangles of one draw, about the tile's first pixel center, into `triangles` of the scratch;
+/// where lighting is not evaluated at the pixels, the light of their corners into `lit`.
+void make_records(const TileJob& job, std::uint32_t draw, std::span<const ScreenTriangle* const> triangles, int tile_x,
+                  int tile_y, TileScratch& scratch);
+/// A job for `count` pixels of the batch arrays, all of one draw; pads the arrays.
+ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y, std::size_t count,
+                  TileScratch& scratch);
 
 }  // namespace rakelight::raster

@@ -15,21 +15,19 @@ void cover_masked(const TileJob& job, const ScreenTriangle& s, std::int32_t posi
     std::size_t count = 0;
     cover(s, area, ox, oy, [&](int x, int y, float depth) {
         if (!(depth > scratch.depth[std::size_t(y * tile_size + x)])) return;
-        scratch.x[count] = x;
-        scratch.y[count] = y;
+        scratch.pixel[count] = y * tile_size + x;
         scratch.triangle[count] = 0;
         scratch.batch_depth[count++] = depth;
     });
     if (count == 0) return;
-    scratch.triangles.resize(1);
-    make_shade_triangle(job.front, s, ox, oy, scratch.triangles[0]);
-    const std::uint32_t material = job.front.list.draws[s.draw].material;
-    const ShadeJob batch = make_job(job, material, count, scratch);
+    const ScreenTriangle* const only = &s;
+    make_records(job, s.draw, {&only, 1}, ox, oy, scratch);
+    const ShadeJob batch = make_job(job, s.draw, ox, oy, count, scratch);
     job.kernels.alpha(&batch);
     const float cutoff = batch.material->alpha_cutoff;
     for (std::size_t i = 0; i < count; ++i) {
         if (!(scratch.alpha[i] >= cutoff)) continue;
-        const auto p = std::size_t(scratch.y[i] * tile_size + scratch.x[i]);
+        const auto p = std::size_t(scratch.pixel[i]);
         scratch.depth[p] = scratch.batch_depth[i];
         scratch.visible[p] = position;
         ++scratch.depth_passes;

@@ -23,7 +23,7 @@ public:
         const std::uint32_t material = job_.front.list.draws[t.draw].material;
         const MaterialView& view = job_.front.list.materials[material].view;
         if (view.blend) return;
-        if (view.alpha_cutoff >= 0) return add_masked(t, position, material, view.alpha_cutoff);
+        if (view.alpha_cutoff >= 0) return add_masked(t, position, view.alpha_cutoff);
         for_each_seen(t, [&](int x, int y, float depth, double order) { keep(std::size_t(y * tile_size + x), position, depth, order); });
     }
 
@@ -46,23 +46,22 @@ private:
     }
 
     /// The pixels that would be visible ask the texture first.
-    void add_masked(const ScreenTriangle& t, std::int32_t position, std::uint32_t material, float cutoff) {
+    void add_masked(const ScreenTriangle& t, std::int32_t position, float cutoff) {
         std::size_t count = 0;
         std::vector<double> orders;
         for_each_seen(t, [&](int x, int y, float depth, double order) {
-            s_.x[count] = x;
-            s_.y[count] = y;
+            s_.pixel[count] = y * tile_size + x;
             s_.triangle[count] = 0;
             s_.batch_depth[count++] = depth;
             orders.push_back(order);
         });
         if (count == 0) return;
-        s_.triangles.resize(1);
-        make_shade_triangle(job_.front, t, ox_, oy_, s_.triangles[0]);
-        const ShadeJob batch = make_job(job_, material, count, s_);
+        const ScreenTriangle* const only = &t;
+        make_records(job_, t.draw, {&only, 1}, ox_, oy_, s_);
+        const ShadeJob batch = make_job(job_, t.draw, ox_, oy_, count, s_);
         job_.kernels.alpha(&batch);
         for (std::size_t i = 0; i < count; ++i)
-            if (s_.alpha[i] >= cutoff) keep(std::size_t(s_.y[i] * tile_size + s_.x[i]), position, s_.batch_depth[i], orders[i]);
+            if (s_.alpha[i] >= cutoff) keep(std::size_t(s_.pixel[i]), position, s_.batch_depth[i], orders[i]);
     }
 
     const TileJob& job_;

@@ -281,7 +281,9 @@ TEST_P(AgainstBruteForce, ColorsNormalsDepthsAndObjectsAgreeInsideTriangles) {
             const dvec3 color = reference.color(ray, *hit, x, y), normal = reference.normal(ray, *hit, x, y);
             const vec4 is = frame.color[at];
             EXPECT_NEAR(frame.depth[at], hit->t, 2e-5 * hit->t) << px << ", " << py;
-            EXPECT_NEAR(length(cast<double>(frame.normal[at]) - normal), 0, 1e-3) << px << ", " << py << " node " << hit->node;
+            // Attributes are those of the triangle with its corners on the grid of 1/256 pixel.
+            EXPECT_NEAR(length(cast<double>(frame.normal[at]) - normal), 0, 5e-3)
+                << px << ", " << py << " node " << hit->node;
             EXPECT_NEAR(length(dvec3{is.x, is.y, is.z} - color), 0, 1.0 / 255) << px << ", " << py << " node " << hit->node;
         }
     EXPECT_GT(compared, width * height * 9 / 10);

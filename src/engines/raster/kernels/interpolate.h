@@ -7,25 +7,41 @@
 namespace rakelight::raster::RL_ISA {
 RL_USE_WIDE;
 
-/// Numbers of the triangles' records, one record a lane. Where all lanes have the same triangle (most runs) they are
-/// broadcast instead of gathered; the values are the same.
+/// Numbers of the triangles' records, one record a lane. Lanes of one triangle get them by one broadcast: a gather
+/// would read lane by lane, and neighbors mostly share a triangle.
 struct Records {
-    const float* base;
-    integer offset;   ///< of each lane's record
-    bool is_uniform;
+    int32_t count = 1;  ///< of different triangles
+    const float* base[lanes];
+    mask lanes_of[lanes];
 
-    Records(const ShadeTriangle* triangles, integer triangle)
-        : Records(reinterpret_cast<const float*>(triangles), shade_triangle_floats, triangle) {}
     /// Records of `floats` floats each.
-    Records(const float* records, int32_t floats, integer triangle) {
-        const int32_t first = lane(triangle, 0);
-        is_uniform = all_lanes(triangle == integer(first));
-        base = records + (is_uniform ? int64_t(first) * floats : 0);
-        offset = triangle * integer(floats);
+    Records(const float* records, int32_t floats, const int32_t* triangle) {
+        const integer all = load_i(triangle);
+        base[0] = records + int64_t(triangle[0]) * floats;
+        uint32_t others = lane_bits(all != integer(triangle[0]));
+        while (others != 0) {
+            const int32_t next = triangle[__builtin_ctz(others)];
+            const mask same = all == integer(next);
+            others &= ~lane_bits(same);
+            base[count] = records + int64_t(next) * floats;
+            lanes_of[count++] = same;
+        }
+    }
+    Records(const ShadeTriangle* triangles, const int32_t* triangle)
+        : Records(reinterpret_cast<const float*>(triangles), shade_triangle_floats, triangle) {}
+
+    /// `n` numbers that follow one another.
+    template <int n>
+    void get(size_t member_offset, real* out) const {
+        const int32_t at = int32_t(member_offset / sizeof(float));
+        for (int k = 0; k < n; ++k) out[k] = broadcast(base[0][at + k]);
+        for (int32_t i = 1; i < count; ++i)
+            for (int k = 0; k < n; ++k) out[k] = select(lanes_of[i], broadcast(base[i][at + k]), out[k]);
     }
     real operator()(size_t member_offset) const {
-        const int32_t k = int32_t(member_offset / sizeof(float));
-        return is_uniform ? broadcast(base[k]) : gather(base, offset + integer(k));
+        real one;
+        get<1>(member_offset, &one);
+        return one;
     }
 };
 
@@ -35,43 +51,51 @@ struct Barycentrics {
     real b1_dx, b1_dy, b2_dx, b2_dy;
 };
 
-inline Barycentrics barycentrics(const Records& r, real x, real y) {
-    real e[3], ex[3], ey[3];
-    for (size_t k = 0; k < 3; ++k) {
-        ex[k] = r(offsetof(ShadeTriangle, ex) + k * sizeof(float));
-        ey[k] = r(offsetof(ShadeTriangle, ey) + k * sizeof(float));
-        e[k] = ex[k] * x + ey[k] * y + r(offsetof(ShadeTriangle, e0) + k * sizeof(float));
-    }
-    const real sum = e[0] + e[1] + e[2];
-    const mask is_in_front = sum > real(0.0f);
-    const real inverse = reciprocal(select(is_in_front, sum, real(1.0f)));
-    const real sum_x = ex[0] + ex[1] + ex[2], sum_y = ey[0] + ey[1] + ey[2];
+/// Barycentrics and depth of pixels.
+struct Place {
     Barycentrics b;
-    const real b1 = e[1] * inverse, b2 = e[2] * inverse;
-    b.b1_dx = (ex[1] - b1 * sum_x) * inverse;
-    b.b1_dy = (ey[1] - b1 * sum_y) * inverse;
-    b.b2_dx = (ex[2] - b2 * sum_x) * inverse;
-    b.b2_dy = (ey[2] - b2 * sum_y) * inverse;
-    // A pixel whose center lies in the snapped triangle may lie just outside the true one; a sliver would throw its
-    // attributes far out. They stay in the triangle.
-    b.b1 = clamp(b1, real(0.0f), real(1.0f));
-    b.b2 = clamp(b2, real(0.0f), real(1.0f) - b.b1);
-    return b;
+    real depth;  ///< perspective: w; orthographic: the distance
+};
+
+inline Place place_of(const Records& r, real x, real y, bool affine, bool orthographic) {
+    real plane[9];
+    r.get<9>(offsetof(ShadeTriangle, b1), plane);
+    const auto at = [&](int k) { return plane[k] * x + plane[k + 1] * y + plane[k + 2]; };
+    Place p;
+    const real d = at(6);
+    p.depth = orthographic ? d : reciprocal(select(d > real(0.0f), d, real(1.0f)));
+    real b1 = at(0), b2 = at(3);
+    if (affine) {
+        p.b.b1_dx = plane[0], p.b.b1_dy = plane[1];
+        p.b.b2_dx = plane[3], p.b.b2_dy = plane[4];
+    } else {
+        const real w = p.depth;
+        b1 = b1 * w, b2 = b2 * w;
+        p.b.b1_dx = (plane[0] - b1 * plane[6]) * w;
+        p.b.b1_dy = (plane[1] - b1 * plane[7]) * w;
+        p.b.b2_dx = (plane[3] - b2 * plane[6]) * w;
+        p.b.b2_dy = (plane[4] - b2 * plane[7]) * w;
+    }
+    // A pixel of a sliver may by rounding lie outside of it, and that would throw its attributes far out: they stay
+    // inside.
+    p.b.b1 = clamp(b1, real(0.0f), real(1.0f));
+    p.b.b2 = clamp(b2, real(0.0f), real(1.0f) - p.b.b1);
+    return p;
 }
 
-inline real interpolate(const Records& r, const Barycentrics& b, size_t member_offset, size_t stride) {
-    const size_t step = stride * sizeof(float);
-    return r(member_offset) + b.b1 * r(member_offset + step) + b.b2 * r(member_offset + 2 * step);
-}
+/// a0, a1 - a0, a2 - a0 -> the value at the pixel.
+inline real interpolate(const real* a, const Barycentrics& b) { return a[0] + b.b1 * a[1] + b.b2 * a[2]; }
 
 inline vec3 interpolate3(const Records& r, const Barycentrics& b, size_t member_offset) {
-    return vec3(interpolate(r, b, member_offset, 3), interpolate(r, b, member_offset + sizeof(float), 3),
-                interpolate(r, b, member_offset + 2 * sizeof(float), 3));
+    real a[9];
+    r.get<9>(member_offset, a);
+    return vec3(interpolate(a, b), interpolate(a + 3, b), interpolate(a + 6, b));
 }
 
 inline vec4 interpolate_color(const Records& r, const Barycentrics& b) {
-    const size_t at = offsetof(ShadeTriangle, color);
-    return vec4(interpolate(r, b, at, 4), interpolate(r, b, at + 4, 4), interpolate(r, b, at + 8, 4), interpolate(r, b, at + 12, 4));
+    real a[12];
+    r.get<12>(offsetof(ShadeTriangle, color), a);
+    return vec4(interpolate(a, b), interpolate(a + 3, b), interpolate(a + 6, b), interpolate(a + 9, b));
 }
 
 /// Texture coordinates with their change from pixel to pixel.
@@ -80,15 +104,11 @@ struct TexCoords {
 };
 
 inline TexCoords texcoords(const Records& r, const Barycentrics& b, int set) {
-    const size_t at = set == 0 ? offsetof(ShadeTriangle, texcoord0) : offsetof(ShadeTriangle, texcoord1);
-    real value[2], dx[2], dy[2];
-    for (size_t c = 0; c < 2; ++c) {
-        const real a0 = r(at + 4 * c), d1 = r(at + 8 + 4 * c), d2 = r(at + 16 + 4 * c);
-        value[c] = a0 + b.b1 * d1 + b.b2 * d2;
-        dx[c] = b.b1_dx * d1 + b.b2_dx * d2;
-        dy[c] = b.b1_dy * d1 + b.b2_dy * d2;
-    }
-    return {vec2(value[0], value[1]), vec2(dx[0], dx[1]), vec2(dy[0], dy[1])};
+    real a[6];
+    r.get<6>(set == 0 ? offsetof(ShadeTriangle, texcoord0) : offsetof(ShadeTriangle, texcoord1), a);
+    return {vec2(interpolate(a, b), interpolate(a + 3, b)),
+            vec2(b.b1_dx * a[1] + b.b2_dx * a[2], b.b1_dx * a[4] + b.b2_dx * a[5]),
+            vec2(b.b1_dy * a[1] + b.b2_dy * a[2], b.b1_dy * a[4] + b.b2_dy * a[5])};
 }
 
 }  // namespace rakelight::raster::RL_ISA

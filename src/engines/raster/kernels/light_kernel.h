@@ -71,7 +71,7 @@ static void light(const LightJob* job) {
 }
 
 /// The light of each pixel's triangle at the pixel, perspective-correct.
-inline ReceivedLight interpolate_light(const LitTriangle* triangles, integer triangle, const Barycentrics& b) {
+inline ReceivedLight interpolate_light(const LitTriangle* triangles, const int32_t* triangle, const Barycentrics& b) {
     const Records records(reinterpret_cast<const float*>(triangles), lit_triangle_floats, triangle);
     return {interpolate3(records, b, offsetof(LitTriangle, ambient)),
             interpolate3(records, b, offsetof(LitTriangle, diffuse)),

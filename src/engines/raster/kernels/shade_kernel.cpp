@@ -3,8 +3,10 @@
 // math/wide.h and what stands on it.
 #include <stddef.h>
 
+#include "engines/raster/kernels/collect_kernel.h"
 #include "engines/raster/kernels/cover_kernel.h"
 #include "engines/raster/kernels/light_kernel.h"
+#include "engines/raster/kernels/record_kernel.h"
 #include "engines/raster/kernels/sample.h"
 
 namespace rakelight::raster::RL_ISA {
@@ -15,13 +17,18 @@ struct Pixels {
     Barycentrics b;
     TexCoords texcoords[2];
     vec3 position;  ///< relative to the eye
-    integer triangle;
+    const int32_t* triangle;
 
     Pixels(const ShadeJob& job, int32_t first)
-        : records(job.triangles, load_i(job.triangle + first)),
-          b(barycentrics(records, to_real(load_i(job.x + first)), to_real(load_i(job.y + first)))),
-          position(interpolate3(records, b, offsetof(ShadeTriangle, position))),
-          triangle(load_i(job.triangle + first)) {}
+        : records(job.triangles, job.triangle + first), triangle(job.triangle + first) {
+        const integer pixel = load_i(job.pixel + first);
+        const real x = to_real(pixel & integer(tile_size - 1)), y = to_real(shift_right_logical(pixel, tile_bits));
+        const Place place = place_of(records, x, y, job.affine != 0, job.orthographic != 0);
+        b = place.b;
+        const auto ray = [&](int c) { return real(job.ray[c][0]) * x + real(job.ray[c][1]) * y + real(job.ray[c][2]); };
+        position = vec3(ray(0), ray(1), ray(2));
+        position = job.orthographic != 0 ? position - splat(job.view_direction) * place.depth : position * place.depth;
+    }
 };
 
 inline vec3 rgb(vec4 v) { return vec3(v.x, v.y, v.z); }
@@ -126,25 +133,56 @@ inline vec3 lit_color(const ShadeJob& job, const Pixels& p, vec4 color, const li
     return sum;
 }
 
-inline void shade_vector(const ShadeJob& job, int32_t first) {
+/// What is not finite becomes 0 and is counted, in the first `alive` lanes.
+inline real only_finite(real v, int32_t alive, int32_t& not_finite) {
+    const mask is_finite = v - v == real(0.0f);
+    if (all_lanes(is_finite)) return v;
+    not_finite += __builtin_popcount(lane_bits(!is_finite) & ((uint32_t(2) << (alive - 1)) - 1));
+    return select(is_finite, v, real(0.0f));
+}
+
+/// Linear -> correctly rounded sRGB codes: SrgbEncoder (image/srgb_encoder.h) for a vector.
+inline integer srgb8(const uint32_t* table, real linear) {
+    const real clamped = min(max(linear, real(srgb_lowest)), real(srgb_highest));
+    const integer above = bits_of(clamped) - bits_of(real(srgb_lowest));
+    const integer entry = gather_i(table, shift_right_logical(above, srgb_bucket_bits));
+    const mask is_over = (above & integer(0xffff)) >= (entry & integer(0x1ffff));
+    return shift_right_logical(entry, 24) + select(is_over, integer(1), integer(0));
+}
+
+inline int32_t shade_vector(const ShadeJob& job, int32_t first) {
     Pixels p(job, first);
     find_texcoords(*job.material, p);
     const BaseColor base = base_color(*job.material, p);
-    const bool needs_normal = job.lit == nullptr || job.normal_x != nullptr;
+    const bool needs_normal = (job.lit == nullptr && job.unlit == 0) || job.normal_x != nullptr;
     const lit::Surface surface = needs_normal ? surface_of(job, p, base) : reflectance_of(*job.material, p, base);
-    const vec3 radiance = lit_color(job, p, base.color, surface);
-    store(job.red + first, radiance.x);
-    store(job.green + first, radiance.y);
-    store(job.blue + first, radiance.z);
-    store(job.alpha + first, base.color.w);
-    if (job.normal_x == nullptr) return;
+    vec3 radiance = lit_color(job, p, base.color, surface);
+    const int32_t alive = job.count - first < lanes ? job.count - first : lanes;
+    int32_t not_finite = 0;
+    radiance.x = only_finite(radiance.x, alive, not_finite);
+    radiance.y = only_finite(radiance.y, alive, not_finite);
+    radiance.z = only_finite(radiance.z, alive, not_finite);
+    if (job.srgb8 != nullptr) {
+        const integer codes = srgb8(job.srgb_table, radiance.x) | (srgb8(job.srgb_table, radiance.y) << 8) |
+                              (srgb8(job.srgb_table, radiance.z) << 16) | integer(int32_t(0xff000000u));
+        store(reinterpret_cast<int32_t*>(job.srgb8 + first), codes);
+    } else {
+        store(job.red + first, radiance.x);
+        store(job.green + first, radiance.y);
+        store(job.blue + first, radiance.z);
+        store(job.alpha + first, base.color.w);
+    }
+    if (job.normal_x == nullptr) return not_finite;
     store(job.normal_x + first, surface.n.x);
     store(job.normal_y + first, surface.n.y);
     store(job.normal_z + first, surface.n.z);
+    return not_finite;
 }
 
-static void shade(const ShadeJob* job) {
-    for (int32_t i = 0; i < job->count; i += lanes) shade_vector(*job, i);
+static int32_t shade(const ShadeJob* job) {
+    int32_t not_finite = 0;
+    for (int32_t i = 0; i < job->count; i += lanes) not_finite += shade_vector(*job, i);
+    return not_finite;
 }
 
 static void alpha(const ShadeJob* job) {
@@ -156,7 +194,7 @@ static void alpha(const ShadeJob* job) {
 }
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, cover, shade, alpha, light};
+    static constexpr Kernels table = {lanes, cover, collect, record, shade, alpha, light};
     return &table;
 }
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shading records of triangles, a vector of triangles of one draw at a time: planes of the barycentrics over the
+// screen, attributes of the corners in world axes. Per instruction set.
+#pragma once
+#include "engines/raster/kernels/interpolate.h"
+#include "math/wide_rows.h"
+
+namespace rakelight::raster::RL_ISA {
+using rakelight::wide::RL_ISA::load_vectors;
+using rakelight::wide::RL_ISA::store_columns4;
+
+/// The vertices at the three corners of `lanes` triangles.
+struct Corners {
+    int32_t index[3][lanes];
+    bool has_last;  ///< the last vertex is among them: what follows it in memory is not ours
+
+    Corners(const RecordJob& job, int32_t first) {
+        const integer triangle = load_i(job.triangle + first);
+        mask is_last = mask(false);
+        for (int32_t k = 0; k < 3; ++k) {
+            const integer i = gather_i(job.indices, triangle * integer(3) + integer(k));
+            store(index[k], i);
+            is_last = is_last || i == integer(job.vertices - 1);
+        }
+        has_last = any_lane(is_last);
+    }
+};
+
+/// `width` floats of each lane's vertex at corner k.
+template <int width>
+inline void load_corner(const float* base, const Corners& c, int32_t k, real* v) {
+    if (!c.has_last || width == 4)
+        return load_vectors<width, 1>(base, reinterpret_cast<const uint32_t*>(c.index[k]), v);
+    for (int32_t j = 0; j < width; ++j) v[j] = gather(base + j, load_i(c.index[k]) * integer(width));
+}
+
+inline vec3 load_corner3(const float* base, const Corners& c, int32_t k) {
+    real v[3];
+    load_corner<3>(base, c, k, v);
+    return vec3(v[0], v[1], v[2]);
+}
+
+/// What a record has in common with its neighbors in memory: written four floats at a time.
+struct RecordWriter {
+    float* out;
+    template <int n>
+    void put(size_t member_offset, const real* v) const {
+        static_assert(n % 4 == 0);
+        for (int k = 0; k < n; k += 4)
+            store_columns4(out + member_offset / sizeof(float) + k, shade_triangle_floats, v + k);
+    }
+};
+
+/// The affine barycentrics b1 and b2 as planes: change per pixel in x and y, value at the origin.
+inline void affine_planes(const RecordJob& job, int32_t first, real (&b1)[3], real (&b2)[3]) {
+    const integer xi = load_i(job.x[0] + first), yi = load_i(job.y[0] + first);
+    const real x0 = to_real(xi), y0 = to_real(yi);
+    const real dx1 = to_real(load_i(job.x[1] + first) - xi), dy1 = to_real(load_i(job.y[1] + first) - yi);
+    const real dx2 = to_real(load_i(job.x[2] + first) - xi), dy2 = to_real(load_i(job.y[2] + first) - yi);
+    const real area = dx1 * dy2 - dy1 * dx2;
+    const real inverse = reciprocal(select(area == real(0.0f), real(1.0f), area));
+    const real subpixels(256.0f);
+    b1[0] = dy2 * subpixels * inverse;
+    b1[1] = -dx2 * subpixels * inverse;
+    b1[2] = (y0 * dx2 - x0 * dy2) * inverse;
+    b2[0] = -dy1 * subpixels * inverse;
+    b2[1] = dx1 * subpixels * inverse;
+    b2[2] = (x0 * dy1 - y0 * dx1) * inverse;
+}
+
+/// b1, b2 and depth of the record, and the handedness, which follows them.
+inline void put_planes(const RecordJob& job, int32_t first, const Corners& c, real handedness, const RecordWriter& to) {
+    real v[12], b1[3], b2[3], key[3];
+    affine_planes(job, first, b1, b2);
+    for (int32_t k = 0; k < 3; ++k) {
+        real clip[4];
+        load_corner<4>(job.clip, c, k, clip);
+        key[k] = job.orthographic != 0 ? clip[3] : reciprocal(clip[2]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        v[i] = job.affine != 0 ? b1[i] : b1[i] * key[1];
+        v[3 + i] = job.affine != 0 ? b2[i] : b2[i] * key[2];
+        v[6 + i] = b1[i] * (key[1] - key[0]) + b2[i] * (key[2] - key[0]);
+    }
+    v[8] = v[8] + key[0];
+    v[9] = handedness;
+    v[10] = v[11] = real(0.0f);  // texcoord0, written after
+    to.put<12>(offsetof(ShadeTriangle, b1), v);
+}
+
+/// a0, a1 - a0, a2 - a0 of a vector attribute.
+inline void set_deltas(const vec3 (&a)[3], real* v) {
+    v[0] = a[0].x, v[1] = a[1].x - a[0].x, v[2] = a[2].x - a[0].x;
+    v[3] = a[0].y, v[4] = a[1].y - a[0].y, v[5] = a[2].y - a[0].y;
+    v[6] = a[0].z, v[7] = a[1].z - a[0].z, v[8] = a[2].z - a[0].z;
+}
+
+inline vec3 transformed(const float (&rows)[3][3], vec3 v) {
+    const auto row = [&](int r) { return real(rows[r][0]) * v.x + real(rows[r][1]) * v.y + real(rows[r][2]) * v.z; };
+    return vec3(row(0), row(1), row(2));
+}
+
+/// Normal of the face in world axes, not unit.
+inline vec3 face_normal(const RecordJob& job, const Corners& c) {
+    const vec3 p0 = load_corner3(job.positions, c, 0);
+    return transformed(job.to_normal,
+                       cross(load_corner3(job.positions, c, 1) - p0, load_corner3(job.positions, c, 2) - p0));
+}
+
+/// -1 where the shading normal is to be turned round: by winding where the format gives winding a meaning, else so that
+/// the normals agree with the side that is seen.
+inline real facing_of(const RecordJob& job, int32_t first, const Corners& c, const vec3 (&normal)[3]) {
+    mask is_turned = load_i(job.is_turned + first) != integer(0);
+    if (job.by_winding == 0) {
+        const real agreement = dot(face_normal(job, c), normal[0] + normal[1] + normal[2]) * real(job.mirror);
+        const mask disagrees = agreement < real(0.0f);
+        is_turned = (is_turned && !disagrees) || (!is_turned && disagrees);
+    }
+    return select(is_turned, real(-1.0f), real(1.0f));
+}
+
+inline void put_texcoords(const float* base, const Corners& c, real* v) {
+    real at[3][2];
+    for (int32_t k = 0; k < 3; ++k) load_corner<2>(base, c, k, at[k]);
+    for (int j = 0; j < 2; ++j)
+        v[3 * j] = at[0][j], v[3 * j + 1] = at[1][j] - at[0][j], v[3 * j + 2] = at[2][j] - at[0][j];
+}
+
+/// Texture coordinates, normal, tangent, facing.
+inline void put_surface(const RecordJob& job, int32_t first, const Corners& c, const RecordWriter& to) {
+    real v[28];
+    for (real& x : v) x = real(0.0f);
+    if (job.texcoords[0] != nullptr) put_texcoords(job.texcoords[0], c, v);
+    vec3 normal[3], tangent[3];
+    if (job.normals == nullptr) normal[0] = normal[1] = normal[2] = safe_normalize(face_normal(job, c));
+    for (int32_t k = 0; k < 3 && job.normals != nullptr; ++k)
+        normal[k] = safe_normalize(transformed(job.to_normal, load_corner3(job.normals, c, k)));
+    set_deltas(normal, v + 6);
+    for (int32_t k = 0; k < 3 && job.tangents != nullptr; ++k) {
+        real t[4];
+        load_corner<4>(job.tangents, c, k, t);
+        tangent[k] = safe_normalize_or(transformed(job.linear, vec3(t[0], t[1], t[2])), vec3(real(0.0f)));
+    }
+    if (job.tangents != nullptr) set_deltas(tangent, v + 15);
+    v[24] = facing_of(job, first, c, normal);
+    to.put<28>(offsetof(ShadeTriangle, texcoord0), v);
+}
+
+/// The second set of texture coordinates and the vertex colors, which few meshes have.
+inline void put_rest(const RecordJob& job, const Corners& c, const RecordWriter& to) {
+    if (job.whole == 0) return;
+    real v[20];
+    for (real& x : v) x = real(0.0f);
+    if (job.texcoords[1] != nullptr) put_texcoords(job.texcoords[1], c, v);
+    if (job.colors == nullptr) {
+        for (int j = 0; j < 4; ++j) v[6 + 3 * j] = real(1.0f);
+    } else {
+        real at[3][4];
+        for (int32_t k = 0; k < 3; ++k) load_corner<4>(job.colors, c, k, at[k]);
+        for (int j = 0; j < 4; ++j)
+            v[6 + 3 * j] = at[0][j], v[7 + 3 * j] = at[1][j] - at[0][j], v[8 + 3 * j] = at[2][j] - at[0][j];
+    }
+    to.put<20>(offsetof(ShadeTriangle, texcoord1), v);
+}
+
+static void record(const RecordJob* given) {
+    const RecordJob& job = *given;
+    for (int32_t i = 0; i < job.count; i += lanes) {
+        const Corners c(job, i);
+        const RecordWriter to{reinterpret_cast<float*>(job.out + i)};
+        real handedness(job.mirror);
+        if (job.tangents != nullptr) {
+            real t[4];
+            load_corner<4>(job.tangents, c, 0, t);
+            handedness = handedness * t[3];
+        }
+        put_planes(job, i, c, handedness, to);
+        put_surface(job, i, c, to);
+        put_rest(job, c, to);
+    }
+}
+
+}  // namespace rakelight::raster::RL_ISA
