@@ -43,7 +43,7 @@ private:
     void find_covering() {
         const Binned& binned = open_.binned;
         const int ox = open_.grid.origin_x(0), oy = open_.grid.origin_y(0);
-        for (const std::uint64_t item : binned.items) {
+        for (const ScreenTriangle* const item : binned.items) {
             const ScreenTriangle& s = binned.at(item);
             cover(s, {x_, y_, 1, 1}, ox, oy, [&](int, int, float depth) { add(s, depth); });
         }

@@ -26,6 +26,20 @@ const Kernels* kernels_for(Isa isa) {
     return scalar::kernels();
 }
 
+const GeometryKernels* geometry_kernels_for(Isa isa) {
+    switch (isa) {
+        case Isa::scalar:
+            return scalar::geometry_kernels();
+        case Isa::sse2:
+            return sse2::geometry_kernels();
+        case Isa::avx2:
+            return avx2::geometry_kernels();
+        case Isa::avx512:
+            return avx512::geometry_kernels();
+    }
+    return scalar::geometry_kernels();
+}
+
 /// Working memory of tiles, handed from one to the next.
 class ScratchPool {
 public:
@@ -122,7 +136,9 @@ void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink&
 
 class SoftEngine final : public Engine {
 public:
-    SoftEngine() : kernels_(kernels_for(isa_from_environment())) {}
+    SoftEngine()
+        : kernels_(kernels_for(isa_from_environment())),
+          geometry_kernels_(geometry_kernels_for(isa_from_environment())) {}
 
     std::string name() const override { return "soft"; }
 
@@ -133,7 +149,15 @@ public:
         const View view = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings);
         StageClock clock;
         const TileGrid grid(settings.width, settings.height, settings.window);
-        FrontEnd front{list_, view, settings, std::move(clip_), std::move(screen_), std::move(codes_), {}, {}, PictureMemory(context.memory())};
+        FrontEnd front{list_,
+                       view,
+                       settings,
+                       *geometry_kernels_,
+                       std::move(clip_),
+                       std::move(screen_),
+                       {},
+                       {},
+                       PictureMemory(context.memory())};
         transform_draws(front, context);
         Binned binned = set_up_and_bin(front, grid, std::move(binned_), context);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
@@ -148,7 +172,6 @@ public:
         front.stats.times.tiles = clock.lap();
         clip_ = std::move(front.clip);
         screen_ = std::move(front.screen);
-        codes_ = std::move(front.codes);
         binned_ = std::move(binned);
         points_ = std::move(points);
         return front.stats;
@@ -184,13 +207,13 @@ private:
     }
 
     const Kernels* kernels_;
+    const GeometryKernels* geometry_kernels_;
     TextureCache textures_;
     DrawList list_;
     ScratchPool pool_;
     // Memory of the picture before, used again.
     std::vector<ClipVertices> clip_;
-    std::vector<std::vector<ScreenPoint>> screen_;
-    std::vector<std::vector<std::uint16_t>> codes_;
+    std::vector<std::vector<ScreenVertex>> screen_;
     Binned binned_;
     LightPoints points_;
 };
