@@ -20,8 +20,7 @@ std::string stats_text(const PictureResult& result) {
                 {"triangles drawn", s.drawn},
                 {"pixels covered", s.pixels_covered},
                 {"pixels shaded", s.pixels_shaded},
-                {"depth passes", s.depth_passes},
-                {"line, point pixels", s.pixels_marked}};
+                {"depth passes", s.depth_passes}};
     const std::string name = one_line(result.output) + ": ";
     std::string text;
     char line[80];

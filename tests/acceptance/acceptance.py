@@ -203,28 +203,38 @@ def check_parts(program, folder):
     return wrong if pairs else ["no cut models found"]
 
 
+# The picture as displayed with all channels, then its linear floats with each way of lighting.
+BITS_OPTIONS = (("--channels", "depth,normal,object,material"), ("--shading", "unlit"), ("--shading", "flat", "--normals", "model"),
+                ("--shading", "gouraud", "--normals", "model"), ("--lighting", "phong", "--specular", "normalized", "--bump", "none"),
+                ("--visibility", "painter", "--window", "33,21,200,180"))
+
+
 def check_bits(program, *models):
     flags = set(pathlib.Path("/proc/cpuinfo").read_text().split())
     sets = ["scalar", "sse2"] + ["avx2"] * ("avx2" in flags) + ["avx512"] * ({"avx512f", "avx512bw", "avx512dq", "avx512vl", "avx512cd"} <= flags)
     qemu = shutil.which("qemu-x86_64")
     wrong = [] if qemu else ["qemu-x86_64 is not installed (Debian: qemu-user)"]
     with tempfile.TemporaryDirectory() as temporary:
-        def picture(model, before, threads, **environment):
-            out = pathlib.Path(temporary) / "picture.png"
-            out.unlink(missing_ok=True)
-            code, errors, _ = run(before + [program, "render", str(model), "-o", str(out), "--resolution", "320,240", "--threads", str(threads)], 300, **environment)
-            return out.read_bytes() if code == 0 else f"exit {code}: {last_line(errors)}"
-        for model in map(pathlib.Path, models):
-            reference = picture(model, [], 1, RAKELIGHT_ISA="scalar")
+        def picture(model, options, before, threads, **environment):
+            """All files that render writes, or what went wrong."""
+            folder = pathlib.Path(temporary) / "pictures"
+            shutil.rmtree(folder, ignore_errors=True)
+            folder.mkdir()
+            code, errors, _ = run(before + [program, "render", str(model), "-o", str(folder / ("picture.png" if options == BITS_OPTIONS[0] else "picture.exr")), "--resolution", "320,240", "--threads", str(threads),
+                                            *options], 300, **environment)
+            return {p.name: p.read_bytes() for p in folder.iterdir()} if code == 0 else f"exit {code}: {last_line(errors)}"
+        for model, options in itertools.product(map(pathlib.Path, models), BITS_OPTIONS):
+            what = " ".join([model.name, *options])
+            reference = picture(model, options, [], 1, RAKELIGHT_ISA="scalar")
             if isinstance(reference, str):
-                wrong.append(f"{model.name}: {reference}")
+                wrong.append(f"{what}: {reference}")
                 continue
             for isa, threads in itertools.product(sets, (1, 2, 4)):
-                if picture(model, [], threads, RAKELIGHT_ISA=isa) != reference:
-                    wrong.append(f"{model.name}: {isa} with {threads} threads differs from scalar with one")
-            if qemu and picture(model, [qemu, "-cpu", "Nehalem"], 2) != reference:
-                wrong.append(f"{model.name}: differs under qemu -cpu Nehalem")
-    print(f"{len(models)} models, {', '.join(sets)}, 1 / 2 / 4 threads, qemu -cpu Nehalem")
+                if picture(model, options, [], threads, RAKELIGHT_ISA=isa) != reference:
+                    wrong.append(f"{what}: {isa} with {threads} threads differs from scalar with one")
+            if qemu and picture(model, options, [qemu, "-cpu", "Nehalem"], 2) != reference:
+                wrong.append(f"{what}: differs under qemu -cpu Nehalem")
+    print(f"{len(models)} models x {len(BITS_OPTIONS)} ways to draw, {', '.join(sets)}, 1 / 2 / 4 threads, qemu -cpu Nehalem")
     return wrong
 
 

@@ -19,13 +19,13 @@ double inside_by(const ClipVertex& v, unsigned plane, const ClipVolume& volume) 
         case clip_bottom: return w + y;
         case clip_top: return w - y;
         case clip_guard_left:
-            return volume.guard_x * w + x;
+            return double(volume.guard_x) * w + x;
         case clip_guard_right:
-            return volume.guard_x * w - x;
+            return double(volume.guard_x) * w - x;
         case clip_guard_bottom:
-            return volume.guard_y * w + y;
+            return double(volume.guard_y) * w + y;
         default:
-            return volume.guard_y * w - y;
+            return double(volume.guard_y) * w - y;
     }
 }
 
@@ -56,12 +56,12 @@ std::size_t clip_by_plane(const ClipVertex* in, std::size_t count, ClipVertex* o
 ClipVolume::ClipVolume(const View& view)
     : near(view.near),
       far(view.far),
-      guard_x((guard_band_px - view.width) / (0.5 * view.width)),
-      guard_y((guard_band_px - view.height) / (0.5 * view.height)) {}
+      guard_x(float((guard_band_px - view.width) / (0.5 * view.width))),
+      guard_y(float((guard_band_px - view.height) / (0.5 * view.height))) {}
 
 unsigned outcode(const ClipVertex& v, const ClipVolume& volume) {
-    // Written so that a comparison with NaN counts as outside.
-    const double x = v.x, y = v.y, w = v.w, gx = volume.guard_x * w, gy = volume.guard_y * w;
+    // Written so that a comparison with NaN counts as outside. kernels/vertex_kernel.h has the same once more.
+    const float x = v.x, y = v.y, w = v.w, gx = volume.guard_x * w, gy = volume.guard_y * w;
     unsigned code = 0;
     if (!(v.distance >= volume.near)) code |= clip_near;
     if (!(v.distance <= volume.far)) code |= clip_far;
@@ -74,7 +74,7 @@ unsigned outcode(const ClipVertex& v, const ClipVolume& volume) {
     if (!(y >= -gy)) code |= clip_guard_bottom;
     if (!(y <= gy)) code |= clip_guard_top;
     const bool finite = std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.w) && std::isfinite(v.distance);
-    return finite ? code : ~0u;
+    return finite ? code : unsigned(outside_all);
 }
 
 std::size_t clip_triangle(const ClipVertex (&triangle)[3], unsigned planes, const ClipVolume& volume,

@@ -3,36 +3,16 @@
 #pragma once
 #include <cstddef>
 
+#include "engines/raster/clip_planes.h"
 #include "engines/raster/view.h"
 
 namespace rakelight::raster {
-
-/// The planes that a vertex may violate, as bits of its outcode.
-enum ClipPlane : unsigned {
-    clip_near = 1,
-    clip_far = 2,
-    clip_left = 4,
-    clip_right = 8,
-    clip_bottom = 16,
-    clip_top = 32,
-    clip_guard_left = 64,
-    clip_guard_right = 128,
-    clip_guard_bottom = 256,
-    clip_guard_top = 512,
-};
-/// Planes that a triangle is cut by. The sides of the picture only reject: between them and the guard band, a million
-/// pixels out, rasterization drops what is outside for less than cutting costs, and edges keep their exact place.
-inline constexpr unsigned cutting_planes =
-    clip_near | clip_far | clip_guard_left | clip_guard_right | clip_guard_bottom | clip_guard_top;
-
-inline constexpr double guard_band_px =
-    double(1 << 20);  ///< screen coordinates stay below this, so that edge functions fit 64 bits
 
 /// Limits of the clip volume of a view, in the numbers that ClipVertex holds.
 struct ClipVolume {
     explicit ClipVolume(const View& view);
     double near, far;        ///< of ClipVertex::distance
-    double guard_x, guard_y;  ///< |x| <= guard_x w
+    float guard_x, guard_y;  ///< |x| <= guard_x w
 };
 
 /// Which planes the vertex lies outside of. A vertex with a non-finite coordinate is outside of all.

@@ -14,18 +14,40 @@ namespace rakelight::raster {
 struct Coverage {
     int left, top, right, bottom;                  ///< inclusive
     std::int64_t edge[3], step_x[3], step_y[3];    ///< at (left, top), and its change per pixel; 0 where all pixels pass
-    float depth_0, depth_x, depth_y;               ///< the plane of the depth keys about the tile's first pixel center
+    int plane_x, plane_y;                          ///< pixel about which the plane of the depth keys is given
+    float depth_0, depth_x, depth_y;
     float depth_low, depth_high;
 };
 
+/// The plane of the depth keys through the true corners, in double: its numerators are exact for small triangles,
+/// whatever the order of the corners. Given about the first pixel of the triangle's box in the tile, not in the window.
+inline void set_depth(const ScreenTriangle& s, int first_x, int first_y, Coverage& c) {
+    constexpr double fine = 1 << fine_bits, pixel = 1 << (subpixel_bits + fine_bits);
+    const double x0 = s.true_x(0), y0 = s.true_y(0);
+    const double x1 = s.true_x(1) - x0, y1 = s.true_y(1) - y0, x2 = s.true_x(2) - x0, y2 = s.true_y(2) - y0;
+    const double key_0 = s.key0, key_1 = s.key1 - key_0, key_2 = s.key2 - key_0;
+    const double per_area = 1.0 / (x1 * y2 - x2 * y1);
+    const double slope_x = (key_1 * y2 - key_2 * y1) * per_area, slope_y = (key_2 * x1 - key_1 * x2) * per_area;
+    const double half = 1 << (subpixel_bits - 1);
+    const double from_x = (double(first_x) * (1 << subpixel_bits) + half) * fine - x0,
+                 from_y = (double(first_y) * (1 << subpixel_bits) + half) * fine - y0;
+    c.depth_0 = float(key_0 + slope_x * from_x + slope_y * from_y);
+    c.depth_x = float(slope_x * pixel);
+    c.depth_y = float(slope_y * pixel);
+    c.depth_low = s.farthest_key();
+    c.depth_high = s.nearest_key();
+}
+
+/// Of every triangle what kernels/nearest_kernel.h finds for small ones.
 /// @param area  pixels of the picture that count; lies in the tile
 /// @return false: no pixel is covered
 inline bool set_coverage(const ScreenTriangle& s, const Window& area, int tile_x, int tile_y, Coverage& c) {
     const auto [x_low, x_high] = std::minmax({s.x0, s.x1, s.x2});
     const auto [y_low, y_high] = std::minmax({s.y0, s.y1, s.y2});
-    const int left = std::max((x_low + 127) >> subpixel_bits, area.x);
+    const int first_x = (x_low + 127) >> subpixel_bits, first_y = (y_low + 127) >> subpixel_bits;
+    const int left = std::max(first_x, area.x);
     const int right = std::min((x_high - 128) >> subpixel_bits, area.x + area.width - 1);
-    const int top = std::max((y_low + 127) >> subpixel_bits, area.y);
+    const int top = std::max(first_y, area.y);
     const int bottom = std::min((y_high - 128) >> subpixel_bits, area.y + area.height - 1);
     if (left > right || top > bottom) return false;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -46,12 +68,9 @@ inline bool set_coverage(const ScreenTriangle& s, const Window& area, int tile_x
     c.right = right - tile_x;
     c.top = top - tile_y;
     c.bottom = bottom - tile_y;
-    // The depth plane in float: fixed by the tile, not by the triangle's box.
-    c.depth_0 = float(s.depth_0 + s.depth_x * (tile_x + 0.5) + s.depth_y * (tile_y + 0.5));
-    c.depth_x = float(s.depth_x);
-    c.depth_y = float(s.depth_y);
-    c.depth_low = s.depth_low;
-    c.depth_high = s.depth_high;
+    c.plane_x = std::max(first_x - tile_x, 0);
+    c.plane_y = std::max(first_y - tile_y, 0);
+    set_depth(s, c.plane_x + tile_x, c.plane_y + tile_y, c);
     return true;
 }
 
@@ -62,10 +81,10 @@ void for_each_covered(const Coverage& c, const Pixel& pixel) {
     std::int64_t row[3] = {c.edge[0], c.edge[1], c.edge[2]};
     for (int y = c.top; y <= c.bottom; ++y) {
         std::int64_t e0 = row[0], e1 = row[1], e2 = row[2];
-        const float depth_row = c.depth_0 + c.depth_y * float(y);
+        const float depth_row = c.depth_0 + c.depth_y * float(y - c.plane_y);
         for (int x = c.left; x <= c.right; ++x) {
             if ((e0 | e1 | e2) >= 0) {
-                const float plane = depth_row + c.depth_x * float(x);
+                const float plane = depth_row + c.depth_x * float(x - c.plane_x);
                 // Written so that a NaN of an overflowing plane becomes the farthest corner.
                 const float from_below = plane > c.depth_low ? plane : c.depth_low;
                 pixel(x, y, from_below < c.depth_high ? from_below : c.depth_high);

@@ -29,7 +29,6 @@ public:
         for (const std::size_t i : order_) shade(i);
         draw();
         sort_by_depth();
-        out_.has_marks = !drawn_.marks.is_empty() && !drawn_.marks.items.empty();
         return std::move(out_);
     }
 
@@ -44,7 +43,7 @@ private:
     void find_covering() {
         const Binned& binned = open_.binned;
         const int ox = open_.grid.origin_x(0), oy = open_.grid.origin_y(0);
-        for (const std::uint64_t item : binned.items) {
+        for (const ScreenTriangle* const item : binned.items) {
             const ScreenTriangle& s = binned.at(item);
             cover(s, {x_, y_, 1, 1}, ox, oy, [&](int, int, float depth) { add(s, depth); });
         }

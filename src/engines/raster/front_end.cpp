@@ -4,197 +4,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
+#include "engines/raster/set_up.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {
 namespace {
 
-constexpr std::size_t triangles_per_chunk = 4096;
-constexpr int tile_fixed = tile_size << subpixel_bits;
-constexpr unsigned outside_all = 0xffffu;  // outcode() of what is not finite, as it is kept
-
-/// Part of one draw, and what comes of it. Chunks are cut by numbers of triangles, never by threads.
-struct Chunk {
-    std::size_t draw = 0, first = 0, end = 0;
-    std::vector<ScreenTriangle> triangles;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> tiles;  ///< (tile, index in `triangles`)
-    RenderStats stats;
-};
-
-/// Everything that setting up the triangles of one chunk needs.
-class Setup {
+/// Working memory of chunks, handed from one to the next.
+class ScratchPool {
 public:
-    Setup(FrontEnd& front, const TileGrid& grid, Chunk& chunk)
-        : front_(front),
-          grid_(grid),
-          chunk_(chunk),
-          volume_(front.view),
-          mesh_(front.list.scene.meshes[front.list.draws[chunk.draw].mesh]) {
-        const Draw& draw = front.list.draws[chunk.draw];
-        const DrawMaterial& material = front.list.materials[draw.material];
-        const bool two_sided = material.double_sided || material.classical;
-        cull_back_ = front.settings.cull == Cull::back || (front.settings.cull == Cull::automatic && !two_sided);
-        cull_front_ = front.settings.cull == Cull::front;
-        // With y down a counter-clockwise triangle has negative area; a mirroring placement turns it round once more.
-        front_is_negative_ = (front.settings.front_face == FrontFace::counter_clockwise) != draw.mirrored;
+    explicit ScratchPool(std::size_t tiles) : tiles_(tiles) {}
+    std::unique_ptr<SetUpScratch> take() {
+        const std::lock_guard lock(mutex_);
+        if (free_.empty()) return std::make_unique<SetUpScratch>(tiles_);
+        auto scratch = std::move(free_.back());
+        free_.pop_back();
+        return scratch;
     }
-
-    void run() {
-        chunk_.triangles.reserve(chunk_.end - chunk_.first);
-        chunk_.tiles.reserve(chunk_.end - chunk_.first);
-        for (std::size_t t = chunk_.first; t < chunk_.end; ++t) add(std::uint32_t(t));
-        front_.memory.add(std::exchange(new_bytes_, 0));
+    void give_back(std::unique_ptr<SetUpScratch> scratch) {
+        const std::lock_guard lock(mutex_);
+        free_.push_back(std::move(scratch));
     }
 
 private:
-    /// The pixels whose center may be inside, in the window.
-    struct Box {
-        int left, right, top, bottom;
-    };
-
-    void add(std::uint32_t t) {
-        const std::uint32_t* const index = mesh_.indices.data() + 3 * std::size_t(t);
-        const ClipVertices& clip = front_.clip[chunk_.draw];
-        if (!front_.codes[chunk_.draw].empty() && !is_uncut(t, index)) return;
-        const std::vector<ScreenPoint>& screen = front_.screen[chunk_.draw];
-        const ScreenPoint points[3] = {screen[index[0]], screen[index[1]], screen[index[2]]};
-        ScreenTriangle s = triangle(t);
-        Box box;
-        if (!place(points, s, box)) return;
-        const ClipVertex v[3] = {clip[index[0]], clip[index[1]], clip[index[2]]};
-        if (set_depth(v, s)) bin(s, box);
-    }
-
-    ScreenTriangle triangle(std::uint32_t t) const {
-        ScreenTriangle s{};
-        s.draw = std::uint32_t(chunk_.draw);
-        s.triangle = t;
-        return s;
-    }
-
-    /// False when the triangle is outside, or was cut and added.
-    bool is_uncut(std::uint32_t t, const std::uint32_t* index) {
-        const std::vector<std::uint16_t>& codes = front_.codes[chunk_.draw];
-        const unsigned all = codes[index[0]] & codes[index[1]] & codes[index[2]],
-                       any = codes[index[0]] | codes[index[1]] | codes[index[2]];
-        if (all != 0 || any == outside_all) {
-            ++chunk_.stats.culled_outside;
-            return false;
-        }
-        if ((any & cutting_planes) == 0) return true;
-        const ClipVertices& clip = front_.clip[chunk_.draw];
-        const ClipVertex v[3] = {clip[index[0]], clip[index[1]], clip[index[2]]};
-        ScreenTriangle s = triangle(t);
-        if (set_depth(v, s)) add_clipped(v, any & cutting_planes, s);
-        return false;
-    }
-
-    void add_clipped(const ClipVertex (&v)[3], unsigned planes, const ScreenTriangle& s) {
-        ClipVertex polygon[max_clipped_vertices];
-        const std::size_t count = clip_triangle(v, planes, volume_, polygon);
-        ++chunk_.stats.clipped;
-        for (std::size_t k = 2; k < count; ++k) {
-            const ScreenPoint points[3] = {snap_to_screen(front_.view, polygon[0]),
-                                           snap_to_screen(front_.view, polygon[k - 1]),
-                                           snap_to_screen(front_.view, polygon[k])};
-            ScreenTriangle piece = s;
-            piece.is_piece = true;
-            Box box;
-            if (place(points, piece, box)) bin(piece, box);
-        }
-    }
-
-    /// Depth key: near / distance in perspective, the rest of the way to the far plane in parallel views; both are
-    /// affine on the screen, so they come from the planes of the whole triangle also where only a piece of it is drawn.
-    bool set_depth(const ClipVertex (&v)[3], ScreenTriangle& s) {
-        EdgePlanes e;
-        if (!edge_planes(v, front_.view, 0, 0, e)) {
-            ++chunk_.stats.culled_degenerate;
-            return false;
-        }
-        const double near = front_.view.near, range = front_.view.far - near;
-        double key[3];
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double weight = front_.view.orthographic ? 1 - (double(v[i].distance) - near) / range : near;
-            s.depth_x += e.ex[i] * weight;
-            s.depth_y += e.ey[i] * weight;
-            s.depth_0 += e.e0[i] * weight;
-            key[i] = front_.view.orthographic ? weight : v[i].distance > near ? near / double(v[i].distance) : 1.0;
-        }
-        s.depth_low = float(std::min({key[0], key[1], key[2]}));
-        s.depth_high = float(std::max({key[0], key[1], key[2]}));
-        return true;
-    }
-
-    /// Corners in order of positive area, and the box; false: culled, and counted.
-    bool place(const ScreenPoint (&p)[3], ScreenTriangle& s, Box& box) {
-        const std::int64_t area =
-            std::int64_t(p[1].x - p[0].x) * (p[2].y - p[0].y) - std::int64_t(p[2].x - p[0].x) * (p[1].y - p[0].y);
-        if (area == 0) {
-            ++chunk_.stats.culled_degenerate;
-            return false;
-        }
-        s.is_back = (area < 0) != front_is_negative_;
-        if (s.is_back ? cull_back_ : cull_front_) {
-            ++chunk_.stats.culled_back;
-            return false;
-        }
-        const std::size_t second = area < 0 ? 2 : 1, third = 3 - second;
-        s.is_swapped = area < 0;
-        s.x0 = p[0].x, s.x1 = p[second].x, s.x2 = p[third].x;
-        s.y0 = p[0].y, s.y1 = p[second].y, s.y2 = p[third].y;
-        const auto [x_low, x_high] = std::minmax({p[0].x, p[1].x, p[2].x});
-        const auto [y_low, y_high] = std::minmax({p[0].y, p[1].y, p[2].y});
-        box.left = std::max((x_low + 127) >> subpixel_bits, grid_.window.x);
-        box.right = std::min((x_high - 128) >> subpixel_bits, grid_.window.x + grid_.window.width - 1);
-        box.top = std::max((y_low + 127) >> subpixel_bits, grid_.window.y);
-        box.bottom = std::min((y_high - 128) >> subpixel_bits, grid_.window.y + grid_.window.height - 1);
-        if (box.left <= box.right && box.top <= box.bottom) return true;
-        ++chunk_.stats.culled_outside;
-        return false;
-    }
-
-    void bin(const ScreenTriangle& s, const Box& box) {
-        ++chunk_.stats.drawn;
-        const auto index = std::uint32_t(chunk_.triangles.size());
-        chunk_.triangles.push_back(s);
-        new_bytes_ += sizeof(ScreenTriangle);
-        const int first_x = box.left / tile_size, last_x = box.right / tile_size;
-        const int first_y = box.top / tile_size, last_y = box.bottom / tile_size;
-        const bool is_in_one = first_x == last_x && first_y == last_y;
-        for (int ty = first_y; ty <= last_y; ++ty) {
-            for (int tx = first_x; tx <= last_x; ++tx) {
-                if (!is_in_one && !touches(s, tx, ty)) continue;
-                chunk_.tiles.emplace_back(std::uint32_t((ty - grid_.first_y) * grid_.columns + tx - grid_.first_x),
-                                          index);
-                new_bytes_ += sizeof(chunk_.tiles[0]) + sizeof(Binned::items[0]);
-            }
-            if (new_bytes_ > 1 << 20) front_.memory.add(std::exchange(new_bytes_, 0));
-        }
-    }
-
-    /// False when one edge has the whole tile on its outer side.
-    static bool touches(const ScreenTriangle& s, int tx, int ty) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t n = (k + 1) % 3;
-            const std::int64_t dx = s.x(n) - s.x(k), dy = s.y(n) - s.y(k);
-            const std::int64_t px = std::int64_t(tx) * tile_fixed + (dy < 0 ? tile_fixed : 0);
-            const std::int64_t py = std::int64_t(ty) * tile_fixed + (dx > 0 ? tile_fixed : 0);
-            if (dx * (py - s.y(k)) - dy * (px - s.x(k)) < 0) return false;
-        }
-        return true;
-    }
-
-    FrontEnd& front_;
-    const TileGrid& grid_;
-    Chunk& chunk_;
-    std::uint64_t new_bytes_ = 0;  ///< not yet told to the picture's memory
-    ClipVolume volume_;
-    const Mesh& mesh_;
-    bool cull_back_ = false, cull_front_ = false, front_is_negative_ = true;
+    std::size_t tiles_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<SetUpScratch>> free_;
 };
 
 void add_stats(RenderStats& sum, const RenderStats& part) {
@@ -205,27 +45,47 @@ void add_stats(RenderStats& sum, const RenderStats& part) {
     sum.drawn += part.drawn;
 }
 
-/// Counting sort of all chunks' entries by tile, in the order of the chunks.
-Binned sort_into_tiles(std::vector<Chunk>& chunks, std::size_t tiles, Binned&& used) {
-    Binned binned = std::move(used);
-    binned.chunks.clear();
-    binned.spare.clear();
-    std::vector<std::uint64_t> count(tiles + 1, 0);
-    std::uint64_t total = 0;
-    for (const Chunk& c : chunks) total += c.tiles.size();
-    if (total > 0xFFFFFFFFull) throw Error(ErrorCode::failed, "too many triangles for one picture");
-    for (const Chunk& c : chunks)
-        for (const auto& [tile, index] : c.tiles) ++count[tile + 1];
-    for (std::size_t t = 0; t < tiles; ++t) count[t + 1] += count[t];
-    binned.offsets.assign(count.begin(), count.end());
-    binned.items.resize(std::size_t(total));
-    for (std::size_t c = 0; c < chunks.size(); ++c) {
-        for (const auto& [tile, index] : chunks[c].tiles)
-            binned.items[std::size_t(count[tile]++)] = std::uint64_t(c) << 32 | index;
-        binned.chunks.push_back(std::move(chunks[c].triangles));
-        binned.spare.push_back(std::move(chunks[c].tiles));
+std::vector<ChunkRange> cut_into_chunks(const FrontEnd& front) {
+    std::vector<ChunkRange> ranges;
+    for (std::size_t d = 0; d < front.list.draws.size(); ++d) {
+        if (front.clip[d].empty()) continue;
+        const std::size_t triangles = front.list.scene.meshes[front.list.draws[d].mesh].indices.size() / 3;
+        for (std::size_t t = 0; t < triangles; t += triangles_per_chunk)
+            ranges.push_back({d, t, std::min(triangles, t + triangles_per_chunk)});
     }
-    return binned;
+    return ranges;
+}
+
+/// The lists of the tiles: the chunks' runs in the order of the chunks.
+void list_tiles(Binned& binned, const std::vector<ChunkRange>& ranges, const std::vector<std::vector<ChunkRun>>& runs,
+                std::size_t tiles) {
+    binned.offsets.assign(tiles + 1, 0);
+    binned.run_offsets.assign(tiles + 1, 0);
+    std::uint64_t total = 0;
+    for (const std::vector<ChunkRun>& of_chunk : runs)
+        for (const ChunkRun& run : of_chunk) {
+            ++binned.run_offsets[run.tile + 1];
+            binned.offsets[run.tile + 1] += run.count;
+            total += run.count;
+        }
+    if (total > 0xFFFFFFFFull) throw Error(ErrorCode::failed, "too many triangles for one picture");
+    for (std::size_t t = 0; t < tiles; ++t) {
+        binned.run_offsets[t + 1] += binned.run_offsets[t];
+        binned.offsets[t + 1] += binned.offsets[t];
+    }
+    binned.runs.resize(binned.run_offsets[tiles]);
+    binned.items.resize(std::size_t(total));
+    std::vector<std::uint32_t> next(binned.run_offsets.begin(), binned.run_offsets.end() - 1);
+    for (std::size_t c = 0; c < runs.size(); ++c)
+        for (const ChunkRun& run : runs[c])
+            binned.runs[next[run.tile]++] = {binned.chunks[c].rows.data() + run.first, run.count,
+                                             std::uint32_t(ranges[c].draw), run.has_large};
+}
+
+void list_items(Binned& binned, std::size_t tile) {
+    std::uint32_t next = binned.offsets[tile];
+    for (std::uint32_t r = binned.run_offsets[tile]; r < binned.run_offsets[tile + 1]; ++r)
+        for (std::uint32_t i = 0; i < binned.runs[r].count; ++i) binned.items[next++] = binned.runs[r].first + i;
 }
 
 }  // namespace
@@ -270,26 +130,23 @@ bool edge_planes(const ClipVertex (&v)[3], const View& view, double x0, double y
 }
 
 Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Context& context) {
-    std::vector<Chunk> chunks;
-    for (std::size_t d = 0; d < front.list.draws.size(); ++d) {
-        if (front.clip[d].empty()) continue;
-        const std::size_t triangles = front.list.scene.meshes[front.list.draws[d].mesh].indices.size() / 3;
-        for (std::size_t t = 0; t < triangles; t += triangles_per_chunk)
-            chunks.push_back({d, t, std::min(triangles, t + triangles_per_chunk), {}, {}, {}});
-    }
-    for (std::size_t c = 0; c < std::min(chunks.size(), used.chunks.size()); ++c) {
-        chunks[c].triangles = std::move(used.chunks[c]);
-        chunks[c].tiles = std::move(used.spare[c]);
-        chunks[c].triangles.clear();
-        chunks[c].tiles.clear();
-    }
-    context.parallel_for(chunks.size(), [&](std::size_t c) {
+    const std::vector<ChunkRange> ranges = cut_into_chunks(front);
+    Binned binned = std::move(used);
+    binned.chunks.resize(ranges.size());
+    std::vector<std::vector<ChunkRun>> runs(ranges.size());
+    std::vector<RenderStats> stats(ranges.size());
+    ScratchPool pool(grid.count());
+    context.parallel_for(ranges.size(), [&](std::size_t c) {
         const FlushDenormals guard;
-        Setup(front, grid, chunks[c]).run();
+        auto scratch = pool.take();
+        set_up_chunk(front, grid, ranges[c], *scratch, binned.chunks[c], runs[c], stats[c]);
+        pool.give_back(std::move(scratch));
     });
     context.throw_if_cancelled();
-    for (const Chunk& c : chunks) add_stats(front.stats, c.stats);
-    return sort_into_tiles(chunks, grid.count(), std::move(used));
+    for (const RenderStats& part : stats) add_stats(front.stats, part);
+    list_tiles(binned, ranges, runs, grid.count());
+    context.parallel_for(grid.count(), [&](std::size_t tile) { list_items(binned, tile); });
+    return binned;
 }
 
 }  // namespace rakelight::raster

@@ -1,41 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 // The geometry stages: object space -> clip space -> clipping -> screen -> back-face culling -> bins of tiles.
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include <rakelight/engine.h>
 
 #include "engines/raster/clip.h"
 #include "engines/raster/draw_list.h"
+#include "engines/raster/geometry_types.h"
 
 namespace rakelight::raster {
 
-inline constexpr int subpixel_bits = 8;  ///< screen coordinates are integers of 1/256 pixel
-
-/// A triangle, or a piece of one that was clipped, on the screen: counter-clockwise as seen with y down means positive
-/// area. Its corners are ordered so that the area is positive: corner k is the mesh's corner k, or 2 and 1 are swapped.
-struct ScreenTriangle {
-    std::int32_t x0, y0, x1, y1, x2, y2;  ///< [1/256 px]
-    double depth_x, depth_y, depth_0;     ///< depth key at (x, y) in px: greater is nearer
-    float depth_low, depth_high;          ///< keys of the triangle's corners: the plane is clamped to them
-    std::uint32_t draw, triangle;         ///< which mesh at which place, which triangle of it
-    bool is_back;                         ///< seen from behind
-    bool is_piece;                        ///< what clipping left: its corners are not the mesh's
-    bool is_swapped;                      ///< corner 1 is the mesh's corner 2 and the other way round
-    std::int32_t x(std::size_t corner) const { return corner == 0 ? x0 : corner == 1 ? x1 : x2; }
+/// A triangle, or a piece of one that was clipped, on the screen.
+struct ScreenTriangle : TriangleRow {
+    std::int32_t x(std::size_t corner) const { return corner == 0 ? x0 : corner == 1 ? x1 : x2; }  ///< [1/256 px]
     std::int32_t y(std::size_t corner) const { return corner == 0 ? y0 : corner == 1 ? y1 : y2; }
-};
+    std::uint32_t bits(std::size_t corner) const { return corner == 0 ? bits0 : corner == 1 ? bits1 : bits2; }
+    /// [1/2048 of 1/256 px] where the corner is without rounding to 1/256 px
+    double true_x(std::size_t corner) const {
+        return double(x(corner)) * (1 << fine_bits) + double(bits(corner) >> outcode_bits & fine_mask) - fine_middle;
+    }
+    double true_y(std::size_t corner) const {
+        return double(y(corner)) * (1 << fine_bits) + double(bits(corner) >> (outcode_bits + fine_bits)) - fine_middle;
+    }
+    float nearest_key() const { return std::max({key0, key1, key2}); }
+    float farthest_key() const { return std::min({key0, key1, key2}); }
 
-/// Where a draw's vertices are in clip space, [vertices].
+private:
+    static constexpr std::uint32_t fine_mask = (1u << fine_bits) - 1;
+    static constexpr double fine_middle = 1 << (fine_bits - 1);
+};
+static_assert(sizeof(ScreenTriangle) == sizeof(TriangleRow));
+
+/// Where a draw's vertices are in clip space, [vertices + row_padding].
 using ClipVertices = std::vector<ClipVertex>;
-
-/// A vertex on the screen, [1/256 px].
-struct ScreenPoint {
-    std::int32_t x, y;
-};
 
 /// The tiles of a picture that a window touches.
 struct TileGrid {
@@ -49,13 +51,29 @@ struct TileGrid {
     int origin_y(std::size_t i) const { return (first_y + int(i / std::size_t(columns))) * tile_size; }
 };
 
+/// Triangles of one draw that lie side by side in memory.
+struct TileRun {
+    const ScreenTriangle* first;
+    std::uint32_t count;
+    std::uint32_t draw;
+    bool has_large;  ///< some is_large
+};
+
 /// All triangles of a picture, set up and sorted into tiles, in the order of the scene whatever the number of threads.
+/// What touches several tiles stands in each of them.
 struct Binned {
-    std::vector<std::vector<ScreenTriangle>> chunks;
-    std::vector<std::uint32_t> offsets;                                       ///< [tiles + 1] into items
-    std::vector<std::uint64_t> items;                                         ///< chunk << 32 | index in the chunk
-    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> spare;  ///< [chunks] memory for the next picture
-    const ScreenTriangle& at(std::uint64_t item) const { return chunks[item >> 32][item & 0xFFFFFFFFu]; }
+    /// Part of one draw, sorted by tiles.
+    struct Chunk {
+        std::vector<ScreenTriangle> rows;  ///< [count + row_padding], or more: memory of the picture before
+        std::size_t count = 0;
+        std::span<const ScreenTriangle> triangles() const { return {rows.data(), count}; }
+    };
+    std::vector<Chunk> chunks;
+    std::vector<std::uint32_t> run_offsets;    ///< [tiles + 1] into runs
+    std::vector<TileRun> runs;                 ///< what is in each tile
+    std::vector<std::uint32_t> offsets;        ///< [tiles + 1] into items
+    std::vector<const ScreenTriangle*> items;  ///< the same, one by one
+    const ScreenTriangle& at(const ScreenTriangle* item) const { return *item; }
 };
 
 /// What the geometry of one picture takes. A file of a megabyte can place ten thousand instances of a mesh, or a million
@@ -75,18 +93,24 @@ struct FrontEnd {
     const DrawList& list;
     const View& view;
     const RenderSettings& settings;
+    const GeometryKernels& kernels;
     std::vector<ClipVertices> clip;      ///< [draws]; empty for draws wholly outside
-    std::vector<std::vector<ScreenPoint>>
-        screen;  ///< [draws][vertices]; means nothing where a cutting plane is violated
-    std::vector<std::vector<std::uint16_t>>
-        codes;                           ///< [draws][vertices] planes that each vertex violates; empty: none does
+    std::vector<std::vector<ScreenVertex>> screen;  ///< [draws][vertices + row_padding]
     std::vector<dmat4> to_eye;           ///< [draws] object -> world axes about the eye
     RenderStats stats;
     PictureMemory memory;
 };
 
-/// The place of a vertex on the screen; what is not in the guard band stops at its rim.
-ScreenPoint snap_to_screen(const View& view, const ClipVertex& v);
+/// Clip space -> screen: x = x / w * scale_x + offset_x, floored, about snap_origin; likewise y and the depth key.
+struct ScreenMap {
+    explicit ScreenMap(const View& view);
+    double scale_x, offset_x, scale_y, offset_y;  ///< [1/256 px]
+    double key_scale, key_offset;
+    bool orthographic;
+};
+
+/// A vertex on the screen, code 0; what is not in the guard band stops at its rim.
+ScreenVertex snap_to_screen(const ScreenMap& map, const ClipVertex& v);
 
 /// Matrices and clip-space vertices of every draw that may be seen.
 void transform_draws(FrontEnd& front, Context& context);

@@ -38,11 +38,14 @@ Inspection::Geometry::Geometry(const Inspection& of, Window window, bool with_cu
                                std::optional<Shading> shading)
     : settings(settings_for(of.settings(), window, with_culled, shading)),
       grid(settings.width, settings.height, window),
-      front{.list = of.list(), .view = of.view(), .settings = settings, .memory = PictureMemory(context.memory())} {
+      front{.list = of.list(),
+            .view = of.view(),
+            .settings = settings,
+            .kernels = *scalar::geometry_kernels(),
+            .memory = PictureMemory(context.memory())} {
     transform_draws(front, context);
     binned = set_up_and_bin(front, grid, {}, context);
     points = light_points(front, binned, of.lights(), *scalar::kernels(), {}, context);
-    marks = make_marks(front, grid, context);
 }
 
 }  // namespace rakelight::raster

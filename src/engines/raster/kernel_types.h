@@ -4,13 +4,12 @@
 #pragma once
 #include <stdint.h>
 
+#include "engines/raster/geometry_types.h"
 #include "image/srgb_table.h"
 #include "lighting/light_parameters.h"
 
 namespace rakelight::raster {
 
-inline constexpr int tile_size = 64;  ///< [px] side of a tile; tiles lie on the picture's own grid, not the window's
-inline constexpr int tile_bits = 6;   ///< log2 of it
 inline constexpr int batch_padding = 16;     ///< arrays of a batch may be read and written this far past their count
 inline constexpr int max_mip_levels = 16;    ///< 32768 texels a side
 
@@ -139,20 +138,9 @@ struct LightJob {
     float* specular[3];
 };
 
-/// One opaque triangle in one tile, against the depth that stands there. Edges as in Coverage (coverage.h), in 32 bits.
-struct CoverJob {
-    int32_t left, top, right, bottom;  ///< px in the tile, inclusive
-    int32_t edge[3], step_x[3], step_y[3];
-    float depth_0, depth_x, depth_y, depth_low, depth_high;
-    int32_t position;  ///< written to `visible` where the triangle is nearer than what stands there
-    float* depth;      ///< [tile_size * tile_size]
-    int32_t* visible;
-};
-
 /// The functions that exist once per instruction set.
 struct Kernels {
     int32_t lanes;
-    int32_t (*cover)(const CoverJob* job);  ///< returns how many pixels were written
     /// Lists the pixels [tile_size * tile_size] whose `visible` is in begin..end-1, in order; returns their number.
     /// Writes up to batch_padding past it.
     int32_t (*collect)(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel);

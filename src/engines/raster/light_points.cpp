@@ -41,7 +41,7 @@ void set_bit(std::uint8_t& byte, std::uint8_t bit) {
 }
 
 /// The points of triangles that are all of one draw.
-void mark(const FrontEnd& front, const std::vector<ScreenTriangle>& triangles, LightPoints& points) {
+void mark(const FrontEnd& front, std::span<const ScreenTriangle> triangles, LightPoints& points) {
     if (triangles.empty()) return;
     const std::uint32_t draw = triangles[0].draw;
     DrawLight& light = points.draws[draw];
@@ -181,7 +181,7 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
     clear(front, points);
     context.parallel_for(binned.chunks.size(), [&](std::size_t c) {
         const FlushDenormals guard;
-        mark(front, binned.chunks[c], points);
+        mark(front, binned.chunks[c].triangles(), points);
     });
     const std::vector<Task> tasks = plan(front, points);
     std::atomic<std::uint64_t> evaluations{0}, twice{0};

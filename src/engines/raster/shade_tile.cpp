@@ -49,7 +49,7 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
 
 /// The records of what `count` pixels of the batch arrays show, each once, in the order of their first pixels.
 void find_records(const TileJob& job, std::size_t tile, std::uint32_t draw, std::size_t count, TileScratch& s) {
-    const std::uint64_t* const items = job.binned.items.data() + job.binned.offsets[tile];
+    const ScreenTriangle* const* const items = job.binned.items.data() + job.binned.offsets[tile];
     s.wanted.clear();
     std::int32_t position = -1, number = -1;
     for (std::size_t i = 0; i < count; ++i) {
@@ -59,7 +59,7 @@ void find_records(const TileJob& job, std::size_t tile, std::uint32_t draw, std:
             std::int32_t& record = s.record[std::size_t(position)];
             if (record < 0) {
                 record = std::int32_t(s.wanted.size());
-                s.wanted.push_back(&job.binned.at(items[position]));
+                s.wanted.push_back(items[position]);
             }
             number = record;
         }
@@ -91,14 +91,15 @@ struct DrawRun {
 /// The draws in a tile's list, which is in the order of the scene.
 void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs) {
     runs.clear();
-    const auto first = job.binned.items.begin() + job.binned.offsets[tile],
-               end = job.binned.items.begin() + job.binned.offsets[tile + 1];
-    for (auto at = first; at != end;) {
-        const std::uint32_t draw = job.binned.at(*at).draw;
-        const auto next =
-            std::partition_point(at, end, [&](std::uint64_t item) { return job.binned.at(item).draw <= draw; });
-        runs.push_back({std::int32_t(at - first), std::int32_t(next - first), draw});
-        at = next;
+    std::int32_t begin = 0;
+    for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1]; ++r) {
+        const TileRun& run = job.binned.runs[r];
+        const std::int32_t end = begin + std::int32_t(run.count);
+        if (!runs.empty() && runs.back().draw == run.draw)
+            runs.back().end = end;
+        else
+            runs.push_back({begin, end, run.draw});
+        begin = end;
     }
 }
 
@@ -185,7 +186,7 @@ ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y
 bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     std::vector<DrawRun> runs;
     find_runs(job, tile, runs);
-    const bool blends = has_blended(job, runs) || has_marks(job, tile), direct = job.to_srgb8 && !blends;
+    const bool blends = has_blended(job, runs), direct = job.to_srgb8 && !blends;
     set_background(job.front.settings, direct, s);
     s.record.assign(job.binned.offsets[tile + 1] - job.binned.offsets[tile], -1);
     if (runs.size() > most_passes)
@@ -238,8 +239,7 @@ void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
 }  // namespace
 
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
-    if (job.has_blended) blend_layers(job, tile, s);
-    if (has_marks(job, tile)) draw_marks(job, tile, s);
+    blend_layers(job, tile, s);
     if (job.to_srgb8) to_srgb8(s.color, 4, {reinterpret_cast<std::uint8_t*>(s.srgb8.data()), 4 * s.srgb8.size()});
 }
 

@@ -2,6 +2,7 @@
 // Vertices: object space -> clip space. Whole objects outside the frustum are dropped first.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/assert.h"
 #include "engines/raster/front_end.h"
@@ -11,7 +12,8 @@ namespace rakelight::raster {
 namespace {
 
 constexpr std::size_t vertices_per_task = 16384;
-constexpr std::size_t vertex_bytes = sizeof(ClipVertex) + sizeof(ScreenPoint) + sizeof(std::uint16_t);
+constexpr std::size_t vertex_bytes = sizeof(ClipVertex) + sizeof(ScreenVertex);
+static_assert(vertices_per_task % (row_padding + 1) == 0, "tasks do not write into each other");
 
 /// Object space -> (clip x, clip y, distance) as an affine map, made in double, used in float.
 struct ToClip {
@@ -32,13 +34,33 @@ struct ToClip {
     }
 };
 
+float at_least(double v) {
+    const auto f = float(v);
+    return double(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+}
+float at_most(double v) { return -at_least(-v); }
+
+/// All but the vertices.
+VertexJob vertex_job(const FrontEnd& front, const ToClip& to_clip, const ClipVolume& volume) {
+    const ScreenMap map(front.view);
+    VertexJob job{};
+    std::copy_n(&to_clip.m[0][0], 12, &job.to_clip[0][0]);
+    job.orthographic = map.orthographic;
+    job.near = at_least(volume.near), job.far = at_most(volume.far);
+    job.guard_x = volume.guard_x, job.guard_y = volume.guard_y;
+    job.scale_x = map.scale_x, job.offset_x = map.offset_x;
+    job.scale_y = map.scale_y, job.offset_y = map.offset_y;
+    job.key_scale = map.key_scale, job.key_offset = map.key_offset;
+    return job;
+}
+
 bool is_outside(const Draw& draw, const ToClip& to_clip, const ClipVolume& volume) {
     unsigned common = ~0u;
     for (int corner = 0; corner < 8; ++corner) {
         const vec3 p = {corner & 1 ? draw.high.x : draw.low.x, corner & 2 ? draw.high.y : draw.low.y,
                         corner & 4 ? draw.high.z : draw.low.z};
         const unsigned code = outcode(to_clip(p), volume);
-        if (code == ~0u) return false;  // overflow: let the triangles decide
+        if (code == unsigned(outside_all)) return false;  // overflow: let the triangles decide
         common &= code;
     }
     return common != 0;
@@ -51,7 +73,6 @@ void transform_draws(FrontEnd& front, Context& context) {
     const std::size_t count = front.list.draws.size();
     front.clip.resize(count);  // the memory of the picture before is used again
     front.screen.resize(count);
-    front.codes.resize(count);
     front.to_eye.assign(count, {});
     struct Task { std::size_t draw, first; };
     std::vector<Task> tasks;
@@ -66,42 +87,60 @@ void transform_draws(FrontEnd& front, Context& context) {
         if (is_outside(draw, to_clip[d], volume)) {
             front.stats.culled_outside += mesh.triangle_count();
             front.clip[d].clear();
-            front.codes[d].clear();
             continue;
         }
         front.memory.add(mesh.positions.size() * vertex_bytes);
-        front.clip[d].resize(mesh.positions.size());
-        front.screen[d].resize(mesh.positions.size());
-        front.codes[d].resize(mesh.positions.size());
+        front.clip[d].resize(mesh.positions.size() + row_padding);
+        front.screen[d].resize(mesh.positions.size() + row_padding);
         for (std::size_t v = 0; v < mesh.positions.size(); v += vertices_per_task) tasks.push_back({d, v});
     }
     context.parallel_for(tasks.size(), [&](std::size_t t) {
         const FlushDenormals guard;
         const auto [d, first] = tasks[t];
         const Block<vec3>& positions = front.list.scene.meshes[front.list.draws[d].mesh].positions;
-        const std::size_t end = std::min(positions.size(), first + vertices_per_task);
-        for (std::size_t v = first; v < end; ++v) {
-            const ClipVertex vertex = to_clip[d](positions[v]);
-            const unsigned code = outcode(vertex, volume);
-            front.clip[d][v] = vertex;
-            front.codes[d][v] = std::uint16_t(code);
-            if ((code & cutting_planes) == 0) front.screen[d][v] = snap_to_screen(front.view, vertex);
-        }
-    });
-    context.parallel_for(count, [&](std::size_t d) {
-        if (std::none_of(front.codes[d].begin(), front.codes[d].end(), [](std::uint16_t code) { return code != 0; }))
-            front.codes[d].clear();
+        VertexJob job = vertex_job(front, to_clip[d], volume);
+        job.positions = &positions[first].x;
+        job.total = std::int32_t(std::min(positions.size() - first, std::size_t(2) * vertices_per_task));
+        job.count = std::min(job.total, std::int32_t(vertices_per_task));
+        job.clip = &front.clip[d][first].x;
+        job.screen = &front.screen[d][first];
+        front.kernels.transform(&job);
     });
 }
 
-ScreenPoint snap_to_screen(const View& view, const ClipVertex& v) {
-    const auto snap =
-        [](double px) {  // where numbers end (w near the smallest float) clipping leaves what is out of the band
-            const double in_band = px > -guard_band_px ? (px < guard_band_px ? px : guard_band_px) : -guard_band_px;
-            return std::int32_t(std::floor(in_band * (1 << subpixel_bits) + 0.5));
-        };
-    const dvec2 p = view.screen(v);
-    return {snap(p.x), snap(p.y)};
+ScreenMap::ScreenMap(const View& view)
+    : scale_x(0.5 * view.width * (1 << subpixel_bits)),
+      offset_x(scale_x + 0.5 + snap_origin),
+      scale_y(-0.5 * view.height * (1 << subpixel_bits)),
+      offset_y(-scale_y + 0.5 + snap_origin),
+      key_scale(view.near),
+      key_offset(0),
+      orthographic(view.orthographic) {
+    if (!orthographic) return;
+    const double range = view.far - view.near;
+    key_scale = -1 / range;
+    key_offset = 1 + view.near / range;
+}
+
+ScreenVertex snap_to_screen(const ScreenMap& map, const ClipVertex& v) {
+    // Written as in kernels/vertex_kernel.h: a vertex has one place, whether its triangle is cut or not.
+    const double inverse = 1.0 / double(v.w);
+    std::uint32_t fine = 0;
+    const auto snap = [inverse, &fine](float to, double scale, double offset) {
+        const double px = double(to) * inverse * scale + offset, low = px > snap_lowest ? px : snap_lowest;
+        const double at = low < snap_highest ? low : snap_highest;
+        const auto whole = std::int32_t(at);
+        fine = std::uint32_t((at - double(whole)) * (1 << fine_bits));
+        return whole - snap_origin;
+    };
+    ScreenVertex out;
+    out.x = snap(v.x, map.scale_x, map.offset_x);
+    out.bits = fine << outcode_bits;
+    out.y = snap(v.y, map.scale_y, map.offset_y);
+    out.bits |= fine << (outcode_bits + fine_bits);
+    const double key = (map.orthographic ? double(v.distance) : inverse) * map.key_scale + map.key_offset;
+    out.key = float(std::clamp(key, 0.0, 1.0));
+    return out;
 }
 
 }  // namespace rakelight::raster

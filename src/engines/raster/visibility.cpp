@@ -51,6 +51,7 @@ CoverJob cover_job(const Coverage& c, std::int32_t position, TileScratch& scratc
         job.step_x[k] = std::int32_t(c.step_x[k]);
         job.step_y[k] = std::int32_t(c.step_y[k]);
     }
+    job.plane_x = c.plane_x, job.plane_y = c.plane_y;
     job.depth_0 = c.depth_0, job.depth_x = c.depth_x, job.depth_y = c.depth_y;
     job.depth_low = c.depth_low, job.depth_high = c.depth_high;
     job.position = position;
@@ -65,7 +66,8 @@ class FarthestDepth {
 public:
     FarthestDepth(const Window& area, int ox, int oy, const std::vector<float>& depth)
         : left_(area.x - ox), right_(area.x - ox + area.width), top_(area.y - oy), bottom_(area.y - oy + area.height), depth_(depth) {}
-    bool hides(const ScreenTriangle& s) const { return s.depth_high <= farthest_; }
+    float key() const { return farthest_; }
+    bool hides(const ScreenTriangle& s) const { return s.nearest_key() <= farthest_; }
     void written(std::int32_t pixels) {
         if ((since_ += pixels) < tile_pixels / 2) return;
         since_ = 0;
@@ -88,7 +90,7 @@ private:
 std::int32_t cover_opaque(const TileJob& job, const Coverage& c, std::int32_t position, TileScratch& scratch) {
     if (fits_kernel(c)) {
         const CoverJob kernel_job = cover_job(c, position, scratch);
-        return job.kernels.cover(&kernel_job);
+        return job.front.kernels.cover(&kernel_job);
     }
     std::int32_t written = 0;
     for_each_covered(c, [&](int x, int y, float depth) {
@@ -101,31 +103,81 @@ std::int32_t cover_opaque(const TileJob& job, const Coverage& c, std::int32_t po
     return written;
 }
 
+/// The visibility of one tile.
+class TileVisibility {
+public:
+    TileVisibility(const TileJob& job, std::size_t tile, TileScratch& scratch)
+        : job_(job),
+          s_(scratch),
+          area_(job.grid.pixels(tile)),
+          ox_(job.grid.origin_x(tile)),
+          oy_(job.grid.origin_y(tile)),
+          farthest_(area_, ox_, oy_, scratch.depth) {}
+
+    /// @param position  of the run's first triangle in the tile's list
+    void draw(const TileRun& run, std::int32_t position) {
+        const MaterialView& material = job_.front.list.materials[job_.front.list.draws[run.draw].material].view;
+        if (material.blend) return;
+        if (material.alpha_cutoff >= 0) return draw_masked(run, position);
+        if (!run.has_large) return draw_small(run.first, run.count, position);
+        for (std::uint32_t i = 0; i < run.count;) {
+            std::uint32_t end = i;
+            while (end < run.count && !run.first[end].is_large) ++end;
+            if (end > i) draw_small(run.first + i, end - i, position + std::int32_t(i));
+            if (end < run.count) draw_large(run.first[end], position + std::int32_t(end));
+            i = end + 1;
+        }
+    }
+
+private:
+    void draw_masked(const TileRun& run, std::int32_t position) {
+        for (std::uint32_t i = 0; i < run.count; ++i)
+            if (!farthest_.hides(run.first[i]))
+                cover_masked(job_, run.first[i], position + std::int32_t(i), area_, ox_, oy_, s_);
+    }
+
+    void draw_small(const ScreenTriangle* first, std::uint32_t count, std::int32_t position) {
+        NearestJob job;
+        job.rows = first;
+        job.count = std::int32_t(count);
+        job.position = position;
+        job.tile_x = ox_, job.tile_y = oy_;
+        job.left = area_.x - ox_, job.top = area_.y - oy_;
+        job.right = job.left + area_.width - 1, job.bottom = job.top + area_.height - 1;
+        job.farthest = farthest_.key();
+        job.depth = s_.depth.data();
+        job.visible = s_.visible.data();
+        note(job_.front.kernels.nearest(&job));
+    }
+
+    void draw_large(const ScreenTriangle& s, std::int32_t position) {
+        Coverage c;
+        if (!farthest_.hides(s) && set_coverage(s, area_, ox_, oy_, c)) note(cover_opaque(job_, c, position, s_));
+    }
+
+    void note(std::int32_t written) {
+        s_.depth_passes += std::uint64_t(written);
+        farthest_.written(written);
+    }
+
+    const TileJob& job_;
+    TileScratch& s_;
+    Window area_;
+    int ox_, oy_;
+    FarthestDepth farthest_;
+};
+
 }  // namespace
 
 void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch) {
     if (job.front.settings.visibility != Visibility::z_reversed) return find_visible_by_method(job, tile, scratch);
     std::fill(scratch.depth.begin(), scratch.depth.end(), -1.0f);  // farther than any key: those are 0 or more
     std::fill(scratch.visible.begin(), scratch.visible.end(), -1);
-    const Window area = job.grid.pixels(tile);
-    const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
-    FarthestDepth farthest(area, ox, oy, scratch.depth);
-    const std::uint32_t first = job.binned.offsets[tile], end = job.binned.offsets[tile + 1];
-    for (std::uint32_t i = first; i < end; ++i) {
-        const ScreenTriangle& s = job.binned.at(job.binned.items[i]);
-        if (farthest.hides(s)) continue;
-        const MaterialView& material = job.front.list.materials[job.front.list.draws[s.draw].material].view;
-        const auto position = std::int32_t(i - first);
-        if (material.blend) continue;
-        if (material.alpha_cutoff >= 0) {
-            cover_masked(job, s, position, area, ox, oy, scratch);
-            continue;
-        }
-        Coverage c;
-        if (!set_coverage(s, area, ox, oy, c)) continue;
-        const std::int32_t written = cover_opaque(job, c, position, scratch);
-        scratch.depth_passes += std::uint64_t(written);
-        farthest.written(written);
+    TileVisibility visibility(job, tile, scratch);
+    std::int32_t position = 0;
+    for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1]; ++r) {
+        visibility.draw(job.binned.runs[r], position);
+        position += std::int32_t(job.binned.runs[r].count);
     }
 }
 

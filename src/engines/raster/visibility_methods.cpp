@@ -81,8 +81,9 @@ SurfaceOrder::SurfaceOrder(const FrontEnd& front, const ScreenTriangle& s)
     const ClipVertices& clip = front.clip[s.draw];
     const ClipVertex v[3] = {clip[index[0]], clip[index[1]], clip[index[2]]};
     mean_ = (double(v[0].distance) + double(v[1].distance) + double(v[2].distance)) / 3;
-    EdgePlanes e;
-    if (!has_depth(method_) || !edge_planes(v, front.view, 0, 0, e)) return;  // never so for what is drawn
+    if (!has_depth(method_)) return;
+    EdgePlanes e{};
+    edge_planes(v, front.view, 0, 0, e);  // seen exactly from the edge: planes of 0, so the farthest corner counts
     double key[3];
     for (std::size_t i = 0; i < 3; ++i) {
         key[i] = reversed_depth(std::max(double(v[i].distance), range_.near), range_);

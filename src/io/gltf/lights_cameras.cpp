@@ -11,7 +11,7 @@ double positive(const Value& source, const char* name, std::optional<double> fal
     const std::optional<double> value = source.optional_number(name);
     if (!value && !fallback) source.fail(std::string(name) + " is missing");
     const double result = value.value_or(fallback.value_or(0));
-    if (!(result > 0) || result > 1e30) source.fail(std::string(name) + " must be greater than 0");
+    if (!(result > 0) || result > 1e30) source.fail(std::string(name) + " must be greater than 0 and at most 1e30");
     return result;
 }
 

@@ -76,7 +76,9 @@ EngineClipping clip_all(const Sources& of, const Vertices& vertices, const Visit
                 result.outside[p] += (all & planes[p].first) != 0;
                 result.passing[p] += all == 0 && (any & planes[p].first) != 0;
             }
-            if (all != 0 || any == ~0u || (any & raster::cutting_planes) == 0) continue;
+            if (all != 0 || std::count(codes, codes + 3, raster::outside_all) > 0 ||
+                (any & raster::cutting_planes) == 0)
+                continue;
             ++result.clipped;
             raster::ClipVertex polygon[raster::max_clipped_vertices];
             visit(d, t, polygon, clip_triangle(v, any & raster::cutting_planes, volume, polygon));

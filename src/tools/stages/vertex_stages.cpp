@@ -124,7 +124,7 @@ Stage screen_stage(const Sources& of, const Vertices& vertices) {
               [&](std::size_t d, std::uint32_t v) {
                   const dvec2 p = screen(d, v);
                   if (std::isnan(p.x)) return std::vector<double>(4, nan);
-                  const raster::ScreenPoint snapped = snap_to_screen(view, vertices.clip(d, v));
+                  const raster::ScreenVertex snapped = snap_to_screen(raster::ScreenMap(view), vertices.clip(d, v));
                   return std::vector<double>{p.x, p.y, double(snapped.x), double(snapped.y)};
               });
     return s;

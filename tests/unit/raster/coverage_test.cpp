@@ -21,7 +21,7 @@ ScreenTriangle triangle_of(Point a, Point b, Point c) {
     if (area < 0) std::swap(b, c);
     s.x0 = a.first, s.x1 = b.first, s.x2 = c.first;
     s.y0 = a.second, s.y1 = b.second, s.y2 = c.second;
-    s.depth_high = 1;
+    s.key0 = s.key1 = s.key2 = 1;
     return s;
 }
 

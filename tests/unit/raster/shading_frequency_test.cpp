@@ -222,7 +222,7 @@ TEST(ShadingFrequency, PiecesOfClippedTrianglesAndTilesAddNoEvaluations) {
     const Scene scene = scene_of(floor, matte());
     Camera camera;
     camera.near = 0.1;
-    camera.to_world = look_at({0, 0, 1}, {0, 10, 0}, {0, 0, 1});
+    camera.to_world = look_at({0, 0, 1}, {10, 9, 0}, {0, 0, 1});  // about along the border of the two triangles
     const Picture flat = draw(scene, camera, settings_for(Shading::flat, 300));
     EXPECT_GT(flat.stats.clipped, 0u);
     EXPECT_GT(flat.stats.drawn, flat.stats.lighting_evaluations);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coverage and depth test of one triangle in one tile, a vector of pixels of a row at a time. Per instruction set.
 #pragma once
-#include "engines/raster/kernel_types.h"
+#include "engines/raster/geometry_types.h"
 #include "math/wide.h"
 
 namespace rakelight::raster::RL_ISA {
@@ -20,12 +20,12 @@ static int32_t cover(const CoverJob* given) {
         const integer from_left = x - left;
         integer e[3];
         for (int k = 0; k < 3; ++k) e[k] = integer(job.edge[k]) + integer(job.step_x[k]) * from_left;
-        const real along = depth_x * to_real(x);
+        const real along = depth_x * to_real(x - integer(job.plane_x));
         for (int32_t y = job.top; y <= job.bottom; ++y) {
             const mask covered = (e[0] | e[1] | e[2]) >= integer(0) && in_box;
             for (int k = 0; k < 3; ++k) e[k] += integer(job.step_y[k]);
             if (no_lane(covered)) continue;
-            const real plane = real(job.depth_0 + job.depth_y * float(y)) + along;
+            const real plane = real(job.depth_0 + job.depth_y * float(y - job.plane_y)) + along;
             const real depth = min(max(plane, low), high);  // NaN of an overflowing plane: the farthest corner
             float* const at = job.depth + y * tile_size + x0;
             const mask nearer = covered && depth > load(at);  // the first of equals stays

@@ -4,7 +4,6 @@
 #include <stddef.h>
 
 #include "engines/raster/kernels/collect_kernel.h"
-#include "engines/raster/kernels/cover_kernel.h"
 #include "engines/raster/kernels/light_kernel.h"
 #include "engines/raster/kernels/record_kernel.h"
 #include "engines/raster/kernels/sample.h"
@@ -194,7 +193,7 @@ static void alpha(const ShadeJob* job) {
 }
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, cover, collect, record, shade, alpha, light};
+    static constexpr Kernels table = {lanes, collect, record, shade, alpha, light};
     return &table;
 }
 

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// Most triangles are done by the kernel (kernels/set_up_kernel.h); here is what it leaves: what is cut, large, or
+// touches several tiles; and the sorting.
+#include "engines/raster/set_up.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rakelight::raster {
+namespace {
+
+constexpr int tile_fixed = tile_size << subpixel_bits;
+constexpr std::uint64_t entry_bytes = sizeof(ScreenTriangle) + sizeof(Binned::items[0]);
+
+/// The pixels whose center may be inside, in the window.
+struct Box {
+    int left, right, top, bottom;
+};
+
+Box box_of(const ScreenTriangle& s, const Window& window) {
+    const auto [x_low, x_high] = std::minmax({s.x0, s.x1, s.x2});
+    const auto [y_low, y_high] = std::minmax({s.y0, s.y1, s.y2});
+    Box box;
+    box.left = std::max((x_low + 127) >> subpixel_bits, window.x);
+    box.right = std::min((x_high - 128) >> subpixel_bits, window.x + window.width - 1);
+    box.top = std::max((y_low + 127) >> subpixel_bits, window.y);
+    box.bottom = std::min((y_high - 128) >> subpixel_bits, window.y + window.height - 1);
+    return box;
+}
+
+/// False when one edge has the whole tile on its outer side.
+bool touches(const ScreenTriangle& s, int tx, int ty) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t n = (k + 1) % 3;
+        const std::int64_t dx = s.x(n) - s.x(k), dy = s.y(n) - s.y(k);
+        const std::int64_t px = std::int64_t(tx) * tile_fixed + (dy < 0 ? tile_fixed : 0);
+        const std::int64_t py = std::int64_t(ty) * tile_fixed + (dx > 0 ? tile_fixed : 0);
+        if (dx * (py - s.y(k)) - dy * (px - s.x(k)) < 0) return false;
+    }
+    return true;
+}
+
+/// Which sides of a draw are not drawn.
+struct Culling {
+    bool back, front, front_is_negative;
+
+    Culling(const FrontEnd& of, const Draw& draw) {
+        const DrawMaterial& material = of.list.materials[draw.material];
+        const bool two_sided = material.double_sided || material.classical;
+        back = of.settings.cull == Cull::back || (of.settings.cull == Cull::automatic && !two_sided);
+        front = of.settings.cull == Cull::front;
+        // With y down a counter-clockwise triangle has negative area; a mirroring placement turns it round once more.
+        front_is_negative = (of.settings.front_face == FrontFace::counter_clockwise) != draw.mirrored;
+    }
+};
+
+class ChunkSetUp {
+public:
+    ChunkSetUp(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, SetUpScratch& scratch,
+               RenderStats& stats)
+        : front_(front),
+          grid_(grid),
+          range_(range),
+          s_(scratch),
+          stats_(stats),
+          draw_(front.list.draws[range.draw]),
+          mesh_(front.list.scene.meshes[draw_.mesh]),
+          culling_(front, draw_),
+          volume_(front.view),
+          map_(front.view) {}
+
+    void run() {
+        s_.entries.clear();
+        s_.rows.resize(std::max(s_.rows.size(), range_.end - range_.first));
+        s_.tiles.resize(std::max(s_.tiles.size(), range_.end - range_.first));
+        next_row_ = std::uint32_t(run_kernel());
+        for (std::uint32_t i = 0, passed = next_row_; i < passed; ++i) {
+            const std::uint32_t tile = s_.tiles[i];
+            if (tile == to_be_cut)
+                add(s_.rows[i].triangle);
+            else if (tile == in_many_tiles)
+                bin(i, box_of(s_.rows[i], grid_.window));
+            else {
+                enter(tile, i);
+                ++stats_.drawn;
+            }
+        }
+        front_.memory.add(std::exchange(new_bytes_, 0));
+    }
+
+private:
+    std::int32_t run_kernel() {
+        SetUpJob job{};
+        job.indices = mesh_.indices.data() + 3 * range_.first;
+        job.count = std::int32_t(range_.end - range_.first);
+        job.first = std::uint32_t(range_.first);
+        job.draw = std::uint32_t(range_.draw);
+        job.vertices = front_.screen[range_.draw].data();
+        job.cull_back = culling_.back, job.cull_front = culling_.front,
+        job.front_is_negative = culling_.front_is_negative;
+        const Window& w = grid_.window;
+        job.left = w.x, job.top = w.y, job.right = w.x + w.width - 1, job.bottom = w.y + w.height - 1;
+        job.first_tile_x = grid_.first_x, job.first_tile_y = grid_.first_y, job.columns = grid_.columns;
+        job.rows = s_.rows.data();
+        job.tiles = s_.tiles.data();
+        const std::int32_t passed = front_.kernels.set_up(&job);
+        stats_.culled_back += job.culled_back;
+        stats_.culled_degenerate += job.culled_degenerate;
+        stats_.culled_outside += job.culled_outside;
+        return passed;
+    }
+
+    /// A triangle that passes a cutting plane, or a large one.
+    void add(std::uint32_t t) {
+        const std::uint32_t* const index = mesh_.indices.data() + 3 * std::size_t(t);
+        ScreenVertex corner[3];
+        unsigned planes = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corner[k] = front_.screen[range_.draw][index[k]];
+            planes |= corner[k].bits & cutting_planes;
+        }
+        if (planes == 0) return add(corner, t, false);
+        const ClipVertices& clip = front_.clip[range_.draw];
+        const ClipVertex v[3] = {clip[index[0]], clip[index[1]], clip[index[2]]};
+        ClipVertex polygon[max_clipped_vertices];
+        const std::size_t count = clip_triangle(v, planes, volume_, polygon);
+        ++stats_.clipped;
+        for (std::size_t k = 2; k < count; ++k) {
+            const ScreenVertex piece[3] = {snap_to_screen(map_, polygon[0]), snap_to_screen(map_, polygon[k - 1]),
+                                           snap_to_screen(map_, polygon[k])};
+            add(piece, t, true);
+        }
+    }
+
+    /// What kernels/set_up_kernel.h does, for any size.
+    void add(const ScreenVertex (&corner)[3], std::uint32_t t, bool is_piece) {
+        const std::int64_t area = std::int64_t(corner[1].x - corner[0].x) * (corner[2].y - corner[0].y) -
+                                  std::int64_t(corner[2].x - corner[0].x) * (corner[1].y - corner[0].y);
+        const bool is_back = (area < 0) != culling_.front_is_negative;
+        if (area == 0) {
+            ++stats_.culled_degenerate;
+            return;
+        }
+        if (is_back ? culling_.back : culling_.front) {
+            ++stats_.culled_back;
+            return;
+        }
+        const ScreenVertex &a = corner[0], &b = corner[area < 0 ? 2 : 1], &c = corner[area < 0 ? 1 : 2];
+        ScreenTriangle s;
+        s.x0 = a.x, s.x1 = b.x, s.x2 = c.x;
+        s.y0 = a.y, s.y1 = b.y, s.y2 = c.y;
+        s.key0 = a.key, s.key1 = b.key, s.key2 = c.key;
+        s.bits0 = a.bits, s.bits1 = b.bits, s.bits2 = c.bits;
+        s.draw = std::uint32_t(range_.draw), s.triangle = t;
+        s.is_back = is_back, s.is_piece = is_piece, s.is_swapped = area < 0;
+        const auto [x_low, x_high] = std::minmax({s.x0, s.x1, s.x2});
+        const auto [y_low, y_high] = std::minmax({s.y0, s.y1, s.y2});
+        s.is_large = x_high - x_low >= small_extent || y_high - y_low >= small_extent;
+        const Box box = box_of(s, grid_.window);
+        if (box.left > box.right || box.top > box.bottom) {
+            ++stats_.culled_outside;
+            return;
+        }
+        if (s_.rows.size() == next_row_) s_.rows.emplace_back();
+        s_.rows[next_row_] = s;
+        bin(next_row_++, box);
+    }
+
+    void bin(std::uint32_t row, const Box& box) {
+        const std::size_t before = s_.entries.size();
+        const int first_x = box.left / tile_size, last_x = box.right / tile_size;
+        const int first_y = box.top / tile_size, last_y = box.bottom / tile_size;
+        const bool is_in_one = first_x == last_x && first_y == last_y;
+        for (int ty = first_y; ty <= last_y; ++ty)
+            for (int tx = first_x; tx <= last_x; ++tx)
+                if (is_in_one || touches(s_.rows[row], tx, ty))
+                    enter(std::uint32_t((ty - grid_.first_y) * grid_.columns + tx - grid_.first_x), row);
+        ++(s_.entries.size() > before ? stats_.drawn : stats_.culled_outside);
+    }
+
+    void enter(std::uint32_t tile, std::uint32_t row) {
+        s_.entries.push_back({tile, row});
+        if (s_.count[tile]++ == 0) s_.touched.push_back(tile);
+        new_bytes_ += entry_bytes;
+        if (new_bytes_ > 1 << 20) front_.memory.add(std::exchange(new_bytes_, 0));
+    }
+
+    FrontEnd& front_;
+    const TileGrid& grid_;
+    const ChunkRange& range_;
+    SetUpScratch& s_;
+    RenderStats& stats_;
+    const Draw& draw_;
+    const Mesh& mesh_;
+    Culling culling_;
+    ClipVolume volume_;
+    ScreenMap map_;
+    std::uint32_t next_row_ = 0;
+    std::uint64_t new_bytes_ = 0;  ///< not yet told to the picture's memory
+};
+
+/// Counting sort of the entries by tile: rows side by side, in the order of the scene.
+void sort_by_tile(SetUpScratch& s, Binned::Chunk& chunk, std::vector<ChunkRun>& runs) {
+    chunk.count = s.entries.size();
+    if (chunk.rows.size() < chunk.count + row_padding) chunk.rows.resize(chunk.count + row_padding);
+    runs.clear();
+    std::uint32_t sum = 0;
+    for (const std::uint32_t tile : s.touched) {
+        runs.push_back({tile, sum, s.count[tile], false});
+        sum += std::exchange(s.count[tile], sum);
+    }
+    for (const SetUpScratch::Entry& e : s.entries) chunk.rows[s.count[e.tile]++] = s.rows[e.row];
+    for (ChunkRun& run : runs) {
+        s.count[run.tile] = 0;
+        const auto begin = chunk.rows.begin() + run.first;
+        run.has_large = std::any_of(begin, begin + run.count, [](const ScreenTriangle& t) { return t.is_large; });
+    }
+    s.touched.clear();
+}
+
+}  // namespace
+
+void set_up_chunk(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, SetUpScratch& scratch,
+                  Binned::Chunk& chunk, std::vector<ChunkRun>& runs, RenderStats& stats) {
+    ChunkSetUp(front, grid, range, scratch, stats).run();
+    sort_by_tile(scratch, chunk, runs);
+}
+
+}  // namespace rakelight::raster

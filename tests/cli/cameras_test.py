@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Cameras and scenes at the edge of sense: each gives one clear line, or the right picture.
+
+  cameras_test.py PROGRAM [unittest arguments]"""
+import json
+import math
+
+import program
+from models import TRIANGLE, triangle_gltf, write_glb
+
+
+class Cameras(program.Case):
+    def render(self, *arguments):
+        return self.run_program("render", *arguments, "-o", "a.png", "--resolution", "64,48", "--json")
+
+    def covered(self, result):
+        self.assertEqual(result.code, 0, result.err)
+        return json.loads(result.out)["rows"][0]["stats"]["pixels_covered"]
+
+    def with_camera(self, camera, **node):
+        write_glb(self.folder / "a.glb", triangle_gltf([{"mesh": 0}, {"camera": 0, "translation": [0, 0, 3], **node}], cameras=[camera]), TRIANGLE)
+
+    def test_a_camera_that_looks_at_where_it_stands_is_refused(self):
+        self.check_no_picture(self.render("builtin:teapot", "--camera-position", "1,2,3", "--camera-focal-point", "1,2,3"), "the same")
+
+    def check_no_picture(self, result, *words):
+        self.assertEqual((result.code, len(result.lines)), (2, 1), result.err)
+        for word in words:
+            self.assertIn(word, result.err)
+        self.assertFalse((self.folder / "a.png").exists())
+
+    def test_an_up_along_the_view_gives_a_picture_and_one_of_no_length_is_refused(self):
+        view = ("builtin:teapot", "--camera-position", "0,5,0", "--camera-focal-point", "0,0,0")
+        along = self.covered(self.render(*view))
+        self.assertGreater(along, 100)
+        self.assertAlmostEqual(self.covered(self.render(*view, "--camera-view-up", "0,0,-1")), along, delta=0.1 * along)  # only turned
+        (self.folder / "a.png").unlink()
+        self.check_no_picture(self.render(*view, "--camera-view-up", "0,0,0"), "up")
+
+    def test_fields_of_view_that_see_nothing_or_all_are_refused(self):
+        for angle in ("0", "180", "-10", "360", "nan", "inf"):
+            with self.subTest(angle=angle):
+                self.check_no_picture(self.render("builtin:teapot", "--camera-view-angle", angle), "--camera-view-angle")
+        for angle in ("0.001", "179"):
+            self.assertEqual(self.render("builtin:teapot", "--camera-view-angle", angle).code, 0)
+
+    def test_cameras_of_files_that_cannot_be_are_left_out_and_that_is_said(self):
+        for depths, word in (((1, 1), "zfar must be greater than znear"), ((10, 1), "zfar must be greater than znear"), ((0, 100), "znear"), ((-1, 100), "znear"),
+                             ((0.1, 1e38), "at most 1e30")):
+            with self.subTest(depths=depths):
+                self.with_camera({"type": "perspective", "perspective": {"yfov": 0.7, "znear": depths[0], "zfar": depths[1]}})
+                result = self.render("a.glb")
+                self.assertGreater(self.covered(result), 100)  # the view that is fitted to the model
+                self.assertIn(word, result.err)
+                self.assertEqual(self.render("a.glb", "--camera-index", "0").code, 2)
+        for angle in (0, -1, math.pi, 4):
+            with self.subTest(angle=angle):
+                self.with_camera({"type": "perspective", "perspective": {"yfov": angle, "znear": 0.1}})
+                result = self.render("a.glb")
+                self.assertGreater(self.covered(result), 100)
+                self.assertIn("yfov", result.err)
+        self.with_camera({"type": "orthographic", "orthographic": {"xmag": 0, "ymag": 0, "znear": 0.1, "zfar": 10}})
+        self.assertIn("must not be zero", self.render("a.glb").err)
+
+    def test_a_range_that_holds_the_model_is_seen_however_thin_or_wide(self):
+        pictures = set()
+        for near, far in ((0.1, 100), (1e-20, 1e20), (2.999, 3.001), (1e-20, 3.001), (2.999, 1e29)):
+            with self.subTest(near=near, far=far):
+                self.with_camera({"type": "perspective", "perspective": {"yfov": 0.7, "znear": near, "zfar": far}})
+                self.assertGreater(self.covered(self.render("a.glb", "--camera-index", "0")), 100)
+                pictures.add((self.folder / "a.png").read_bytes())
+        self.assertEqual(len(pictures), 1)
+
+    def test_a_placement_without_extent_or_turned_inside_out_is_still_a_place(self):
+        pictures = set()
+        for node in ({}, {"scale": [0, 0, 0]}, {"scale": [1, 0, 1]}, {"scale": [-1, 1, 1]}, {"scale": [7, 7, 7]}, {"rotation": [0, 0, 0, 0]}):
+            self.with_camera({"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.1}}, **node)
+            self.assertGreater(self.covered(self.render("a.glb", "--camera-index", "0")), 100, node)
+            pictures.add((self.folder / "a.png").read_bytes())
+        self.assertEqual(len(pictures), 1)
+
+    def test_a_scene_without_light_shows_emission_alone_and_one_without_triangles_is_refused(self):
+        self.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n")
+        self.write("a.mtl", "newmtl m\nKd 1 1 1\nKe 1 0 0\n")
+        dark = ("a.obj", "--light", "ambient:0,0,0", "--background", "0,0,0", "--view", "front")
+        self.assertGreater(self.covered(self.render(*dark)), 100)
+        shown = {bytes(row[3 * x:3 * x + 3]) for row in program.png(self.folder / "a.png")[3] for x in range(64)}
+        self.assertEqual(shown, {b"\0\0\0", b"\xff\0\0"})
+        (self.folder / "a.png").unlink()
+        write_glb(self.folder / "b.glb", {"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"name": "nothing"}]}, b"\0\0\0\0")
+        result = self.run_program("render", "b.glb", "-o", "a.png")
+        self.check_refused(result, 4, "b.glb")
+
+
+if __name__ == "__main__":
+    program.main()
