@@ -106,6 +106,21 @@ void add_view_options(CLI::App& app, const char* group, RenderWords& w) {
         ->group(group);
 }
 
+static void add_line_options(CLI::App& app, RenderWords& w) {
+    const char* const group = "Lines and points";
+    app.add_flag("-e,--edges", w.edges, "Draw the edges of the triangles over the picture")->group(group);
+    app.add_flag("--wireframe", w.wireframe, "Draw only the edges, no surfaces")->group(group);
+    add(app, group, "--points", w.points, "SHAPE",
+        "Draw the vertices of the triangles over the picture: square, disc (default none)");
+    app.add_flag("--point-sprites", w.point_sprites,
+                 "Draw only the vertices, no surfaces (as --points says, else discs)")
+        ->group(group);
+    add(app, group, "--line-width", w.line_width, "PX", "Width of lines in pixels, the model's own too (default 1)");
+    add(app, group, "--point-size", w.point_size, "PX", "Size of points in pixels, the model's own too (default 4)");
+    add(app, group, "--line-color", w.line_color, "COLOR",
+        "Color of edges and vertices (default: black over surfaces, else the material's)");
+}
+
 void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Output", "-o,--output", w.output, "FILE",
         "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for the model's name")
@@ -141,6 +156,7 @@ void add_render_options(CLI::App& app, RenderWords& w) {
         "(z-buffer of the textbook's depth), painter (triangles sorted by depth), none (the last drawn stays), "
         "back-face (none, "
         "and back faces are left out)");
+    add_line_options(app, w);
     add_normal_options(app,
                        "auto (default: the file's, else as its format says, else model), file, flat, object (smooth "
                        "within each object), model (smooth over all objects: no seams)",

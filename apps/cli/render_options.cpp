@@ -81,6 +81,29 @@ void apply_lighting(const RenderWords& w, RenderSettings& s) {
                        {{"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}});
 }
 
+float pixels(const std::string& option, const std::string& text) {
+    const double size = number(option, text);
+    if (!(size > 0 && size <= 256))
+        throw Error(ErrorCode::usage, option + ": must be more than 0 and at most 256 pixels");
+    return float(size);
+}
+
+void apply_lines(const RenderWords& w, RenderSettings& s) {
+    s.edges = w.edges || w.wireframe;
+    s.surfaces = !w.wireframe && !w.point_sprites;
+    if (w.point_sprites) s.points = PointShape::disc;
+    if (!w.points.empty())
+        s.points =
+            word<PointShape>("--points", w.points,
+                             {{"none", PointShape::none}, {"square", PointShape::square}, {"disc", PointShape::disc}});
+    if (w.point_sprites && s.points == PointShape::none)
+        throw Error(ErrorCode::usage, "--point-sprites and --points none exclude each other");
+    if (!w.line_width.empty()) s.line_width = pixels("--line-width", w.line_width);
+    if (!w.point_size.empty()) s.point_size = pixels("--point-size", w.point_size);
+    if (!w.line_color.empty()) s.line_color = background("--line-color", w.line_color);
+    if (!w.line_color.empty() && s.line_color.w == 0) throw Error(ErrorCode::usage, "--line-color: must be a color");
+}
+
 void apply_normals(const RenderWords& w, PrepareOptions& p) {
     if (!w.normals.empty())
         p.normals = word<NormalSource>("--normals", w.normals,
@@ -165,6 +188,7 @@ void apply(const RenderWords& words, PictureRequest& request) {
     request.engine = words.engine;
     apply_size(words, request.settings);
     apply_lighting(words, request.settings);
+    apply_lines(words, request.settings);
     apply_normals(words, request.prepare);
     apply_textures(words, request.textures);
     apply_view(words, request.view);

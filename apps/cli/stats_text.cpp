@@ -20,7 +20,8 @@ std::string stats_text(const PictureResult& result) {
                 {"triangles drawn", s.drawn},
                 {"pixels covered", s.pixels_covered},
                 {"pixels shaded", s.pixels_shaded},
-                {"depth passes", s.depth_passes}};
+                {"depth passes", s.depth_passes},
+                {"line, point pixels", s.pixels_marked}};
     const std::string name = one_line(result.output) + ": ";
     std::string text;
     char line[80];

@@ -30,6 +30,9 @@ enum class Cull : std::uint8_t { automatic, none, back, front };  ///< automatic
 /// left out where Cull is automatic.
 enum class Visibility : std::uint8_t { z_reversed, z_float, z16, z24, z32, painter, none, back_face };
 
+/// How vertices are shown, if at all.
+enum class PointShape : std::uint8_t { none, square, disc };
+
 /// Channels beside color that an engine can hand out, as bits.
 enum Channel : std::uint32_t {
     channel_depth = 1u << 0,     ///< [m] distance along the view axis; +infinity where nothing is
@@ -49,6 +52,13 @@ struct RenderSettings {
     FrontFace front_face = FrontFace::counter_clockwise;
     Cull cull = Cull::automatic;
     Visibility visibility = Visibility::z_reversed;
+    bool surfaces = true;  ///< triangles are filled; false: only lines and points are drawn
+    bool edges = false;    ///< edges of the triangles that culling leaves, over the picture
+    PointShape points =
+        PointShape::none;  ///< their vertices; the scene's own points are discs unless this says squares
+    float line_width = 1, point_size = 4;  ///< [px] more than 0, at most 256; of the scene's own lines and points too
+    vec4 line_color{0, 0, 0,
+                    0};  ///< of edges and vertices, linear; alpha 0: black over surfaces, else the material's own
     vec4 background{0.18f, 0.18f, 0.2f, 1};  ///< linear RGB and alpha
     bool specular_horizon = true;    ///< no highlight where the light is below the surface (false: as printed)
     bool orthogonalize = true;       ///< normal maps: the tangent is made perpendicular to the normal at every pixel
@@ -119,6 +129,7 @@ struct RenderStats {
     /// 1 where every pixel was written once. Depends on the order of the triangles.
     std::uint64_t depth_passes = 0;
     double overdraw() const { return pixels_covered > 0 ? double(depth_passes) / double(pixels_covered) : 0; }
+    std::uint64_t pixels_marked = 0;      ///< pixels that lines or points cover, each color of them counted
     std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
     StageTimes times;  ///< never the same twice
 };

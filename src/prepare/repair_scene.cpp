@@ -47,6 +47,13 @@ void check_nodes(const Scene& scene, Report& report) {
     }
 }
 
+static bool has_lines_or_points(const Scene& scene) {
+    for (const Node& node : scene.nodes)
+        for (const std::uint32_t mesh : node.meshes)
+            if (scene.meshes[mesh].topology != Topology::triangles && !scene.meshes[mesh].indices.empty()) return true;
+    return false;
+}
+
 Scene repair_scene(const Scene& scene, bool keep_normals, Context& context) {
     std::vector<std::uint32_t> numbers;
     for (const Instance& instance : drawn_instances(scene)) numbers.push_back(instance.mesh);
@@ -69,7 +76,8 @@ Scene repair_scene(const Scene& scene, bool keep_normals, Context& context) {
     for (std::size_t i = 0; i < numbers.size(); ++i)
         for (const Finding& f : findings[i])
             context.report().add(f.remark, scene.source, Place{"mesh", numbers[i], scene.meshes[numbers[i]].name}.text(), f.message);
-    if (triangle_count(out) == 0) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
+    if (triangle_count(out) == 0 && !has_lines_or_points(out))
+        throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     return out;
 }
 

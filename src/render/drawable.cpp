@@ -11,8 +11,14 @@
 namespace rakelight {
 namespace {
 
-bool has_area(const Mesh& mesh, const dmat4& to_world) {
-    if (mesh.topology != Topology::triangles) return false;
+/// Lines and points need no more than a place.
+bool has_place(const Mesh& mesh) {
+    return std::any_of(mesh.indices.begin(), mesh.indices.end(),
+                       [&](std::uint32_t i) { return is_finite(mesh.positions[i]); });
+}
+
+bool can_be_seen(const Mesh& mesh, const dmat4& to_world) {
+    if (mesh.topology != Topology::triangles) return has_place(mesh);
     const auto corner = [&](std::size_t i) {
         return transform_direction(to_world, cast<double>(mesh.positions[mesh.indices[i]]));
     };
@@ -27,17 +33,18 @@ bool has_area(const Mesh& mesh, const dmat4& to_world) {
 
 }  // namespace
 
-bool has_area(const Scene& scene) {
+bool can_be_seen(const Scene& scene) {
     const std::vector<dmat4> world = world_matrices(scene);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         for (const std::uint32_t mesh : scene.nodes[i].meshes)
-            if (has_area(scene.meshes[mesh], world[i])) return true;
+            if (can_be_seen(scene.meshes[mesh], world[i])) return true;
     return false;
 }
 
 void check_drawable(const Scene& scene) {
-    if (!has_area(scene))
-        throw Error(ErrorCode::bad_file, "nothing to draw: no triangle has an area").with_file(scene.source);
+    if (!can_be_seen(scene))
+        throw Error(ErrorCode::bad_file, "nothing to draw: no triangle has an area, and there are no lines or points")
+            .with_file(scene.source);
 }
 
 }  // namespace rakelight

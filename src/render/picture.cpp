@@ -30,6 +30,7 @@ void add(RenderStats& sum, const RenderStats& s) {
     sum.lighting_evaluations += s.lighting_evaluations;
     sum.vertices_lit_twice += s.vertices_lit_twice;
     sum.depth_passes += s.depth_passes;
+    sum.pixels_marked += s.pixels_marked;
 }
 
 std::uint64_t count_objects(const Scene& scene) {
@@ -102,7 +103,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
 
     context.progress("render", 0);
     draw_to_files(engine, camera, request, result, context);
-    if (result.stats.pixels_shaded == 0)  // blended surfaces cover nothing, but are seen
+    if (result.stats.pixels_shaded + result.stats.pixels_marked == 0)  // blended surfaces cover nothing, but are seen
         context.report().add(Remark::warning, request.input, "", "no pixel of the picture shows the model");
     return result;
 }

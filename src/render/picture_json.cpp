@@ -18,7 +18,8 @@ Json stats_json(const RenderStats& s) {
             {"lighting_evaluations", s.lighting_evaluations},
             {"vertices_lit_twice", s.vertices_lit_twice},
             {"depth_passes", s.depth_passes},
-            {"overdraw", s.overdraw()}};
+            {"overdraw", s.overdraw()},
+            {"pixels_marked", s.pixels_marked}};
 }
 
 namespace {

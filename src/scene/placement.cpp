@@ -32,7 +32,7 @@ double Bounds::diagonal() const {
 
 namespace {
 
-/// 1 for every vertex that a triangle uses: stray vertices must not push the camera away.
+/// 1 for every vertex that a triangle, line or point uses: stray vertices must not push the camera away.
 std::vector<std::uint8_t> used_vertices(const Mesh& mesh) {
     std::vector<std::uint8_t> used(mesh.positions.size(), 0);
     for (const std::uint32_t index : mesh.indices) used[index] = 1;
@@ -59,7 +59,6 @@ Bounds world_bounds(const Scene& scene) {
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         for (const std::uint32_t number : scene.nodes[i].meshes) {
             const Mesh& mesh = scene.meshes[number];
-            if (mesh.topology != Topology::triangles) continue;  // lines and points are kept as data, not drawn
             if (used[number].empty()) used[number] = used_vertices(mesh);
             extend(bounds, mesh, used[number], world[i]);
         }

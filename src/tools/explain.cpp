@@ -36,6 +36,9 @@ std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int
                                               std::to_string(request.settings.height) + " pixels");
         out->engine = open_engine(request, context);
         out->pixel = out->engine->explain(x, y, context);
+        if (out->pixel.has_marks)
+            context.report().add(Remark::warning, request.input, {},
+                                 "lines or points of the model lie about this pixel: only its surfaces are explained");
         out->codes = codes(out->pixel.color, request.settings.background.w < 1);
         return out;
     } catch (const std::bad_alloc&) {

@@ -10,6 +10,9 @@ std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& requ
     const RenderSettings& settings = request.settings;
     if (settings.shading == Shading::flat || settings.shading == Shading::gouraud)
         throw Error(ErrorCode::usage, "only shading per pixel (phong) and own color (unlit) can be looked into");
+    if (settings.edges || settings.points != PointShape::none || !settings.surfaces)
+        throw Error(ErrorCode::usage,
+                    "only surfaces can be looked into: leave --edges, --wireframe, --points and --point-sprites out");
     context.progress("load", 0);
     Scene scene = load(request.input, request.load, context);
     scene = override_textures(scene, request.textures, request.prepare.uv, context);

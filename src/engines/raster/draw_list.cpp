@@ -21,16 +21,12 @@ void measure(const Mesh& mesh, vec3& low, vec3& high) {
     }
 }
 
-void add_draws(DrawList& list, Context& context) {
+void add_draws(DrawList& list) {
     const Scene& scene = list.scene;
     std::map<const void*, std::pair<vec3, vec3>> bounds;  // by position block
     for (std::uint32_t n = 0; n < scene.nodes.size(); ++n)
         for (const std::uint32_t m : scene.nodes[n].meshes) {
             const Mesh& mesh = scene.meshes[m];
-            if (mesh.topology != Topology::triangles) {
-                context.report().add(Remark::dropped, scene.source, mesh.name, "lines and points are not drawn by the soft engine");
-                continue;
-            }
             if (mesh.indices.empty()) continue;
             Draw draw;
             draw.node = n;
@@ -42,7 +38,8 @@ void add_draws(DrawList& list, Context& context) {
             if (is_new) measure(mesh, known->second.first, known->second.second);
             draw.low = known->second.first;
             draw.high = known->second.second;
-            if (draw.low.x <= draw.high.x) list.draws.push_back(draw);
+            if (draw.low.x <= draw.high.x)
+                (mesh.topology == Topology::triangles ? list.draws : list.line_draws).push_back(draw);
         }
 }
 
@@ -54,7 +51,7 @@ DrawList make_draw_list(const Scene& scene, TextureCache& textures, Context& con
     DrawList list;
     list.scene = scene;
     list.node_to_world = world_matrices(scene);
-    add_draws(list, context);
+    add_draws(list);
     fill_materials(list, textures, context);
     for (const Draw& draw : list.draws)
         if (!scene.meshes[draw.mesh].colors.empty()) list.materials[draw.material].view.vertex_colors = 1;

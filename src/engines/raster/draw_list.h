@@ -32,12 +32,13 @@ struct DrawMaterial {
 struct DrawList {
     Scene scene;                     ///< keeps the blocks alive
     std::vector<dmat4> node_to_world;
-    std::vector<Draw> draws;
+    std::vector<Draw> draws;       ///< of triangles
+    std::vector<Draw> line_draws;  ///< of lines and points
     std::vector<DrawMaterial> materials;
     std::deque<TextureView> views;   ///< what the slots of the materials point to
 };
 
-/// Flattens a valid, posed scene. Lines and points are left out, said in the report.
+/// Flattens a valid, posed scene.
 DrawList make_draw_list(const Scene& scene, TextureCache& textures, Context& context);
 
 /// The lights of a scene about an eye.

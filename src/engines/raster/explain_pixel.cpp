@@ -29,6 +29,7 @@ public:
         for (const std::size_t i : order_) shade(i);
         draw();
         sort_by_depth();
+        out_.has_marks = !drawn_.marks.is_empty() && !drawn_.marks.items.empty();
         return std::move(out_);
     }
 

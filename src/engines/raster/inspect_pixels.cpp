@@ -39,7 +39,7 @@ public:
           open_(open),
           drawn_(drawn),
           tile_(tile),
-          job_{drawn.front, drawn.binned, drawn.grid, of.lights(), *scalar::kernels(), true, drawn.points, false, true},
+          job_{drawn.front, drawn.binned, drawn.grid, of.lights(), *scalar::kernels(), true, drawn.points, false, true, &drawn.marks},
           area_(drawn.grid.pixels(tile)),
           ox_(drawn.grid.origin_x(tile)),
           oy_(drawn.grid.origin_y(tile)),

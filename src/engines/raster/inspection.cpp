@@ -46,6 +46,7 @@ Inspection::Geometry::Geometry(const Inspection& of, Window window, bool with_cu
     transform_draws(front, context);
     binned = set_up_and_bin(front, grid, {}, context);
     points = light_points(front, binned, of.lights(), *scalar::kernels(), {}, context);
+    marks = make_marks(front, grid, context);
 }
 
 }  // namespace rakelight::raster

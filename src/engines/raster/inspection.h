@@ -9,6 +9,7 @@
 #include "engines/raster/front_end.h"
 #include "engines/raster/kernels/trace_types.h"
 #include "engines/raster/light_points.h"
+#include "engines/raster/marks.h"
 
 namespace rakelight::raster {
 
@@ -50,7 +51,8 @@ struct PixelExplanation {
     std::vector<CoveringTriangle> triangles;  ///< nearest first
     std::vector<ShadedLayer> layers;          ///< in the order in which they were laid: at most one that is not blended
     vec4 sum;     ///< what the layers come to
-    vec4 color;   ///< the pixel as the engine draws it: equal to `sum` to the bit
+    vec4 color;   ///< the pixel's surfaces as the engine draws them: equal to `sum` to the bit
+    bool has_marks = false;  ///< lines or points of the scene may lie over them
 };
 
 /// A prepared scene seen by a camera. Not to be copied: its parts refer to each other.
@@ -81,6 +83,7 @@ public:
         FrontEnd front;  ///< refers to `settings`
         Binned binned;
         LightPoints points;  ///< flat and Gouraud: lit corners
+        Marks marks;         ///< the scene's lines and points
     };
 
     /// Everything about one pixel. @throws Error usage: outside of the picture

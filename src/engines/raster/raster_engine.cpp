@@ -110,6 +110,14 @@ void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     sink.tile(result);
 }
 
+/// No triangles in any tile.
+Binned nothing(const TileGrid& grid) {
+    Binned binned;
+    binned.offsets.assign(grid.count() + 1, 0);
+    binned.run_offsets = binned.offsets;
+    return binned;
+}
+
 /// Seconds since the last lap, by the clock on the wall.
 class StageClock {
 public:
@@ -159,14 +167,15 @@ public:
                        {},
                        PictureMemory(context.memory())};
         transform_draws(front, context);
-        Binned binned = set_up_and_bin(front, grid, std::move(binned_), context);
+        Binned binned = settings.surfaces ? set_up_and_bin(front, grid, std::move(binned_), context) : nothing(grid);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
         LightPoints points = light_points(front, binned, lights, *kernels_, std::move(points_), context);
+        const Marks marks = make_marks(front, grid, context);
         front.stats.times.front_end = clock.lap();
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
-        draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8()}, sink, context,
+        draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8(), false, &marks}, sink, context,
                    front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap();
@@ -179,17 +188,18 @@ public:
 
 private:
     void draw_tiles(const TileJob& job, Sink& sink, Context& context, RenderStats& stats) {
-        std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, lit_pixels{0}, depth_passes{0};
+        std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, marked{0}, lit_pixels{0}, depth_passes{0};
         std::atomic<std::size_t> done{0};
         context.parallel_for(job.grid.count(), [&](std::size_t tile) {
             const FlushDenormals guard;
             if (context.cancelled()) return;
             auto scratch = pool_.take();
-            scratch->covered = scratch->shaded = scratch->not_finite = scratch->lit_pixels = scratch->depth_passes = 0;
+            scratch->covered = scratch->shaded = scratch->not_finite = scratch->marked = scratch->lit_pixels = scratch->depth_passes = 0;
             draw_tile(job, tile, *scratch, sink);
             covered += scratch->covered;
             shaded += scratch->shaded;
             not_finite += scratch->not_finite;
+            marked += scratch->marked;
             lit_pixels += scratch->lit_pixels;
             depth_passes += scratch->depth_passes;
             pool_.give_back(std::move(scratch));
@@ -200,6 +210,7 @@ private:
         stats.pixels_covered = covered;
         stats.pixels_shaded = shaded;
         stats.pixels_not_finite = not_finite;
+        stats.pixels_marked = marked;
         stats.lighting_evaluations += lit_pixels;
         stats.depth_passes = depth_passes;
         if (not_finite > 0)

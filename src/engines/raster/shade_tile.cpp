@@ -186,7 +186,7 @@ ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y
 bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     std::vector<DrawRun> runs;
     find_runs(job, tile, runs);
-    const bool blends = has_blended(job, runs), direct = job.to_srgb8 && !blends;
+    const bool blends = has_blended(job, runs) || has_marks(job, tile), direct = job.to_srgb8 && !blends;
     set_background(job.front.settings, direct, s);
     s.record.assign(job.binned.offsets[tile + 1] - job.binned.offsets[tile], -1);
     if (runs.size() > most_passes)
@@ -239,7 +239,8 @@ void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
 }  // namespace
 
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
-    blend_layers(job, tile, s);
+    if (job.has_blended) blend_layers(job, tile, s);
+    if (has_marks(job, tile)) draw_marks(job, tile, s);
     if (job.to_srgb8) to_srgb8(s.color, 4, {reinterpret_cast<std::uint8_t*>(s.srgb8.data()), 4 * s.srgb8.size()});
 }
 

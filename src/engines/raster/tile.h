@@ -6,6 +6,7 @@
 
 #include "engines/raster/front_end.h"
 #include "engines/raster/light_points.h"
+#include "engines/raster/marks.h"
 
 namespace rakelight::raster {
 
@@ -22,6 +23,7 @@ struct TileJob {
     const LightPoints& points;
     bool to_srgb8 = false;       ///< the sink takes display values
     bool whole_records = false;  ///< records have what no texture of their material needs, too: for inspection
+    const Marks* marks = nullptr;  ///< lines and points; null: none
 };
 
 /// Arrays for the record kernel: triangles of one draw. [count + batch_padding]
@@ -54,7 +56,8 @@ struct TileScratch {
         std::vector<std::uint32_t>(tile_pixels);  ///< in place of `color` where the sink takes display values
     std::vector<vec3> normal = std::vector<vec3>(tile_pixels);
     std::vector<std::uint32_t> object = std::vector<std::uint32_t>(tile_pixels), material = std::vector<std::uint32_t>(tile_pixels);
-    std::uint64_t covered = 0, shaded = 0, not_finite = 0;
+    std::vector<PendingMark> pending;  ///< [tile_pixels] in pictures with lines or points; between tiles nothing waits
+    std::uint64_t covered = 0, shaded = 0, not_finite = 0, marked = 0;
     StageTimes times;  ///< of all tiles so far
     std::uint64_t lit_pixels = 0;        ///< lighting was evaluated at
     std::uint64_t depth_passes = 0;      ///< opaque and masked pixels that were nearer than what stood there
@@ -65,9 +68,9 @@ struct TileScratch {
 
 /// Nearest opaque (or masked, where its texture is opaque) triangle of every pixel.
 void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch);
-/// Colors of the visible pixels. True where something is to be blended over them.
+/// Colors of the visible pixels. True where something is to be laid over them.
 bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& scratch);
-/// Blended triangles over them, far to near.
+/// Blended triangles over them, far to near, then lines and points.
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& scratch);
 
 /// The kernel's records of triangles of one draw, about the tile's first pixel center, into `triangles` of the scratch;

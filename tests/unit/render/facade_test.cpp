@@ -88,20 +88,20 @@ TEST(Facade, UnknownEnginesAreRefusedByName) {
 TEST(Facade, WhatHasNoAreaFromAnySideIsNothingToDraw) {
     Context context;
     Scene scene = two_squares();
-    EXPECT_TRUE(has_area(scene));
+    EXPECT_TRUE(can_be_seen(scene));
     scene.nodes[0].local.scale = {0, 0, 0};
-    EXPECT_TRUE(has_area(scene));
+    EXPECT_TRUE(can_be_seen(scene));
     scene.nodes[1].local.scale = {1, 0, 1};  // a square seen edge on from everywhere: a line
-    EXPECT_FALSE(has_area(scene));
+    EXPECT_FALSE(can_be_seen(scene));
     EXPECT_THROW(render(scene, small(), context), Error);
     scene = two_squares();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (Mesh& mesh : scene.meshes) mesh.positions = std::vector<vec3>(4, vec3{0, 0, nan});
-    EXPECT_FALSE(has_area(scene));
-    EXPECT_FALSE(has_area(Scene{}));
+    EXPECT_FALSE(can_be_seen(scene));
+    EXPECT_FALSE(can_be_seen(Scene{}));
     scene = two_squares();
     for (Node& node : scene.nodes) node.local.scale = {1e-100, 1e-100, 1e-100};
-    EXPECT_TRUE(has_area(scene));
+    EXPECT_TRUE(can_be_seen(scene));
 }
 
 TEST(Facade, BuildInfoNamesWhatIsInUse) {

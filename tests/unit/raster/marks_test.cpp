@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines and points: what they cover, what hides them, and that they stay on the surfaces they belong to.
+#include "engines/raster/marks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+#include "engines/raster/raster_engine.h"
+#include "math/isa.h"
+#include "support/scene_builder.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+
+namespace {
+
+constexpr int side = 64;
+
+RenderSettings settings() { return {.width = side, .height = side, .background = {0, 0, 0, 1}}; }
+
+Frame draw(const Scene& scene, const Camera& camera, const RenderSettings& s = settings(), int threads = 1, RenderStats* stats = nullptr) {
+    Context context({.threads = threads});
+    auto engine = raster::make_engine();
+    engine->prepare(scene, context);
+    Frame frame;
+    const RenderStats counted = engine->render(camera, s, frame, context);
+    if (stats) *stats = counted;
+    return frame;
+}
+
+vec4 pixel(const Frame& f, int x, int y) { return f.color[std::size_t(y * f.window.width + x)]; }
+
+bool same_bits(const Frame& a, const Frame& b) {
+    return a.color.size() == b.color.size() && std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(vec4)) == 0;
+}
+
+double sum_of_red(const Frame& f) {
+    double sum = 0;
+    for (const vec4& c : f.color) sum += double(c.x);
+    return sum;
+}
+
+std::uint32_t add_unlit(Scene& scene, vec4 color, bool double_sided = true) {
+    Material m;
+    m.model = MaterialModel::unlit;
+    m.base_color = color;
+    m.double_sided = double_sided;
+    scene.materials.push_back(m);
+    return std::uint32_t(scene.materials.size() - 1);
+}
+
+/// Lines or points through these places, in pairs or one by one.
+void add_marks(Scene& scene, Topology topology, std::vector<vec3> places, vec4 color = {1, 1, 1, 1}, std::vector<vec4> colors = {}) {
+    Mesh mesh;
+    mesh.topology = topology;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < places.size(); ++i) indices.push_back(i);
+    mesh.positions = std::move(places);
+    mesh.indices = indices;
+    if (!colors.empty()) mesh.colors = std::move(colors);
+    mesh.material = add_unlit(scene, color);
+    add_object(scene, std::move(mesh));
+}
+
+/// flat_camera() shows -1..1 on 64 pixels: the place of a pixel coordinate.
+float at(double px) { return float(px / 32 - 1); }
+vec3 place(double px, double py, float z = 0) { return {at(px), -at(py), z}; }
+
+Scene one_line(vec3 a, vec3 b) {
+    Scene scene;
+    add_marks(scene, Topology::lines, {a, b});
+    return scene;
+}
+
+/// A square turned about x and y, unlit white.
+Scene tilted_square() {
+    Scene scene;
+    add_object(scene, square_mesh(add_unlit(scene, {1, 1, 1, 1})),
+               compose({0, 0, 0}, {-0.5, 0.2, 0.05, 0.8}, {1, 1, 1}));
+    return scene;
+}
+
+Camera eye() {
+    Camera camera;
+    camera.vertical_fov_rad = radians(50);
+    camera.near = 0.1;
+    camera.far = 100;
+    camera.to_world = translation(dvec3{0.1, 0.2, 2.2});
+    return camera;
+}
+
+/// Squares in every attitude, some through the eye plane, with lines and points of the scene's own.
+Scene busy_scene() {
+    Scene scene;
+    const std::uint32_t materials[] = {add_unlit(scene, {0.9f, 0.5f, 0.2f, 1}), add_unlit(scene, {0.2f, 0.5f, 0.9f, 1}, false)};
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> part(-2, 2);
+    const auto anywhere = [&] { return vec3{part(random), part(random), part(random)}; };
+    for (int n = 0; n < 20; ++n) {
+        Mesh mesh = square_mesh(materials[n % 2]);
+        mesh.positions = std::vector<vec3>{anywhere(), anywhere(), anywhere(), anywhere()};
+        add_object(scene, std::move(mesh), scaling(dvec3{n % 3 ? 1.0 : -1.0, 1, 1}));
+    }
+    std::vector<vec3> places;
+    std::vector<vec4> colors;
+    for (int n = 0; n < 40; ++n) places.push_back(anywhere()), colors.push_back({float(n % 3), float(n % 2), 0.5f, 1});
+    add_marks(scene, Topology::lines, places, {1, 1, 0, 1}, colors);
+    add_marks(scene, Topology::points, places, {0, 1, 1, 1});
+    return scene;
+}
+
+}  // namespace
+
+TEST(Marks, ALineOfOnePixelAlongPixelCentersCoversThemAndNothingElse) {
+    const Frame f = draw(one_line(place(10.5, 20.5), place(50.5, 20.5)), flat_camera());
+    for (int x = 0; x < side; ++x) {
+        EXPECT_EQ(pixel(f, x, 20).x, x >= 10 && x <= 50 ? 1.0f : 0.0f) << x;
+        EXPECT_EQ(pixel(f, x, 19).x, 0);
+        EXPECT_EQ(pixel(f, x, 21).x, 0);
+    }
+}
+
+TEST(Marks, ALineBetweenTwoRowsIsSharedByThem) {
+    const Frame f = draw(one_line(place(10, 21), place(50, 21)), flat_camera());
+    EXPECT_NEAR(pixel(f, 30, 20).x, 0.5f, 1e-4f);
+    EXPECT_NEAR(pixel(f, 30, 21).x, 0.5f, 1e-4f);
+}
+
+TEST(Marks, WhatALineCoversIsItsWidthTimesItsLengthInEveryDirection) {
+    for (const float width : {0.4f, 1.0f, 2.5f, 6.0f})
+        for (const double angle : {0.0, 0.3, 0.7854, 1.2, 2.0}) {
+            RenderSettings s = settings();
+            s.line_width = width;
+            const double c = 25 * std::cos(angle), d = 25 * std::sin(angle);
+            const double length = 50 + double(width) * 0.785;  // the ends are round
+            const Frame f = draw(one_line(place(32.2 - c, 31.7 - d), place(32.2 + c, 31.7 + d)), flat_camera(), s);
+            EXPECT_NEAR(sum_of_red(f) / (double(width) * length), 1, 0.06) << width << " at " << angle;
+        }
+}
+
+TEST(Marks, PointsAreSquaresOrDiscsOfTheirSize) {
+    Scene scene;
+    add_marks(scene, Topology::points, {place(32, 32)});
+    RenderSettings s = settings();
+    s.point_size = 8;
+    EXPECT_NEAR(sum_of_red(draw(scene, flat_camera(), s)), pi * 16, 0.5);
+    s.points = PointShape::square;
+    const Frame square = draw(scene, flat_camera(), s);
+    EXPECT_EQ(sum_of_red(square), 64);
+    EXPECT_EQ(pixel(square, 28, 35).x, 1);
+    EXPECT_EQ(pixel(square, 27, 35).x, 0);
+}
+
+TEST(Marks, ALineThroughTheEyePlaneIsCutAtTheNearPlaneAndDoesNotWrapRound) {
+    const Camera camera = eye();  // at z = 2.2, near plane at z = 2.1
+    const vec3 a{0.4f, 0.3f, 0}, behind{-2, -1, 8};
+    const float t = 2.1f / 8;
+    const vec3 cut = a + (behind - a) * t;
+    const Frame f = draw(one_line(a, behind), camera), g = draw(one_line(a, cut), camera);
+    EXPECT_GT(sum_of_red(f), 10);
+    for (std::size_t i = 0; i < f.color.size(); ++i) EXPECT_NEAR(f.color[i].x, g.color[i].x, 2e-3f);
+    EXPECT_EQ(sum_of_red(draw(one_line({0, 0, 3}, behind), camera)), 0) << "all of it is behind the eye";
+}
+
+TEST(Marks, EdgesOfASurfaceShowWholeOverIt) {
+    const Scene scene = tilted_square();
+    for (const float width : {1.0f, 3.0f})
+        for (const bool parallel : {false, true}) {
+            RenderSettings s = settings();
+            s.edges = true;
+            s.line_color = {1, 0, 0, 1};
+            s.line_width = width;
+            const Camera camera = parallel ? flat_camera() : eye();
+            const Frame over = draw(scene, camera, s);
+            s.surfaces = false;
+            const Frame alone = draw(scene, camera, s);
+            EXPECT_GT(sum_of_red(alone), 100 * double(width));
+            for (std::size_t i = 0; i < over.color.size(); ++i)  // red over white or black: what is not green is the line's
+                if (alone.color[i].x == 1) {
+                    EXPECT_EQ(over.color[i].y, 0) << i % side << ", " << i / side << " width " << width;
+                }
+        }
+}
+
+TEST(Marks, AreHiddenBehindSurfacesAndSeenBeforeThem) {
+    Scene scene;
+    add_object(scene, square_mesh(add_unlit(scene, {0, 0, 1, 1})));
+    add_marks(scene, Topology::lines, {place(5, 20.5, -0.01f), place(60, 20.5, -0.01f), place(5, 40.5, 0.01f), place(60, 40.5, 0.01f)}, {1, 0, 0, 1});
+    add_marks(scene, Topology::points, {place(30, 10, -0.01f), place(30, 50, 0.01f)}, {0, 1, 0, 1});
+    const Frame f = draw(scene, flat_camera());
+    EXPECT_EQ(pixel(f, 30, 20), (vec4{0, 0, 1, 1}));
+    EXPECT_EQ(pixel(f, 30, 40), (vec4{1, 0, 0, 1}));
+    EXPECT_EQ(pixel(f, 30, 10), (vec4{0, 0, 1, 1}));
+    EXPECT_EQ(pixel(f, 30, 50), (vec4{0, 1, 0, 1}));
+}
+
+TEST(Marks, WhereEdgesMeetTheyAreNotDarker) {
+    RenderSettings s = settings();
+    s.surfaces = false;
+    s.edges = true;
+    s.line_color = {1, 0, 0, 0.5f};
+    const Frame f = draw(tilted_square(), eye(), s);
+    float most = 0;
+    for (const vec4& c : f.color) most = std::max(most, c.x);
+    EXPECT_LE(most, 0.5f);
+    EXPECT_GT(most, 0.45f);
+}
+
+TEST(Marks, TrianglesThatCullingDropsHaveNoEdges) {
+    Scene scene;  // its back is seen
+    add_object(scene, square_mesh(add_unlit(scene, {1, 1, 1, 1}, false)), scaling(dvec3{1, 1, -1}) * scaling(dvec3{-1, 1, 1}));
+    RenderSettings s = settings();
+    s.edges = true;
+    s.surfaces = false;
+    EXPECT_EQ(sum_of_red(draw(scene, flat_camera(), s)), 0);
+    s.cull = Cull::none;
+    EXPECT_GT(sum_of_red(draw(scene, flat_camera(), s)), 60);
+    s.cull = Cull::back;
+    s.front_face = FrontFace::clockwise;
+    EXPECT_GT(sum_of_red(draw(scene, flat_camera(), s)), 60);
+    scene.nodes[0].local.matrix = scaling(dvec3{-1, 1, 1});  // mirrored: turned round once more
+    s.front_face = FrontFace::counter_clockwise;
+    EXPECT_GT(sum_of_red(draw(scene, flat_camera(), s)), 60);
+}
+
+TEST(Marks, ColorsOfVerticesRunAlongALineWithPerspective) {
+    Scene scene;
+    add_marks(scene, Topology::lines, {{-1.5f, 0, 0}, {3, 0, -6}}, {1, 1, 1, 1}, {{0, 0, 0, 1}, {1, 1, 1, 1}});
+    Camera camera;
+    camera.vertical_fov_rad = radians(60);
+    camera.near = 0.1;
+    camera.far = 100;
+    camera.to_world = translation(dvec3{0, 0.5 * std::tan(radians(30.0)) * 3.0 / 32.0, 3});
+    RenderSettings s = settings();
+    s.line_width = 4;
+    const Frame f = draw(scene, camera, s);
+    for (const int x : {12, 20, 32, 38}) {
+        // x / w = ((-1.5 + 4.5 t) / (3 + 6 t)) / tan 30 at the pixel's center
+        const double slope = (x + 0.5 - 32) / 32 * std::tan(radians(30.0)), t = (1.5 + 3 * slope) / (4.5 - 6 * slope);
+        ASSERT_TRUE(t > 0 && t < 1);
+        EXPECT_NEAR(double(pixel(f, x, 32).x), t, 0.02) << x;
+    }
+}
+
+TEST(Marks, NearerOnesLieOverFartherOnesWhateverTheirOrder) {
+    for (const bool near_first : {true, false}) {
+        Scene scene;
+        const auto add = [&](bool is_near) {
+            add_marks(scene, Topology::points, {place(32, 32, is_near ? 0.5f : -0.5f)}, is_near ? vec4{1, 0, 0, 1} : vec4{0, 1, 0, 1});
+        };
+        add(near_first);
+        add(!near_first);
+        EXPECT_EQ(pixel(draw(scene, flat_camera()), 32, 32), (vec4{1, 0, 0, 1}));
+    }
+}
+
+TEST(Marks, VerticesAreShownInsteadOfSurfacesOrOverThem) {
+    Scene scene;
+    add_object(scene, square_mesh(add_unlit(scene, {0.25f, 0.5f, 1, 1}), 0.5f));
+    RenderSettings s = settings();
+    s.points = PointShape::square;
+    const Frame over = draw(scene, flat_camera(), s);
+    EXPECT_EQ(pixel(over, 16, 16), (vec4{0, 0, 0, 1})) << "black over surfaces";
+    EXPECT_EQ(pixel(over, 32, 32), (vec4{0.25f, 0.5f, 1, 1}));
+    s.surfaces = false;
+    RenderStats stats;
+    const Frame alone = draw(scene, flat_camera(), s, 1, &stats);
+    EXPECT_EQ(pixel(alone, 16, 16), (vec4{0.25f, 0.5f, 1, 1})) << "the material's own";
+    EXPECT_EQ(pixel(alone, 32, 32), s.background);
+    EXPECT_EQ(stats.pixels_shaded, 0u);
+    EXPECT_EQ(stats.pixels_marked, 4u * 16u);
+}
+
+TEST(Marks, GiveTheSameBitsForAnyNumberOfThreadsWindowsAndInstructionSets) {
+    const Scene scene = busy_scene();
+    RenderSettings s = settings();
+    s.width = 150, s.height = 140;
+    s.edges = true;
+    s.points = PointShape::disc;
+    s.line_width = 1.7f;
+    const Frame whole = draw(scene, eye(), s);
+    EXPECT_TRUE(same_bits(whole, draw(scene, eye(), s, 4)));
+    setenv("RAKELIGHT_ISA", "scalar", 1);
+    EXPECT_TRUE(same_bits(whole, draw(scene, eye(), s)));
+    unsetenv("RAKELIGHT_ISA");
+    s.window = {37, 41, 70, 51};
+    const Frame part = draw(scene, eye(), s, 2);
+    for (int y = 0; y < 51; ++y)
+        for (int x = 0; x < 70; ++x) ASSERT_EQ(pixel(part, x, y), pixel(whole, x + 37, y + 41)) << x << ", " << y;
+}
+
+TEST(Marks, SizesOutOfRangeAreUsageErrors) {
+    for (const float size : {0.0f, -1.0f, 257.0f, std::nanf("")}) {
+        RenderSettings s = settings();
+        s.line_width = size;
+        EXPECT_THROW(draw(Scene{}, flat_camera(), s), Error);
+        s = settings();
+        s.point_size = size;
+        EXPECT_THROW(draw(Scene{}, flat_camera(), s), Error);
+    }
+}
