@@ -55,8 +55,7 @@ Json maps_json(const ExplainedPixel& e, const ShadedLayer& layer) {
     return out;
 }
 
-Json light_json(const Light& light, std::size_t index, const ShadedLayer& layer) {
-    const TracedLight& t = layer.lights[index];
+Json light_json(const Light& light, std::size_t index, int reflection_model, const TracedLight& t) {
     Json out = {{"light", index},
                 {"name", light.name},
                 {"type", name_of(light.type)},
@@ -65,8 +64,8 @@ Json light_json(const Light& light, std::size_t index, const ShadedLayer& layer)
                 {"attenuation", double(t.attenuation)},
                 {"spot", double(t.spot)},
                 {"n_dot_l", double(t.n_dot_l)}};
-    if (layer.reflection_model == 1) out["r_dot_v"] = double(t.lobe_cosine);
-    if (layer.reflection_model == 2) out["n_dot_h"] = double(t.lobe_cosine);
+    if (reflection_model == 1) out["r_dot_v"] = double(t.lobe_cosine);
+    if (reflection_model == 2) out["n_dot_h"] = double(t.lobe_cosine);
     out["lobe"] = double(t.lobe);
     out["specular_factor"] = double(t.specular_factor);
     out["light_color"] = {{"ambient", list(t.ambient_color)}, {"diffuse", list(t.diffuse_color)}, {"specular", list(t.specular_color)}};
@@ -75,6 +74,28 @@ Json light_json(const Light& light, std::size_t index, const ShadedLayer& layer)
     out["specular"] = list(t.specular);
     out["sum"] = list(t.sum);
     return out;
+}
+
+/// Flat and Gouraud: what each corner received, and what is interpolated at the pixel, per unit of k_a, k_d and k_s.
+void add_corners(Json& out, const ExplainedPixel& e, const ShadedLayer& layer) {
+    const raster::PixelTrace& t = layer.trace;
+    out["lit_at"] = !t.is_lit_at_corners ? "pixel" : layer.corners.size() == 1 ? "face" : "vertices";
+    if (!t.is_lit_at_corners) return;
+    out["corners"] = Json::array();
+    for (const raster::TracedCorner& c : layer.corners) {
+        Json corner = {{"vertex", index_or_null(c.corner.vertex)}, {"position_from_eye", list(c.corner.position)},
+                       {"normal", list(c.corner.normal)},          {"lights", Json::array()},
+                       {"ambient", list(c.corner.light.ambient)},  {"diffuse", list(c.corner.light.diffuse)},
+                       {"specular", list(c.corner.light.specular)}};
+        for (std::size_t i = 0; i < c.lights.size(); ++i) {
+            corner["lights"].push_back(
+                light_json(e.engine->list().scene.lights[i], i, layer.reflection_model, c.lights[i]));
+            corner["lights"].back().erase("sum");
+        }
+        out["corners"].push_back(std::move(corner));
+    }
+    out["received"] = {
+        {"ambient", list(t.received[0])}, {"diffuse", list(t.received[1])}, {"specular", list(t.received[2])}};
 }
 
 Json surface_json(const ShadedLayer& layer) {
@@ -110,7 +131,9 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
     out["emission"] = list(t.emission);
     out["lights"] = Json::array();
     for (std::size_t i = 0; i < layer.lights.size(); ++i)
-        out["lights"].push_back(light_json(e.engine->list().scene.lights[i], i, layer));
+        out["lights"].push_back(
+            light_json(e.engine->list().scene.lights[i], i, layer.reflection_model, layer.lights[i]));
+    add_corners(out, e, layer);
     out["color"] = list(t.color);
     out["alpha"] = double(t.alpha);
     out["before"] = list(layer.before);

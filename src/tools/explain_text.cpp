@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explained pixels for people. Floats with the fewest digits that read back as the same float (std::to_chars).
+#include <algorithm>
 #include <charconv>
 
 #include "tools/explained_pixel.h"
@@ -107,8 +108,10 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
         values.add("tangent", t.tangent, t.handedness < 0 ? "handedness -1" : "handedness +1");
         values.add("normal, decoded texel", t.mapped, "tangent space, not yet unit");
     }
-    values.add("normal that is lit (n)", t.normal, t.facing < 0 ? "turned to the viewer's side" : "");
-    values.add("to the viewer (v)", t.view);
+    if (!t.is_lit_at_corners) {
+        values.add("normal that is lit (n)", t.normal, t.facing < 0 ? "turned to the viewer's side" : "");
+        values.add("to the viewer (v)", t.view);
+    }
     return values.text("  ");
 }
 
@@ -143,13 +146,21 @@ std::string surface_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     return "  Surface\n" + values.text("    ");
 }
 
+std::string indented(const std::string& text) {
+    std::string out;
+    for (std::size_t at = 0, end; at < text.size(); at = end) {
+        end = std::min(text.find('\n', at), text.size() - 1) + 1;
+        out += "  " + text.substr(at, end - at);
+    }
+    return out;
+}
+
 std::string light_name(const ExplainedPixel& e, std::size_t i) {
     const Light& light = e.engine->list().scene.lights[i];
     return "Light " + digits(i) + " (" + name_of(light.type) + (light.name.empty() ? "" : ", " + one_line(light.name, 40)) + ")";
 }
 
-std::string light_text(const ExplainedPixel& e, const ShadedLayer& layer, std::size_t i) {
-    const TracedLight& l = layer.lights[i];
+std::string light_text(const ExplainedPixel& e, const ShadedLayer& layer, const TracedLight& l, std::size_t i) {
     const bool has_place = l.distance > 0, is_ambient = e.engine->list().scene.lights[i].type == LightType::ambient;
     Values values(3);
     if (!is_ambient) values.add("to the light (l)", l.to_light);
@@ -170,6 +181,40 @@ std::string light_text(const ExplainedPixel& e, const ShadedLayer& layer, std::s
     return "  " + light_name(e, i) + "\n" + values.text("    ");
 }
 
+/// Flat and Gouraud: the points that were lit.
+std::string corners_text(const ExplainedPixel& e, const ShadedLayer& layer) {
+    std::string text;
+    for (std::size_t k = 0; k < layer.corners.size(); ++k) {
+        const raster::TracedCorner& c = layer.corners[k];
+        text += c.corner.vertex == none ? "  Lit once for the face, at its centroid\n"
+                                        : "  Lit at vertex " + digits(c.corner.vertex) + ", barycentric " +
+                                              digits(layer.trace.barycentric[k]) + "\n";
+        Values values(3);
+        values.add("from the eye [m]", c.corner.position, "world axes");
+        values.add("normal (n)", c.corner.normal);
+        text += values.text("    ");
+        for (std::size_t i = 0; i < c.lights.size(); ++i) text += indented(light_text(e, layer, c.lights[i], i));
+        Values sums(3);
+        sums.add("ambient of all", c.corner.light.ambient, "per unit of k ambient");
+        sums.add("diffuse of all", c.corner.light.diffuse, "per unit of k diffuse");
+        sums.add("specular of all", c.corner.light.specular, "per unit of k specular");
+        text += sums.text("    ");
+    }
+    return text;
+}
+
+void add_received(TextTable& table, const raster::PixelTrace& t) {
+    static constexpr const char* names[] = {"ambient", "diffuse", "specular"};
+    const float(*const k[])[3] = {&t.k_ambient, &t.k_diffuse, &t.k_specular};
+    for (std::size_t i = 0; i < 3; ++i) {
+        table.add({std::string("  ") + names[i] + " received", digits(t.received[i][0]), digits(t.received[i][1]),
+                   digits(t.received[i][2])});
+        Cells product{std::string("+ k ") + names[i] + " times it"};
+        for (std::size_t c = 0; c < 3; ++c) product.push_back(digits((*k[i])[c] * t.received[i][c]));
+        table.add(std::move(product));
+    }
+}
+
 std::string sum_text(const ShadedLayer& layer) {
     TextTable table({"The sum", ">red", ">green", ">blue"});
     const auto add = [&table](const std::string& name, const auto& v) { table.add({name, digits(v[0]), digits(v[1]), digits(v[2])}); };
@@ -183,6 +228,7 @@ std::string sum_text(const ShadedLayer& layer) {
         add("+ " + light + " specular", layer.lights[i].specular);
         add("  after " + light, layer.lights[i].sum);
     }
+    if (t.is_lit_at_corners) add_received(table, t);
     add("= color of the surface", t.color);
     return table.text("  ");
 }
@@ -196,8 +242,8 @@ std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::s
     if (!layer.is_unlit)
         text += std::string(", ") + reflection_model(layer) + (layer.reflection_form ? ", normalized" : ", textbook form");
     text += "\n" + place_text(e, layer) + maps_text(e, layer) + surface_text(e, layer);
-    for (std::size_t i = 0; i < layer.lights.size(); ++i) text += light_text(e, layer, i);
-    text += sum_text(layer);
+    for (std::size_t i = 0; i < layer.lights.size(); ++i) text += light_text(e, layer, layer.lights[i], i);
+    text += corners_text(e, layer) + sum_text(layer);
     if (layer.is_blended) {
         Values over(4);
         over.add("behind", layer.before);

@@ -8,8 +8,6 @@ namespace rakelight {
 
 std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& request, Context& context) {
     const RenderSettings& settings = request.settings;
-    if (settings.shading == Shading::flat || settings.shading == Shading::gouraud)
-        throw Error(ErrorCode::usage, "only shading per pixel (phong) and own color (unlit) can be looked into");
     if (settings.edges || settings.points != PointShape::none || !settings.surfaces)
         throw Error(ErrorCode::usage,
                     "only surfaces can be looked into: leave --edges, --wireframe, --points and --point-sprites out");

@@ -36,7 +36,8 @@ class Explain(program.Case):
 
     def test_codes_are_those_of_the_rendered_picture(self):
         for model in ("scene.obj", "builtin:teapot"):
-            for options in ((), ("--lighting", "phong", "--specular", "normalized"), ("--shading", "unlit")):
+            for options in ((), ("--lighting", "phong", "--specular", "normalized"), ("--shading", "unlit"),
+                            ("--shading", "flat"), ("--shading", "gouraud")):
                 picture = self.folder / "picture.png"
                 run = self.run_program("render", model, "-o", picture, "--resolution", "%d,%d" % SIZE, *options)
                 self.assertEqual(run.code, 0, run.err)
@@ -56,6 +57,24 @@ class Explain(program.Case):
                 self.assertEqual(total, light["sum"][c])
             self.assertEqual(total, layer["color"][c])
             self.assertEqual(total, row["color"][c])
+
+    def test_light_of_the_corners_is_interpolated_and_reflected_at_the_pixel(self):
+        for shading, where, count in (("flat", "face", 1), ("gouraud", "vertices", 3)):
+            layer = self.explain("builtin:teapot", 48, 32, "--shading", shading)["layers"][0]
+            self.assertEqual((layer["lit_at"], len(layer["corners"]), layer["lights"]), (where, count, []))
+            weights = [1] if count == 1 else layer["barycentric"]
+            for c in range(3):
+                total = layer["emission"][c]
+                for term, k in (("ambient", "k_ambient"), ("diffuse", "k_diffuse"), ("specular", "k_specular")):
+                    between = sum(w * corner[term][c] for w, corner in zip(weights, layer["corners"]))
+                    self.assertAlmostEqual(between, layer["received"][term][c], 6)
+                    for corner in layer["corners"]:
+                        self.assertAlmostEqual(sum(light[term][c] for light in corner["lights"]), corner[term][c], 6)
+                    total += layer["surface"][k][c] * layer["received"][term][c]
+                self.assertAlmostEqual(total, layer["color"][c], 6)
+            text = self.run_program("explain", "builtin:teapot", "--pixel", "48,32", "--resolution", "96,64", "--shading", shading).out
+            for word in ("Lit once for the face" if count == 1 else "Lit at vertex", "diffuse of all", "+ k diffuse times it"):
+                self.assertIn(word, text)
 
     def test_every_instruction_set_says_the_same(self):
         rows = []

@@ -17,6 +17,11 @@ STAGES = ["model", "world", "camera", "normalized-frustum", "central-projection"
           "lighting", "picture"]
 
 
+def linear(code):
+    v = code / 255
+    return v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4
+
+
 class Links(html.parser.HTMLParser):
     """What a page refers to, and whether its elements close."""
 
@@ -82,10 +87,24 @@ class Stages(program.Case):
         self.assertEqual(sum(row[1] for row in coverage["rows"]), 96 * 64)
         self.assertEqual(sum(n * pixels for n, pixels in coverage["rows"]), coverage["numbers"]["times covered, all pixels"])
 
-    def test_the_picture_is_the_rendered_one(self):
-        self.stages()
-        self.run_program("render", "builtin:teapot", "-o", "a.png", "--resolution", SIZE)
-        self.assertEqual((self.out / "picture.png").read_bytes(), (self.folder / "a.png").read_bytes())
+    def test_the_picture_is_the_rendered_one_and_the_means_of_the_terms_add_up_to_its_mean(self):
+        for shading in ("phong", "gouraud", "flat", "unlit"):
+            self.stages("--shading", shading)
+            run = self.run_program("render", "builtin:teapot", "-o", "a.png", "--resolution", SIZE, "--shading", shading, "--background", "0,0,0", "--json")
+            covered = json.loads(run.out)["rows"][0]["stats"]["pixels_covered"]
+            self.run_program("render", "builtin:teapot", "-o", "a.png", "--resolution", SIZE, "--shading", shading)
+            self.assertEqual((self.out / "picture.png").read_bytes(), (self.folder / "a.png").read_bytes())
+            if shading == "unlit":
+                continue
+            terms = self.table("lighting")["rows"]
+            self.assertEqual(len(terms), 10)  # emission, and three of each of the three lights
+            pixels = self.table("visibility")["numbers"]["pixels that show a surface"]
+            self.assertEqual(pixels, covered)
+            red = sum(row[1] for row in terms)
+            rows = png(self.out / "picture.png")[3]
+            ground = rows[0][:3]
+            shown = [linear(row[3 * x]) for row in rows for x in range(96) if row[3 * x:3 * x + 3] != ground]
+            self.assertAlmostEqual(red, sum(shown) / len(shown), delta=0.01)
 
     def test_vertices_agree_from_space_to_space(self):
         self.stages()

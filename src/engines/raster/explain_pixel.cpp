@@ -86,7 +86,10 @@ private:
         layer->is_unlit = batch.unlit != 0;
         layer->reflection_model = batch.reflection_model;
         layer->reflection_form = batch.reflection_form;
-        if (!layer->is_unlit && !pixel.is_lit_at_corners) layer->lights = std::move(lights);
+        if (pixel.is_lit_at_corners)
+            layer->corners = trace_corners(open_.front, open_.points, s, batch);
+        else if (!layer->is_unlit)
+            layer->lights = std::move(lights);
         return pixel;
     }
 
@@ -180,6 +183,19 @@ private:
 };
 
 }  // namespace
+
+std::vector<TracedCorner> trace_corners(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s,
+                                        const ShadeJob& job) {
+    std::vector<TracedCorner> out;
+    for (const LitCorner& corner : lit_corners(front, points, s)) {
+        TracedCorner traced{corner, std::vector<TracedLight>(std::size_t(job.light_count))};
+        float received[3][3];
+        trace::trace_point(&job, mean_roughness(*job.material), corner.position, corner.normal, received,
+                           traced.lights.data());
+        out.push_back(std::move(traced));
+    }
+    return out;
+}
 
 PixelExplanation Inspection::explain(int x, int y, Context& context) const {
     if (x < 0 || y < 0 || x >= settings_.width || y >= settings_.height)

@@ -94,9 +94,11 @@ private:
     /// The shading of each visible surface with the recorder.
     void trace_all() {
         const ScreenTriangle* last = nullptr;
+        std::vector<TracedCorner> corners;
         for (const Visible& v : visible_) {
-            if (v.triangle != last) make_records(job_, v.triangle->draw, {&v.triangle, 1}, ox_, oy_, s_);
+            const bool is_new = v.triangle != last;
             last = v.triangle;
+            if (is_new) make_records(job_, last->draw, {&last, 1}, ox_, oy_, s_);
             s_.pixel[0] = v.y * tile_size + v.x;
             s_.triangle[0] = 0;
             const ShadeJob batch = make_job(job_, last->draw, ox_, oy_, 1, s_);
@@ -106,12 +108,31 @@ private:
             out_.normal[p] = rgb(pixel.normal);
             out_.emission[p] = rgb(pixel.emission);
             if (batch.unlit) continue;
+            if (is_new && pixel.is_lit_at_corners) corners = trace_corners(drawn_.front, drawn_.points, *last, batch);
+            if (pixel.is_lit_at_corners) interpolate(corners, pixel);
             for (std::size_t i = 0; i < out_.lights.size(); ++i) {
                 out_.lights[i].ambient[p] = rgb(lights_[i].ambient);
                 out_.lights[i].diffuse[p] = rgb(lights_[i].diffuse);
                 out_.lights[i].specular[p] = rgb(lights_[i].specular);
             }
         }
+    }
+
+    /// The terms of flat and Gouraud shading: those of the corners, interpolated, times what the pixel reflects.
+    void interpolate(const std::vector<TracedCorner>& corners, const PixelTrace& pixel) {
+        for (std::size_t i = 0; i < lights_.size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c) {
+                float ambient = 0, diffuse = 0, specular = 0;
+                for (std::size_t k = 0; k < corners.size(); ++k) {
+                    const float weight = corners.size() == 1 ? 1 : pixel.barycentric[k];
+                    ambient += weight * corners[k].lights[i].ambient[c];
+                    diffuse += weight * corners[k].lights[i].diffuse[c];
+                    specular += weight * corners[k].lights[i].specular[c];
+                }
+                lights_[i].ambient[c] = pixel.k_ambient[c] * ambient;
+                lights_[i].diffuse[c] = pixel.k_diffuse[c] * diffuse;
+                lights_[i].specular[c] = pixel.k_specular[c] * specular;
+            }
     }
 
     struct Visible {

@@ -35,11 +35,23 @@ struct CoveringTriangle {
     Fate fate = Fate::hidden;
 };
 
+/// A point that was lit before there were pixels, with what each light gave it.
+struct TracedCorner {
+    LitCorner corner;
+    std::vector<TracedLight> lights;  ///< as Scene::lights; terms per unit of reflectance
+};
+
+/// The points that a triangle's light is interpolated from, one or three; `job` is of its material. Empty: it is lit at
+/// its pixels.
+std::vector<TracedCorner> trace_corners(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s,
+                                        const ShadeJob& job);
+
 /// One surface that was shaded for the pixel.
 struct ShadedLayer {
     std::size_t triangle = 0;      ///< into PixelExplanation::triangles
     PixelTrace trace{};
     std::vector<TracedLight> lights;  ///< as Scene::lights; empty for unlit surfaces and where trace.is_lit_at_corners
+    std::vector<TracedCorner> corners;  ///< where trace.is_lit_at_corners: the three vertices, or the centroid alone
     int reflection_model = 0, reflection_form = 0;  ///< of ShadeJob
     bool is_unlit = false, is_blended = false;
     vec4 before, after;            ///< the pixel, linear, before and after this layer

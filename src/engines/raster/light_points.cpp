@@ -108,17 +108,6 @@ void gather(const FrontEnd& front, const Task& task, const DrawLight& light, Bat
     }
 }
 
-/// Roughness with the mean of its map: the last level of the chain.
-float mean_roughness(const MaterialView& m) {
-    const TextureView* const t = m.metallic_roughness_map.view;
-    if (!t) return m.roughness;
-    const std::int32_t last = t->levels - 1, first = t->offset[last], count = t->width[last] * t->height[last];
-    float sum = 0;
-    for (std::int32_t i = first; i < first + count; ++i)
-        sum += t->rgba32f ? t->rgba32f[4 * std::ptrdiff_t(i) + 1] : float(t->rgba8[i] >> 8 & 255u) * (1.0f / 255.0f);
-    return m.roughness * (sum / float(count));
-}
-
 void run_kernel(const ShadeJob& shade, const Kernels& kernels, Batch& batch) {
     batch.pad();
     LightJob job{};
@@ -172,6 +161,16 @@ void remark_maps(const FrontEnd& front, const LightPoints& points, Context& cont
 }
 
 }  // namespace
+
+float mean_roughness(const MaterialView& m) {
+    const TextureView* const t = m.metallic_roughness_map.view;
+    if (!t) return m.roughness;
+    const std::int32_t last = t->levels - 1, first = t->offset[last], count = t->width[last] * t->height[last];
+    float sum = 0;
+    for (std::int32_t i = first; i < first + count; ++i)
+        sum += t->rgba32f ? t->rgba32f[4 * std::ptrdiff_t(i) + 1] : float(t->rgba8[i] >> 8 & 255u) * (1.0f / 255.0f);
+    return m.roughness * (sum / float(count));
+}
 
 LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,
                          const Kernels& kernels, LightPoints&& used, Context& context) {

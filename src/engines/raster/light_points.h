@@ -73,6 +73,18 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
 void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s, ShadeTriangle& shade,
                        LitTriangle& out);
 
+/// A corner of a triangle that is lit before there are pixels, with the numbers that the lighting was given.
+struct LitCorner {
+    std::uint32_t vertex = none;   ///< of the mesh; none: the face's centroid, which stands for all three corners
+    float position[3], normal[3];  ///< [m] about the eye, and unit, world axes
+    LitPoint light;
+};
+/// The one or three points that make_lit_triangle() takes its light from; empty for unlit surfaces.
+std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s);
+
+/// Roughness with the mean of its map, as the points have it.
+float mean_roughness(const MaterialView& material);
+
 /// The part of a kernel's job that a material, the settings and the view say: no pixels.
 ShadeJob material_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights,
                       std::uint32_t material);

@@ -18,6 +18,11 @@ void set_deltas(float (&to)[3][3], const float (&a)[3], const float (&b)[3], con
     }
 }
 
+/// Which of a draw's lit sides a triangle shows.
+std::size_t side_of(const FrontEnd& front, const DrawLight& light, const ScreenTriangle& s) {
+    return std::size_t(light.sides == 3 ? DrawFrame(front, s.draw).seen_side(s) : light.sides - 1);
+}
+
 /// Unit vector; +Z for none. The short way for nearly all.
 dvec3 unit_or_forward(dvec3 v) {
     const double square = dot(v, v);
@@ -90,14 +95,39 @@ void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const S
         }
         return;
     }
-    const std::vector<LitPoint>& side =
-        light.side[light.sides == 3 ? DrawFrame(front, s.draw).seen_side(s) : light.sides - 1];
+    const std::vector<LitPoint>& side = light.side[side_of(front, light, s)];
     const std::uint32_t* const index =
         front.list.scene.meshes[front.list.draws[s.draw].mesh].indices.data() + 3 * std::size_t(s.triangle);
     const LitPoint &a = side[index[0]], &b = side[index[1]], &c = side[index[2]];
     set_deltas(out.ambient, a.ambient, b.ambient, c.ambient);
     set_deltas(out.diffuse, a.diffuse, b.diffuse, c.diffuse);
     set_deltas(out.specular, a.specular, b.specular, c.specular);
+}
+
+std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s) {
+    const DrawLight& light = points.draws[s.draw];
+    if (light.sides == 0) return {};
+    const DrawFrame frame(front, s.draw);
+    const auto corner = [](std::uint32_t vertex, dvec3 position, dvec3 normal, const LitPoint& received) {
+        LitCorner out{.vertex = vertex, .position = {}, .normal = {}, .light = received};
+        for (std::size_t c = 0; c < 3; ++c) {
+            out.position[c] = float(position[c]);
+            out.normal[c] = float(normal[c]);
+        }
+        return out;
+    };
+    if (light.per_face) {
+        const DrawFrame::Face face = frame.face(s.triangle);
+        return {corner(none, face.centroid, face.normal, light.side[0][s.triangle])};
+    }
+    const std::size_t side = side_of(front, light, s);
+    const std::uint32_t* const index =
+        front.list.scene.meshes[front.list.draws[s.draw].mesh].indices.data() + 3 * std::size_t(s.triangle);
+    std::vector<LitCorner> out;
+    for (std::size_t k = 0; k < 3; ++k)
+        out.push_back(corner(index[k], frame.position(index[k]), frame.normal(index[k]) * (side == 0 ? 1.0 : -1.0),
+                             light.side[side][index[k]]));
+    return out;
 }
 
 ShadeJob material_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights,

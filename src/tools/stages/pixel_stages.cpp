@@ -148,6 +148,10 @@ bool is_black(const std::vector<vec3>& term) {
 Stage lighting_stage(const Sources& of) {
     Stage s{.id = "lighting", .title = "Lighting, term by term", .text = "Each light adds an ambient term (k ambient times its color), a diffuse one (k diffuse, its color, the cosine n.l) and a specular one (k specular, its color, the lobe). "
             "The terms are those of the visible surfaces before blended ones are laid over; their sum with the emission is the pixel. Terms that are black everywhere have no picture."};
+    if (of.engine.settings().shading == Shading::flat || of.engine.settings().shading == Shading::gouraud)
+        s.text +=
+            " Here lighting is evaluated once a face or vertex: what is interpolated from there is multiplied by the "
+            "pixel's own k.";
     s.columns = {"term", "mean red", "mean green", "mean blue", "largest red", "largest green", "largest blue"};
     const auto add = [&](const std::string& name, const std::string& file, const std::vector<vec3>& term) {
         Json row = {name};

@@ -120,6 +120,49 @@ TEST(ExplainPixel, LightOfTheCornersTimesWhatThePixelReflectsIsItsColor) {
     }
 }
 
+TEST(ExplainPixel, CornersAreThoseThatTheEngineLitAndTheirTermsAddUpToTheirLight) {
+    const Scene scene = busy_scene();
+    for (const Shading shading : {Shading::flat, Shading::gouraud}) {
+        RenderSettings s = settings();
+        s.shading = shading;
+        Context context({.threads = 1});
+        const raster::Inspection inspection(scene, eye(), s, context);
+        int corners = 0;
+        for (int y = 0; y < height; y += 4)
+            for (int x = 0; x < width; x += 4)
+                for (const raster::ShadedLayer& layer : inspection.explain(x, y, context).layers) {
+                    const raster::PixelTrace& t = layer.trace;
+                    ASSERT_EQ(layer.corners.size(), t.is_lit_at_corners == 0 ? 0u : shading == Shading::flat ? 1u : 3u);
+                    float between[3][3] = {};
+                    for (std::size_t k = 0; k < layer.corners.size(); ++k) {
+                        const raster::TracedCorner& corner = layer.corners[k];
+                        EXPECT_EQ(corner.corner.vertex == none, shading == Shading::flat);
+                        const float(*const light[])[3] = {&corner.corner.light.ambient, &corner.corner.light.diffuse,
+                                                          &corner.corner.light.specular};
+                        for (int c = 0; c < 3; ++c) {
+                            float sum[3] = {};
+                            for (const raster::TracedLight& l : corner.lights) {
+                                sum[0] += l.ambient[c];
+                                sum[1] += l.diffuse[c];
+                                sum[2] += l.specular[c];
+                            }
+                            for (int term = 0; term < 3; ++term) {
+                                EXPECT_EQ(sum[term], (*light[term])[c]) << x << ", " << y << " corner " << k;
+                                between[term][c] +=
+                                    (layer.corners.size() == 1 ? 1 : t.barycentric[k]) * (*light[term])[c];
+                            }
+                        }
+                        ++corners;
+                    }
+                    for (int term = 0; term < 3 && t.is_lit_at_corners; ++term)
+                        for (int c = 0; c < 3; ++c)
+                            EXPECT_NEAR(between[term][c], t.received[term][c], 1e-4f * (1 + t.received[term][c]))
+                                << x << ", " << y;
+                }
+        EXPECT_GT(corners, 300);
+    }
+}
+
 TEST(ExplainPixel, TermsOfALightAddUpFromTheEmissionOn) {
     const Scene scene = busy_scene();
     Context context({.threads = 1});

@@ -54,15 +54,21 @@ inline void store3(float* const (&to)[3], int32_t i, vec3 v) {
     store(to[2] + i, v.z);
 }
 
-static void light(const LightJob* job) {
-    const MaterialView& m = *job->shade->material;
+/// A point of the material whose terms are those per unit of reflectance.
+inline lit::Surface point_surface(const ShadeJob& job, float roughness, vec3 position, vec3 normal) {
+    const MaterialView& m = *job.material;
     lit::Surface surface;
     surface.ambient = surface.diffuse = surface.specular = vec3(real(1.0f));
-    surface.exponent = m.metallic_roughness != 0 ? exponent_of_roughness(real(job->roughness)) : real(m.shininess);
+    surface.exponent = m.metallic_roughness != 0 ? exponent_of_roughness(real(roughness)) : real(m.shininess);
+    surface.n = normal;
+    surface.v = to_viewer(job, position);
+    return surface;
+}
+
+static void light(const LightJob* job) {
     for (int32_t i = 0; i < job->count; i += lanes) {
         const vec3 position = load3(job->position, i);
-        surface.n = load3(job->normal, i);
-        surface.v = to_viewer(*job->shade, position);
+        const lit::Surface surface = point_surface(*job->shade, job->roughness, position, load3(job->normal, i));
         const ReceivedLight received = receive(*job->shade, surface, position);
         store3(job->ambient, i, received.ambient);
         store3(job->diffuse, i, received.diffuse);

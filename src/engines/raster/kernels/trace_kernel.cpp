@@ -94,26 +94,29 @@ void trace_lobe(const lit::Surface& s, const lit::LightSample& light, const lit:
     out.specular_factor = lit::specular_factor(s.n, light.l, s.v, lit::lambert_cosine(out.n_dot_l), s.exponent, r);
 }
 
+/// One light at a surface point; not its place in the sum.
+lit::LightTerms trace_light(const ShadeJob& job, int32_t i, vec3 position, const lit::Surface& surface,
+                            const lit::LightSample& sample, TracedLight& out) {
+    const lit::Reflection reflection = reflection_of(job);
+    const lit::LightTerms terms = lit::light_terms(surface, sample, reflection);
+    trace_reach(job.lights[i], position, out);
+    trace_lobe(surface, sample, reflection, out);
+    put(out.to_light, sample.l);
+    put(out.ambient_color, sample.ambient);
+    put(out.diffuse_color, sample.diffuse);
+    put(out.specular_color, sample.specular);
+    put(out.ambient, terms.ambient);
+    put(out.diffuse, terms.diffuse);
+    put(out.specular, terms.specular);
+    return terms;
+}
+
 void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surface, vec3 sum, TracedLight* lights) {
-    lit::Reflection reflection;
-    reflection.model = job.reflection_model;
-    reflection.form = job.reflection_form;
-    reflection.horizon = job.specular_horizon;
     for (int32_t i = 0; i < job.light_count; ++i) {
-        TracedLight& out = lights[i];
         const lit::LightSample sample = lit::sample_light(job.lights[i], p.position);
-        const lit::LightTerms terms = lit::light_terms(surface, sample, reflection);
-        sum = lit::add_light(sum, surface, sample, reflection);
-        trace_reach(job.lights[i], p.position, out);
-        trace_lobe(surface, sample, reflection, out);
-        put(out.to_light, sample.l);
-        put(out.ambient_color, sample.ambient);
-        put(out.diffuse_color, sample.diffuse);
-        put(out.specular_color, sample.specular);
-        put(out.ambient, terms.ambient);
-        put(out.diffuse, terms.diffuse);
-        put(out.specular, terms.specular);
-        put(out.sum, sum);
+        trace_light(job, i, p.position, surface, sample, lights[i]);
+        sum = lit::add_light(sum, surface, sample, reflection_of(job));
+        put(lights[i].sum, sum);
     }
 }
 
@@ -125,6 +128,21 @@ void trace_received(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
 }
 
 }  // namespace
+
+void trace_point(const ShadeJob* job, float roughness, const float (&position)[3], const float (&normal)[3],
+                 float (&received)[3][3], TracedLight* lights) {
+    const vec3 at = splat(position);
+    const lit::Surface surface = point_surface(*job, roughness, at, splat(normal));
+    vec3 sum[3] = {vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f)};
+    for (int32_t i = 0; i < job->light_count; ++i) {
+        const lit::LightTerms terms =
+            trace_light(*job, i, at, surface, lit::sample_light(job->lights[i], at), lights[i]);
+        sum[0] = sum[0] + terms.ambient;
+        sum[1] = sum[1] + terms.diffuse;
+        sum[2] = sum[2] + terms.specular;
+    }
+    for (int k = 0; k < 3; ++k) put(received[k], sum[k]);
+}
 
 void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights) {
     const MaterialView& m = *job->material;
