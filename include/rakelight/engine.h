@@ -33,13 +33,40 @@ enum class Visibility : std::uint8_t { z_reversed, z_float, z16, z24, z32, paint
 /// How vertices are shown, if at all.
 enum class PointShape : std::uint8_t { none, square, disc };
 
-/// Channels beside color that an engine can hand out, as bits.
+/// Data beside color that an engine can hand out, as bits. All are of the nearest opaque surface (or masked one, where
+/// its texture is opaque) at the pixel's center; blended surfaces are seen in the color alone. Directions and positions
+/// are in world axes. Where there is no surface: depth +infinity, numbers `none`, all else 0.
 enum Channel : std::uint32_t {
-    channel_depth = 1u << 0,     ///< [m] distance along the view axis; +infinity where nothing is
-    channel_normal = 1u << 1,    ///< shading normal in the world, zero where nothing is
-    channel_object = 1u << 2,    ///< node index, `none` where nothing is
-    channel_material = 1u << 3,  ///< material index, `none` where nothing is
+    channel_depth = 1u << 0,        ///< [m] distance along the view axis
+    /// Shading normal: interpolated, bumped by the normal map, on the side that is lit; unit.
+    channel_normal = 1u << 1,
+    channel_object = 1u << 2,       ///< node index
+    channel_material = 1u << 3,     ///< material index; `none` too where the mesh has no material
+    channel_mesh = 1u << 4,         ///< mesh index
+    channel_triangle = 1u << 5,     ///< triangle of that mesh, from 0
+    channel_face_normal = 1u << 6,  ///< normal of the triangle's plane, on the side that is seen; unit
+    /// xyz unit, as normal maps use it; w +1 or -1: bitangent = cross(normal, xyz) w. 0 where the mesh has no tangents.
+    channel_tangent = 1u << 7,
+    channel_position = 1u << 8,     ///< [m]
+    /// Weights of the triangle's corners, in the order of its indices, correct in perspective; sum 1.
+    channel_barycentric = 1u << 9,
+    /// Texture coordinate set 0, v down, as interpolated: no transform, not wrapped; 0 where the mesh has none.
+    channel_uv = 1u << 10,
+    channel_uv1 = 1u << 11,         ///< the same of set 1
+    /// Surfaces over the pixel that are opaque there, hidden ones too: triangles left by culling and clipping that
+    /// cover its center, masked ones where their texture is opaque. Does not depend on the order of anything.
+    channel_overdraw = 1u << 12,
+    channel_base_color = 1u << 13,  ///< linear RGB: vertex color times texture times the material's factor
+    /// The light's parts, linear RGB: their sum is the surface's color up to the rounding of floats. Emission holds the
+    /// own color of surfaces that are not lit.
+    channel_ambient = 1u << 14,
+    channel_diffuse = 1u << 15,
+    channel_specular = 1u << 16,
+    channel_emission = 1u << 17,
 };
+inline constexpr std::uint32_t channels_lighting =
+    channel_ambient | channel_diffuse | channel_specular | channel_emission;
+inline constexpr std::uint32_t channels_all = (channel_emission << 1) - 1;
 
 struct RenderSettings {
     int width = 1280, height = 720;  ///< [px] of the whole picture, 1..65536
@@ -74,6 +101,11 @@ struct Tile {
     std::span<const vec3> normal;
     std::span<const std::uint32_t> object, material;
     std::span<const std::uint16_t> samples;    ///< samples taken a pixel; empty: one each
+    std::span<const std::uint32_t> mesh, triangle, overdraw;
+    std::span<const vec3> face_normal, position, barycentric;
+    std::span<const vec4> tangent;
+    std::span<const vec2> uv, uv1;
+    std::span<const vec3> base_color, ambient, diffuse, specular, emission;
 };
 
 /// Takes finished tiles. Bit-equal results whatever the order of the tiles. Progressive engines deliver passes.
@@ -86,12 +118,30 @@ public:
     virtual bool takes_srgb8() const { return false; }
     /// From any thread, several at once, never two with a common pixel in the same pass.
     virtual void tile(const Tile& tile) = 0;
+    /// How many rows this sink holds at once: 0 all of the window, else 64 or more. Asked after begin(). Engines
+    /// deliver the window in strips of at most so many rows, from the top: all tiles of a strip, rows_done(), then the
+    /// next strip.
+    virtual int rows_at_once() const { return 0; }
+    /// After all tiles of a strip, from the thread that called render(): `rows` rows of the picture from row `first`
+    /// are there.
+    virtual void rows_done(int first, int rows) { (void)first, (void)rows; }
     /// After all tiles of a pass, from the thread that called render().
     virtual void end_pass(int pass) = 0;
 };
 
+/// One array a channel, [pixels] of some rectangle; those not asked for are empty.
+struct ChannelArrays {
+    std::vector<float> depth;
+    std::vector<vec3> normal;
+    std::vector<std::uint32_t> object, material, mesh, triangle, overdraw;
+    std::vector<vec3> face_normal, position, barycentric;
+    std::vector<vec4> tangent;
+    std::vector<vec2> uv, uv1;
+    std::vector<vec3> base_color, ambient, diffuse, specular, emission;
+};
+
 /// The sink that keeps everything of a window. Pixel (x, y) of the picture is at (y - window.y) * window.width + x - window.x.
-class Frame final : public Sink {
+class Frame final : public Sink, public ChannelArrays {
 public:
     void begin(int width, int height, Window window, std::uint32_t channels) override;
     void tile(const Tile& tile) override;
@@ -100,9 +150,6 @@ public:
     int width = 0, height = 0;  ///< of the whole picture
     Window window;
     std::vector<vec4> color;
-    std::vector<float> depth;
-    std::vector<vec3> normal;
-    std::vector<std::uint32_t> object, material;
 };
 
 /// Where the time of one render() call went [s]. The front end is measured from outside, on all threads; what is done tile by

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -47,6 +48,25 @@ struct TextureOverrides {
 /// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
 Scene override_textures(const Scene& scene, const TextureOverrides& overrides, UvProjection later, Context& context);
 
+/// How data channels are written, as bits.
+enum ChannelFiles : std::uint32_t {
+    channel_files_exr = 1u << 0,  ///< a file each, NAME.depth.exr: 32-bit floats in Y, R G, R G B or R G B A; numbers
+                                  ///< as floats (exact up to 2^24), -1 where nothing is
+    channel_files_layers = 1u << 1,  ///< all in one: layers depth.Z, normal.X ... beside R, G, B of the .exr output,
+                                     ///< else of NAME.channels.exr; numbers as UINT
+    channel_files_png = 1u << 2,     ///< a picture for the eye each, NAME.depth.png
+};
+
+/// The Channel bits of "depth", "face-normal", ..., of "lighting" or of "all". @throws Error usage
+std::uint32_t channels_by_name(std::string_view name);
+
+/// What the ends of the gray and color scales of PNG channels mean: the model's bounding box, whatever of it is in the
+/// picture, so that windows fit together.
+struct ViewRange {
+    double depth_low = 0, depth_high = 0;  ///< [m] along the view axis, cut to the camera's near and far
+    dvec3 low, high;                       ///< [m] world
+};
+
 /// One picture to be made.
 struct PictureRequest {
     std::string input;   ///< model file or "builtin:teapot"
@@ -58,15 +78,18 @@ struct PictureRequest {
     ViewRequest view;
     std::optional<std::vector<Light>> lights;  ///< replace all lights; else the file's, else the default rig
     bool default_lights = false;               ///< the default rig although the file has lights; `lights` goes first
-    RenderSettings
-        settings;  ///< channels go into files beside the output: NAME.depth.exr, NAME.normal.exr, ...; a window
-                   ///< makes the picture as large as the window; alpha is written when background.w < 1
+    RenderSettings settings;  ///< channels go into files by `channel_files`; a window makes the picture as large as the
+                              ///< window; alpha is written when background.w < 1
+    std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits
+    bool half_colors = false;  ///< colors in EXR files, those of channels too, as 16-bit halves; data stays at 32 bits
 };
 
 /// What was made of one PictureRequest.
 struct PictureResult {
     std::string file, output;
-    std::vector<std::string> channel_files;  ///< in the order of the Channel bits
+    std::vector<std::string>
+        channel_files;     ///< EXR files in the order of the Channel bits, the one of layers, PNG files
+    ViewRange view_range;  ///< of PNG channels
     int width = 0, height = 0;               ///< [px] of the file
     std::uint64_t triangles = 0, objects = 0;
     std::string engine, isa;  ///< the instruction set is empty for engines that do not choose one
@@ -75,8 +98,8 @@ struct PictureResult {
     RenderStats stats;
 };
 
-/// Makes a picture and its channel files. Memory: three bytes a pixel of a band of at most 16 million pixels beside the
-/// engine's own. Either all files appear, whole, or none. Remarks go to context.report().
+/// Makes a picture and its channel files. Memory: a strip of rows of at most 64 MiB, or 64 rows, beside the engine's
+/// own. Either all files appear, whole, or none. Remarks go to context.report().
 /// @throws Error usage, not_found, bad_file, failed; those about the model carry its name.
 PictureResult render_picture(const PictureRequest& request, Context& context);
 

@@ -27,6 +27,9 @@ struct PrepareOptions {
     Orthogonalize orthogonalize = Orthogonalize::attribute;
     /// Say in the report how far from perpendicular to the normals the tangents were, before that was put right.
     bool measure_orthogonality = false;
+    /// Tangents for all meshes with texture coordinates, not only for those with a normal or height map: for the
+    /// channel that shows them.
+    bool all_tangents = false;
     /// Placements of one mesh go on sharing it, with the normals of the first, even where they touch different things.
     bool keep_instances = false;
 };

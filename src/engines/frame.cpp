@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/assert.h"
+#include "engines/channel_arrays.h"
 
 namespace rakelight {
 namespace {
@@ -30,10 +31,7 @@ void Frame::begin(int picture_width, int picture_height, Window picture_window, 
     window = picture_window.width == 0 ? Window{0, 0, width, height} : picture_window;
     const std::size_t pixels = std::size_t(window.width) * std::size_t(window.height);
     color.assign(pixels, vec4{0, 0, 0, 0});
-    depth.assign(channels & channel_depth ? pixels : 0, std::numeric_limits<float>::infinity());
-    normal.assign(channels & channel_normal ? pixels : 0, vec3{0, 0, 0});
-    object.assign(channels & channel_object ? pixels : 0, none);
-    material.assign(channels & channel_material ? pixels : 0, none);
+    clear(*this, channels, pixels);
 }
 
 void Frame::tile(const Tile& tile) {
@@ -42,10 +40,8 @@ void Frame::tile(const Tile& tile) {
                   a.y + a.height <= window.y + window.height,
               "a tile reaches out of the window");
     copy_rows(tile.color, a, color, window);
-    copy_rows(tile.depth, a, depth, window);
-    copy_rows(tile.normal, a, normal, window);
-    copy_rows(tile.object, a, object, window);
-    copy_rows(tile.material, a, material, window);
+    for_each_channel([&](std::uint32_t, const auto& from, auto& to) { copy_rows(from, a, to, window); }, tile,
+                     static_cast<ChannelArrays&>(*this));
 }
 
 void Frame::end_pass(int) {}

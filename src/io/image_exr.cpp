@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR: grey or RGB, with or without alpha, as floats in linear light. EXR holds colours multiplied by alpha ("Technical
-// Introduction to OpenEXR", section "Alpha"); Pixels hold them apart, so they are divided here and multiplied on writing.
-// Written are floats, not halves: what the engine computed, and depth needs them.
+// OpenEXR: grey or RGB, with or without alpha, as floats in linear light. EXR holds colours multiplied by alpha
+// ("Technical Introduction to OpenEXR", section "Alpha"); Pixels hold them apart, so they are divided here and
+// multiplied on writing. Colors are written as floats unless halves are asked for: what the engine computed, and data
+// needs them.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -11,7 +12,9 @@
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
 #include <ImfRgbaFile.h>
+#include <half.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -139,27 +142,50 @@ Pixels read_any(std::span<const std::byte> bytes, Context& context) {
     return read_part(file, context);
 }
 
+Imf::PixelType pixel_type(ExrType type) {
+    return type == ExrType::f32 ? Imf::FLOAT : type == ExrType::f16 ? Imf::HALF : Imf::UINT;
+}
+
+/// The half that is nearest, kept finite where the float is.
+void round_to_half(float& value) {
+    const half rounded(value - value == 0 ? std::clamp(value, -float(HALF_MAX), float(HALF_MAX)) : value);
+    const std::uint16_t bits = rounded.bits();
+    std::memcpy(&value, &bits, sizeof bits);
+}
+
+/// Rows of four bytes a value; halves stand in the first two.
 class ExrWriter final : public ImageWriter {
 public:
-    ExrWriter(const std::string& path, int width, int height, int channels)
-        : path_(path), channels_(std::size_t(channels)), rows_left_(height), file_(path), output_(file_.handle()),
-          row_(std::size_t(width) * channels_) {
+    /// @param alpha  the last channel is alpha: the others are multiplied by it
+    ExrWriter(const std::string& path, int width, int height, std::vector<ExrChannel> channels, bool alpha)
+        : path_(path),
+          channels_(std::move(channels)),
+          alpha_(alpha),
+          rows_left_(height),
+          file_(path),
+          output_(file_.handle()),
+          row_(std::size_t(width) * channels_.size()) {
         Imf::Header header(width, height);
         header.compression() = Imf::ZIP_COMPRESSION;
-        const Layout layout = channels < 3 ? Layout{{"Y", "A", nullptr, nullptr}, channels} : Layout{{"R", "G", "B", "A"}, channels};
-        for (int c = 0; c < channels; ++c) header.channels().insert(layout.names[std::size_t(c)], Imf::Channel(Imf::FLOAT));
+        for (const ExrChannel& c : channels_) header.channels().insert(c.name, Imf::Channel(pixel_type(c.type)));
         call([&] { exr_ = std::make_unique<Imf::OutputFile>(output_, header, 0); });
         Imf::FrameBuffer buffer;  // a row stride of 0: every row is handed over in the same place
-        for (std::size_t c = 0; c < channels_; ++c)
-            buffer.insert(layout.names[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row_.data() + c), 4 * channels_, 0));
+        for (std::size_t c = 0; c < channels_.size(); ++c)
+            buffer.insert(channels_[c].name,
+                          Imf::Slice(pixel_type(channels_[c].type), reinterpret_cast<char*>(row_.data() + c),
+                                     4 * channels_.size(), 0));
         call([&] { exr_->setFrameBuffer(buffer); });
     }
 
     void write_row(const void* row) override {
+        const std::size_t step = channels_.size();
         std::memcpy(row_.data(), row, row_.size() * sizeof(float));
-        if (channels_ % 2 == 0)
-            for (std::size_t i = 0; i < row_.size(); i += channels_)
-                for (std::size_t c = 0; c + 1 < channels_; ++c) row_[i + c] *= row_[i + channels_ - 1];
+        if (alpha_)
+            for (std::size_t i = 0; i < row_.size(); i += step)
+                for (std::size_t c = 0; c + 1 < step; ++c) row_[i + c] *= row_[i + step - 1];
+        for (std::size_t c = 0; c < step; ++c)
+            if (channels_[c].type == ExrType::f16)
+                for (std::size_t i = c; i < row_.size(); i += step) round_to_half(row_[i]);
         --rows_left_;
         call([&] { exr_->writePixels(1); });
     }
@@ -181,7 +207,8 @@ private:
     }
 
     std::string path_;
-    std::size_t channels_;
+    std::vector<ExrChannel> channels_;
+    bool alpha_;
     int rows_left_;
     OutputFile file_;
     FileOutput output_;
@@ -206,7 +233,16 @@ Pixels read_exr(std::span<const std::byte> bytes, Context& context) {
 }
 
 std::unique_ptr<ImageWriter> write_exr(const std::string& path, int width, int height, int channels, Component) {
-    return std::make_unique<ExrWriter>(path, width, height, channels);
+    const Layout layout =
+        channels < 3 ? Layout{{"Y", "A", nullptr, nullptr}, channels} : Layout{{"R", "G", "B", "A"}, channels};
+    std::vector<ExrChannel> list;
+    for (int c = 0; c < channels; ++c) list.push_back({layout.names[std::size_t(c)], ExrType::f32});
+    return std::make_unique<ExrWriter>(path, width, height, std::move(list), channels % 2 == 0);
+}
+
+std::unique_ptr<ImageWriter> write_exr_channels(const std::string& path, int width, int height,
+                                                std::vector<ExrChannel> channels) {
+    return std::make_unique<ExrWriter>(path, width, height, std::move(channels), false);
 }
 
 }  // namespace rakelight::io::codec

@@ -34,6 +34,18 @@ public:
 Component component_for(const std::string& path);
 /// @param channels 1, 3 or 4 (JPEG and HDR: 3; a fourth is dropped). @throws Error usage / failed.
 std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels, Component component);
+
+/// How a channel of an EXR file is stored.
+enum class ExrType : std::uint8_t { f32, f16, u32 };
+struct ExrChannel {
+    std::string name;  ///< "R", "normal.X": the part before the last dot is the layer
+    ExrType type = ExrType::f32;
+};
+/// An EXR file of any channels. Rows are [width * channels] values of four bytes, in the order given: floats (halves
+/// are rounded from them, what is too large for one becomes the largest) or, for u32, unsigned integers. They are
+/// written as they are, without a multiplication by alpha. @throws Error usage / failed.
+std::unique_ptr<ImageWriter> make_exr_writer(const std::string& path, int width, int height,
+                                             std::vector<ExrChannel> channels);
 /// All rows at once.
 void write_image(const std::string& path, const Pixels& pixels);
 

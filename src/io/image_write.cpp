@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which writer a file name's ending asks for.
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "io/image_codecs.h"
 
@@ -43,15 +45,31 @@ const Ending& ending_of(const std::string& path) {
 
 Component component_for(const std::string& path) { return ending_of(path).component; }
 
+namespace {
+
+void check_written_size(const std::string& path, int width, int height, std::size_t channels, std::size_t most) {
+    if (width < 1 || height < 1 || width > max_written_side || height > max_written_side || channels < 1 ||
+        channels > most)
+        throw Error(ErrorCode::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                                          " pixels with " + std::to_string(channels) + " channels cannot be written")
+            .with_file(path);
+}
+
+}  // namespace
+
 std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels, Component component) {
     const Ending& ending = ending_of(path);
     const bool is_deep_png = component == Component::u16 && ending.make == codec::write_png;
     if (component != ending.component && !is_deep_png)
         throw Error(ErrorCode::usage, std::string("a .") + ending.name + " picture cannot hold such components").with_file(path);
-    if (width < 1 || height < 1 || width > max_written_side || height > max_written_side || channels < 1 || channels > 4)
-        throw Error(ErrorCode::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels with " +
-                                          std::to_string(channels) + " channels cannot be written").with_file(path);
+    check_written_size(path, width, height, std::size_t(std::max(channels, 0)), 4);
     return ending.make(path, width, height, channels, component);
+}
+
+std::unique_ptr<ImageWriter> make_exr_writer(const std::string& path, int width, int height,
+                                             std::vector<ExrChannel> channels) {
+    check_written_size(path, width, height, channels.size(), 1024);
+    return codec::write_exr_channels(path, width, height, std::move(channels));
 }
 
 void write_image(const std::string& path, const Pixels& pixels) {

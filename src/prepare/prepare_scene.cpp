@@ -26,6 +26,7 @@ SmoothRequest request_for(const Scene& scene, const PrepareOptions& options) {
     request.attributes.measure_orthogonality = options.measure_orthogonality;
     request.keep_instances = options.keep_instances;
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
+    if (options.all_tangents) request.tangents = TangentWish::everywhere;
     request.only_missing = true;
     request.groups = false;
     switch (options.normals) {
@@ -97,7 +98,8 @@ Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& 
     if (options.normals == NormalSource::automatic) note_flat_meshes(out, context.report());
     const SmoothRequest request = request_for(out, options);
     for (Mesh& mesh : out.meshes)
-        if (options.tangents && wants_tangents(out, mesh)) mesh.tangents = {};  // the file's do not count
+        if (options.tangents && (options.all_tangents || wants_tangents(out, mesh)))
+            mesh.tangents = {};  // the file's do not count
     context.throw_if_cancelled();
     if (options.measure_orthogonality) report_kept_tangents(out, context.report());
     out = smooth_meshes(out, request, context);

@@ -50,7 +50,7 @@ Frame render(const Scene& scene, const RenderSettings& settings, Context& contex
 void save(const Frame& frame, const std::string& path) {
     const bool transparent = std::any_of(frame.color.begin(), frame.color.end(), [](const vec4& c) { return c.w < 1; });
     const PixelFormat format = format_for(path, transparent);
-    PictureFiles files(path, frame.window.width, frame.window.height, format, 0);
+    PictureFiles files(path, frame.window.width, frame.window.height, format, {});
     PictureSink sink(format);
     const std::size_t width = std::size_t(frame.window.width);
     for (int y = 0; y < frame.window.height; ++y) {

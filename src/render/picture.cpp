@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole way of one picture: load -> prepare -> camera and lights -> engine -> files, band by band.
+// The whole way of one picture: load -> prepare -> camera and lights -> engine -> files, strip by strip.
 #include <algorithm>
 #include <new>
 
@@ -8,30 +8,11 @@
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
 #include "render/stopwatch.h"
+#include "render/view_range.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
-
-/// A band keeps three bytes a pixel here, and about 30 in an engine: 16 million pixels are half a gigabyte.
-constexpr std::int64_t band_pixels = 1 << 24;
-constexpr int band_granularity = 64;  ///< [rows] a multiple of every engine's tile height: no tile is drawn twice
-
-void add(RenderStats& sum, const RenderStats& s) {
-    sum.triangles_in = s.triangles_in;  // the same in every band
-    sum.culled_back += s.culled_back;
-    sum.culled_degenerate += s.culled_degenerate;
-    sum.culled_outside += s.culled_outside;
-    sum.clipped += s.clipped;
-    sum.drawn += s.drawn;
-    sum.pixels_covered += s.pixels_covered;
-    sum.pixels_shaded += s.pixels_shaded;
-    sum.pixels_not_finite += s.pixels_not_finite;
-    sum.lighting_evaluations += s.lighting_evaluations;
-    sum.vertices_lit_twice += s.vertices_lit_twice;
-    sum.depth_passes += s.depth_passes;
-    sum.pixels_marked += s.pixels_marked;
-}
 
 std::uint64_t count_objects(const Scene& scene) {
     return std::uint64_t(
@@ -57,23 +38,18 @@ void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& r
     const RenderSettings& settings = request.settings;
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
-    PictureFiles files(request.output, window.width, window.height, format, settings.channels);
-    PictureSink sink(format);
-    const std::int64_t rows =
-        std::max<std::int64_t>(band_pixels / window.width / band_granularity, 1) * band_granularity;
-    for (int y = 0; y < window.height;) {
-        const int height = int(std::min<std::int64_t>(rows, window.height - y));
-        RenderSettings band = settings;
-        band.window = {window.x, window.y + y, window.width, height};
-        Stopwatch watch;
-        context.set_progress_part(double(y) / window.height, double(y + height) / window.height);
-        add(result.stats, engine.render(camera, band, sink, context));
-        result.render_ms += watch.lap_ms();
-        files.write(sink, height);
-        result.write_ms += watch.lap_ms();
-        y += height;
-    }
-    context.set_progress_part(0, 1);
+    PictureFiles files(request.output, window.width, window.height, format,
+                       {settings.channels, request.channel_files, request.half_colors, result.view_range});
+    double written_ms = 0;
+    PictureSink sink(format, files.needs_linear(), [&](int rows) {
+        const Stopwatch watch;
+        files.write(sink, rows);
+        written_ms += watch.ms();
+    });
+    Stopwatch drawing;
+    result.stats = engine.render(camera, settings, sink, context);
+    result.render_ms += drawing.lap_ms() - written_ms;
+    result.write_ms += written_ms;
     context.throw_if_cancelled();
     const Stopwatch watch;
     files.finish();
@@ -95,8 +71,11 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     check_drawable(scene);
     const double aspect = double(request.settings.width) / double(request.settings.height);
     const Camera camera = choose_camera(scene, request.view, aspect, context);
-    scene = prepare_scene(with_lights(std::move(scene), request, camera), request.prepare, context);
+    PrepareOptions prepare = request.prepare;
+    prepare.all_tangents |= (request.settings.channels & channel_tangent) != 0;
+    scene = prepare_scene(with_lights(std::move(scene), request, camera), prepare, context);
     engine.prepare(scene, context);
+    result.view_range = view_range(scene, camera);
     result.triangles = triangle_count(scene);
     result.objects = count_objects(scene);
     result.prepare_ms = watch.lap_ms();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of one picture: its color and, beside it, one file a data channel. Rows go in band by band; all files
-// appear together at the end or not at all.
+// The files of one picture: its color and its data channels. Rows go in strip by strip; all files appear together at
+// the end or not at all.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,29 +10,54 @@
 #include "io/image_io.h"
 #include "render/picture_sink.h"
 
+#include <rakelight/picture.h>
+
 namespace rakelight {
 
 /// Format of the color file for an output name: @throws Error usage for an unknown ending.
 PixelFormat format_for(const std::string& output, bool transparent);
 
-/// "out/a.png", "depth" -> "out/a.depth.exr"
-std::string channel_file(const std::string& output, const std::string& channel);
+/// "out/a.png", "depth", ".exr" -> "out/a.depth.exr"
+std::string channel_file(const std::string& output, const std::string& channel, const std::string& ending = ".exr");
+
+/// What is written beside the color.
+struct ChannelWishes {
+    std::uint32_t channels = 0;               ///< Channel bits
+    std::uint32_t files = channel_files_exr;  ///< ChannelFiles bits
+    bool half_colors = false;
+    ViewRange range;
+};
 
 class PictureFiles {
 public:
     /// Opens all files under temporary names. @throws Error failed, with the file's name
-    PictureFiles(const std::string& output, int width, int height, PixelFormat format, std::uint32_t channels);
-    void write(const PictureSink& band, int rows);  ///< the next `rows` rows of the picture
+    PictureFiles(const std::string& output, int width, int height, PixelFormat format, const ChannelWishes& wishes);
+    /// Whether the sink must keep linear colors.
+    bool needs_linear() const { return needs_linear_; }
+    void write(const PictureSink& strip, int rows);  ///< the next `rows` rows of the picture
     void finish();
     std::vector<std::string> channel_names() const;
 
 private:
+    /// Gives row y of a strip as the file's writer takes it; the memory lives until the next call.
+    using Row = std::function<const void*(const PictureSink&, int y)>;
     struct File {
         std::string path;
         std::unique_ptr<io::ImageWriter> writer;
+        Row row;
     };
-    File color_;
-    std::vector<File> channels_;
+    void add(std::vector<File>& to, const std::string& path,
+             const std::function<std::unique_ptr<io::ImageWriter>()>& make, Row row);
+    void add_color(const ChannelWishes& wishes);
+    void add_exr(std::uint32_t channel, std::size_t plane, bool half);
+    void add_layers(const std::string& path, const ChannelWishes& wishes);
+    void add_png(std::uint32_t channel, std::size_t plane, const ViewRange& range);
+
+    std::string output_;
+    int width_, height_;
+    PixelFormat format_;
+    bool needs_linear_ = false;
+    std::vector<File> color_, channels_;  ///< one of color
 };
 
 }  // namespace rakelight

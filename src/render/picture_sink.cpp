@@ -1,89 +1,83 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture_sink.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/assert.h"
+#include "engines/channel_arrays.h"
+#include "render/channel_info.h"
 
 namespace rakelight {
 namespace {
 
-float as_float(std::uint32_t number) { return number == none ? -1.0f : float(number); }
+constexpr std::size_t strip_bytes = std::size_t(64) << 20;
+constexpr int strip_granularity = 64;  ///< [rows] no engine's tile is higher
+
+/// As many rows as fit, in whole rows of tiles.
+int rows_that_fit(std::size_t row_bytes, int height) {
+    const std::size_t fit = strip_bytes / row_bytes / strip_granularity;
+    return int(std::min<std::size_t>(std::max<std::size_t>(fit, 1) * strip_granularity, std::size_t(height)));
+}
 
 }  // namespace
 
-const char* name_of_channel(std::uint32_t channel) {
-    switch (channel) {
-        case channel_depth:
-            return "depth";
-        case channel_normal:
-            return "normal";
-        case channel_object:
-            return "object";
-        case channel_material:
-            return "material";
-    }
-    return "channel";
-}
-
-int components_of_channel(std::uint32_t channel) { return channel == channel_normal ? 3 : 1; }
-
 void PictureSink::begin(int width, int height, Window window, std::uint32_t channels) {
     window_ = window.width == 0 ? Window{0, 0, width, height} : window;
-    const std::size_t pixels = std::size_t(window_.width) * std::size_t(window_.height);
-    color_.resize(pixels * format_.bytes());  // every pixel belongs to a tile
-    std::size_t used = 0;
-    for (std::uint32_t bit = 1; bit != 0 && bit <= channels; bit <<= 1) {
-        if (!(channels & bit)) continue;
-        if (used == planes_.size()) planes_.emplace_back();
-        ChannelPlane& plane = planes_[used++];
-        plane.channel = bit;
-        plane.components = components_of_channel(bit);
-        plane.values.resize(pixels * std::size_t(plane.components));
+    first_ = window_.y;
+    std::size_t pixel_bytes = format_.bytes() + (keeps_linear_ ? sizeof(float) * std::size_t(format_.channels) : 0);
+    std::vector<ChannelPlane> planes;
+    for (const ChannelInfo& info : all_channels()) {
+        if (!(channels & info.channel)) continue;
+        const std::size_t number = planes.size();
+        planes.push_back({info.channel, info.components(), {}});
+        if (number < planes_.size())
+            planes.back().words = std::move(planes_[number].words);  // memory of the picture before
+        pixel_bytes += sizeof(std::uint32_t) * std::size_t(info.components());
     }
+    planes_ = std::move(planes);
+    rows_ = strip_done_ ? rows_that_fit(pixel_bytes * std::size_t(window_.width), window_.height) : window_.height;
+    if (strip_done_ && rows_ < strip_granularity) rows_ = strip_granularity;  // what rows_at_once() may say
+    const std::size_t pixels = std::size_t(window_.width) * std::size_t(std::min(rows_, window_.height));
+    color_.resize(pixels * format_.bytes());  // every pixel belongs to a tile
+    if (keeps_linear_) linear_.resize(pixels * std::size_t(format_.channels));
+    for (ChannelPlane& plane : planes_) plane.words.resize(pixels * std::size_t(plane.components));
 }
 
 void PictureSink::tile(const Tile& tile) {
     const Window& a = tile.area;
-    RL_ASSERT(a.x >= window_.x && a.y >= window_.y && a.x + a.width <= window_.x + window_.width &&
-                  a.y + a.height <= window_.y + window_.height,
-              "a tile reaches out of the window");
+    RL_ASSERT(a.x >= window_.x && a.y >= first_ && a.x + a.width <= window_.x + window_.width &&
+                  a.y + a.height <= std::min(first_ + rows_, window_.y + window_.height),
+              "a tile reaches out of the strip");
     const std::size_t count = std::size_t(a.width);
+    const PixelFormat linear{Component::f32, format_.channels};
     for (int row = 0; row < a.height; ++row) {
         const std::size_t from = std::size_t(row) * count;
-        const std::size_t to =
-            std::size_t(a.y - window_.y + row) * std::size_t(window_.width) + std::size_t(a.x - window_.x);
+        const std::size_t to = at_row(a.y - first_ + row) + std::size_t(a.x - window_.x);
         std::byte* const out = color_.data() + to * format_.bytes();
         if (!tile.srgb8.empty())
             pack_row(tile.srgb8.data() + from, count, format_.channels, out);
         else
             convert_row(tile.color.data() + from, count, format_, out);
-        for (ChannelPlane& plane : planes_) store(plane, tile, from, to, count);
+        if (keeps_linear_)
+            convert_row(tile.color.data() + from, count, linear,
+                        reinterpret_cast<std::byte*>(linear_.data() + to * std::size_t(format_.channels)));
+        for (ChannelPlane& plane : planes_)
+            for_each_channel(
+                [&](std::uint32_t bit, const auto& values) {
+                    if (bit == plane.channel)
+                        std::memcpy(plane.words.data() + to * std::size_t(plane.components), values.data() + from,
+                                    count * sizeof(values[0]));
+                },
+                tile);
     }
 }
 
-void PictureSink::store(ChannelPlane& plane, const Tile& tile, std::size_t from, std::size_t to,
-                        std::size_t count) const {
-    float* out = plane.values.data() + to * std::size_t(plane.components);
-    switch (plane.channel) {
-        case channel_depth:
-            std::memcpy(out, tile.depth.data() + from, count * sizeof(float));
-            break;
-        case channel_normal:
-            std::memcpy(out, tile.normal.data() + from, count * sizeof(vec3));
-            break;
-        case channel_object:
-            for (std::size_t i = 0; i < count; ++i) out[i] = as_float(tile.object[from + i]);
-            break;
-        case channel_material:
-            for (std::size_t i = 0; i < count; ++i) out[i] = as_float(tile.material[from + i]);
-            break;
-    }
-}
-
-const float* PictureSink::channel_row(std::size_t plane, int y) const {
-    const ChannelPlane& p = planes_[plane];
-    return p.values.data() + std::size_t(y) * std::size_t(window_.width) * std::size_t(p.components);
+void PictureSink::rows_done(int first, int rows) {
+    if (!strip_done_) return;
+    RL_ASSERT(first == first_ && rows <= rows_, "strips come in order");
+    strip_done_(rows);
+    first_ += rows;
 }
 
 }  // namespace rakelight

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sink of a picture that goes to a file: tiles become display values at once, so a plain picture needs no float
-// frame.
+// frame, and strips of rows are handed on as soon as they are there.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -11,40 +12,47 @@
 
 namespace rakelight {
 
-/// Data channels as image files hold them: rows of 32-bit floats.
+/// The rows of one data channel, as the engine gives them: values of four bytes.
 struct ChannelPlane {
     std::uint32_t channel = 0;  ///< one Channel bit
     int components = 1;
-    std::vector<float> values;  ///< [window pixels * components]
+    std::vector<std::uint32_t> words;  ///< [rows * window width * components] floats or integers, by info_of(channel)
 };
-
-/// How a channel is stored in an image file: depth [m] with +infinity where nothing is, normals as they are, numbers of
-/// objects and materials as floats (exact up to 2^24) with -1 where nothing is.
-const char* name_of_channel(std::uint32_t channel);
-int components_of_channel(std::uint32_t channel);
 
 class PictureSink final : public Sink {
 public:
+    /// Keeps the whole window.
     explicit PictureSink(PixelFormat format) : format_(format) {}
+    /// Keeps a strip, and calls `strip_done` with its number of rows when they are there.
+    /// @param linear  keep colors as linear floats too, for files of layers
+    PictureSink(PixelFormat format, bool linear, std::function<void(int)> strip_done)
+        : format_(format), keeps_linear_(linear), strip_done_(std::move(strip_done)) {}
 
     void begin(int width, int height, Window window, std::uint32_t channels) override;
-    bool takes_srgb8() const override { return format_.component == Component::u8; }
+    bool takes_srgb8() const override { return format_.component == Component::u8 && !keeps_linear_; }
     void tile(const Tile& tile) override;
+    int rows_at_once() const override { return strip_done_ ? rows_ : 0; }
+    void rows_done(int first, int rows) override;
     void end_pass(int) override {}
 
-    /// Rows of the window, the first is 0.
-    const std::byte* color_row(int y) const {
-        return color_.data() + std::size_t(y) * std::size_t(window_.width) * format_.bytes();
+    /// Rows of the strip (or of the window), the first is 0.
+    const std::byte* color_row(int y) const { return color_.data() + at_row(y) * format_.bytes(); }
+    const float* linear_row(int y) const { return linear_.data() + at_row(y) * std::size_t(format_.channels); }
+    const std::uint32_t* channel_row(std::size_t plane, int y) const {
+        return planes_[plane].words.data() + at_row(y) * std::size_t(planes_[plane].components);
     }
-    const float* channel_row(std::size_t plane, int y) const;
     const std::vector<ChannelPlane>& planes() const { return planes_; }
 
 private:
-    void store(ChannelPlane& plane, const Tile& tile, std::size_t from, std::size_t to, std::size_t count) const;
+    std::size_t at_row(int y) const { return std::size_t(y) * std::size_t(window_.width); }
 
     PixelFormat format_;
+    bool keeps_linear_ = false;
+    std::function<void(int)> strip_done_;
     Window window_;
+    int first_ = 0, rows_ = 0;  ///< the strip: its first row in the picture, how many are kept
     std::vector<std::byte> color_;
+    std::vector<float> linear_;
     std::vector<ChannelPlane> planes_;
 };
 

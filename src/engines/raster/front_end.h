@@ -45,6 +45,7 @@ struct TileGrid {
     int first_x, first_y, columns, rows;  ///< in tiles
     Window window;
     std::size_t count() const { return std::size_t(columns) * std::size_t(rows); }
+    std::size_t first_of_row(int row) const { return std::size_t(row) * std::size_t(columns); }
     /// The pixels of tile i that lie in the window.
     Window pixels(std::size_t i) const;
     int origin_x(std::size_t i) const { return (first_x + int(i % std::size_t(columns))) * tile_size; }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "engines/channel_arrays.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
@@ -94,19 +95,18 @@ void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     if (channels & channel_depth)
         for (float& key : s.depth) key = distance_of(key, job.front.view);
     std::vector<vec4> color;
-    std::vector<float> depth;
-    std::vector<vec3> normal;
-    std::vector<std::uint32_t> object, material, srgb8;
-    Tile result;
-    result.area = area;
+    std::vector<std::uint32_t> srgb8;
+    Tile result{.area = area};
     if (job.to_srgb8)
         result.srgb8 = part(s.srgb8, in_tile, srgb8);
     else
         result.color = part(s.color, in_tile, color);
-    if (channels & channel_depth) result.depth = part(s.depth, in_tile, depth);
-    if (channels & channel_normal) result.normal = part(s.normal, in_tile, normal);
-    if (channels & channel_object) result.object = part(s.object, in_tile, object);
-    if (channels & channel_material) result.material = part(s.material, in_tile, material);
+    ChannelArrays copies;
+    for_each_channel(
+        [&](std::uint32_t bit, auto& to, const auto& whole, auto& copy) {
+            if (channels & bit) to = part(whole, in_tile, copy);
+        },
+        result, static_cast<const ChannelArrays&>(s), copies);
     sink.tile(result);
 }
 
@@ -142,6 +142,19 @@ void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink&
     scratch.times.delivery += clock.lap();
 }
 
+/// The row of tiles that a strip which begins with row `first` ends before, so that it has at most `rows` rows of
+/// pixels (0: all).
+int strip_end(const TileGrid& grid, int first, int rows) {
+    if (rows == 0) return grid.rows;
+    const int top = grid.pixels(grid.first_of_row(first)).y;
+    int end = first + 1;
+    for (; end < grid.rows; ++end) {
+        const Window next = grid.pixels(grid.first_of_row(end));
+        if (next.y + next.height - top > rows) break;
+    }
+    return end;
+}
+
 class SoftEngine final : public Engine {
 public:
     SoftEngine()
@@ -175,10 +188,10 @@ public:
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
-        draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8(), false, &marks}, sink, context,
+        const double waited = draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8(), false, &marks}, sink, context,
                    front.stats);
         sink.end_pass(0);
-        front.stats.times.tiles = clock.lap();
+        front.stats.times.tiles = clock.lap() - waited;
         clip_ = std::move(front.clip);
         screen_ = std::move(front.screen);
         binned_ = std::move(binned);
@@ -187,10 +200,11 @@ public:
     }
 
 private:
-    void draw_tiles(const TileJob& job, Sink& sink, Context& context, RenderStats& stats) {
+    /// @return [s] what the sink did with finished strips
+    double draw_tiles(const TileJob& job, Sink& sink, Context& context, RenderStats& stats) {
         std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, marked{0}, lit_pixels{0}, depth_passes{0};
         std::atomic<std::size_t> done{0};
-        context.parallel_for(job.grid.count(), [&](std::size_t tile) {
+        const auto draw = [&](std::size_t tile) {
             const FlushDenormals guard;
             if (context.cancelled()) return;
             auto scratch = pool_.take();
@@ -204,9 +218,21 @@ private:
             depth_passes += scratch->depth_passes;
             pool_.give_back(std::move(scratch));
             context.progress("render", double(++done) / double(job.grid.count()));
-        });
+        };
+        double waited = 0;
+        const int at_once = sink.rows_at_once();
+        for (int row = 0; row < job.grid.rows;) {
+            const int end = strip_end(job.grid, row, at_once);
+            const std::size_t first = job.grid.first_of_row(row);
+            context.parallel_for(job.grid.first_of_row(end) - first, [&](std::size_t i) { draw(first + i); });
+            context.throw_if_cancelled();
+            StageClock clock;
+            const Window top = job.grid.pixels(first), bottom = job.grid.pixels(job.grid.first_of_row(end) - 1);
+            sink.rows_done(top.y, bottom.y + bottom.height - top.y);
+            waited += clock.lap();
+            row = end;
+        }
         pool_.add_times_to(stats.times);
-        context.throw_if_cancelled();
         stats.pixels_covered = covered;
         stats.pixels_shaded = shaded;
         stats.pixels_not_finite = not_finite;
@@ -215,6 +241,7 @@ private:
         stats.depth_passes = depth_passes;
         if (not_finite > 0)
             context.report().add(Remark::warning, list_.scene.source, {}, std::to_string(not_finite) + " color values came out not finite and are shown black");
+        return waited;
     }
 
     const Kernels* kernels_;

@@ -33,9 +33,9 @@ struct RecordInput {
 };
 
 /// Working memory of one tile; used again by the next one.
-struct TileScratch {
-    // Visibility: depth key and position in the tile's list of the nearest triangle, -1 for none. [tile_pixels], row by row.
-    std::vector<float> depth = std::vector<float>(tile_pixels);
+struct TileScratch : ChannelArrays {
+    // Visibility: depth key (in `depth`) and position in the tile's list of the nearest triangle, -1 for none.
+    // [tile_pixels], row by row.
     std::vector<std::int32_t> visible = std::vector<std::int32_t>(tile_pixels);
     std::vector<double> order;  ///< [tile_pixels] of what is seen, in pictures by another method (visibility_methods.h)
     // A batch for the kernel. [tile_pixels + batch_padding]
@@ -50,17 +50,23 @@ struct TileScratch {
     std::vector<std::int32_t> record;           ///< [list] position in the list -> in `triangles`, -1: not wanted
     std::vector<const ScreenTriangle*> wanted;  ///< whose records are to be made
     std::vector<std::int32_t> sorted;  ///< covered pixels of tiles with very many draws, those of one draw together
-    // The result, [tile_pixels], row by row of the whole tile.
+    // The result, [tile_pixels], row by row of the whole tile; channels in ChannelArrays: the first four always have
+    // room, the others when they are asked for.
     std::vector<vec4> color = std::vector<vec4>(tile_pixels);
     std::vector<std::uint32_t> srgb8 =
         std::vector<std::uint32_t>(tile_pixels);  ///< in place of `color` where the sink takes display values
-    std::vector<vec3> normal = std::vector<vec3>(tile_pixels);
-    std::vector<std::uint32_t> object = std::vector<std::uint32_t>(tile_pixels), material = std::vector<std::uint32_t>(tile_pixels);
     std::vector<PendingMark> pending;  ///< [tile_pixels] in pictures with lines or points; between tiles nothing waits
     std::uint64_t covered = 0, shaded = 0, not_finite = 0, marked = 0;
     StageTimes times;  ///< of all tiles so far
     std::uint64_t lit_pixels = 0;        ///< lighting was evaluated at
     std::uint64_t depth_passes = 0;      ///< opaque and masked pixels that were nearer than what stood there
+
+    TileScratch() {
+        depth.resize(tile_pixels);
+        normal.resize(tile_pixels);
+        object.resize(tile_pixels);
+        material.resize(tile_pixels);
+    }
 
     template <class T>
     static std::vector<T> batch() { return std::vector<T>(tile_pixels + batch_padding); }

@@ -10,7 +10,7 @@
 namespace rakelight::stages {
 namespace {
 
-std::uint8_t code(double v) { return std::uint8_t(v > 0 ? (v < 1 ? v * 255 + 0.5 : 255) : 0); }
+std::uint8_t code(double v) { return code_of(v); }
 
 /// Liang & Barsky 1984: the part of a + t (b - a) with low <= coordinate <= high.
 bool clip(double a, double b, double low, double high, double& t0, double& t1) {
@@ -72,25 +72,6 @@ void Canvas::fill(dvec2 a, dvec2 b, dvec2 c, Code color) {
         right = std::min(right, double(pixels_.width));
         for (int x = int(std::ceil(left - 0.5)); x + 0.5 < right; ++x) set(x, y, color);
     }
-}
-
-Code color_of_number(std::uint32_t number) {
-    const double hue = double(number * 2654435769u) / 4294967296.0 * 6;  // 2^32 / golden ratio
-    const double value = 0.65 + 0.35 * double((number * 40503u >> 4) % 8) / 7;
-    const auto part = [&](double at) {
-        const double d = std::fabs(hue - at), distance = std::min(d, 6 - d);
-        return value * (0.25 + 0.75 * std::clamp(2 - distance, 0.0, 1.0));
-    };
-    return {code(part(0)), code(part(2)), code(part(4))};
-}
-
-Code heat(double v) {
-    static constexpr double stops[][3] = {{0.08, 0.08, 0.25}, {0.1, 0.4, 0.6}, {0.2, 0.7, 0.35}, {0.95, 0.8, 0.2}, {0.9, 0.3, 0.15}, {1, 1, 1}};
-    const double at = std::clamp(v, 0.0, 1.0) * 5;
-    const auto i = std::size_t(std::min(at, 4.0));
-    const double t = at - double(i);
-    const auto mix = [&](int c) { return code(stops[i][c] * (1 - t) + stops[i + 1][c] * t); };
-    return {mix(0), mix(1), mix(2)};
 }
 
 Code gray(double v) { return {code(v), code(v), code(v)}; }

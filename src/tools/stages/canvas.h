@@ -6,12 +6,11 @@
 #include <rakelight/image.h>
 #include <rakelight/vector.h>
 
+#include "image/false_color.h"
+
 namespace rakelight::stages {
 
-/// 8-bit sRGB codes.
-struct Code {
-    std::uint8_t r = 0, g = 0, b = 0;
-};
+using rakelight::Code;
 
 class Canvas {
 public:
@@ -30,10 +29,8 @@ private:
     Pixels pixels_;
 };
 
-/// Colors by number that differ from their neighbors' (golden ratio steps of the hue).
-Code color_of_number(std::uint32_t number);
-/// 0 dark blue over green and yellow to 1 white; clamped.
-Code heat(double value);
+using rakelight::color_of_number;
+using rakelight::heat;
 Code gray(double value);  ///< 0 black to 1 white; clamped
 /// -1..1 a component to 0..255.
 Code color_of_normal(vec3 n);

@@ -19,11 +19,17 @@ public:
         const Window w = s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
         windows.push_back(w);
         sink.begin(s.width, s.height, w, s.channels);
-        const int tiles_x = (w.width + 63) / 64, tiles_y = (w.height + 63) / 64;
-        context.parallel_for(std::size_t(tiles_x * tiles_y), [&](std::size_t i) {
-            const int x = int(i) % tiles_x * 64, y = int(i) / tiles_x * 64;
-            deliver({w.x + x, w.y + y, std::min(64, w.width - x), std::min(64, w.height - y)}, s, sink);
-        });
+        const int tiles_x = (w.width + 63) / 64,
+                  at_once = sink.rows_at_once() == 0 ? w.height : sink.rows_at_once() / 64 * 64;
+        for (int top = 0; top < w.height; top += at_once) {
+            const int rows = std::min(at_once, w.height - top), tiles_y = (rows + 63) / 64;
+            context.parallel_for(std::size_t(tiles_x * tiles_y), [&](std::size_t i) {
+                const int x = int(i) % tiles_x * 64, y = top + int(i) / tiles_x * 64;
+                deliver({w.x + x, w.y + y, std::min(64, w.width - x), std::min(64, w.height - y)}, s, sink);
+            });
+            strips.push_back(rows);
+            sink.rows_done(w.y + top, rows);
+        }
         context.progress("render", 1);
         sink.end_pass(0);
         RenderStats stats;
@@ -41,6 +47,7 @@ public:
     Scene prepared;
     Camera camera;
     std::vector<Window> windows;
+    std::vector<int> strips;  ///< rows of each
     bool covered = true;
 
 private:

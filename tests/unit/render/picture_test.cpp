@@ -82,24 +82,22 @@ TEST_F(Picture, AWindowIsTheSamePixelsAsInTheWholePicture) {
         for (int x = 0; x < 90; ++x) ASSERT_EQ(pixel(p, x, y), expected_pixel(33 + x, 71 + y));
 }
 
-TEST_F(Picture, AVeryLargePictureGoesInBandsWithoutASeam) {
-    // 65536 wide: a band of 16 million pixels is 256 rows
-    const PictureResult result = draw({.output = file("b.png"), .settings = {.width = 65536, .height = 300}});
-    ASSERT_EQ(engine_.windows.size(), 2u);
-    EXPECT_EQ(engine_.windows[0], (Window{0, 0, 65536, 256}));
-    EXPECT_EQ(engine_.windows[1], (Window{0, 256, 65536, 44}));
+TEST_F(Picture, AVeryLargePictureIsOnePassThatComesInStrips) {
+    // 65536 wide: 64 MiB are 320 rows of three bytes a pixel
+    const PictureResult result = draw({.output = file("b.png"), .settings = {.width = 65536, .height = 400}});
+    EXPECT_EQ(engine_.windows, (std::vector<Window>{{0, 0, 65536, 400}}));
+    EXPECT_EQ(engine_.strips, (std::vector<int>{320, 80}));
     EXPECT_EQ(result.stats.triangles_in, 7u);
-    EXPECT_EQ(result.stats.pixels_covered, 65536u * 300u);
+    EXPECT_EQ(result.stats.pixels_covered, 65536u * 400u);
 }
 
-TEST_F(Picture, ProgressIsOneSweepOverAllBands) {
-    std::vector<double> told;
-    Context context({.threads = 2, .progress = [&](std::string_view, double fraction) { told.push_back(fraction); }});
-    PictureResult result;
-    draw_to_files(engine_, {}, {.output = file("b.png"), .settings = {.width = 65536, .height = 300}}, result, context);
-    ASSERT_EQ(told.size(), 2u);
-    EXPECT_DOUBLE_EQ(told[0], 256.0 / 300);
-    EXPECT_DOUBLE_EQ(told[1], 1);
+TEST_F(Picture, StripsJoinWithoutASeam) {
+    draw({.output = file("s.png"), .settings = {.width = 32768, .height = 760, .window = {100, 30, 32000, 720}}});
+    const Pixels p = decode("s.png");
+    ASSERT_EQ(engine_.strips.size(), 2u);
+    for (int y = 0; y < 720; ++y)
+        for (int x = 0; x < 32000; x += 997)
+            ASSERT_EQ(pixel(p, x, y), expected_pixel(100 + x, 30 + y)) << x << ' ' << y;
 }
 
 TEST_F(Picture, ATransparentBackgroundGivesAlphaAsTheFormatWantsIt) {

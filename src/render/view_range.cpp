@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/view_range.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+
+ViewRange view_range(const Scene& scene, const Camera& camera) {
+    const Bounds bounds = world_bounds(scene);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (int corner = 0; corner < 8; ++corner) {
+        const dvec3 p = {corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                         corner & 4 ? bounds.high.z : bounds.low.z};
+        const double distance = -dot(p - camera.to_world[3].xyz(), camera.to_world[2].xyz());
+        low = std::min(low, distance);
+        high = std::max(high, distance);
+    }
+    return {std::max(low, camera.near), std::min(high, camera.far), bounds.low, bounds.high};
+}
+
+}  // namespace rakelight
