@@ -18,11 +18,15 @@ RL_FN vec3 decode_normal_centered(vec3 texel, real scale)
 // most across n takes its place (x, unless n leans on it by more than 0.7; then y).
 RL_FN vec3 orthogonal_tangent(vec3 n, vec3 t)
 {
-    vec3 axis = select(abs(n.x) > 0.7f, vec3(0.0f, 1.0f, 0.0f), vec3(1.0f, 0.0f, 0.0f));
-    vec3 fallback = safe_normalize(axis - n * dot(n, axis));
     vec3 across = t - n * dot(n, t);
-    mask has_direction = dot(across, across) > 1e-12f * dot(t, t);
-    return safe_normalize_or(select(has_direction, across, fallback), fallback);
+    real squared = dot(across, across);
+    mask has_direction = squared > 1e-12f * dot(t, t) && squared >= 1.17549435e-38f && squared <= 3.40282347e38f;
+    vec3 unit = across * inverse_sqrt(squared);
+    if (all_lanes(has_direction)) {
+        return unit;
+    }
+    vec3 axis = select(abs(n.x) > 0.7f, vec3(0.0f, 1.0f, 0.0f), vec3(1.0f, 0.0f, 0.0f));
+    return select(has_direction, unit, safe_normalize(axis - n * dot(n, axis)));
 }
 
 // The frame's normal: m in (tangent t, bitangent, normal n), bitangent = cross(n, t) * w. Unit; n where the sum vanishes.

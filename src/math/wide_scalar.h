@@ -39,6 +39,21 @@ inline real gather(const float* base, integer index) { return base[index]; }
 inline integer gather_i(const int32_t* base, integer index) { return base[index]; }
 inline integer gather_i(const uint32_t* base, integer index) { return int32_t(base[index]); }
 
+/// Numbers 2 index and 2 index + 1.
+inline void gather_pairs(const uint32_t* base, integer index, integer& first, integer& second) {
+    first = int32_t(base[2 * int64_t(index)]);
+    second = int32_t(base[2 * int64_t(index) + 1]);
+}
+
+// Two 16-bit numbers a lane. Sums wrap round.
+inline integer join16(int32_t low, int32_t high) { return int32_t((uint32_t(low) & 0xffffu) | (uint32_t(high) << 16)); }
+inline integer add16(integer a, integer b) { return join16(int32_t(uint32_t(a) + uint32_t(b)), (a >> 16) + (b >> 16)); }
+inline integer sub16(integer a, integer b) { return join16(int32_t(uint32_t(a) - uint32_t(b)), (a >> 16) - (b >> 16)); }
+/// a times b / 32768, rounded to the nearest, halves up; b not -32768.
+inline integer scale16(integer a, integer b) {
+    return join16((int32_t(int16_t(a)) * int16_t(b) + 0x4000) >> 15, ((a >> 16) * (b >> 16) + 0x4000) >> 15);
+}
+
 inline integer bits_of(real x) { return __builtin_bit_cast(int32_t, x); }
 inline real real_from_bits(integer i) { return __builtin_bit_cast(float, i); }
 inline integer shift_right_logical(integer i, int count) { return int32_t(uint32_t(i) >> count); }

@@ -237,6 +237,58 @@ inline integer gather_i(const uint32_t* base, integer index) {
     return bits_of(gather(reinterpret_cast<const float*>(base), index));
 }
 
+/// Numbers 2 index and 2 index + 1.
+inline void gather_pairs(const uint32_t* base, integer index, integer& first, integer& second) {
+#if defined(RL_ISA_avx512)
+    const __m512i low = _mm512_i32gather_epi64(_mm512_castsi512_si256(index.v), base, 8);
+    const __m512i high = _mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.v, 1), base, 8);
+    const __m512i even = (lane_indices() << 1).v;
+    first = integer(IntegerBatch(_mm512_permutex2var_epi32(low, even, high)));
+    second = integer(IntegerBatch(_mm512_permutex2var_epi32(low, _mm512_or_si512(even, _mm512_set1_epi32(1)), high)));
+#elif defined(RL_ISA_avx2)
+    const auto gathered = [base](__m128i i) {
+        return _mm256_castsi256_ps(_mm256_i32gather_epi64(reinterpret_cast<const long long*>(base), i, 8));
+    };
+    const __m256 low = gathered(_mm256_castsi256_si128(index.v)), high = gathered(_mm256_extracti128_si256(index.v, 1));
+    const auto ordered = [](__m256 v) { return IntegerBatch(_mm256_permute4x64_epi64(_mm256_castps_si256(v), 0xd8)); };
+    first = integer(ordered(_mm256_shuffle_ps(low, high, 0x88)));
+    second = integer(ordered(_mm256_shuffle_ps(low, high, 0xdd)));
+#else
+    int32_t i[lanes];
+    store(i, index);
+    const auto pair = [&](int k) {
+        return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(base + 2 * int64_t(i[k])));
+    };
+    const __m128 low = _mm_castsi128_ps(_mm_unpacklo_epi64(pair(0), pair(1)));
+    const __m128 high = _mm_castsi128_ps(_mm_unpacklo_epi64(pair(2), pair(3)));
+    first = integer(IntegerBatch(_mm_castps_si128(_mm_shuffle_ps(low, high, 0x88))));
+    second = integer(IntegerBatch(_mm_castps_si128(_mm_shuffle_ps(low, high, 0xdd))));
+#endif
+}
+
+// --- two 16-bit numbers a lane. Sums wrap round.
+// --------------------------------------------------------------------------------------------------------------
+
+#if defined(RL_ISA_avx512)
+inline integer add16(integer a, integer b) { return integer(IntegerBatch(_mm512_add_epi16(a.v, b.v))); }
+inline integer sub16(integer a, integer b) { return integer(IntegerBatch(_mm512_sub_epi16(a.v, b.v))); }
+/// a times b / 32768, rounded to the nearest, halves up; b not -32768.
+inline integer scale16(integer a, integer b) { return integer(IntegerBatch(_mm512_mulhrs_epi16(a.v, b.v))); }
+#elif defined(RL_ISA_avx2)
+inline integer add16(integer a, integer b) { return integer(IntegerBatch(_mm256_add_epi16(a.v, b.v))); }
+inline integer sub16(integer a, integer b) { return integer(IntegerBatch(_mm256_sub_epi16(a.v, b.v))); }
+inline integer scale16(integer a, integer b) { return integer(IntegerBatch(_mm256_mulhrs_epi16(a.v, b.v))); }
+#else
+inline integer add16(integer a, integer b) { return integer(IntegerBatch(_mm_add_epi16(a.v, b.v))); }
+inline integer sub16(integer a, integer b) { return integer(IntegerBatch(_mm_sub_epi16(a.v, b.v))); }
+inline integer scale16(integer a, integer b) {  // _mm_mulhrs_epi16 came with SSSE3
+    const __m128i low = _mm_mullo_epi16(a.v, b.v), high = _mm_mulhi_epi16(a.v, b.v);
+    const __m128i half = _mm_and_si128(_mm_srli_epi16(low, 14), _mm_set1_epi16(1));
+    const __m128i whole = _mm_or_si128(_mm_slli_epi16(high, 1), _mm_srli_epi16(low, 15));
+    return integer(IntegerBatch(_mm_add_epi16(whole, half)));
+}
+#endif
+
 // --- rounding where the processor has it; wide_functions.h has the text for the others
 // ---------------------------------------
 

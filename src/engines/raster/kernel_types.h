@@ -15,9 +15,9 @@ inline constexpr int max_mip_levels = 16;    ///< 32768 texels a side
 
 /// One texture as the kernel reads it: all levels in one array, rows tightly packed, row 0 on top.
 struct TextureView {
-    const uint32_t* rgba8;    ///< code values, R in the low byte; or null
+    const uint32_t* rgba8;    ///< linear codes of 8 bits, R in the low byte; or null
+    const uint32_t* rgba16;   ///< linear codes of 15 bits, two words a texel: R | B << 16, G | A << 16; or null
     const float* rgba32f;     ///< four linear floats a texel; or null
-    const float* decode;      ///< [256] sRGB code value -> linear for R, G, B; null: code / 255, or rgba32f
     int32_t levels;           ///< 1..max_mip_levels
     int32_t offset[max_mip_levels], width[max_mip_levels], height[max_mip_levels];  ///< [texels] of each level
     int32_t wrap_u, wrap_v;   ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
@@ -39,6 +39,7 @@ struct MaterialView {
     float normal_scale, occlusion_strength;
     float alpha_cutoff;                    ///< < 0: no mask
     int32_t blend;                         ///< 0: alpha is 1
+    int32_t shares_footprint;              ///< the normal map is read where the base color map is, texel by texel
     int32_t vertex_colors;                 ///< 0: no mesh with this material has any, all corners are white
     TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map, metallic_roughness_map;
 };

@@ -73,6 +73,16 @@ TextureSlot slot_for(const TextureUse& use, const TextureView& view) {
             offset.x, offset.y};
 }
 
+/// Whether two slots read the same texels of their textures at every pixel.
+bool share_footprint(const TextureSlot& a, const TextureSlot& b) {
+    if (!a.view || !b.view || a.texcoord_set != b.texcoord_set) return false;
+    if (a.uu != b.uu || a.uv != b.uv || a.vu != b.vu || a.vv != b.vv || a.u0 != b.u0 || a.v0 != b.v0) return false;
+    const TextureView &s = *a.view, &t = *b.view;
+    return s.width[0] == t.width[0] && s.height[0] == t.height[0] && s.levels == t.levels && s.wrap_u == t.wrap_u &&
+           s.wrap_v == t.wrap_v && s.mip == t.mip && s.minify_linear == t.minify_linear &&
+           s.magnify_linear == s.minify_linear && t.magnify_linear == t.minify_linear;
+}
+
 }  // namespace
 
 void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
@@ -107,6 +117,7 @@ void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
                 list.views.push_back(with_sampler(*pixels, texture.sampler));
                 out.view.*r.slot = slot_for(*r.use, list.views.back());
             }
+        out.view.shares_footprint = share_footprint(out.view.base_color_map, out.view.normal_map);
         list.materials.push_back(out);
     }
 }

@@ -11,14 +11,19 @@
 namespace rakelight::raster {
 namespace {
 
-/// Code value -> linear, for colors and for data.
-const float* srgb_table() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> t{};
-        for (std::size_t i = 0; i < 256; ++i) t[i] = linear_from_srgb8(std::uint8_t(i));
+/// sRGB codes -> TextureView::rgba16.
+void append_linear15(const std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& to) {
+    static const std::array<std::uint32_t, 256> color = [] {
+        std::array<std::uint32_t, 256> t{};
+        for (std::size_t i = 0; i < 256; ++i)
+            t[i] = std::uint32_t(linear_from_srgb8(std::uint8_t(i)) * 32767.0f + 0.5f);
         return t;
     }();
-    return table.data();
+    for (const std::uint32_t c : codes) {
+        const std::uint32_t alpha = ((c >> 24) * 32767u * 2 + 255) / 510;
+        to.push_back(color[c & 255u] | color[c >> 16 & 255u] << 16);
+        to.push_back(color[c >> 8 & 255u] | alpha << 16);
+    }
 }
 
 /// Kernels address texels, and the four floats of one, by int32_t.
@@ -37,6 +42,8 @@ std::shared_ptr<const TextureData> pack(const MipChain& chain) {
     if (!fits_texel_index(texels, chain.is_float)) throw Error(ErrorCode::bad_file, "the picture has too many texels for the soft engine");
     if (chain.is_float)
         data->rgba32f.reserve(texels * 4);
+    else if (chain.is_srgb)
+        data->rgba16.reserve(texels * 2);
     else
         data->rgba8.reserve(texels);
     std::size_t offset = 0;
@@ -47,12 +54,18 @@ std::shared_ptr<const TextureData> pack(const MipChain& chain) {
         view.offset[l] = l < view.levels ? std::int32_t(offset) : view.offset[view.levels - 1];
         if (l >= view.levels) continue;
         offset += std::size_t(level.width) * std::size_t(level.height);
-        data->rgba8.insert(data->rgba8.end(), level.rgba8.begin(), level.rgba8.end());
+        if (chain.is_srgb)
+            append_linear15(level.rgba8, data->rgba16);
+        else
+            data->rgba8.insert(data->rgba8.end(), level.rgba8.begin(), level.rgba8.end());
         for (const vec4& t : level.rgba32f) data->rgba32f.insert(data->rgba32f.end(), {t.x, t.y, t.z, t.w});
     }
-    view.rgba8 = chain.is_float ? nullptr : data->rgba8.data();
-    view.rgba32f = chain.is_float ? data->rgba32f.data() : nullptr;
-    view.decode = chain.is_srgb && !chain.is_float ? srgb_table() : nullptr;
+    if (chain.is_float)
+        view.rgba32f = data->rgba32f.data();
+    else if (chain.is_srgb)
+        view.rgba16 = data->rgba16.data();
+    else
+        view.rgba8 = data->rgba8.data();
     return data;
 }
 
@@ -78,7 +91,9 @@ void load(Missing& m, Context& context) {
 void release_temporaries(MemoryBudget& memory, std::uint64_t charged_before, std::span<const Missing> loaded) {
     std::uint64_t kept = charged_before;
     for (const Missing& m : loaded)
-        if (*m.data) kept += (*m.data)->rgba8.size() * sizeof(std::uint32_t) + (*m.data)->rgba32f.size() * sizeof(float);
+        if (*m.data)
+            kept += ((*m.data)->rgba8.size() + (*m.data)->rgba16.size()) * sizeof(std::uint32_t) +
+                    (*m.data)->rgba32f.size() * sizeof(float);
     if (memory.charged() > kept) memory.release(memory.charged() - kept);
 }
 

@@ -15,7 +15,7 @@ namespace rakelight::raster {
 
 /// All mip levels of one picture in one array.
 struct TextureData {
-    std::vector<std::uint32_t> rgba8;
+    std::vector<std::uint32_t> rgba8, rgba16;  ///< data and colors: see TextureView
     std::vector<float> rgba32f;
     TextureView view;  ///< without sampler state
 };

@@ -10,13 +10,17 @@ RL_USE_WIDE;
 /// Numbers of the triangles' records, one record a lane. Lanes of one triangle get them by one broadcast: a gather
 /// would read lane by lane, and neighbors mostly share a triangle.
 struct Records {
-    int32_t count = 1;  ///< of different triangles
+    int32_t count;  ///< of different triangles
     const float* base[lanes];
     mask lanes_of[lanes];
 
+    Records() = default;
     /// Records of `floats` floats each.
-    Records(const float* records, int32_t floats, const int32_t* triangle) {
+    Records(const float* records, int32_t floats, const int32_t* triangle) { find(records, floats, triangle); }
+
+    void find(const float* records, int32_t floats, const int32_t* triangle) {
         const integer all = load_i(triangle);
+        count = 1;
         base[0] = records + int64_t(triangle[0]) * floats;
         uint32_t others = lane_bits(all != integer(triangle[0]));
         while (others != 0) {
@@ -27,8 +31,6 @@ struct Records {
             lanes_of[count++] = same;
         }
     }
-    Records(const ShadeTriangle* triangles, const int32_t* triangle)
-        : Records(reinterpret_cast<const float*>(triangles), shade_triangle_floats, triangle) {}
 
     /// `n` numbers that follow one another.
     template <int n>

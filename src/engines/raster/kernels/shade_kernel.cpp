@@ -15,11 +15,16 @@ struct Pixels {
     Records records;
     Barycentrics b;
     TexCoords texcoords[2];
-    vec3 position;  ///< relative to the eye
+    Footprint footprint;  ///< of base color and normal map where they share it
+    vec3 position;        ///< relative to the eye
     const int32_t* triangle;
 
-    Pixels(const ShadeJob& job, int32_t first)
-        : records(job.triangles, job.triangle + first), triangle(job.triangle + first) {
+    Pixels() = default;
+    Pixels(const ShadeJob& job, int32_t first) { find(job, first); }
+
+    void find(const ShadeJob& job, int32_t first) {
+        triangle = job.triangle + first;
+        records.find(reinterpret_cast<const float*>(job.triangles), shade_triangle_floats, triangle);
         const integer pixel = load_i(job.pixel + first);
         const real x = to_real(pixel & integer(tile_size - 1)), y = to_real(shift_right_logical(pixel, tile_bits));
         const Place place = place_of(records, x, y, job.affine != 0, job.orthographic != 0);
@@ -41,6 +46,15 @@ inline void find_texcoords(const MaterialView& m, Pixels& p) {
         if (slot->view != nullptr) used[slot->texcoord_set == 0 ? 0 : 1] = true;
     for (int set = 0; set < 2; ++set)
         if (used[set]) p.texcoords[set] = texcoords(p.records, p.b, set);
+    if (m.shares_footprint == 0) return;
+    const TextureView& t = *m.base_color_map.view;
+    const TexCoords c = transformed(m.base_color_map, p.texcoords[m.base_color_map.texcoord_set == 0 ? 0 : 1]);
+    p.footprint = footprint_of(t, c, level_of_detail(t, c), t.minify_linear != 0);
+}
+
+/// The normal map's texel, 0..1.
+inline vec3 normal_texel(const MaterialView& m, const Pixels& p) {
+    return rgb(m.shares_footprint != 0 ? sample(*m.normal_map.view, p.footprint) : texel(m.normal_map, p));
 }
 
 /// What the surface is painted with, vertex color times texture, and that times the material's factor; alpha with the opacity map.
@@ -52,7 +66,10 @@ inline BaseColor base_color(const MaterialView& m, const Pixels& p) {
     BaseColor base;
     const real one(1.0f);
     base.paint = m.vertex_colors != 0 ? interpolate_color(p.records, p.b) : vec4(one, one, one, one);
-    if (m.base_color_map.view != nullptr) base.paint = base.paint * texel(m.base_color_map, p);
+    if (m.shares_footprint != 0)
+        base.paint = base.paint * sample(*m.base_color_map.view, p.footprint);
+    else if (m.base_color_map.view != nullptr)
+        base.paint = base.paint * texel(m.base_color_map, p);
     base.color = vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * base.paint;
     if (m.opacity_map.view != nullptr) base.color.w = base.color.w * texel(m.opacity_map, p).x;
     return base;
@@ -66,7 +83,7 @@ inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
         const vec3 along = interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent));
         const vec3 across = lit::orthogonal_tangent(n, along);
         const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(along, across);
-        const vec3 mapped = lit::decode_normal(rgb(texel(m.normal_map, p)), real(m.normal_scale));
+        const vec3 mapped = lit::decode_normal(normal_texel(m, p), real(m.normal_scale));
         n = lit::perturb_normal(n, t, p.records(offsetof(ShadeTriangle, handedness)), mapped);
     }
     return n * p.records(offsetof(ShadeTriangle, facing));
@@ -107,29 +124,16 @@ inline lit::Surface reflectance_of(const MaterialView& m, const Pixels& p, const
     return s;
 }
 
-inline lit::Surface surface_of(const ShadeJob& job, const Pixels& p, const BaseColor& base) {
-    lit::Surface s = reflectance_of(*job.material, p, base);
-    s.n = shading_normal(job, p);
-    s.v = to_viewer(job, p.position);
-    return s;
-}
-
 /// Flat and Gouraud shading: light that the corners have received, times what the pixel reflects.
 inline vec3 add_interpolated(vec3 sum, const ShadeJob& job, const Pixels& p, const lit::Surface& surface) {
     const ReceivedLight received = interpolate_light(job.lit, p.triangle, p.b);
     return sum + (surface.ambient * received.ambient + surface.diffuse * received.diffuse + surface.specular * received.specular);
 }
 
-inline vec3 lit_color(const ShadeJob& job, const Pixels& p, vec4 color, const lit::Surface& surface) {
-    const MaterialView& m = *job.material;
-    vec3 sum = splat(m.emission);
-    if (m.emission_map.view != nullptr) sum = sum * rgb(texel(m.emission_map, p));
-    if (job.unlit != 0) return lit::unlit(rgb(color), sum);
-    if (job.lit != nullptr) return add_interpolated(sum, job, p, surface);
-    const lit::Reflection reflection = reflection_of(job);
-    for (int32_t i = 0; i < job.light_count; ++i)
-        sum = lit::add_light(sum, surface, lit::sample_light(job.lights[i], p.position), reflection);
-    return sum;
+/// First term of the sum.
+inline vec3 emission_of(const MaterialView& m, const Pixels& p) {
+    const vec3 emission = splat(m.emission);
+    return m.emission_map.view != nullptr ? emission * rgb(texel(m.emission_map, p)) : emission;
 }
 
 /// What is not finite becomes 0 and is counted, in the first `alive` lanes.
@@ -149,38 +153,84 @@ inline integer srgb8(const uint32_t* table, real linear) {
     return shift_right_logical(entry, 24) + select(is_over, integer(1), integer(0));
 }
 
-inline int32_t shade_vector(const ShadeJob& job, int32_t first) {
-    Pixels p(job, first);
-    find_texcoords(*job.material, p);
-    const BaseColor base = base_color(*job.material, p);
+/// Vectors of pixels that go through the stages side by side: what one waits for another one fills (a pixel's own
+/// operations mostly depend on one another).
+struct Block {
+    static constexpr int32_t most = 4;
+    int32_t count;  ///< of vectors
+    Pixels pixels[most];
+    BaseColor base[most];
+    lit::Surface surface[most];
+    vec3 radiance[most];
+};
+
+inline void find_surfaces(const ShadeJob& job, int32_t first, Block& b) {
+    const MaterialView& m = *job.material;
     const bool needs_normal = (job.lit == nullptr && job.unlit == 0) || job.normal_x != nullptr;
-    const lit::Surface surface = needs_normal ? surface_of(job, p, base) : reflectance_of(*job.material, p, base);
-    vec3 radiance = lit_color(job, p, base.color, surface);
-    const int32_t alive = job.count - first < lanes ? job.count - first : lanes;
-    int32_t not_finite = 0;
-    radiance.x = only_finite(radiance.x, alive, not_finite);
-    radiance.y = only_finite(radiance.y, alive, not_finite);
-    radiance.z = only_finite(radiance.z, alive, not_finite);
-    if (job.srgb8 != nullptr) {
-        const integer codes = srgb8(job.srgb_table, radiance.x) | (srgb8(job.srgb_table, radiance.y) << 8) |
-                              (srgb8(job.srgb_table, radiance.z) << 16) | integer(int32_t(0xff000000u));
-        store(reinterpret_cast<int32_t*>(job.srgb8 + first), codes);
-    } else {
+    for (int32_t k = 0; k < b.count; ++k) b.pixels[k].find(job, first + k * lanes);
+    for (int32_t k = 0; k < b.count; ++k) find_texcoords(m, b.pixels[k]);
+    for (int32_t k = 0; k < b.count; ++k) b.base[k] = base_color(m, b.pixels[k]);
+    for (int32_t k = 0; k < b.count; ++k) b.surface[k] = reflectance_of(m, b.pixels[k], b.base[k]);
+    if (!needs_normal) return;
+    for (int32_t k = 0; k < b.count; ++k) b.surface[k].n = shading_normal(job, b.pixels[k]);
+    for (int32_t k = 0; k < b.count; ++k) b.surface[k].v = to_viewer(job, b.pixels[k].position);
+}
+
+inline void light_surfaces(const ShadeJob& job, Block& b) {
+    for (int32_t k = 0; k < b.count; ++k) b.radiance[k] = emission_of(*job.material, b.pixels[k]);
+    if (job.unlit != 0 || job.lit != nullptr) {
+        for (int32_t k = 0; k < b.count; ++k)
+            b.radiance[k] = job.unlit != 0 ? lit::unlit(rgb(b.base[k].color), b.radiance[k])
+                                           : add_interpolated(b.radiance[k], job, b.pixels[k], b.surface[k]);
+        return;
+    }
+    const lit::Reflection reflection = reflection_of(job);
+    for (int32_t i = 0; i < job.light_count; ++i)
+        for (int32_t k = 0; k < b.count; ++k)
+            b.radiance[k] = lit::add_light(b.radiance[k], b.surface[k],
+                                           lit::sample_light(job.lights[i], b.pixels[k].position), reflection);
+}
+
+inline void store_colors(const ShadeJob& job, int32_t first, vec3 radiance, real alpha) {
+    if (job.srgb8 == nullptr) {
         store(job.red + first, radiance.x);
         store(job.green + first, radiance.y);
         store(job.blue + first, radiance.z);
-        store(job.alpha + first, base.color.w);
+        store(job.alpha + first, alpha);
+        return;
     }
-    if (job.normal_x == nullptr) return not_finite;
-    store(job.normal_x + first, surface.n.x);
-    store(job.normal_y + first, surface.n.y);
-    store(job.normal_z + first, surface.n.z);
+    const integer codes = srgb8(job.srgb_table, radiance.x) | (srgb8(job.srgb_table, radiance.y) << 8) |
+                          (srgb8(job.srgb_table, radiance.z) << 16) | integer(int32_t(0xff000000u));
+    store(reinterpret_cast<int32_t*>(job.srgb8 + first), codes);
+}
+
+inline int32_t store_block(const ShadeJob& job, int32_t first, Block& b) {
+    int32_t not_finite = 0;
+    for (int32_t k = 0; k < b.count; ++k) {
+        const int32_t at = first + k * lanes, alive = job.count - at < lanes ? job.count - at : lanes;
+        vec3& radiance = b.radiance[k];
+        radiance.x = only_finite(radiance.x, alive, not_finite);
+        radiance.y = only_finite(radiance.y, alive, not_finite);
+        radiance.z = only_finite(radiance.z, alive, not_finite);
+        store_colors(job, at, radiance, b.base[k].color.w);
+        if (job.normal_x == nullptr) continue;
+        store(job.normal_x + at, b.surface[k].n.x);
+        store(job.normal_y + at, b.surface[k].n.y);
+        store(job.normal_z + at, b.surface[k].n.z);
+    }
     return not_finite;
 }
 
 static int32_t shade(const ShadeJob* job) {
     int32_t not_finite = 0;
-    for (int32_t i = 0; i < job->count; i += lanes) not_finite += shade_vector(*job, i);
+    Block b;
+    for (int32_t i = 0; i < job->count; i += lanes * Block::most) {
+        const int32_t vectors = (job->count - i + lanes - 1) / lanes;
+        b.count = vectors < Block::most ? vectors : Block::most;
+        find_surfaces(*job, i, b);
+        light_surfaces(*job, b);
+        not_finite += store_block(*job, i, b);
+    }
     return not_finite;
 }
 

@@ -161,16 +161,21 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights) {
     put(out.vertex_color, interpolate_color(p.records, p.b));
     put(out.paint, base.paint);
     put(out.base_color, base.color);
-    const lit::Surface surface = surface_of(*job, p, base);
+    lit::Surface surface = reflectance_of(m, p, base);
+    surface.n = shading_normal(*job, p);
+    surface.v = to_viewer(*job, p.position);
     trace_normal(*job, p, out);
     trace_surface(m, surface, out);
-    vec3 emission = splat(m.emission);
-    if (m.emission_map.view != nullptr) emission = emission * rgb(texel(m.emission_map, p));
+    const vec3 emission = emission_of(m, p);
     put(out.emission, emission);
     out.is_lit_at_corners = job->unlit == 0 && job->lit != nullptr;
     if (out.is_lit_at_corners) trace_received(*job, p, out);
     if (job->unlit == 0 && job->lit == nullptr) trace_lights(*job, p, surface, emission, lights);
-    put(out.color, lit_color(*job, p, base.color, surface));
+    Block b;
+    b.count = 1;
+    find_surfaces(*job, 0, b);
+    light_surfaces(*job, b);
+    put(out.color, b.radiance[0]);
     out.alpha = base.color.w;
 }
 
