@@ -21,6 +21,9 @@ inline void load_rows4(const float* rows, real* v) {
 inline void load_rows8(const float* rows, real* v) {
     for (int k = 0; k < 8; ++k) v[k] = rows[k];
 }
+inline void load_rows4_at(const float* const* rows, int first, real* v) {
+    for (int k = 0; k < 4; ++k) v[k] = rows[0][first + k];
+}
 template <int width, int index_stride>
 inline void load_vectors(const float* base, const uint32_t* index, real* v) {
     for (int k = 0; k < width; ++k) v[k] = base[width * uint64_t(*index) + uint64_t(k)];
@@ -94,11 +97,9 @@ inline void load_columns4(const float* rows, int stride, real* v) {
     for (int k = 0; k < 4; ++k) v[k] = from_quads(column[k]);
 }
 
-/// Lane i: the vector of `width` (2, 3 or 4) floats number index[i * index_stride]. Reads four floats from each one's
-/// beginning.
-template <int width, int index_stride>
-inline void load_vectors(const float* base, const uint32_t* index, real* v) {
-    const auto at = [&](int i) { return base + width * uint64_t(index[i * index_stride]); };
+/// Lane i: `width` (2, 3 or 4) floats from at(i) on. Reads four.
+template <int width, class At>
+inline void load_from(const At& at, real* v) {
 #if defined(RL_ISA_avx512)
     using Packed = __m512;
     const auto four = [&](int i) {  // vectors i, i + 4, i + 8, i + 12
@@ -134,6 +135,18 @@ inline void load_vectors(const float* base, const uint32_t* index, real* v) {
     v[1] = real(RealBatch(halves_high(ab, cd)));
     if constexpr (width > 2) v[2] = real(RealBatch(halves_low(high(a, b), high(c, d))));
     if constexpr (width == 4) v[3] = real(RealBatch(halves_high(high(a, b), high(c, d))));
+}
+
+/// Lane i: the vector of `width` (2, 3 or 4) floats number index[i * index_stride]. Reads four floats from each one's
+/// beginning.
+template <int width, int index_stride>
+inline void load_vectors(const float* base, const uint32_t* index, real* v) {
+    load_from<width>([=](int i) { return base + width * uint64_t(index[i * index_stride]); }, v);
+}
+
+/// Lane i: floats first..first + 3 of rows[i].
+inline void load_rows4_at(const float* const* rows, int first, real* v) {
+    load_from<4>([=](int i) { return rows[i] + first; }, v);
 }
 
 inline void store_rows4(float* rows, const real* v) { store_columns4(rows, 4, v); }

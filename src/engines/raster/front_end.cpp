@@ -15,28 +15,6 @@
 namespace rakelight::raster {
 namespace {
 
-/// Working memory of chunks, handed from one to the next.
-class ScratchPool {
-public:
-    explicit ScratchPool(std::size_t tiles) : tiles_(tiles) {}
-    std::unique_ptr<SetUpScratch> take() {
-        const std::lock_guard lock(mutex_);
-        if (free_.empty()) return std::make_unique<SetUpScratch>(tiles_);
-        auto scratch = std::move(free_.back());
-        free_.pop_back();
-        return scratch;
-    }
-    void give_back(std::unique_ptr<SetUpScratch> scratch) {
-        const std::lock_guard lock(mutex_);
-        free_.push_back(std::move(scratch));
-    }
-
-private:
-    std::size_t tiles_;
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<SetUpScratch>> free_;
-};
-
 void add_stats(RenderStats& sum, const RenderStats& part) {
     sum.culled_back += part.culled_back;
     sum.culled_degenerate += part.culled_degenerate;
@@ -56,36 +34,68 @@ std::vector<ChunkRange> cut_into_chunks(const FrontEnd& front) {
     return ranges;
 }
 
-/// The lists of the tiles: the chunks' runs in the order of the chunks.
-void list_tiles(Binned& binned, const std::vector<ChunkRange>& ranges, const std::vector<std::vector<ChunkRun>>& runs,
-                std::size_t tiles) {
-    binned.offsets.assign(tiles + 1, 0);
+/// Where the runs of a chunk go: each chunk's after those of the chunks before.
+using RunPlaces = std::vector<std::vector<std::uint32_t>>;
+
+/// The lists of the tiles without their items, whose places are returned.
+RunPlaces list_tiles(Binned& binned, const std::vector<ChunkRange>& ranges, std::size_t tiles) {
+    const std::vector<ChunkTriangles>& chunks = binned.memory->chunks;
+    std::vector<std::uint64_t> count(tiles + 1, 0);
+    std::vector<std::uint32_t> last(tiles, none);  // the draw of the tile's last run
     binned.run_offsets.assign(tiles + 1, 0);
-    std::uint64_t total = 0;
-    for (const std::vector<ChunkRun>& of_chunk : runs)
-        for (const ChunkRun& run : of_chunk) {
-            ++binned.run_offsets[run.tile + 1];
-            binned.offsets[run.tile + 1] += run.count;
-            total += run.count;
+    for (std::size_t c = 0; c < ranges.size(); ++c)
+        for (const ChunkRun& run : chunks[c].runs) {
+            count[run.tile + 1] += run.count;
+            binned.run_offsets[run.tile + 1] += last[run.tile] != ranges[c].draw;
+            last[run.tile] = std::uint32_t(ranges[c].draw);
         }
-    if (total > 0xFFFFFFFFull) throw Error(ErrorCode::failed, "too many triangles for one picture");
     for (std::size_t t = 0; t < tiles; ++t) {
         binned.run_offsets[t + 1] += binned.run_offsets[t];
-        binned.offsets[t + 1] += binned.offsets[t];
+        count[t + 1] += count[t];
     }
+    if (count[tiles] > 0xFFFFFFFFull) throw Error(ErrorCode::failed, "too many triangles for one picture");
+    binned.offsets.assign(count.begin(), count.end());
     binned.runs.resize(binned.run_offsets[tiles]);
-    binned.items.resize(std::size_t(total));
+    binned.items.resize(std::size_t(count[tiles]));
     std::vector<std::uint32_t> next(binned.run_offsets.begin(), binned.run_offsets.end() - 1);
-    for (std::size_t c = 0; c < runs.size(); ++c)
-        for (const ChunkRun& run : runs[c])
-            binned.runs[next[run.tile]++] = {binned.chunks[c].rows.data() + run.first, run.count,
-                                             std::uint32_t(ranges[c].draw), run.has_large};
+    std::fill(last.begin(), last.end(), none);
+    RunPlaces places(ranges.size());
+    for (std::size_t c = 0; c < ranges.size(); ++c)
+        for (const ChunkRun& run : chunks[c].runs) {
+            const auto place = std::uint32_t(count[run.tile]);
+            count[run.tile] += run.count;
+            places[c].push_back(place);
+            if (std::exchange(last[run.tile], std::uint32_t(ranges[c].draw)) != ranges[c].draw)
+                binned.runs[next[run.tile]++] = {place, 0, std::uint32_t(ranges[c].draw), false};
+            TileRun& of_tile = binned.runs[next[run.tile] - 1];
+            of_tile.count += run.count;
+            of_tile.has_large |= run.has_large;
+        }
+    return places;
 }
 
-void list_items(Binned& binned, std::size_t tile) {
-    std::uint32_t next = binned.offsets[tile];
-    for (std::uint32_t r = binned.run_offsets[tile]; r < binned.run_offsets[tile + 1]; ++r)
-        for (std::uint32_t i = 0; i < binned.runs[r].count; ++i) binned.items[next++] = binned.runs[r].first + i;
+std::unique_ptr<SetUpScratch> take_scratch(SetUpMemory& memory, std::size_t tiles) {
+    const std::lock_guard lock(memory.mutex);
+    std::unique_ptr<SetUpScratch> scratch;
+    if (memory.free.empty()) {
+        scratch = std::make_unique<SetUpScratch>();
+    } else {
+        scratch = std::move(memory.free.back());
+        memory.free.pop_back();
+    }
+    scratch->count.resize(tiles, 0);
+    return scratch;
+}
+
+void give_back(SetUpMemory& memory, std::unique_ptr<SetUpScratch> scratch) {
+    const std::lock_guard lock(memory.mutex);
+    memory.free.push_back(std::move(scratch));
+}
+
+void renew(SetUpMemory& memory, std::size_t chunks) {
+    memory.blocks.take_all_back();
+    for (const std::unique_ptr<SetUpScratch>& scratch : memory.free) scratch->next_row = scratch->end_of_rows = nullptr;
+    memory.chunks.resize(std::max(memory.chunks.size(), chunks));
 }
 
 }  // namespace
@@ -132,20 +142,24 @@ bool edge_planes(const ClipVertex (&v)[3], const View& view, double x0, double y
 Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Context& context) {
     const std::vector<ChunkRange> ranges = cut_into_chunks(front);
     Binned binned = std::move(used);
-    binned.chunks.resize(ranges.size());
-    std::vector<std::vector<ChunkRun>> runs(ranges.size());
-    std::vector<RenderStats> stats(ranges.size());
-    ScratchPool pool(grid.count());
+    if (!binned.memory) binned.memory = std::make_shared<SetUpMemory>();
+    SetUpMemory& memory = *binned.memory;
+    renew(memory, ranges.size());
     context.parallel_for(ranges.size(), [&](std::size_t c) {
         const FlushDenormals guard;
-        auto scratch = pool.take();
-        set_up_chunk(front, grid, ranges[c], *scratch, binned.chunks[c], runs[c], stats[c]);
-        pool.give_back(std::move(scratch));
+        auto scratch = take_scratch(memory, grid.count());
+        set_up_chunk(front, grid, ranges[c], memory.blocks, *scratch, memory.chunks[c]);
+        give_back(memory, std::move(scratch));
     });
     context.throw_if_cancelled();
-    for (const RenderStats& part : stats) add_stats(front.stats, part);
-    list_tiles(binned, ranges, runs, grid.count());
-    context.parallel_for(grid.count(), [&](std::size_t tile) { list_items(binned, tile); });
+    for (std::size_t c = 0; c < ranges.size(); ++c) add_stats(front.stats, memory.chunks[c].stats);
+    const RunPlaces places = list_tiles(binned, ranges, grid.count());
+    context.parallel_for(ranges.size(), [&](std::size_t c) {
+        const ChunkTriangles& chunk = memory.chunks[c];
+        for (std::size_t r = 0; r < chunk.runs.size(); ++r)
+            std::copy_n(chunk.sorted.begin() + chunk.runs[r].first, chunk.runs[r].count,
+                        binned.items.begin() + places[c][r]);
+    });
     return binned;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -52,28 +52,22 @@ struct TileGrid {
     int origin_y(std::size_t i) const { return (first_y + int(i / std::size_t(columns))) * tile_size; }
 };
 
-/// Triangles of one draw that lie side by side in memory.
+/// Triangles of one draw in one tile.
 struct TileRun {
-    const ScreenTriangle* first;
-    std::uint32_t count;
+    std::uint32_t first, count;  ///< into Binned::items
     std::uint32_t draw;
     bool has_large;  ///< some is_large
 };
 
+struct SetUpMemory;
+
 /// All triangles of a picture, set up and sorted into tiles, in the order of the scene whatever the number of threads.
-/// What touches several tiles stands in each of them.
 struct Binned {
-    /// Part of one draw, sorted by tiles.
-    struct Chunk {
-        std::vector<ScreenTriangle> rows;  ///< [count + row_padding], or more: memory of the picture before
-        std::size_t count = 0;
-        std::span<const ScreenTriangle> triangles() const { return {rows.data(), count}; }
-    };
-    std::vector<Chunk> chunks;
-    std::vector<std::uint32_t> run_offsets;    ///< [tiles + 1] into runs
-    std::vector<TileRun> runs;                 ///< what is in each tile
     std::vector<std::uint32_t> offsets;        ///< [tiles + 1] into items
-    std::vector<const ScreenTriangle*> items;  ///< the same, one by one
+    std::vector<const ScreenTriangle*> items;  ///< what is in each tile
+    std::vector<std::uint32_t> run_offsets;    ///< [tiles + 1] into runs
+    std::vector<TileRun> runs;                 ///< the same by draws
+    std::shared_ptr<SetUpMemory> memory;       ///< where the triangles are
     const ScreenTriangle& at(const ScreenTriangle* item) const { return *item; }
 };
 

@@ -79,8 +79,9 @@ struct SetUpJob {
 
 /// Small opaque triangles against the depth that stands in one tile.
 struct NearestJob {
-    const TriangleRow* rows;  ///< [count + row_padding]
+    const TriangleRow* const* rows;  ///< [count]
     int32_t count;
+    int32_t total;  ///< rows that follow each other, those of later jobs too: they are fetched ahead
     int32_t
         position;  ///< of the first in the tile's list: written to `visible` where it is nearer than what stands there
     int32_t tile_x, tile_y;            ///< [px] corner of the tile

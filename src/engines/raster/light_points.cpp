@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <span>
 #include <utility>
 
 #include "base/assert.h"
@@ -41,15 +42,15 @@ void set_bit(std::uint8_t& byte, std::uint8_t bit) {
 }
 
 /// The points of triangles that are all of one draw.
-void mark(const FrontEnd& front, std::span<const ScreenTriangle> triangles, LightPoints& points) {
-    if (triangles.empty()) return;
-    const std::uint32_t draw = triangles[0].draw;
+void mark(const FrontEnd& front, std::uint32_t draw, std::span<const ScreenTriangle* const> triangles,
+          LightPoints& points) {
     DrawLight& light = points.draws[draw];
     if (light.marks.empty()) return;
     const Mesh& mesh = front.list.scene.meshes[front.list.draws[draw].mesh];
     const DrawFrame frame(front, draw);
-    for (const ScreenTriangle& s : triangles) {
-        RL_ASSERT(s.draw == draw, "a chunk is part of one draw");
+    for (const ScreenTriangle* const triangle : triangles) {
+        const ScreenTriangle& s = *triangle;
+        RL_ASSERT(s.draw == draw, "a run is part of one draw");
         const auto bit = std::uint8_t(light.per_face ? 1 : 1 << frame.seen_side(s));
         set_bit(light.sides, bit);
         if (light.per_face) {
@@ -178,9 +179,10 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
     points.is_used = front.settings.shading == Shading::flat || front.settings.shading == Shading::gouraud;
     if (!points.is_used) return points;
     clear(front, points);
-    context.parallel_for(binned.chunks.size(), [&](std::size_t c) {
+    context.parallel_for(binned.runs.size(), [&](std::size_t r) {
         const FlushDenormals guard;
-        mark(front, binned.chunks[c].triangles(), points);
+        const TileRun& run = binned.runs[r];
+        mark(front, run.draw, {binned.items.data() + run.first, run.count}, points);
     });
     const std::vector<Task> tasks = plan(front, points);
     std::atomic<std::uint64_t> evaluations{0}, twice{0};

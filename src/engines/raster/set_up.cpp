@@ -10,7 +10,7 @@ namespace rakelight::raster {
 namespace {
 
 constexpr int tile_fixed = tile_size << subpixel_bits;
-constexpr std::uint64_t entry_bytes = sizeof(ScreenTriangle) + sizeof(Binned::items[0]);
+constexpr std::uint64_t entry_bytes = 2 * sizeof(Binned::items[0]);  // sorted by chunks, and by tiles
 
 /// The pixels whose center may be inside, in the window.
 struct Box {
@@ -56,11 +56,12 @@ struct Culling {
 
 class ChunkSetUp {
 public:
-    ChunkSetUp(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, SetUpScratch& scratch,
+    ChunkSetUp(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, RowBlocks& blocks, SetUpScratch& scratch,
                RenderStats& stats)
         : front_(front),
           grid_(grid),
           range_(range),
+          blocks_(blocks),
           s_(scratch),
           stats_(stats),
           draw_(front.list.draws[range.draw]),
@@ -71,25 +72,37 @@ public:
 
     void run() {
         s_.entries.clear();
-        s_.rows.resize(std::max(s_.rows.size(), range_.end - range_.first));
-        s_.tiles.resize(std::max(s_.tiles.size(), range_.end - range_.first));
-        next_row_ = std::uint32_t(run_kernel());
-        for (std::uint32_t i = 0, passed = next_row_; i < passed; ++i) {
+        s_.tiles.resize(triangles_per_chunk);
+        ScreenTriangle* const rows = rows_for(triangles_per_chunk);
+        const auto passed = std::size_t(run_kernel(rows));
+        s_.next_row += passed;
+        new_bytes_ = passed * sizeof(ScreenTriangle);
+        for (std::size_t i = 0; i < passed; ++i) {
             const std::uint32_t tile = s_.tiles[i];
-            if (tile == to_be_cut)
-                add(s_.rows[i].triangle);
-            else if (tile == in_many_tiles)
-                bin(i, box_of(s_.rows[i], grid_.window));
-            else {
-                enter(tile, i);
+            if (tile < to_be_cut) {
+                enter(tile, rows + i);
                 ++stats_.drawn;
+            } else if (tile == to_be_cut) {
+                add(rows[i].triangle);
+            } else {
+                bin(rows + i, box_of(rows[i], grid_.window));
             }
         }
-        front_.memory.add(std::exchange(new_bytes_, 0));
+        front_.memory.add(new_bytes_ + s_.entries.size() * entry_bytes - told_bytes_);
     }
 
+    bool has_large() const { return has_large_; }
+
 private:
-    std::int32_t run_kernel() {
+    ScreenTriangle* rows_for(std::size_t count) {
+        if (std::size_t(s_.end_of_rows - s_.next_row) < count) {
+            s_.next_row = blocks_.take();
+            s_.end_of_rows = s_.next_row + RowBlocks::block_rows;
+        }
+        return s_.next_row;
+    }
+
+    std::int32_t run_kernel(ScreenTriangle* rows) {
         SetUpJob job{};
         job.indices = mesh_.indices.data() + 3 * range_.first;
         job.count = std::int32_t(range_.end - range_.first);
@@ -101,7 +114,7 @@ private:
         const Window& w = grid_.window;
         job.left = w.x, job.top = w.y, job.right = w.x + w.width - 1, job.bottom = w.y + w.height - 1;
         job.first_tile_x = grid_.first_x, job.first_tile_y = grid_.first_y, job.columns = grid_.columns;
-        job.rows = s_.rows.data();
+        job.rows = rows;
         job.tiles = s_.tiles.data();
         const std::int32_t passed = front_.kernels.set_up(&job);
         stats_.culled_back += job.culled_back;
@@ -161,33 +174,37 @@ private:
             ++stats_.culled_outside;
             return;
         }
-        if (s_.rows.size() == next_row_) s_.rows.emplace_back();
-        s_.rows[next_row_] = s;
-        bin(next_row_++, box);
+        has_large_ |= s.is_large;
+        ScreenTriangle* const row = rows_for(1);
+        *row = s;
+        ++s_.next_row;
+        new_bytes_ += sizeof(ScreenTriangle);
+        bin(row, box);
     }
 
-    void bin(std::uint32_t row, const Box& box) {
+    void bin(const ScreenTriangle* row, const Box& box) {
         const std::size_t before = s_.entries.size();
         const int first_x = box.left / tile_size, last_x = box.right / tile_size;
         const int first_y = box.top / tile_size, last_y = box.bottom / tile_size;
         const bool is_in_one = first_x == last_x && first_y == last_y;
         for (int ty = first_y; ty <= last_y; ++ty)
             for (int tx = first_x; tx <= last_x; ++tx)
-                if (is_in_one || touches(s_.rows[row], tx, ty))
+                if (is_in_one || touches(*row, tx, ty))
                     enter(std::uint32_t((ty - grid_.first_y) * grid_.columns + tx - grid_.first_x), row);
         ++(s_.entries.size() > before ? stats_.drawn : stats_.culled_outside);
+        const std::uint64_t bytes = new_bytes_ + s_.entries.size() * entry_bytes;
+        if (bytes - told_bytes_ > 1 << 20) front_.memory.add(bytes - std::exchange(told_bytes_, bytes));
     }
 
-    void enter(std::uint32_t tile, std::uint32_t row) {
+    void enter(std::uint32_t tile, const ScreenTriangle* row) {
         s_.entries.push_back({tile, row});
         if (s_.count[tile]++ == 0) s_.touched.push_back(tile);
-        new_bytes_ += entry_bytes;
-        if (new_bytes_ > 1 << 20) front_.memory.add(std::exchange(new_bytes_, 0));
     }
 
     FrontEnd& front_;
     const TileGrid& grid_;
     const ChunkRange& range_;
+    RowBlocks& blocks_;
     SetUpScratch& s_;
     RenderStats& stats_;
     const Draw& draw_;
@@ -195,35 +212,47 @@ private:
     Culling culling_;
     ClipVolume volume_;
     ScreenMap map_;
-    std::uint32_t next_row_ = 0;
-    std::uint64_t new_bytes_ = 0;  ///< not yet told to the picture's memory
+    bool has_large_ = false;
+    std::uint64_t new_bytes_ = 0;   ///< of rows
+    std::uint64_t told_bytes_ = 0;  ///< to the picture's memory
 };
 
-/// Counting sort of the entries by tile: rows side by side, in the order of the scene.
-void sort_by_tile(SetUpScratch& s, Binned::Chunk& chunk, std::vector<ChunkRun>& runs) {
-    chunk.count = s.entries.size();
-    if (chunk.rows.size() < chunk.count + row_padding) chunk.rows.resize(chunk.count + row_padding);
-    runs.clear();
+/// Counting sort of the entries by tile, which keeps their order.
+void sort_by_tile(SetUpScratch& s, ChunkTriangles& out) {
+    out.sorted.resize(s.entries.size());
+    out.runs.clear();
     std::uint32_t sum = 0;
     for (const std::uint32_t tile : s.touched) {
-        runs.push_back({tile, sum, s.count[tile], false});
+        out.runs.push_back({tile, sum, s.count[tile], false});
         sum += std::exchange(s.count[tile], sum);
     }
-    for (const SetUpScratch::Entry& e : s.entries) chunk.rows[s.count[e.tile]++] = s.rows[e.row];
-    for (ChunkRun& run : runs) {
-        s.count[run.tile] = 0;
-        const auto begin = chunk.rows.begin() + run.first;
-        run.has_large = std::any_of(begin, begin + run.count, [](const ScreenTriangle& t) { return t.is_large; });
-    }
+    for (const SetUpScratch::Entry& e : s.entries) out.sorted[s.count[e.tile]++] = e.row;
+    for (const std::uint32_t tile : s.touched) s.count[tile] = 0;
     s.touched.clear();
+}
+
+void note_large(ChunkTriangles& out) {
+    for (ChunkRun& run : out.runs) {
+        const auto begin = out.sorted.begin() + run.first;
+        run.has_large = std::any_of(begin, begin + run.count, [](const ScreenTriangle* t) { return t->is_large; });
+    }
 }
 
 }  // namespace
 
-void set_up_chunk(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, SetUpScratch& scratch,
-                  Binned::Chunk& chunk, std::vector<ChunkRun>& runs, RenderStats& stats) {
-    ChunkSetUp(front, grid, range, scratch, stats).run();
-    sort_by_tile(scratch, chunk, runs);
+ScreenTriangle* RowBlocks::take() {
+    const std::lock_guard lock(mutex_);
+    if (next_ == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<ScreenTriangle[]>(block_rows));
+    return blocks_[next_++].get();
+}
+
+void set_up_chunk(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, RowBlocks& blocks,
+                  SetUpScratch& scratch, ChunkTriangles& out) {
+    out.stats = {};
+    ChunkSetUp set_up(front, grid, range, blocks, scratch, out.stats);
+    set_up.run();
+    sort_by_tile(scratch, out);
+    if (set_up.has_large()) note_large(out);
 }
 
 }  // namespace rakelight::raster

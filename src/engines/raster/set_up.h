@@ -3,6 +3,8 @@
 // touch.
 #pragma once
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "engines/raster/front_end.h"
@@ -18,26 +20,54 @@ struct ChunkRange {
 
 /// Triangles of one chunk in one tile.
 struct ChunkRun {
-    std::uint32_t tile, first, count;  ///< first: into Binned::Chunk::rows
+    std::uint32_t tile, first, count;  ///< first: into ChunkTriangles::sorted
     bool has_large;
 };
 
-/// Working memory of one chunk; used again by the next one.
+/// What comes of a chunk: its triangles tile by tile, in each of them in the order of the scene.
+struct ChunkTriangles {
+    std::vector<const ScreenTriangle*> sorted;
+    std::vector<ChunkRun> runs;
+    RenderStats stats;
+};
+
+/// Memory for the rows of a picture, in blocks that threads take; the next picture uses them again. Thread-safe.
+class RowBlocks {
+public:
+    static constexpr std::size_t block_rows = 8 * triangles_per_chunk;
+    ScreenTriangle* take();
+    void take_all_back() { next_ = 0; }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<ScreenTriangle[]>> blocks_;
+    std::size_t next_ = 0;
+};
+
+/// Working memory of one thread.
 struct SetUpScratch {
-    explicit SetUpScratch(std::size_t tiles) : count(tiles, 0) {}
-    std::vector<ScreenTriangle> rows;
-    std::vector<std::uint32_t> tiles;  ///< beside `rows`, of the kernel
+    ScreenTriangle *next_row = nullptr, *end_of_rows = nullptr;  ///< what is left of the block
+    std::vector<std::uint32_t> tiles;                            ///< beside the kernel's rows
     struct Entry {
-        std::uint32_t tile, row;
+        std::uint32_t tile;
+        const ScreenTriangle* row;
     };
     std::vector<Entry> entries;          ///< in the order of the scene
     std::vector<std::uint32_t> count;    ///< [tiles] of entries; 0 between chunks
     std::vector<std::uint32_t> touched;  ///< tiles with entries, in the order of the first
 };
 
-/// Sets up the triangles of a chunk; what came of them is added to `stats`.
+/// What set-up keeps from picture to picture.
+struct SetUpMemory {
+    RowBlocks blocks;
+    std::vector<ChunkTriangles> chunks;
+    std::mutex mutex;  ///< of `free`
+    std::vector<std::unique_ptr<SetUpScratch>> free;
+};
+
+/// Sets up the triangles of a chunk.
 /// @throws Error bad_file where the picture's triangles need more than PictureMemory allows
-void set_up_chunk(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, SetUpScratch& scratch,
-                  Binned::Chunk& chunk, std::vector<ChunkRun>& runs, RenderStats& stats);
+void set_up_chunk(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, RowBlocks& blocks,
+                  SetUpScratch& scratch, ChunkTriangles& out);
 
 }  // namespace rakelight::raster

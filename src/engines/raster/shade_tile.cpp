@@ -91,15 +91,10 @@ struct DrawRun {
 /// The draws in a tile's list, which is in the order of the scene.
 void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs) {
     runs.clear();
-    std::int32_t begin = 0;
+    const std::uint32_t first = job.binned.offsets[tile];
     for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1]; ++r) {
         const TileRun& run = job.binned.runs[r];
-        const std::int32_t end = begin + std::int32_t(run.count);
-        if (!runs.empty() && runs.back().draw == run.draw)
-            runs.back().end = end;
-        else
-            runs.push_back({begin, end, run.draw});
-        begin = end;
+        runs.push_back({std::int32_t(run.first - first), std::int32_t(run.first - first + run.count), run.draw});
     }
 }
 

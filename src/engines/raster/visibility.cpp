@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 
 #include "engines/raster/coverage.h"
 #include "engines/raster/tile.h"
@@ -103,6 +104,8 @@ std::int32_t cover_opaque(const TileJob& job, const Coverage& c, std::int32_t po
     return written;
 }
 
+constexpr std::size_t triangles_per_job = 64;  ///< between looks at the farthest depth of the tile
+
 /// The visibility of one tile.
 class TileVisibility {
 public:
@@ -114,40 +117,44 @@ public:
           oy_(job.grid.origin_y(tile)),
           farthest_(area_, ox_, oy_, scratch.depth) {}
 
-    /// @param position  of the run's first triangle in the tile's list
-    void draw(const TileRun& run, std::int32_t position) {
-        const MaterialView& material = job_.front.list.materials[job_.front.list.draws[run.draw].material].view;
+    /// @param position  of the first triangle in the tile's list
+    void draw(std::uint32_t draw, bool has_large, std::span<const ScreenTriangle* const> list, std::int32_t position) {
+        const MaterialView& material = job_.front.list.materials[job_.front.list.draws[draw].material].view;
         if (material.blend) return;
-        if (material.alpha_cutoff >= 0) return draw_masked(run, position);
-        if (!run.has_large) return draw_small(run.first, run.count, position);
-        for (std::uint32_t i = 0; i < run.count;) {
-            std::uint32_t end = i;
-            while (end < run.count && !run.first[end].is_large) ++end;
-            if (end > i) draw_small(run.first + i, end - i, position + std::int32_t(i));
-            if (end < run.count) draw_large(run.first[end], position + std::int32_t(end));
+        if (material.alpha_cutoff >= 0) return draw_masked(list, position);
+        if (!has_large) return draw_small(list, position);
+        for (std::size_t i = 0; i < list.size();) {
+            std::size_t end = i;
+            while (end < list.size() && !list[end]->is_large) ++end;
+            draw_small(list.subspan(i, end - i), position + std::int32_t(i));
+            if (end < list.size()) draw_large(*list[end], position + std::int32_t(end));
             i = end + 1;
         }
     }
 
 private:
-    void draw_masked(const TileRun& run, std::int32_t position) {
-        for (std::uint32_t i = 0; i < run.count; ++i)
-            if (!farthest_.hides(run.first[i]))
-                cover_masked(job_, run.first[i], position + std::int32_t(i), area_, ox_, oy_, s_);
+    void draw_masked(std::span<const ScreenTriangle* const> list, std::int32_t position) {
+        for (std::size_t i = 0; i < list.size(); ++i)
+            if (!farthest_.hides(*list[i]))
+                cover_masked(job_, *list[i], position + std::int32_t(i), area_, ox_, oy_, s_);
     }
 
-    void draw_small(const ScreenTriangle* first, std::uint32_t count, std::int32_t position) {
+    void draw_small(std::span<const ScreenTriangle* const> list, std::int32_t position) {
         NearestJob job;
-        job.rows = first;
-        job.count = std::int32_t(count);
-        job.position = position;
+        const ScreenTriangle* const* const end_of_items = job_.binned.items.data() + job_.binned.items.size();
         job.tile_x = ox_, job.tile_y = oy_;
         job.left = area_.x - ox_, job.top = area_.y - oy_;
         job.right = job.left + area_.width - 1, job.bottom = job.top + area_.height - 1;
-        job.farthest = farthest_.key();
         job.depth = s_.depth.data();
         job.visible = s_.visible.data();
-        note(job_.front.kernels.nearest(&job));
+        for (std::size_t i = 0; i < list.size(); i += triangles_per_job) {
+            job.rows = reinterpret_cast<const TriangleRow* const*>(list.data() + i);
+            job.count = std::int32_t(std::min(triangles_per_job, list.size() - i));
+            job.total = std::int32_t(std::min<std::ptrdiff_t>(end_of_items - (list.data() + i), 1 << 16));
+            job.position = position + std::int32_t(i);
+            job.farthest = farthest_.key();
+            note(job_.front.kernels.nearest(&job));
+        }
     }
 
     void draw_large(const ScreenTriangle& s, std::int32_t position) {
@@ -176,8 +183,9 @@ void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch) {
     TileVisibility visibility(job, tile, scratch);
     std::int32_t position = 0;
     for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1]; ++r) {
-        visibility.draw(job.binned.runs[r], position);
-        position += std::int32_t(job.binned.runs[r].count);
+        const TileRun& run = job.binned.runs[r];
+        visibility.draw(run.draw, run.has_large, {job.binned.items.data() + run.first, run.count}, position);
+        position += std::int32_t(run.count);
     }
 }
 

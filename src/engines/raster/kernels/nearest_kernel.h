@@ -14,28 +14,32 @@ using wide::RL_ISA::block_width;
 using wide::RL_ISA::block_x;
 using wide::RL_ISA::block_y;
 using wide::RL_ISA::load_block;
-using wide::RL_ISA::load_vectors;
+using wide::RL_ISA::load_rows4_at;
 using wide::RL_ISA::real_double;
 using wide::RL_ISA::store_block;
 using wide::RL_ISA::to_double;
+
+/// Blocks of a grid, one a lane: 4 x 4, 2 x 4, 2 x 2 or one.
+inline constexpr int grid_column_bits = lanes == 16 ? 2 : lanes >= 4 ? 1 : 0;
+inline constexpr int grid_columns = 1 << grid_column_bits, grid_rows = lanes / grid_columns;
 
 /// What drawing a triangle needs, one number a lane. The same numbers as set_coverage() (coverage.h); edge functions in
 /// float, which holds them exactly: they are whole and below 2^24.
 struct CoverageVector {
     int32_t left[lanes], top[lanes], right[lanes], bottom[lanes];  ///< px in the tile
     float edge[3][lanes], step_x[3][lanes], step_y[3][lanes];      ///< at (left, top)
+    float reach[3][lanes];  ///< the most that a block at (left, top) sees of `edge`
     float depth_0[lanes], depth_x[lanes], depth_y[lanes], low[lanes], high[lanes];
 };
 
 /// @return the triangles that may be nearer than what stands there somewhere
-inline mask set_coverage_vector(const NearestJob& job, const TriangleRow* rows, CoverageVector& c) {
-    static constexpr uint32_t in_turn[16] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60};
+inline mask set_coverage_vector(const NearestJob& job, const TriangleRow* const* rows, CoverageVector& c) {
     integer x[3], y[3], fine_x[3], fine_y[3];
     real key[3];
     const integer origin_x(job.tile_x << subpixel_bits), origin_y(job.tile_y << subpixel_bits);
     for (int k = 0; k < 3; ++k) {
         real v[4];
-        load_vectors<4, 1>(reinterpret_cast<const float*>(rows) + 4 * k, in_turn, v);
+        load_rows4_at(reinterpret_cast<const float* const*>(rows), 4 * k, v);
         x[k] = bits_of(v[0]) - origin_x, y[k] = bits_of(v[1]) - origin_y, key[k] = v[2];
         fine_x[k] = (bits_of(v[3]) >> outcode_bits) & integer((1 << fine_bits) - 1);
         fine_y[k] = shift_right_logical(bits_of(v[3]), outcode_bits + fine_bits);
@@ -58,6 +62,8 @@ inline mask set_coverage_vector(const NearestJob& job, const TriangleRow* rows, 
         const integer from_x = select(is_seen, px - x[k], zero), from_y = select(is_seen, py - y[k], zero);
         const integer edge = (dx[k] * from_y - dy[k] * from_x - select(is_top_or_left, zero, one)) >> subpixel_bits;
         store(c.edge[k], to_real(edge));
+        store(c.reach[k], to_real(edge + max(zero - dy[k], zero) * integer(block_width - 1) +
+                                  max(dx[k], zero) * integer(block_height - 1)));
         store(c.step_x[k], to_real(zero - dy[k]));
         store(c.step_y[k], to_real(dx[k]));
     }
@@ -111,27 +117,57 @@ inline uint32_t draw_block(const NearestJob& job, const CoverageVector& c, int i
     return uint32_t(__builtin_popcount(lane_bits(nearer)));
 }
 
+/// Which blocks of a grid over the triangle's box, one a lane, may have covered pixels; the grid begins at (x, y).
+inline uint32_t blocks_in_reach(const CoverageVector& c, int i, int32_t x, int32_t y) {
+    const integer to_right =
+        (lane_indices() & integer(grid_columns - 1)) * integer(block_width) + integer(x - c.left[i]);
+    const integer down =
+        shift_right_logical(lane_indices(), grid_column_bits) * integer(block_height) + integer(y - c.top[i]);
+    const real fx = to_real(to_right), fy = to_real(down);
+    mask reached = to_right <= integer(c.right[i] - c.left[i]) && down <= integer(c.bottom[i] - c.top[i]);
+    for (int k = 0; k < 3; ++k) {
+        const real most = real(c.reach[k][i]) + real(c.step_y[k][i]) * fy + real(c.step_x[k][i]) * fx;
+        reached = reached && most >= real(0.0f);
+    }
+    return lane_bits(reached);
+}
+
 template <bool is_whole>
 inline uint32_t draw_triangle(const NearestJob& job, const CoverageVector& c, int i, int32_t position) {
+    constexpr int32_t last_x = tile_size - block_width, last_y = tile_size - block_height;  // blocks stay in the tile
+    const auto draw = [&](int32_t x, int32_t y) {
+        return draw_block<is_whole>(job, c, i, x < last_x ? x : last_x, y < last_y ? y : last_y, position);
+    };
+    const int32_t left = c.left[i], top = c.top[i], right = c.right[i], bottom = c.bottom[i];
     uint32_t written = 0;
-    for (int32_t y = c.top[i]; y <= c.bottom[i]; y += block_height) {
-        const int32_t at_y = y < tile_size - block_height ? y : tile_size - block_height;
-        for (int32_t x = c.left[i]; x <= c.right[i]; x += block_width) {
-            const int32_t at_x = x < tile_size - block_width ? x : tile_size - block_width;
-            written += draw_block<is_whole>(job, c, i, at_x, at_y, position);
-        }
+    if (right - left < 2 * block_width && bottom - top < 2 * block_height) {  // few: not worth a look
+        for (int32_t y = top; y <= bottom; y += block_height)
+            for (int32_t x = left; x <= right; x += block_width) written += draw(x, y);
+        return written;
     }
+    for (int32_t y = top; y <= bottom; y += grid_rows * block_height)
+        for (int32_t x = left; x <= right; x += grid_columns * block_width)
+            for (uint32_t blocks = blocks_in_reach(c, i, x, y); blocks != 0; blocks &= blocks - 1) {
+                const int32_t b = __builtin_ctz(blocks);
+                written += draw(x + (b & (grid_columns - 1)) * block_width, y + (b >> grid_column_bits) * block_height);
+            }
     return written;
 }
 
 template <bool is_whole>
 inline int32_t draw_all(const NearestJob& job) {
-    CoverageVector c;
+    CoverageVector c{};
     uint32_t written = 0;
     for (int32_t first = 0; first < job.count; first += lanes) {
+        const TriangleRow* const* rows = job.rows + first;
+        const TriangleRow* rest[lanes];
+        if (first + lanes > job.count) {
+            for (int32_t i = 0; i < lanes; ++i) rest[i] = rows[i < job.count - first ? i : job.count - 1 - first];
+            rows = rest;
+        }
         const mask is_there = lane_indices() < integer(job.count - first);
-        for (uint32_t left = lane_bits(is_there && set_coverage_vector(job, job.rows + first, c)); left != 0;
-             left &= left - 1) {
+        for (int32_t i = first + lanes; i < first + 2 * lanes && i < job.total; ++i) __builtin_prefetch(job.rows[i]);
+        for (uint32_t left = lane_bits(is_there && set_coverage_vector(job, rows, c)); left != 0; left &= left - 1) {
             const int i = __builtin_ctz(left);
             written += draw_triangle<is_whole>(job, c, i, job.position + first + i);
         }

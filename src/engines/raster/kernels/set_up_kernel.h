@@ -72,6 +72,10 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     const mask is_culled =
         passes && !is_flat && ((is_back && mask(job.cull_back != 0)) || (!is_back && mask(job.cull_front != 0)));
     passes = passes && !is_flat && !is_culled;
+    job.culled_outside += count_lanes(is_outside);
+    job.culled_degenerate += count_lanes(is_flat);
+    job.culled_back += count_lanes(is_culled);
+    if (no_lane(passes || is_slow)) return 0;
 
     TriangleVector t;
     t.is_swapped = area < zero;
@@ -90,9 +94,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     const mask is_missed = passes && !is_hit;
     passes = passes && is_hit;
 
-    job.culled_outside += count_lanes(is_outside) + count_lanes(is_missed);
-    job.culled_degenerate += count_lanes(is_flat);
-    job.culled_back += count_lanes(is_culled);
+    job.culled_outside += count_lanes(is_missed);
 
     const integer tile_x = t.left >> tile_bits, tile_y = t.top >> tile_bits;
     const mask is_in_one = tile_x == t.right >> tile_bits && tile_y == t.bottom >> tile_bits;
