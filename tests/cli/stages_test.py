@@ -14,7 +14,7 @@ from program import png
 SIZE = "96,64"
 STAGES = ["model", "world", "camera", "normalized-frustum", "central-projection", "depth-mapping", "clip-space", "clipped", "clip-planes",
           "wrap-round", "device", "screen", "culled", "coverage", "depth", "depth-precision", "visibility", "normal", "shading-frequency",
-          "lighting", "picture"]
+          "lighting", "blended", "picture"]
 
 
 def linear(code):
@@ -199,6 +199,23 @@ class Stages(program.Case):
         self.assertEqual(table["numbers"]["through the eye's plane"], 0)
         self.assertIn("built-in example", table["text"])
         self.assertEqual([p["file"] for p in table["pictures"]], ["wrap-round-example.png", "wrap-round-example-clipped.png"])
+
+    def test_blended_layers_lie_over_one_another_far_to_near(self):
+        square = "v -1 -1 {z}\nv 1 -1 {z}\nv 1 1 {z}\nv -1 1 {z}\n"
+        self.write("a.mtl", "newmtl wall\nKd 0 0 1\nnewmtl red\nKd 1 0 0\nd 0.25\nnewmtl green\nKd 0 1 0\nd 0.5\n")
+        self.write("a.obj", "mtllib a.mtl\n" + "".join(square.format(z=z) for z in (2, 0, 1)) + "usemtl green\nf 1 2 3 4\nusemtl wall\nf 5 6 7 8\nusemtl red\nf 9 10 11 12\n")
+        self.stages("--view", "front", "--shading", "unlit", model="a.obj")
+        table = self.table("blended")
+        self.assertEqual([row[0] for row in table["rows"]], [1, 2])
+        middle = [[linear(c) for c in png(self.out / f"blended-{n}.png")[3][32][3 * 48:3 * 48 + 3]] for n in (0, 1, 2)]
+        alphas = [png(self.out / f"blended-{n}-alpha.png")[3][32][3 * 48] for n in (1, 2)]
+        self.assertEqual(alphas, [64, 128])
+        for found, expected in zip(middle, ([0, 0, 1], [0.25, 0, 0.75], [0.125, 0.5, 0.375])):
+            for a, b in zip(found, expected):
+                self.assertAlmostEqual(a, b, delta=0.005)
+        self.assertEqual((self.out / "blended-2.png").read_bytes(), (self.out / "picture.png").read_bytes())
+        self.stages()
+        self.assertEqual(self.table("blended")["numbers"], {"pixels that something is laid over": 0, "layers shown": 0})
 
     def test_shading_frequencies_are_those_of_render(self):
         self.stages()

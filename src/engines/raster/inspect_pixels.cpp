@@ -30,6 +30,16 @@ void allocate(PixelStageData& d, std::size_t pixels, std::size_t lights) {
     }
 }
 
+void allocate_layers(PixelStageData& d, std::size_t pixels) {
+    d.opaque.assign(pixels, {});
+    d.layer_count.assign(pixels, 0);
+    d.layers.resize(most_layers);
+    for (BlendedLayer& layer : d.layers) {
+        layer.color.assign(pixels, {});
+        layer.alpha.assign(pixels, 0);
+    }
+}
+
 /// The stages of one tile of both geometries.
 class TileStages {
 public:
@@ -50,14 +60,50 @@ public:
         count();
         find_visible(job_, tile_, s_);
         note_visible();
-        if (shade_opaque(job_, tile_, s_)) blend_transparent(job_, tile_, s_);
-        for (int y = area_.y; y < area_.y + area_.height; ++y)
-            for (int x = area_.x; x < area_.x + area_.width; ++x) out_.color[at(x - ox_, y - oy_)] = s_.color[std::size_t((y - oy_) * tile_size + x - ox_)];
+        const bool blends = shade_opaque(job_, tile_, s_);
+        if (!out_.opaque.empty()) copy_color(out_.opaque);
+        s_.on_layer = [this](std::size_t pixels) { note_layer(pixels); };
+        if (blends) blend_transparent(job_, tile_, s_);
+        copy_color(out_.color);
+        for (std::size_t k = 0; k < out_.layers.size(); ++k) fill_up(k);
         trace_all();
     }
 
 private:
     std::size_t at(int x, int y) const { return std::size_t(y + oy_) * std::size_t(of_.settings().width) + std::size_t(x + ox_); }
+
+    std::size_t at(std::size_t pixel) const { return at(int(pixel) % tile_size, int(pixel) / tile_size); }
+
+    template <class Visit>
+    void for_each_pixel(const Visit& visit) const {  // of the tile's area, by its number in the tile
+        for (int y = area_.y - oy_; y < area_.y - oy_ + area_.height; ++y)
+            for (int x = area_.x - ox_; x < area_.x - ox_ + area_.width; ++x) visit(std::size_t(y * tile_size + x));
+    }
+
+    void copy_color(std::vector<vec4>& to) const {
+        for_each_pixel([&](std::size_t p) { to[at(p)] = s_.color[p]; });
+    }
+
+    /// A blended triangle was laid over `count` pixels.
+    void note_layer(std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto pixel = std::size_t(s_.pixel[i]), p = at(pixel);
+            std::uint8_t& n = out_.layer_count[p];
+            if (n < out_.layers.size()) {
+                out_.layers[n].color[p] = s_.color[pixel];
+                out_.layers[n].alpha[p] = s_.alpha[i] >= 0 ? std::min(s_.alpha[i], 1.0f) : 0;
+            }
+            n = std::uint8_t(n + (n < 255));
+        }
+    }
+
+    /// Pixels with fewer layers keep what they have.
+    void fill_up(std::size_t layer) {
+        for_each_pixel([&](std::size_t pixel) {
+            const std::size_t p = at(pixel);
+            if (out_.layer_count[p] <= layer) out_.layers[layer].color[p] = out_.color[p];
+        });
+    }
 
     template <class Visit>
     void for_each_triangle(const Binned& binned, const Visit& visit) const {
@@ -156,12 +202,19 @@ private:
 PixelStageData inspect_pixels(const Inspection& of, const Inspection::Geometry& open, const Inspection::Geometry& drawn,
                               std::size_t max_lights, Context& context) {
     PixelStageData out;
-    allocate(out, std::size_t(of.settings().width) * std::size_t(of.settings().height), std::min(max_lights, of.lights().size()));
+    const std::size_t pixels = std::size_t(of.settings().width) * std::size_t(of.settings().height);
+    allocate(out, pixels, std::min(max_lights, of.lights().size()));
+    if (std::any_of(of.list().materials.begin(), of.list().materials.end(),
+                    [](const DrawMaterial& m) { return m.view.blend != 0; }))
+        allocate_layers(out, pixels);
     context.parallel_for(drawn.grid.count(), [&](std::size_t tile) {
         const FlushDenormals guard;
         if (!context.cancelled()) TileStages(of, open, drawn, tile, out).run();
     });
     context.throw_if_cancelled();
+    if (!out.layer_count.empty())
+        out.layers.resize(
+            std::min<std::size_t>(most_layers, *std::max_element(out.layer_count.begin(), out.layer_count.end())));
     return out;
 }
 

@@ -13,6 +13,13 @@ struct TermPictures {
     std::vector<vec3> ambient, diffuse, specular;
 };
 
+/// What blended surfaces make of the picture, the farthest of each pixel first.
+struct BlendedLayer {
+    std::vector<vec4> color;   ///< after this layer; as before it where the pixel has fewer
+    std::vector<float> alpha;  ///< of the layer, 0..1; 0 where the pixel has fewer
+};
+inline constexpr std::size_t most_layers = 4;
+
 /// Arrays are [width * height], row by row, row 0 on top.
 struct PixelStageData {
     std::vector<std::uint16_t> overdraw;            ///< triangles that are drawn over the pixel's center, at most 65535
@@ -22,6 +29,9 @@ struct PixelStageData {
     std::vector<vec3> normal;                       ///< that is lit
     std::vector<TermPictures> lights;               ///< of the visible surface, as Scene::lights but at most `max_lights`
     std::vector<vec3> emission;
+    std::vector<vec4> opaque;               ///< the picture before blended surfaces; empty where no material blends
+    std::vector<std::uint8_t> layer_count;  ///< blended surfaces laid over the pixel, at most 255; empty with `opaque`
+    std::vector<BlendedLayer> layers;       ///< the first of each pixel, as many as there are, at most most_layers
     std::vector<vec4> color;                        ///< the picture, linear
 };
 

@@ -228,6 +228,7 @@ void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
         s.shaded += count;
         if (is_lit_at_pixels(batch)) s.lit_pixels += count;
         blend_batch(count, s);
+        if (s.on_layer) s.on_layer(count);
     }
 }
 

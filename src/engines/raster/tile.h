@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One tile of the picture: visibility first, so that each pixel is shaded once whatever the overdraw, then shading.
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct TileScratch : ChannelArrays {
     std::vector<float> red = batch<float>(), green = batch<float>(), blue = batch<float>(), alpha = batch<float>();
     std::vector<float> normal_x = batch<float>(), normal_y = batch<float>(), normal_z = batch<float>();
     std::vector<float> batch_depth = batch<float>();
+    /// For tools: called after each blended triangle was laid over, with the number of its pixels (`pixel`); `alpha`
+    /// are its own, `color` is what came of it.
+    std::function<void(std::size_t count)> on_layer;
     std::vector<ShadeTriangle> triangles;
     std::vector<LitTriangle> lit;        ///< beside `triangles` in flat and Gouraud pictures
     RecordInput record_input;

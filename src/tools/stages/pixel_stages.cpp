@@ -176,6 +176,45 @@ Stage lighting_stage(const Sources& of) {
     return s;
 }
 
+Stage blending_stage(const Sources& of) {
+    Stage s{.id = "blended", .title = "Blended surfaces, layer by layer"};
+    s.text =
+        "Surfaces that are seen through are laid over what is opaque, of each pixel the farthest first: color = alpha "
+        "* own color + (1 - alpha) * what is behind. Each is lit as the opaque ones are; "
+        "explain names the triangles and the terms of one pixel.";
+    const raster::PixelStageData& d = of.pixels;
+    const auto shown = [&](const std::vector<vec4>& color) {
+        return paint(of, [&](std::size_t p) { return display(color[p].xyz()); });
+    };
+    const auto blended =
+        std::count_if(d.layer_count.begin(), d.layer_count.end(), [](std::uint8_t n) { return n > 0; });
+    s.numbers = {{"pixels that something is laid over", blended}, {"layers shown", d.layers.size()}};
+    s.pictures.push_back({"blended-0",
+                          blended == 0 ? "Nothing is laid over: this is the picture of the opaque surfaces."
+                                       : "The opaque surfaces alone.",
+                          shown(blended == 0 ? d.color : d.opaque)});
+    s.columns = {"layer, the farthest first", "pixels", "least alpha", "mean alpha", "greatest alpha"};
+    for (std::size_t k = 0; k < d.layers.size(); ++k) {
+        const std::string number = std::to_string(k + 1);
+        double low = 1, high = 0, sum = 0;
+        std::uint64_t pixels = 0;
+        for (std::size_t p = 0; p < d.layer_count.size(); ++p) {
+            if (d.layer_count[p] <= k) continue;
+            const double alpha = d.layers[k].alpha[p];
+            low = std::min(low, alpha), high = std::max(high, alpha), sum += alpha;
+            ++pixels;
+        }
+        s.rows.push_back({k + 1, pixels, low, sum / double(pixels), high});
+        s.pictures.push_back(
+            {"blended-" + number, "After layer " + number + " of each pixel.", shown(d.layers[k].color)});
+        s.pictures.push_back(
+            {"blended-" + number + "-alpha", "The alpha of layer " + number + ": black 0, white 1.",
+             paint(of, [&](std::size_t p) { return d.layer_count[p] <= k ? ground : gray(d.layers[k].alpha[p]); })});
+    }
+    s.rows_note = d.layers.empty() ? "" : "Alpha over the pixels that have the layer";
+    return s;
+}
+
 Stage picture_stage(const Sources& of) {
     Stage s{.id = "picture", .title = "The picture", .text = "The sums of the terms, blended surfaces laid over them far to near, then tone mapping: linear light clamped to 0..1 and encoded as sRGB with 8 bits. "
             "It is the picture that rakelight render writes, to the bit."};
@@ -197,6 +236,7 @@ std::vector<Stage> pixel_stages(const Sources& of) {
     stages.push_back(visibility_stage(of));
     stages.push_back(normal_stage(of));
     stages.push_back(lighting_stage(of));
+    stages.push_back(blending_stage(of));
     stages.push_back(picture_stage(of));
     return stages;
 }
