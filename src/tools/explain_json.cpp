@@ -44,13 +44,20 @@ Json maps_json(const ExplainedPixel& e, const ShadedLayer& layer) {
     Json out = Json::array();
     for (int i = 0; i < raster::traced_maps; ++i) {
         const raster::TracedTexture& map = layer.trace.map[i];
-        if (map.is_used)
-            out.push_back({{"role", name_of_map(i)},
-                           {"picture", picture_of_map(e, layer, i)},
-                           {"uv", {double(map.u), double(map.v)}},
-                           {"level_of_detail", double(map.level_of_detail)},
-                           {"level", double(map.level)},
-                           {"value", list(map.value)}});
+        if (!map.is_used) continue;
+        Json texels = Json::array();
+        for (int k = 0; k < map.texel_count; ++k) {
+            const raster::TracedTexel& t = map.texel[k];
+            texels.push_back(
+                {{"level", t.level}, {"x", t.x}, {"y", t.y}, {"weight", double(t.weight)}, {"value", list(t.value)}});
+        }
+        out.push_back({{"role", name_of_map(i)},
+                       {"picture", picture_of_map(e, layer, i)},
+                       {"uv", {double(map.u), double(map.v)}},
+                       {"level_of_detail", double(map.level_of_detail)},
+                       {"level", double(map.level)},
+                       {"value", list(map.value)},
+                       {"texels", std::move(texels)}});
     }
     return out;
 }

@@ -115,6 +115,21 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     return values.text("  ");
 }
 
+/// The texels that the filters read.
+std::string texels_text(const ShadedLayer& layer) {
+    TextTable table({"map", ">level", ">x", ">y", ">weight", ">red", ">green", ">blue", ">alpha"});
+    for (int i = 0; i < raster::traced_maps; ++i) {
+        const raster::TracedTexture& m = layer.trace.map[i];
+        for (int k = 0; k < m.texel_count; ++k) {
+            const raster::TracedTexel& t = m.texel[k];
+            Cells cells{name_of_map(i), digits(t.level), digits(t.x), digits(t.y), digits(t.weight)};
+            append(cells, t.value);
+            table.add(std::move(cells));
+        }
+    }
+    return "  Texels that they came from, linear\n" + table.text("    ");
+}
+
 std::string maps_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     TextTable table({"map", "picture", ">u", ">v", ">level of detail", ">level read", ">red", ">green", ">blue", ">alpha"});
     for (int i = 0; i < raster::traced_maps; ++i) {
@@ -124,7 +139,7 @@ std::string maps_text(const ExplainedPixel& e, const ShadedLayer& layer) {
         append(cells, m.value);
         table.add(std::move(cells));
     }
-    return table.empty() ? "" : "  Texels, filtered and linear\n" + table.text("    ");
+    return table.empty() ? "" : "  Maps, filtered and linear\n" + table.text("    ") + texels_text(layer);
 }
 
 std::string surface_text(const ExplainedPixel& e, const ShadedLayer& layer) {

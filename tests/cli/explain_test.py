@@ -4,9 +4,11 @@
 
   explain_test.py PROGRAM [unittest arguments]"""
 import json
+import pathlib
 import struct
 
 import program
+from models import write_quarters
 from program import png
 
 SIZE = (96, 64)
@@ -75,6 +77,23 @@ class Explain(program.Case):
             text = self.run_program("explain", "builtin:teapot", "--pixel", "48,32", "--resolution", "96,64", "--shading", shading).out
             for word in ("Lit once for the face" if count == 1 else "Lit at vertex", "diffuse of all", "+ k diffuse times it"):
                 self.assertIn(word, text)
+
+    def test_texels_are_those_of_the_picture(self):
+        head = pathlib.Path(__file__).resolve().parents[2] / "data/head/head.obj"
+        row = self.explain(head, 48, 32)
+        for picture in row["layers"][0]["maps"]:
+            self.assertAlmostEqual(sum(texel["weight"] for texel in picture["texels"]), 1, 5)
+            for c in range(4):
+                self.assertAlmostEqual(sum(texel["weight"] * texel["value"][c] for texel in picture["texels"]), picture["value"][c], 3)
+        (self.folder / "texel.mtl").write_text("newmtl m\nKd 1 1 1\nmap_Kd quarters.png\n")
+        (self.folder / "texel.obj").write_text("mtllib texel.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
+        write_quarters(self.folder / "quarters.png", 2)
+        texels = self.explain("texel.obj", 48, 32, "--view", "front")["layers"][0]["maps"][0]["texels"]
+        found = {(t["x"], t["y"]): [round(v, 4) for v in t["value"]] for t in texels}
+        self.assertEqual(found, {(0, 0): [1, 0, 0, 1], (1, 0): [0, 1, 0, 1], (0, 1): [0, 0, 1, 1], (1, 1): [1, 1, 1, 1]})
+        self.assertEqual({t["level"] for t in texels}, {0})
+        text = self.run_program("explain", "texel.obj", "--pixel", "48,32", "--resolution", "96,64", "--view", "front").out
+        self.assertIn("Texels that they came from", text)
 
     def test_every_instruction_set_says_the_same(self):
         rows = []

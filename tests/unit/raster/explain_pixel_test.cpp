@@ -2,6 +2,7 @@
 // One pixel explained: the numbers are those of the picture, and what lies behind is said.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -118,6 +119,37 @@ TEST(ExplainPixel, LightOfTheCornersTimesWhatThePixelReflectsIsItsColor) {
             }
         EXPECT_GT(lit, 20);
     }
+}
+
+TEST(ExplainPixel, AFilteredValueIsItsTexelsTimesTheirWeights) {
+    const Scene scene = busy_scene();
+    Context context({.threads = 1});
+    const raster::Inspection inspection(scene, eye(), settings(), context);
+    int used = 0, most = 0;
+    for (int y = 0; y < height; y += 3)
+        for (int x = 0; x < width; x += 3)
+            for (const raster::ShadedLayer& layer : inspection.explain(x, y, context).layers)
+                for (const raster::TracedTexture& map : layer.trace.map) {
+                    if (map.is_used == 0) continue;
+                    ++used;
+                    most = std::max(most, map.texel_count);
+                    float weight = 0, sum[4] = {};
+                    ASSERT_GT(map.texel_count, 0);
+                    for (int k = 0; k < map.texel_count; ++k) {
+                        const raster::TracedTexel& texel = map.texel[k];
+                        weight += texel.weight;
+                        for (int c = 0; c < 4; ++c) sum[c] += texel.weight * texel.value[c];
+                        EXPECT_GE(texel.level, int(map.level));
+                        EXPECT_LE(texel.level, int(map.level) + 1);
+                        EXPECT_TRUE(texel.x >= 0 && texel.x < 32 && texel.y >= 0 && texel.y < 64)
+                            << texel.x << ", " << texel.y;
+                    }
+                    EXPECT_NEAR(weight, 1, 1e-5f) << x << ", " << y;
+                    for (int c = 0; c < 4; ++c)
+                        EXPECT_NEAR(sum[c], map.value[c], 3e-4f) << x << ", " << y << ": fixed-point filters round";
+                }
+    EXPECT_GT(used, 500);
+    EXPECT_EQ(most, raster::most_texels);
 }
 
 TEST(ExplainPixel, CornersAreThoseThatTheEngineLitAndTheirTermsAddUpToTheirLight) {

@@ -11,13 +11,43 @@ namespace {
 void put(float (&to)[3], vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 void put(float (&to)[4], vec4 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
 
+void put_texel(const TextureView& t, int32_t texel, float weight, TracedTexture& out) {
+    if (!(weight > 0.0f) || out.texel_count == most_texels) return;
+    TracedTexel& to = out.texel[out.texel_count++];
+    while (to.level + 1 < t.levels && texel >= t.offset[to.level + 1]) ++to.level;
+    to.x = (texel - t.offset[to.level]) % t.width[to.level];
+    to.y = (texel - t.offset[to.level]) / t.width[to.level];
+    to.weight = weight;
+    Footprint alone{};
+    alone.taps[0].texel[0] = texel;
+    put(to.value, sample(t, alone));
+}
+
+float weight_of(int32_t fixed) { return float(fixed & 0xffff) / float(1 << fraction_bits); }
+
+void trace_taps(const TextureView& t, const Taps& taps, bool linear, float weight, TracedTexture& out) {
+    if (!linear) return put_texel(t, taps.texel[0], weight, out);
+    const float right = weight_of(taps.along_x), lower = weight_of(taps.along_y);
+    for (int32_t k = 0; k < 4; ++k)
+        put_texel(t, taps.texel[k], weight * (k % 2 == 0 ? 1.0f - right : right) * (k / 2 == 0 ? 1.0f - lower : lower),
+                  out);
+}
+
+/// The texels of sample()'s footprint.
+void trace_texels(const TextureView& t, const TexCoords& c, TracedTexture& out) {
+    const bool linear = (out.level_of_detail > 0.0f ? t.minify_linear : t.magnify_linear) != 0;
+    const Footprint f = footprint_of(t, c, out.level_of_detail, linear);
+    const float second = f.has_two_levels ? weight_of(f.between) : 0.0f;
+    trace_taps(t, f.taps[0], linear, 1.0f - second, out);
+    if (f.has_two_levels) trace_taps(t, f.taps[1], linear, second, out);
+}
+
 /// What sample() reads where: its coordinates and levels.
 void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out) {
     if (slot.view == nullptr) return;
     const TextureView& t = *slot.view;
     const TexCoords& raw = p.texcoords[slot.texcoord_set == 0 ? 0 : 1];
-    const auto turn = [&slot](vec2 d) { return vec2(slot.uu * d.x + slot.uv * d.y, slot.vu * d.x + slot.vv * d.y); };
-    const TexCoords c = {turn(raw.uv) + vec2(slot.u0, slot.v0), turn(raw.dx), turn(raw.dy)};
+    const TexCoords c = transformed(slot, raw);
     out.is_used = 1;
     out.u = c.uv.x;
     out.v = c.uv.y;
@@ -28,6 +58,7 @@ void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out)
         if (t.mip == 1) out.level = float(to_int(out.level + 0.5f));
     }
     put(out.value, texel(slot, p));
+    trace_texels(t, c, out);
 }
 
 void trace_maps(const MaterialView& m, const Pixels& p, PixelTrace& out) {

@@ -7,6 +7,14 @@
 
 namespace rakelight::raster {
 
+/// A texel that a filtered sample came from.
+struct TracedTexel {
+    int32_t level, x, y;  ///< of the mip chain; from the level's top left texel
+    float weight;         ///< all of a sample's come to 1
+    float value[4];       ///< linear
+};
+inline constexpr int most_texels = 8;  ///< 2 x 2 of two levels
+
 /// One sampled texture. Meaningless where `is_used` is 0.
 struct TracedTexture {
     int32_t is_used;
@@ -14,6 +22,8 @@ struct TracedTexture {
     float level_of_detail; ///< log2 of texels a pixel; over 0 the picture is shrunk
     float level;           ///< of the mip chain that was read; a fraction lies between two
     float value[4];        ///< filtered, linear
+    int32_t texel_count;   ///< those with a weight of 0 are left out
+    TracedTexel texel[most_texels];
 };
 
 /// The maps in the order of MaterialView.
