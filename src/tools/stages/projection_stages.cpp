@@ -95,6 +95,16 @@ double nearest_before(const Vertices& vertices, double near) {
     return std::isfinite(nearest) ? nearest : near;
 }
 
+/// What there is up to a distance: a plot from the eye on, with all of the model in the frustum.
+Fit fit_to(double reach, const Sources& of, const Vertices& vertices, const Normalized& normalized) {
+    double tall = 0.2 * reach;
+    for (std::size_t d = 0; d < vertices.draws().size(); ++d)
+        for (std::uint32_t v = 0; v < vertices.mesh(d).positions.size(); ++v)
+            if (const dvec3 p = normalized(d, v); normalized.is_before_eye(p) && -p.z <= reach)
+                tall = std::max(tall, std::min(std::fabs(p.y), normalized.half_width(reach)));
+    return fit({0, -tall}, {reach, tall}, of.engine.settings().width, of.engine.settings().height);
+}
+
 Stage central_stage(const Sources& of, const Vertices& vertices) {
     const raster::View& view = of.engine.view();
     const Normalized normalized(of, vertices);
@@ -110,17 +120,17 @@ Stage central_stage(const Sources& of, const Vertices& vertices) {
                    "before the eye: in the pipeline the division waits until clipping is done. "
                    "Vertices behind the near plane have no place here (nan is listed).";
     const double reach = std::min(1.05 * vertices.farthest(), 8 * plane);
-    Space space{
-        .caption =
-            "Rays from the eye through the plane (orange) to some of the vertices, and in yellow where they meet it. "
-            "The plane is drawn at " +
-            digits(plane) + " m: the picture on any other is the same, larger or smaller.",
-        .place =
-            [&](std::size_t d, std::uint32_t v) {
-                const dvec3 p = normalized(d, v);
-                return normalized.is_before_eye(p) ? dvec2{-p.z, p.y} : dvec2{nan, nan};
-            },
-        .fixed = fit({0, -0.4 * reach}, {reach, 0.4 * reach}, of.engine.settings().width, of.engine.settings().height)};
+    Space space{.caption = std::string(view.orthographic ? "Rays along the view axis" : "Rays from the eye") +
+                           " through the plane (orange) to some of the vertices, and in yellow where they meet it. The "
+                           "plane is drawn at " +
+                           digits(plane) + " m: the picture on any other is the same" +
+                           (view.orthographic ? "." : ", larger or smaller."),
+                .place =
+                    [&](std::size_t d, std::uint32_t v) {
+                        const dvec3 p = normalized(d, v);
+                        return normalized.is_before_eye(p) ? dvec2{-p.z, p.y} : dvec2{nan, nan};
+                    },
+                .fixed = fit_to(reach, of, vertices, normalized)};
     space.behind.push_back({{0, 0}, {plane, 0}, axis});
     add_rays(space, vertices, normalized, plane);
     space.before.push_back({{plane, -normalized.half_width(plane)}, {plane, normalized.half_width(plane)}});
