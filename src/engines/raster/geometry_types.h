@@ -106,6 +106,10 @@ struct CoverJob {
 struct GeometryKernels {
     void (*transform)(const VertexJob* job);
     int32_t (*set_up)(SetUpJob* job);           ///< returns how many passed
+    /// Depth -1, visible -1. [tile_size * tile_size] both
+    void (*clear_tile)(float* depth, int32_t* visible);
+    /// The least depth in a part of a tile, px inclusive; -1 where a pixel is still empty.
+    float (*farthest)(const float* depth, int32_t left, int32_t top, int32_t right, int32_t bottom);
     int32_t (*nearest)(const NearestJob* job);  ///< returns how many pixels were written
     int32_t (*cover)(const CoverJob* job);      ///< the same
 };

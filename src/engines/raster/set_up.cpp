@@ -4,6 +4,7 @@
 #include "engines/raster/set_up.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace rakelight::raster {
@@ -71,24 +72,22 @@ public:
           map_(front.view) {}
 
     void run() {
-        s_.entries.clear();
+        s_.entry_count = 0;
         s_.tiles.resize(triangles_per_chunk);
         ScreenTriangle* const rows = rows_for(triangles_per_chunk);
         const auto passed = std::size_t(run_kernel(rows));
         s_.next_row += passed;
         new_bytes_ = passed * sizeof(ScreenTriangle);
-        for (std::size_t i = 0; i < passed; ++i) {
-            const std::uint32_t tile = s_.tiles[i];
-            if (tile < to_be_cut) {
-                enter(tile, rows + i);
-                ++stats_.drawn;
-            } else if (tile == to_be_cut) {
+        for (std::size_t i = 0; i < passed;) {
+            i = enter_those_of_one_tile(rows, i, passed);
+            if (i == passed) break;
+            if (s_.tiles[i] == to_be_cut)
                 add(rows[i].triangle);
-            } else {
+            else
                 bin(rows + i, box_of(rows[i], grid_.window));
-            }
+            ++i;
         }
-        front_.memory.add(new_bytes_ + s_.entries.size() * entry_bytes - told_bytes_);
+        front_.memory.add(new_bytes_ + s_.entry_count * entry_bytes - told_bytes_);
     }
 
     bool has_large() const { return has_large_; }
@@ -183,7 +182,7 @@ private:
     }
 
     void bin(const ScreenTriangle* row, const Box& box) {
-        const std::size_t before = s_.entries.size();
+        const std::size_t before = s_.entry_count;
         const int first_x = box.left / tile_size, last_x = box.right / tile_size;
         const int first_y = box.top / tile_size, last_y = box.bottom / tile_size;
         const bool is_in_one = first_x == last_x && first_y == last_y;
@@ -191,13 +190,34 @@ private:
             for (int tx = first_x; tx <= last_x; ++tx)
                 if (is_in_one || touches(*row, tx, ty))
                     enter(std::uint32_t((ty - grid_.first_y) * grid_.columns + tx - grid_.first_x), row);
-        ++(s_.entries.size() > before ? stats_.drawn : stats_.culled_outside);
-        const std::uint64_t bytes = new_bytes_ + s_.entries.size() * entry_bytes;
+        ++(s_.entry_count > before ? stats_.drawn : stats_.culled_outside);
+        const std::uint64_t bytes = new_bytes_ + s_.entry_count * entry_bytes;
         if (bytes - told_bytes_ > 1 << 20) front_.memory.add(bytes - std::exchange(told_bytes_, bytes));
     }
 
+    /// Rows from i on, up to the first that needs a look. Returns the number of that one.
+    std::size_t enter_those_of_one_tile(const ScreenTriangle* rows, std::size_t i, std::size_t passed) {
+        make_room(passed - i);
+        const std::size_t begin = i;
+        const std::uint32_t* const tiles = s_.tiles.data();
+        std::uint32_t* const count = s_.count.data();
+        SetUpScratch::Entry* next = s_.entries.data() + s_.entry_count;
+        for (; i < passed && tiles[i] < to_be_cut; ++i) {
+            *next++ = {tiles[i], rows + i};
+            if (count[tiles[i]]++ == 0) s_.touched.push_back(tiles[i]);
+        }
+        s_.entry_count += i - begin;
+        stats_.drawn += i - begin;
+        return i;
+    }
+
+    void make_room(std::size_t more) {
+        if (s_.entries.size() < s_.entry_count + more) s_.entries.resize(2 * s_.entries.size() + more);
+    }
+
     void enter(std::uint32_t tile, const ScreenTriangle* row) {
-        s_.entries.push_back({tile, row});
+        make_room(1);
+        s_.entries[s_.entry_count++] = {tile, row};
         if (s_.count[tile]++ == 0) s_.touched.push_back(tile);
     }
 
@@ -219,14 +239,16 @@ private:
 
 /// Counting sort of the entries by tile, which keeps their order.
 void sort_by_tile(SetUpScratch& s, ChunkTriangles& out) {
-    out.sorted.resize(s.entries.size());
+    out.sorted.resize(s.entry_count);
     out.runs.clear();
     std::uint32_t sum = 0;
     for (const std::uint32_t tile : s.touched) {
         out.runs.push_back({tile, sum, s.count[tile], false});
         sum += std::exchange(s.count[tile], sum);
     }
-    for (const SetUpScratch::Entry& e : s.entries) out.sorted[s.count[e.tile]++] = e.row;
+    const ScreenTriangle** const sorted = out.sorted.data();
+    std::uint32_t* const place = s.count.data();
+    for (const SetUpScratch::Entry& e : std::span(s.entries).first(s.entry_count)) sorted[place[e.tile]++] = e.row;
     for (const std::uint32_t tile : s.touched) s.count[tile] = 0;
     s.touched.clear();
 }

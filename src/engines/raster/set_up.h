@@ -52,7 +52,8 @@ struct SetUpScratch {
         std::uint32_t tile;
         const ScreenTriangle* row;
     };
-    std::vector<Entry> entries;          ///< in the order of the scene
+    std::vector<Entry> entries;  ///< in the order of the scene; those past entry_count mean nothing
+    std::size_t entry_count = 0;
     std::vector<std::uint32_t> count;    ///< [tiles] of entries; 0 between chunks
     std::vector<std::uint32_t> touched;  ///< tiles with entries, in the order of the first
 };

@@ -65,24 +65,24 @@ CoverJob cover_job(const Coverage& c, std::int32_t position, TileScratch& scratc
 /// pixels was written since.
 class FarthestDepth {
 public:
-    FarthestDepth(const Window& area, int ox, int oy, const std::vector<float>& depth)
-        : left_(area.x - ox), right_(area.x - ox + area.width), top_(area.y - oy), bottom_(area.y - oy + area.height), depth_(depth) {}
+    FarthestDepth(const GeometryKernels& kernels, const Window& area, int ox, int oy, const std::vector<float>& depth)
+        : kernels_(kernels),
+          left_(area.x - ox),
+          top_(area.y - oy),
+          right_(left_ + area.width - 1),
+          bottom_(top_ + area.height - 1),
+          depth_(depth) {}
     float key() const { return farthest_; }
     bool hides(const ScreenTriangle& s) const { return s.nearest_key() <= farthest_; }
     void written(std::int32_t pixels) {
         if ((since_ += pixels) < tile_pixels / 2) return;
         since_ = 0;
-        float farthest = depth_[std::size_t(top_ * tile_size + left_)];
-        for (int y = top_; y < bottom_; ++y) {
-            const float* const row = &depth_[std::size_t(y * tile_size)];
-            for (int x = left_; x < right_; ++x) farthest = row[x] < farthest ? row[x] : farthest;
-            if (farthest < 0) break;  // a pixel is still empty
-        }
-        farthest_ = farthest;
+        farthest_ = kernels_.farthest(depth_.data(), left_, top_, right_, bottom_);
     }
 
 private:
-    int left_, right_, top_, bottom_;
+    const GeometryKernels& kernels_;
+    int left_, top_, right_, bottom_;
     const std::vector<float>& depth_;
     std::int32_t since_ = 0;
     float farthest_ = -1;
@@ -115,7 +115,7 @@ public:
           area_(job.grid.pixels(tile)),
           ox_(job.grid.origin_x(tile)),
           oy_(job.grid.origin_y(tile)),
-          farthest_(area_, ox_, oy_, scratch.depth) {}
+          farthest_(job.front.kernels, area_, ox_, oy_, scratch.depth) {}
 
     /// @param position  of the first triangle in the tile's list
     void draw(std::uint32_t draw, bool has_large, std::span<const ScreenTriangle* const> list, std::int32_t position) {
@@ -178,8 +178,7 @@ private:
 
 void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch) {
     if (job.front.settings.visibility != Visibility::z_reversed) return find_visible_by_method(job, tile, scratch);
-    std::fill(scratch.depth.begin(), scratch.depth.end(), -1.0f);  // farther than any key: those are 0 or more
-    std::fill(scratch.visible.begin(), scratch.visible.end(), -1);
+    job.front.kernels.clear_tile(scratch.depth.data(), scratch.visible.data());
     TileVisibility visibility(job, tile, scratch);
     std::int32_t position = 0;
     for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1]; ++r) {

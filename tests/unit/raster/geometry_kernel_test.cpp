@@ -172,6 +172,29 @@ TEST(GeometryKernels, SmallTrianglesCoverWhatThePlainFunctionsSayAtTheSameDepth)
     }
 }
 
+TEST(GeometryKernels, TheFarthestDepthOfAPartOfATileIsThatOfItsPixelsAlone) {
+    std::mt19937 random(31);
+    for (const GeometryKernels* kernels : flavours()) {
+        TilePixels tile;
+        kernels->clear_tile(tile.depth.data(), tile.visible.data());
+        EXPECT_TRUE(tile == TilePixels{});
+        EXPECT_EQ(kernels->farthest(tile.depth.data(), 3, 4, 3, 4), -1.0f) << "nothing stands there";
+        for (float& d : tile.depth) d = float(random() % 1000 + 1) / 1001.0f;
+        for (int round = 0; round < 200; ++round) {
+            const int left = int(random() % 64), top = int(random() % 64);
+            const int right = left + int(random() % unsigned(64 - left)),
+                      bottom = top + int(random() % unsigned(64 - top));
+            float least = 2;
+            for (int y = top; y <= bottom; ++y)
+                for (int x = left; x <= right; ++x) least = std::min(least, tile.depth[std::size_t(y * tile_size + x)]);
+            ASSERT_EQ(kernels->farthest(tile.depth.data(), left, top, right, bottom), least);
+        }
+        tile.depth[10 * tile_size + 20] = -1;
+        EXPECT_EQ(kernels->farthest(tile.depth.data(), 20, 10, 63, 63), -1.0f);
+        EXPECT_GT(kernels->farthest(tile.depth.data(), 21, 10, 63, 63), 0.0f);
+    }
+}
+
 TEST(GeometryKernels, ATrianglesDepthDoesNotDependOnWhichCornerComesFirst) {
     for (ScreenTriangle s : small_triangles(300)) {
         std::vector<float> first;

@@ -115,10 +115,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
         copy_vertex(row, 2, job.vertices[corner[2 - swap]]);
         row.draw = job.draw;
         row.triangle = first + uint32_t(i);
-        row.is_back = (back >> i & 1u) != 0;
-        row.is_piece = false;
-        row.is_swapped = swap != 0;
-        row.is_large = false;
+        row.is_back = (back >> i & 1u) != 0, row.is_piece = false, row.is_swapped = swap != 0, row.is_large = false;
         tiles[written++] = uint32_t(tile_of[i]);
     }
     return written;
