@@ -69,13 +69,11 @@ struct LitTriangle {
 };
 inline constexpr int lit_triangle_floats = int(sizeof(LitTriangle) / sizeof(float));
 
-/// Triangles of one draw in one tile, whose records are wanted. Arrays [count] are read up to batch_padding past it.
+/// Triangles of one draw in one tile, whose records are wanted. `row` is read up to batch_padding past its count.
 struct RecordJob {
     int32_t count;
-    const int32_t* triangle;   ///< [count] of the mesh
-    const int32_t* x[3];       ///< [count] the mesh's corners on the screen about the tile's first pixel center,
-    const int32_t* y[3];       ///< [1/256 px]
-    const int32_t* is_turned;  ///< [count] 1: seen from behind; where winding has no meaning: clockwise
+    const TriangleRow* const* row;  ///< [count]
+    int32_t tile_x, tile_y;         ///< [px] of the tile's corner
     const uint32_t* indices;   ///< of the mesh, [3 * triangles]
     int32_t vertices;
     const float* clip;                    ///< [vertices] x, y, w, distance
@@ -145,7 +143,13 @@ struct Kernels {
     /// Lists the pixels [tile_size * tile_size] whose `visible` is in begin..end-1, in order; returns their number.
     /// Writes up to batch_padding past it.
     int32_t (*collect)(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel);
-    void (*record)(const RecordJob* job);
+    /// Numbers what `count` pixels show, each triangle once, in the order of their first pixels: position in the tile's
+    /// list -> `record`, which is -1 before, pixel -> `triangle`, number -> `wanted`. Returns how many there are. Reads
+    /// `pixel` and writes `triangle` up to batch_padding past count: dead lanes must repeat a pixel.
+    int32_t (*number)(const int32_t* visible, const int32_t* pixel, int32_t count, int32_t* record, int32_t* triangle,
+                      int32_t* wanted);
+    /// Returns whether there are pieces (TriangleRow::is_piece): their records mean nothing.
+    int32_t (*record)(const RecordJob* job);
     int32_t (*shade)(const ShadeJob* job);  ///< returns how many components came out not finite: they are 0
     void (*alpha)(const ShadeJob* job);    ///< only `alpha` is written: for masks
     void (*light)(const LightJob* job);

@@ -50,20 +50,13 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
 /// The records of what `count` pixels of the batch arrays show, each once, in the order of their first pixels.
 void find_records(const TileJob& job, std::size_t tile, std::uint32_t draw, std::size_t count, TileScratch& s) {
     const ScreenTriangle* const* const items = job.binned.items.data() + job.binned.offsets[tile];
-    s.wanted.clear();
-    std::int32_t position = -1, number = -1;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::int32_t shown = s.visible[std::size_t(s.pixel[i])];
-        if (shown != position) {  // neighbors mostly show one triangle
-            position = shown;
-            std::int32_t& record = s.record[std::size_t(position)];
-            if (record < 0) {
-                record = std::int32_t(s.wanted.size());
-                s.wanted.push_back(items[position]);
-            }
-            number = record;
-        }
-        s.triangle[i] = number;
+    std::fill_n(s.pixel.begin() + std::ptrdiff_t(count), batch_padding, s.pixel[count - 1]);
+    const std::int32_t wanted = job.kernels.number(s.visible.data(), s.pixel.data(), std::int32_t(count),
+                                                   s.record.data(), s.triangle.data(), s.numbers.data());
+    s.wanted.resize(std::size_t(wanted));
+    for (std::size_t i = 0; i < s.wanted.size(); ++i) {
+        s.wanted[i] = items[s.numbers[i]];
+        __builtin_prefetch(s.wanted[i]);
     }
     make_records(job, draw, s.wanted, job.grid.origin_x(tile), job.grid.origin_y(tile), s);
 }

@@ -154,44 +154,20 @@ RecordJob record_job(const DrawRecords& d, std::uint32_t number, bool whole) {
     return job;
 }
 
-/// The corners in the mesh's order, about the tile's first pixel center.
-void set_corners(const ScreenTriangle& s, bool by_winding, int tile_x, int tile_y, std::size_t i, RecordInput& in) {
-    const std::int32_t x0 = (tile_x << subpixel_bits) + 128, y0 = (tile_y << subpixel_bits) + 128;
-    in.triangle[i] = std::int32_t(s.triangle);
-    const std::size_t second = s.is_swapped ? 2 : 1;
-    in.x[0][i] = s.x0 - x0, in.y[0][i] = s.y0 - y0;
-    in.x[second][i] = s.x1 - x0, in.y[second][i] = s.y1 - y0;
-    in.x[3 - second][i] = s.x2 - x0, in.y[3 - second][i] = s.y2 - y0;
-    in.is_turned[i] = by_winding ? s.is_back : !s.is_swapped;
-}
-
 }  // namespace
-
-void RecordInput::resize(std::size_t count) {
-    for (std::vector<std::int32_t>* v : {&triangle, &x[0], &x[1], &x[2], &y[0], &y[1], &y[2], &is_turned})
-        if (v->size() < count + batch_padding) v->resize(count + batch_padding);
-}
 
 void make_records(const TileJob& job, std::uint32_t draw, std::span<const ScreenTriangle* const> triangles, int tile_x,
                   int tile_y, TileScratch& s) {
     const DrawRecords d(job.front, draw);
-    RecordInput& in = s.record_input;
-    in.resize(triangles.size());
     if (s.triangles.size() < triangles.size() + batch_padding) s.triangles.resize(triangles.size() + batch_padding);
-    bool has_piece = false;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        set_corners(*triangles[i], !d.material.classical, tile_x, tile_y, i, in);
-        has_piece |= triangles[i]->is_piece;
-    }
-    for (std::size_t i = triangles.size(); i < triangles.size() + batch_padding; ++i)
-        in.triangle[i] = in.triangle[triangles.size() - 1];
+    s.rows.assign(triangles.begin(), triangles.end());
+    s.rows.resize(triangles.size() + batch_padding, triangles.back());
     RecordJob kernel_job = record_job(d, draw, job.whole_records);
     kernel_job.count = std::int32_t(triangles.size());
-    kernel_job.triangle = in.triangle.data();
-    for (std::size_t k = 0; k < 3; ++k) kernel_job.x[k] = in.x[k].data(), kernel_job.y[k] = in.y[k].data();
-    kernel_job.is_turned = in.is_turned.data();
+    kernel_job.row = s.rows.data();
+    kernel_job.tile_x = tile_x, kernel_job.tile_y = tile_y;
     kernel_job.out = s.triangles.data();
-    job.kernels.record(&kernel_job);
+    const bool has_piece = job.kernels.record(&kernel_job) != 0;
     for (std::size_t i = 0; i < triangles.size() && has_piece; ++i)
         if (triangles[i]->is_piece) make_piece_record(d, *triangles[i], tile_x, tile_y, s.triangles[i]);
     if (!job.points.is_used) return;

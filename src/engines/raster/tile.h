@@ -27,12 +27,6 @@ struct TileJob {
     const Marks* marks = nullptr;  ///< lines and points; null: none
 };
 
-/// Arrays for the record kernel: triangles of one draw. [count + batch_padding]
-struct RecordInput {
-    std::vector<std::int32_t> triangle, x[3], y[3], is_turned;
-    void resize(std::size_t count);
-};
-
 /// Working memory of one tile; used again by the next one.
 struct TileScratch : ChannelArrays {
     // Visibility: depth key (in `depth`) and position in the tile's list of the nearest triangle, -1 for none.
@@ -50,9 +44,10 @@ struct TileScratch : ChannelArrays {
     std::function<void(std::size_t count)> on_layer;
     std::vector<ShadeTriangle> triangles;
     std::vector<LitTriangle> lit;        ///< beside `triangles` in flat and Gouraud pictures
-    RecordInput record_input;
+    std::vector<const TriangleRow*> rows;       ///< of the records that are made, padded
     std::vector<std::int32_t> record;           ///< [list] position in the list -> in `triangles`, -1: not wanted
-    std::vector<const ScreenTriangle*> wanted;  ///< whose records are to be made
+    std::vector<std::int32_t> numbers = batch<std::int32_t>();  ///< number of a record -> position in the list
+    std::vector<const ScreenTriangle*> wanted;                  ///< whose records are to be made
     std::vector<std::int32_t> sorted;  ///< covered pixels of tiles with very many draws, those of one draw together
     // The result, [tile_pixels], row by row of the whole tile; channels in ChannelArrays: the first four always have
     // room, the others when they are asked for.

@@ -6,16 +6,32 @@
 #include "math/wide_rows.h"
 
 namespace rakelight::raster::RL_ISA {
+using rakelight::wide::RL_ISA::load_rows4_at;
 using rakelight::wide::RL_ISA::load_vectors;
 using rakelight::wide::RL_ISA::store_columns4;
 
-/// The vertices at the three corners of `lanes` triangles.
+/// The three corners of `lanes` triangles, in the order of the mesh.
 struct Corners {
     int32_t index[3][lanes];
+    integer x[3], y[3];  ///< [1/256 px] about the tile's first pixel center
+    mask is_back, is_swapped;
+    bool has_piece;
     bool has_last;  ///< the last vertex is among them: what follows it in memory is not ours
 
     Corners(const RecordJob& job, int32_t first) {
-        const integer triangle = load_i(job.triangle + first);
+        const float* const* const rows = reinterpret_cast<const float* const*>(job.row + first);
+        real v[4][4];
+        for (int k = 0; k < 4; ++k) load_rows4_at(rows, 4 * k, v[k]);
+        const integer triangle = bits_of(v[3][1]), flags = bits_of(v[3][2]);
+        is_back = (flags & integer(1)) != integer(0);
+        has_piece = any_lane((flags & integer(1 << 8)) != integer(0));
+        is_swapped = (flags & integer(1 << 16)) != integer(0);
+        const integer origin_x((job.tile_x << subpixel_bits) + 128), origin_y((job.tile_y << subpixel_bits) + 128);
+        for (int k = 0; k < 3; ++k) {
+            const int other = k == 0 ? 0 : 3 - k;
+            x[k] = select(is_swapped, bits_of(v[other][0]), bits_of(v[k][0])) - origin_x;
+            y[k] = select(is_swapped, bits_of(v[other][1]), bits_of(v[k][1])) - origin_y;
+        }
         mask is_last = mask(false);
         for (int32_t k = 0; k < 3; ++k) {
             const integer i = gather_i(job.indices, triangle * integer(3) + integer(k));
@@ -52,11 +68,10 @@ struct RecordWriter {
 };
 
 /// The affine barycentrics b1 and b2 as planes: change per pixel in x and y, value at the origin.
-inline void affine_planes(const RecordJob& job, int32_t first, real (&b1)[3], real (&b2)[3]) {
-    const integer xi = load_i(job.x[0] + first), yi = load_i(job.y[0] + first);
-    const real x0 = to_real(xi), y0 = to_real(yi);
-    const real dx1 = to_real(load_i(job.x[1] + first) - xi), dy1 = to_real(load_i(job.y[1] + first) - yi);
-    const real dx2 = to_real(load_i(job.x[2] + first) - xi), dy2 = to_real(load_i(job.y[2] + first) - yi);
+inline void affine_planes(const Corners& c, real (&b1)[3], real (&b2)[3]) {
+    const real x0 = to_real(c.x[0]), y0 = to_real(c.y[0]);
+    const real dx1 = to_real(c.x[1] - c.x[0]), dy1 = to_real(c.y[1] - c.y[0]);
+    const real dx2 = to_real(c.x[2] - c.x[0]), dy2 = to_real(c.y[2] - c.y[0]);
     const real area = dx1 * dy2 - dy1 * dx2;
     const real inverse = reciprocal(select(area == real(0.0f), real(1.0f), area));
     const real subpixels(256.0f);
@@ -69,9 +84,9 @@ inline void affine_planes(const RecordJob& job, int32_t first, real (&b1)[3], re
 }
 
 /// b1, b2 and depth of the record, and the handedness, which follows them.
-inline void put_planes(const RecordJob& job, int32_t first, const Corners& c, real handedness, const RecordWriter& to) {
+inline void put_planes(const RecordJob& job, const Corners& c, real handedness, const RecordWriter& to) {
     real v[12], b1[3], b2[3], key[3];
-    affine_planes(job, first, b1, b2);
+    affine_planes(c, b1, b2);
     for (int32_t k = 0; k < 3; ++k) {
         real clip[4];
         load_corner<4>(job.clip, c, k, clip);
@@ -109,12 +124,13 @@ inline vec3 face_normal(const RecordJob& job, const Corners& c) {
 
 /// -1 where the shading normal is to be turned round: by winding where the format gives winding a meaning, else so that
 /// the normals agree with the side that is seen.
-inline real facing_of(const RecordJob& job, int32_t first, const Corners& c, const vec3 (&normal)[3]) {
-    mask is_turned = load_i(job.is_turned + first) != integer(0);
+inline real facing_of(const RecordJob& job, const Corners& c, const vec3 (&normal)[3]) {
+    mask is_turned = c.is_back;
     if (job.by_winding == 0) {
         const real agreement = dot(face_normal(job, c), normal[0] + normal[1] + normal[2]) * real(job.mirror);
         const mask disagrees = agreement < real(0.0f);
-        is_turned = (is_turned && !disagrees) || (!is_turned && disagrees);
+        // Swapped: counter-clockwise as seen.
+        is_turned = (c.is_swapped && disagrees) || (!c.is_swapped && !disagrees);
     }
     return select(is_turned, real(-1.0f), real(1.0f));
 }
@@ -127,7 +143,7 @@ inline void put_texcoords(const float* base, const Corners& c, real* v) {
 }
 
 /// Texture coordinates, normal, tangent, facing.
-inline void put_surface(const RecordJob& job, int32_t first, const Corners& c, const RecordWriter& to) {
+inline void put_surface(const RecordJob& job, const Corners& c, const RecordWriter& to) {
     real v[28];
     for (real& x : v) x = real(0.0f);
     if (job.texcoords[0] != nullptr) put_texcoords(job.texcoords[0], c, v);
@@ -142,7 +158,7 @@ inline void put_surface(const RecordJob& job, int32_t first, const Corners& c, c
         tangent[k] = safe_normalize_or(transformed(job.linear, vec3(t[0], t[1], t[2])), vec3(real(0.0f)));
     }
     if (job.tangents != nullptr) set_deltas(tangent, v + 15);
-    v[24] = facing_of(job, first, c, normal);
+    v[24] = facing_of(job, c, normal);
     to.put<28>(offsetof(ShadeTriangle, texcoord0), v);
 }
 
@@ -163,10 +179,12 @@ inline void put_rest(const RecordJob& job, const Corners& c, const RecordWriter&
     to.put<20>(offsetof(ShadeTriangle, texcoord1), v);
 }
 
-static void record(const RecordJob* given) {
+static int32_t record(const RecordJob* given) {
     const RecordJob& job = *given;
+    bool has_piece = false;
     for (int32_t i = 0; i < job.count; i += lanes) {
         const Corners c(job, i);
+        has_piece |= c.has_piece;
         const RecordWriter to{reinterpret_cast<float*>(job.out + i)};
         real handedness(job.mirror);
         if (job.tangents != nullptr) {
@@ -174,10 +192,11 @@ static void record(const RecordJob* given) {
             load_corner<4>(job.tangents, c, 0, t);
             handedness = handedness * t[3];
         }
-        put_planes(job, i, c, handedness, to);
-        put_surface(job, i, c, to);
+        put_planes(job, c, handedness, to);
+        put_surface(job, c, to);
         put_rest(job, c, to);
     }
+    return has_piece ? 1 : 0;
 }
 
 }  // namespace rakelight::raster::RL_ISA

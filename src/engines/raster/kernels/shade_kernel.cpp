@@ -243,7 +243,7 @@ static void alpha(const ShadeJob* job) {
 }
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, collect, record, shade, alpha, light};
+    static constexpr Kernels table = {lanes, collect, number, record, shade, alpha, light};
     return &table;
 }
 
