@@ -135,9 +135,16 @@ void add_render_options(CLI::App& app, RenderWords& w) {
 
     add(app, "Shading", "--engine", w.engine, "NAME",
         "soft (default): own rasterizer, the same picture on every machine");
-    add(app, "Shading", "--shading", w.shading, "HOW",
-        "How often lighting is evaluated: phong (default: at every pixel), gouraud (at every vertex), flat (once a face), "
-        "unlit (never: own color only)");
+    app.add_option(
+           "--shading", w.shading,
+           "How often lighting is evaluated: phong (default: at every pixel), gouraud (at every vertex), flat (once a "
+           "face), unlit (never: own color only), auto (gouraud where triangles are so small that it hardly differs). "
+           "For a "
+           "part: material:NAME=HOW, object:NAME=HOW; may be repeated, the last that fits counts")
+        ->type_name("HOW")
+        ->group("Shading")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add(app, "Shading", "--lighting", w.lighting, "MODEL",
         "auto (default: what the material says), lambert, phong, blinn-phong");
     add(app, "Shading", "--specular", w.specular, "FORM", "auto (default), textbook, normalized (conserves energy)");

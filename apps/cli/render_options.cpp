@@ -37,16 +37,42 @@ void apply_size(const RenderWords& w, RenderSettings& s) {
                                            {"material", channel_material}});
 }
 
+Shading shading_word(std::string_view text) {
+    return word<Shading>("--shading", text,
+                         {{"unlit", Shading::unlit},
+                          {"flat", Shading::flat},
+                          {"gouraud", Shading::gouraud},
+                          {"phong", Shading::phong},
+                          {"auto", Shading::automatic}});
+}
+
+/// HOW, material:NAME=HOW, object:NAME=HOW. Names may hold any character: the last '=' ends them.
+void apply_shading(const RenderWords& w, RenderSettings& s) {
+    std::size_t plain = 0;
+    for (const std::string_view text : w.shading) {
+        const bool is_material = text.starts_with("material:");
+        if (!is_material && !text.starts_with("object:")) {
+            s.shading = shading_word(text);
+            if (++plain > 1) throw Error(ErrorCode::usage, "--shading: how the whole is shaded can be said once");
+            continue;
+        }
+        const std::size_t begin = text.find(':') + 1, equals = text.rfind('=');
+        if (equals == text.npos || equals <= begin)
+            throw Error(
+                ErrorCode::usage,
+                "--shading: '" + one_line(std::string(text), 60) + "' needs a name and '=' with how it is shaded", {},
+                "write for example --shading material:glass=flat");
+        s.shading_rules.push_back({is_material ? ShadingRule::Of::material : ShadingRule::Of::object,
+                                   std::string(text.substr(begin, equals - begin)),
+                                   shading_word(text.substr(equals + 1))});
+    }
+}
+
 void apply_lighting(const RenderWords& w, RenderSettings& s) {
     not_yet("--lighting", w.lighting, {"oren-nayar", "ward", "pbr"}, "use lambert, phong or blinn-phong");
     not_yet("--bump", w.bump, {"height", "parallax", "parallax-limited", "steep", "occlusion", "displacement"},
             "use none or normal");
-    if (!w.shading.empty())
-        s.shading = word<Shading>("--shading", w.shading,
-                                  {{"unlit", Shading::unlit},
-                                   {"flat", Shading::flat},
-                                   {"gouraud", Shading::gouraud},
-                                   {"phong", Shading::phong}});
+    apply_shading(w, s);
     if (!w.lighting.empty())
         s.lighting = word<Lighting>("--lighting", w.lighting,
                                     {{"auto", Lighting::automatic},

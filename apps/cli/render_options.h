@@ -15,7 +15,8 @@ namespace rakelight::cli {
 /// The words as given; empty where not given.
 struct RenderWords {
     std::string output, engine = "soft", resolution, window, background, channels;
-    std::string shading, lighting, specular, specular_horizon, bump, front_face, cull, visibility;
+    std::vector<std::string> shading;
+    std::string lighting, specular, specular_horizon, bump, front_face, cull, visibility;
     std::string line_width, line_color, points, point_size;
     std::string normals, crease_angle, weight, uv, tangents, orthogonalize;
     std::string texture_base_color, texture_normal, normal_scale;

@@ -17,7 +17,22 @@ struct Window {
     bool operator==(const Window&) const = default;
 };
 
-enum class Shading : std::uint8_t { unlit, flat, gouraud, phong };   ///< how often lighting is evaluated
+/// How often lighting is evaluated. Automatic: Gouraud for a mesh none of whose triangles has an edge longer than
+/// automatic_gouraud_px on the picture, else Phong; Phong also where normal or roughness maps act.
+enum class Shading : std::uint8_t { unlit, flat, gouraud, phong, automatic };
+
+/// [px] Gouraud shading is a mean of what lighting is at the corners, so where no edge is longer, no pixel differs from
+/// Phong shading by more than lighting changes on the surface within this distance.
+inline constexpr double automatic_gouraud_px = 2;
+
+/// Shading of the objects or materials of a name.
+struct ShadingRule {
+    enum class Of : std::uint8_t { object, material };  ///< object: a node of this name and all that hangs from it
+    Of of = Of::object;
+    std::string name;
+    Shading shading = Shading::phong;
+    bool operator==(const ShadingRule&) const = default;
+};
 enum class Lighting : std::uint8_t { automatic, lambert, phong, blinn_phong };  ///< automatic: what the material says
 enum class SpecularForm : std::uint8_t { automatic, textbook, normalized };     ///< automatic: textbook for classical materials
 enum class Bump : std::uint8_t { none, normal };
@@ -73,6 +88,7 @@ struct RenderSettings {
     Window window;                   ///< what to render of it; default all
     std::uint32_t channels = 0;      ///< Channel bits
     Shading shading = Shading::phong;
+    std::vector<ShadingRule> shading_rules;  ///< go before `shading`; of several that fit the last counts
     Lighting lighting = Lighting::automatic;
     SpecularForm specular_form = SpecularForm::automatic;
     Bump bump = Bump::normal;

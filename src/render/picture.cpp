@@ -69,6 +69,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
 
     context.progress("prepare", 0);
     check_drawable(scene);
+    warn_of_unknown_names(scene, request.settings, context.report());
     const double aspect = double(request.settings.width) / double(request.settings.height);
     const Camera camera = choose_camera(scene, request.view, aspect, context);
     PrepareOptions prepare = request.prepare;

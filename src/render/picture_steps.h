@@ -11,6 +11,9 @@ Window whole_window(const RenderSettings& settings);
 /// The scene with the lights that the picture is lit by.
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
 
+/// Warns of rules for shading that fit nothing in the scene.
+void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, Report& report);
+
 /// Draws what a prepared engine holds and writes the files, in bands.
 void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result,
                    Context& context);

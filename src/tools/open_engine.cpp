@@ -16,6 +16,7 @@ std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& requ
     scene = override_textures(scene, request.textures, request.prepare.uv, context);
     context.progress("prepare", 0);
     check_drawable(scene);
+    warn_of_unknown_names(scene, settings, context.report());
     const double aspect = double(settings.width) / double(settings.height);
     const Camera camera = choose_camera(scene, request.view, aspect, context);
     scene = prepare_scene(with_lights(std::move(scene), request, camera), request.prepare, context);

@@ -250,6 +250,26 @@ class Cli(program.Case):
             self.assertGreaterEqual(stats["overdraw"], 1)
         self.assertEqual(where, {"unlit": 0, "flat": 4, "gouraud": 8, "phong": stats["pixels_covered"]})
 
+    def test_shading_is_set_by_object_and_material(self):
+        self.write("parts.obj", program.TWO_PARTS)
+        def evaluations(*options):
+            run = self.run_program("render", "parts.obj", "-o", "out.png", "--resolution", "80,60", "--json", *options)
+            self.assertEqual((run.code, run.err), (0, ""))
+            return json.loads(run.out)["rows"][0]["stats"]["lighting_evaluations"]
+        self.assertEqual(evaluations("--shading", "flat"), 4)
+        self.assertEqual(evaluations("--shading", "flat", "--shading", "object:left=unlit"), 2)
+        self.assertEqual(evaluations("--shading", "object:left=unlit", "--shading", "object:right=flat"), 2)
+        self.assertEqual(evaluations("--shading", "auto"), evaluations("--shading", "phong"))
+
+    def test_words_of_shading_are_checked(self):
+        for words in (("flat", "phong"), ("object:left",), ("object:=flat",), ("material:a=round",), ("automatic",)):
+            options = [w for word in words for w in ("--shading", word)]
+            self.check_refused(self.run_program("render", "builtin:teapot", "-o", "out.png", *options), 2, "--shading")
+        run = self.run_program("render", "builtin:teapot", "-o", "out.png", "--resolution", "8,8", "--shading", "material:gold=flat")
+        self.assertEqual(run.code, 0)
+        self.assertEqual(len(run.lines), 1)
+        self.assertIn("no material is named 'gold'", run.err)
+
     def test_inspect_says_what_is_in_a_model(self):
         self.write("a.obj", TWO_PARTS)
         text = self.run_program("inspect", "a.obj")

@@ -94,6 +94,7 @@ struct FrontEnd {
     std::vector<dmat4> to_eye;           ///< [draws] object -> world axes about the eye
     RenderStats stats;
     PictureMemory memory;
+    std::vector<Shading> shading;  ///< [draws] never automatic; choose_shading()
 };
 
 /// Clip space -> screen: x = x / w * scale_x + offset_x, floored, about snap_origin; likewise y and the depth key.

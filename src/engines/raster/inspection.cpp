@@ -29,7 +29,10 @@ bool Inspection::is_culled(std::uint32_t draw, bool is_back) const {
 static RenderSettings settings_for(RenderSettings settings, Window window, bool with_culled,
                                    std::optional<Shading> shading) {
     settings.window = window;
-    settings.shading = shading.value_or(settings.shading);
+    if (shading) {
+        settings.shading = *shading;
+        settings.shading_rules.clear();
+    }
     if (with_culled) settings.cull = Cull::none;
     return settings;
 }

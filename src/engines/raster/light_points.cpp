@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t points_per_task = 1024;
 
-bool is_per_face(const FrontEnd& front, const Mesh& mesh) {
-    return front.settings.shading == Shading::flat || mesh.normals.empty();
+bool is_per_face(const FrontEnd& front, std::uint32_t draw) {
+    return front.shading[draw] == Shading::flat || front.list.scene.meshes[front.list.draws[draw].mesh].normals.empty();
 }
 
 void clear(FrontEnd& front, LightPoints& points) {
@@ -25,10 +25,12 @@ void clear(FrontEnd& front, LightPoints& points) {
         const Draw& draw = front.list.draws[d];
         const Mesh& mesh = front.list.scene.meshes[draw.mesh];
         DrawLight& light = points.draws[d];
-        light.per_face = is_per_face(front, mesh);
+        light.per_face = is_per_face(front, std::uint32_t(d));
         light.sides = 0;
         light.marks.clear();
-        if (front.clip[d].empty() || front.list.materials[draw.material].view.unlit) continue;
+        if (!is_lit_at_corners(front, std::uint32_t(d)) || front.clip[d].empty() ||
+            front.list.materials[draw.material].view.unlit)
+            continue;
         const std::size_t count = light.per_face ? mesh.triangle_count() : mesh.positions.size();
         front.memory.add(count);
         light.marks.resize(count);
@@ -176,7 +178,10 @@ float mean_roughness(const MaterialView& m) {
 LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,
                          const Kernels& kernels, LightPoints&& used, Context& context) {
     LightPoints points = std::move(used);
-    points.is_used = front.settings.shading == Shading::flat || front.settings.shading == Shading::gouraud;
+    choose_shading(front, context);
+    points.is_used = false;
+    for (std::uint32_t d = 0; d < front.shading.size(); ++d)
+        points.is_used = points.is_used || is_lit_at_corners(front, d);
     if (!points.is_used) return points;
     clear(front, points);
     context.parallel_for(binned.runs.size(), [&](std::size_t r) {
@@ -193,7 +198,7 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
         Batch batch;
         gather(front, task, light, batch);
         if (context.cancelled() || batch.count == 0) return;
-        run_kernel(material_job(front, lights, front.list.draws[task.draw].material), kernels, batch);
+        run_kernel(draw_job(front, lights, task.draw), kernels, batch);
         scatter(batch, light.side[task.side]);
         evaluations += batch.count;
         if (task.side == 1) twice += batch.count_marked(light.marks, 3);

@@ -58,13 +58,19 @@ struct DrawLight {
 };
 
 struct LightPoints {
-    bool is_used = false;          ///< not in unlit and Phong pictures
+    bool is_used = false;          ///< some draw is shaded flat or by Gouraud
     std::vector<DrawLight> draws;  ///< [draws]
 };
 
-/// Lights the faces, or the vertices of the faces, that are in a tile's bin; counts them in front.stats. Each is lit
-/// once, however many pieces clipping made and however many tiles it touches. A mesh without normals is lit per face in
-/// both. Nothing in unlit and Phong pictures. Same bits for any number of threads and instruction set.
+/// How often lighting is evaluated on each draw, into front.shading. After transform_draws(); the same for any window.
+void choose_shading(FrontEnd& front, Context& context);
+/// Flat and Gouraud.
+bool is_lit_at_corners(const FrontEnd& front, std::uint32_t draw);
+
+/// Calls choose_shading(). Lights the faces, or the vertices of the faces, that are in a tile's bin; counts them in
+/// front.stats. Each is lit once, however many pieces clipping made and however many tiles it touches. A mesh without
+/// normals is lit per face in both. Nothing in unlit and Phong pictures. Same bits for any number of threads and
+/// instruction set.
 /// @throws Error bad_file where the points need more than PictureMemory allows; failed: cancelled
 LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,
                          const Kernels& kernels, LightPoints&& used, Context& context);
@@ -85,8 +91,7 @@ std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& poi
 /// Roughness with the mean of its map, as the points have it.
 float mean_roughness(const MaterialView& material);
 
-/// The part of a kernel's job that a material, the settings and the view say: no pixels.
-ShadeJob material_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights,
-                      std::uint32_t material);
+/// The part of a kernel's job that a draw's material, the settings and the view say: no pixels.
+ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights, std::uint32_t draw);
 
 }  // namespace rakelight::raster

@@ -130,12 +130,10 @@ std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& poi
     return out;
 }
 
-ShadeJob material_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights,
-                      std::uint32_t material) {
+ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights, std::uint32_t draw) {
     const RenderSettings& settings = front.settings;
     ShadeJob out{};
-    const MaterialView& view = front.list.materials[material].view;
-    const bool is_per_pixel = settings.shading != Shading::flat && settings.shading != Shading::gouraud;
+    const MaterialView& view = front.list.materials[front.list.draws[draw].material].view;
     out.material = &view;
     out.lights = lights.data();
     out.light_count = std::int32_t(lights.size());
@@ -145,8 +143,8 @@ ShadeJob material_job(const FrontEnd& front, const std::vector<lighting::LightPa
                               : settings.specular_form == SpecularForm::normalized;
     out.specular_horizon = settings.specular_horizon;
     out.orthogonalize = settings.orthogonalize;
-    out.bump = settings.bump != Bump::none && is_per_pixel;
-    out.unlit = view.unlit || settings.shading == Shading::unlit;
+    out.bump = settings.bump != Bump::none && !is_lit_at_corners(front, draw);
+    out.unlit = view.unlit || front.shading[draw] == Shading::unlit;
     out.orthographic = out.affine = front.view.orthographic;
     const dvec3 back = front.view.camera_to_world[2].xyz();
     out.view_direction[0] = float(back.x), out.view_direction[1] = float(back.y), out.view_direction[2] = float(back.z);

@@ -153,7 +153,7 @@ void set_ray(const View& view, int tile_x, int tile_y, ShadeJob& out) {
 }  // namespace
 
 ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y, std::size_t count, TileScratch& s) {
-    ShadeJob out = material_job(job.front, job.lights, job.front.list.draws[draw].material);
+    ShadeJob out = draw_job(job.front, job.lights, draw);
     set_ray(job.front.view, tile_x, tile_y, out);
     out.count = std::int32_t(count);
     for (std::size_t i = 0; i < batch_padding; ++i) {  // dead lanes repeat the last pixel
@@ -163,7 +163,7 @@ ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y
     out.pixel = s.pixel.data();
     out.triangle = s.triangle.data();
     out.triangles = s.triangles.data();
-    if (job.points.is_used) out.lit = s.lit.data();
+    if (is_lit_at_corners(job.front, draw)) out.lit = s.lit.data();
     out.red = s.red.data();
     out.green = s.green.data();
     out.blue = s.blue.data();

@@ -170,7 +170,7 @@ void make_records(const TileJob& job, std::uint32_t draw, std::span<const Screen
     const bool has_piece = job.kernels.record(&kernel_job) != 0;
     for (std::size_t i = 0; i < triangles.size() && has_piece; ++i)
         if (triangles[i]->is_piece) make_piece_record(d, *triangles[i], tile_x, tile_y, s.triangles[i]);
-    if (!job.points.is_used) return;
+    if (!is_lit_at_corners(job.front, draw)) return;
     s.lit.resize(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i)
         make_lit_triangle(job.front, job.points, *triangles[i], s.triangles[i], s.lit[i]);

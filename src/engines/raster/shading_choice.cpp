@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// How often lighting is evaluated on each draw: by the settings, by rules for objects and materials, or by the size of
+// its triangles.
+#include <algorithm>
+
+#include "engines/raster/light_points.h"
+
+namespace rakelight::raster {
+namespace {
+
+/// A node's own name counts, and those of all it hangs from.
+bool is_part_of(const Scene& scene, std::uint32_t node, const std::string& name) {
+    for (; node != none; node = scene.nodes[node].parent)
+        if (scene.nodes[node].name == name) return true;
+    return false;
+}
+
+Shading wanted(const FrontEnd& front, const Draw& draw) {
+    const Scene& scene = front.list.scene;
+    const std::uint32_t material = front.list.materials[draw.material].scene_material;
+    Shading shading = front.settings.shading;
+    for (const ShadingRule& rule : front.settings.shading_rules) {  // later ones win
+        const bool fits = rule.of == ShadingRule::Of::object
+                              ? is_part_of(scene, draw.node, rule.name)
+                              : material != none && scene.materials[material].name == rule.name;
+        if (fits) shading = rule.shading;
+    }
+    return shading;
+}
+
+/// Gouraud shading has neither the bumps of a normal map nor a roughness that changes from pixel to pixel.
+bool needs_pixels(const FrontEnd& front, const MaterialView& m) {
+    return m.metallic_roughness_map.view || (front.settings.bump != Bump::none && m.normal_map.view);
+}
+
+/// Whether no edge of a triangle that the whole picture (not only its window) may show is longer than this.
+bool edges_are_within(const FrontEnd& front, std::uint32_t number, double pixels) {
+    const std::vector<ScreenVertex>& screen = front.screen[number];
+    const Block<std::uint32_t>& indices = front.list.scene.meshes[front.list.draws[number].mesh].indices;
+    constexpr std::uint32_t all_codes = (1u << outcode_bits) - 1;
+    const double limit = pixels * (1 << subpixel_bits), square = limit * limit;
+    const auto is_long = [square](const ScreenVertex& a, const ScreenVertex& b) {
+        const double dx = double(a.x) - double(b.x), dy = double(a.y) - double(b.y);
+        return dx * dx + dy * dy > square;
+    };
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        const ScreenVertex &a = screen[indices[i]], &b = screen[indices[i + 1]], &c = screen[indices[i + 2]];
+        if ((a.bits & b.bits & c.bits & all_codes) != 0) continue;  // outside of one plane
+        const std::uint32_t any = (a.bits | b.bits | c.bits) & all_codes;
+        if ((any & cutting_planes) != 0 || is_long(a, b) || is_long(b, c) || is_long(c, a)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void choose_shading(FrontEnd& front, Context& context) {
+    const Shading for_all = front.settings.shading;
+    front.shading.assign(front.list.draws.size(), for_all);
+    if (for_all != Shading::automatic && front.settings.shading_rules.empty()) return;
+    context.parallel_for(front.list.draws.size(), [&](std::size_t d) {
+        const Draw& draw = front.list.draws[d];
+        Shading shading = wanted(front, draw);
+        if (shading == Shading::automatic) {
+            const bool is_fine = !front.clip[d].empty() &&
+                                 !needs_pixels(front, front.list.materials[draw.material].view) &&
+                                 edges_are_within(front, std::uint32_t(d), automatic_gouraud_px);
+            shading = is_fine ? Shading::gouraud : Shading::phong;
+        }
+        front.shading[d] = shading;
+    });
+}
+
+bool is_lit_at_corners(const FrontEnd& front, std::uint32_t draw) {
+    return front.shading[draw] == Shading::flat || front.shading[draw] == Shading::gouraud;
+}
+
+}  // namespace rakelight::raster
