@@ -111,7 +111,8 @@ inline uint32_t draw_block(const NearestJob& job, const CoverageVector& c, int i
     const real depth = min(max(plane, real(c.low[i])), real(c.high[i]));
     const int32_t at = y * tile_size + x;
     const mask nearer = covered && depth > load_block(job.depth + at, tile_size);  // the first of equals stays
-    if (no_lane(nearer)) return 0;
+    if constexpr (lanes < 8)  // a store of nothing is cheaper than a branch that is often guessed wrong
+        if (no_lane(nearer)) return 0;
     store_block(job.depth + at, tile_size, depth, nearer);
     store_block(job.visible + at, tile_size, integer(position), nearer);
     return uint32_t(__builtin_popcount(lane_bits(nearer)));
