@@ -36,6 +36,7 @@ struct CoverageVector {
 inline mask set_coverage_vector(const NearestJob& job, const TriangleRow* const* rows, CoverageVector& c) {
     integer x[3], y[3], fine_x[3], fine_y[3];
     real key[3];
+    // 1. Corners about the tile, and the box.
     const integer origin_x(job.tile_x << subpixel_bits), origin_y(job.tile_y << subpixel_bits);
     for (int k = 0; k < 3; ++k) {
         real v[4];
@@ -53,6 +54,7 @@ inline mask set_coverage_vector(const NearestJob& job, const TriangleRow* const*
     const mask is_seen = high > real(job.farthest) && max(left, integer(job.left)) <= min(right, integer(job.right)) &&
                          max(top, integer(job.top)) <= min(bottom, integer(job.bottom));
     if (no_lane(is_seen)) return is_seen;
+    // 2. Edge functions with the top-left rule.
     const integer px = (left << subpixel_bits) + after, py = (top << subpixel_bits) + after;
     integer dx[3], dy[3];
     for (int k = 0; k < 3; ++k) {
@@ -67,7 +69,7 @@ inline mask set_coverage_vector(const NearestJob& job, const TriangleRow* const*
         store(c.step_x[k], to_real(zero - dy[k]));
         store(c.step_y[k], to_real(dx[k]));
     }
-    // The plane of the keys through the true corners, in double: its numerators are exact, whatever the order of the
+    // 3. The plane of the keys through the true corners, in double: its numerators are exact, whatever the order of the
     // corners.
     const real_double x1 = to_double((dx[0] << fine_bits) + fine_x[1] - fine_x[0]),
                       y1 = to_double((dy[0] << fine_bits) + fine_y[1] - fine_y[0]);

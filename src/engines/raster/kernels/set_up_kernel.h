@@ -47,6 +47,7 @@ inline void copy_vertex(TriangleRow& row, int corner, const ScreenVertex& v) {
 inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_there, uint32_t first, TriangleRow* rows,
                              uint32_t* tiles) {
     const integer zero(0), everywhere = broadcast_i(int32_t(outside_all));
+    // 1. Corners; who is wholly outside, and who is left to plain functions.
     integer x[3], y[3], code[3];
     for (int k = 0; k < 3; ++k) {
         real v[4];
@@ -64,6 +65,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     const mask is_slow = is_rest && ((any & integer(int32_t(cutting_planes))) != zero || !is_small);
     mask passes = is_rest && !is_slow;
 
+    // 2. Area and side.
     const integer dx1 = select(passes, x[1] - x[0], zero), dy1 = select(passes, y[1] - y[0], zero);
     const integer dx2 = select(passes, x[2] - x[0], zero), dy2 = select(passes, y[2] - y[0], zero);
     const integer area = dx1 * dy2 - dx2 * dy1;
@@ -77,6 +79,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     job.culled_back += count_lanes(is_culled);
     if (no_lane(passes || is_slow)) return 0;
 
+    // 3. The pixel centers of the box, and of small boxes those inside.
     TriangleVector t;
     t.is_swapped = area < zero;
     t.x[0] = x[0], t.x[1] = select(t.is_swapped, x[2], x[1]), t.x[2] = select(t.is_swapped, x[1], x[2]);
@@ -96,6 +99,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
 
     job.culled_outside += count_lanes(is_missed);
 
+    // 4. The tile, and the rows of those that are left.
     const integer tile_x = t.left >> tile_bits, tile_y = t.top >> tile_bits;
     const mask is_in_one = tile_x == t.right >> tile_bits && tile_y == t.bottom >> tile_bits;
     const integer tile =
