@@ -42,10 +42,23 @@ Examples:
   rakelight render chair.glb -o chair.png --background transparent \
       --channels depth,normal
       With alpha; depth and normals go to chair.depth.exr and chair.normal.exr.
+  rakelight render chair.glb -o chair.exr --channels all --channel-files layers
+      One EXR: R, G, B and the layers depth.Z, normal.X, normal.Y, ...
 
-Channels (EXR, 32-bit floats): depth in meters along the view axis, +inf where
-nothing is; normal in world space, 0 where nothing is; object and material as
-numbers from 0, -1 where nothing is.
+Channels, of the nearest opaque surface; lengths in meters, directions in world
+space:
+  depth                 along the view axis; +inf where nothing is
+  normal, face-normal   as it is lit, and of the triangle's plane; unit
+  tangent               and the sign of the bitangent
+  uv, uv1               texture coordinates, v down
+  position              in world space
+  object, mesh, material, triangle   numbers from 0; -1 where nothing is (UINT
+                        layers: 4294967295)
+  barycentric           weights of the triangle's corners
+  overdraw              opaque surfaces over the pixel, hidden ones too
+  base-color            before lighting
+  lighting              ambient, diffuse, specular, emission: their sum is the color
+All else is 0 where nothing is.
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
 4 file broken or nothing to draw; of several inputs the largest. A signal ends
 the program as that signal (130 and 143 in a shell).)";

@@ -28,13 +28,26 @@ void apply_size(const RenderWords& w, RenderSettings& s) {
         if (s.window.width < 1 || s.window.height < 1) throw Error(ErrorCode::usage, "--window: the window is empty");
     }
     if (!w.background.empty()) s.background = background("--background", w.background);
-    if (w.channels.empty()) return;
-    for (const std::string_view name : split(w.channels, ','))
-        s.channels |= word<std::uint32_t>("--channels", name,
-                                          {{"depth", channel_depth},
-                                           {"normal", channel_normal},
-                                           {"object", channel_object},
-                                           {"material", channel_material}});
+}
+
+void apply_channels(const RenderWords& w, PictureRequest& request) {
+    for (const std::string_view name : w.channels.empty() ? std::vector<std::string_view>() : split(w.channels, ',')) {
+        try {
+            request.settings.channels |= channels_by_name(name);
+        } catch (const Error& error) {
+            throw Error(error.code(), "--channels: " + error.reason(), {}, error.advice());
+        }
+    }
+    if (!w.channel_files.empty()) request.channel_files = 0;
+    for (const std::string_view way :
+         w.channel_files.empty() ? std::vector<std::string_view>() : split(w.channel_files, ','))
+        request.channel_files |= word<std::uint32_t>(
+            "--channel-files", way,
+            {{"exr", channel_files_exr}, {"layers", channel_files_layers}, {"png", channel_files_png}});
+    if (!w.channel_files.empty() && w.channels.empty())
+        throw Error(ErrorCode::usage, "--channel-files says how channels are written, but --channels asks for none");
+    if (!w.exr_colors.empty())
+        request.half_colors = word<bool>("--exr-colors", w.exr_colors, {{"float", false}, {"half", true}});
 }
 
 Shading shading_word(std::string_view text) {
@@ -213,6 +226,7 @@ void apply(const RenderWords& words, PictureRequest& request) {
     request.output = words.output;
     request.engine = words.engine;
     apply_size(words, request.settings);
+    apply_channels(words, request);
     apply_lighting(words, request.settings);
     apply_lines(words, request.settings);
     apply_normals(words, request.prepare);

@@ -14,7 +14,7 @@ namespace rakelight::cli {
 
 /// The words as given; empty where not given.
 struct RenderWords {
-    std::string output, engine = "soft", resolution, window, background, channels;
+    std::string output, engine = "soft", resolution, window, background, channels, channel_files, exr_colors;
     std::vector<std::string> shading;
     std::string lighting, specular, specular_horizon, bump, front_face, cull, visibility;
     std::string line_width, line_color, points, point_size;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole way of one picture: load -> prepare -> camera and lights -> engine -> files, strip by strip.
 #include <algorithm>
+#include <cstdio>
 #include <new>
 
 #include "render/drawable.h"
@@ -17,6 +18,16 @@ namespace {
 std::uint64_t count_objects(const Scene& scene) {
     return std::uint64_t(
         std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
+}
+
+/// What the scales of PNG channels mean.
+std::string said(const ViewRange& r) {
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "PNG channels: depth from %.6g m (white) to %.6g m (dark gray), position from %.6g,%.6g,%.6g to "
+                  "%.6g,%.6g,%.6g m (0 to 1 in red, green, blue)",
+                  r.depth_low, r.depth_high, r.low.x, r.low.y, r.low.z, r.high.x, r.high.y, r.high.z);
+    return text;
 }
 
 }  // namespace
@@ -83,6 +94,8 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
 
     context.progress("render", 0);
     draw_to_files(engine, camera, request, result, context);
+    if (request.settings.channels && (request.channel_files & channel_files_png))
+        context.report().add(Remark::note, request.input, "", said(result.view_range));
     if (result.stats.pixels_shaded + result.stats.pixels_marked == 0)  // blended surfaces cover nothing, but are seen
         context.report().add(Remark::warning, request.input, "", "no pixel of the picture shows the model");
     return result;

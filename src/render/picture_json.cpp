@@ -37,6 +37,10 @@ void add_result(Json& row, const PictureResult& r) {
     row["render_ms"] = r.render_ms;
     row["write_ms"] = r.write_ms;
     row["channel_files"] = r.channel_files;
+    const ViewRange& range = r.view_range;
+    row["view_range"] = {
+        {"depth_m", {range.depth_low, range.depth_high}},
+        {"position_m", {{range.low.x, range.low.y, range.low.z}, {range.high.x, range.high.y, range.high.z}}}};
     row["stats"] = stats_json(r.stats);
 }
 

@@ -137,6 +137,28 @@ struct LightJob {
     float* specular[3];
 };
 
+/// Arrays of ChannelJob: the first of each channel's components.
+enum ChannelPlaneNumber : int32_t {
+    plane_position = 0,
+    plane_barycentric = 3,
+    plane_uv = 6,
+    plane_uv1 = 8,
+    plane_tangent = 10,
+    plane_base_color = 14,
+    plane_ambient = 17,
+    plane_diffuse = 20,
+    plane_specular = 23,
+    plane_emission = 26,
+    channel_planes = 29,
+};
+
+/// Data of the pixels of a ShadeJob beside their color.
+struct ChannelJob {
+    const ShadeJob* shade;
+    int32_t needs_terms;         ///< one of ambient, diffuse, specular and emission is wanted
+    float* out[channel_planes];  ///< [count] each; null: not wanted. Positions are about the eye
+};
+
 /// The functions that exist once per instruction set.
 struct Kernels {
     int32_t lanes;
@@ -153,6 +175,7 @@ struct Kernels {
     int32_t (*shade)(const ShadeJob* job);  ///< returns how many components came out not finite: they are 0
     void (*alpha)(const ShadeJob* job);    ///< only `alpha` is written: for masks
     void (*light)(const LightJob* job);
+    void (*channels)(const ChannelJob* job);
 };
 
 namespace scalar { const Kernels* kernels(); }

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "engines/channel_arrays.h"
+#include "engines/raster/channels_tile.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
@@ -135,6 +136,7 @@ void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink&
     find_visible(job, tile, scratch);
     scratch.times.visibility += clock.lap();
     const bool blends = shade_opaque(job, tile, scratch);
+    if (job.front.settings.channels & channel_overdraw) count_overdraw(job, tile, scratch);
     scratch.times.shading += clock.lap();
     if (blends) blend_transparent(job, tile, scratch);
     scratch.times.blending += clock.lap();
@@ -188,8 +190,9 @@ public:
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
-        const double waited = draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8(), false, &marks}, sink, context,
-                   front.stats);
+        const double waited = draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points,
+                                          sink.takes_srgb8(), (settings.channels & channel_uv1) != 0, &marks},
+                                         sink, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;
         clip_ = std::move(front.clip);

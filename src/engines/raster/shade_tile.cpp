@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "engines/raster/channels_tile.h"
 #include "engines/raster/coverage.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
@@ -45,6 +46,7 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
         s.color[std::size_t(s.pixel[i])] = {s.red[i], s.green[i], s.blue[i], 1.0f};
     for (std::size_t i = 0; i < count && with_normal; ++i)
         s.normal[std::size_t(s.pixel[i])] = {s.normal_x[i], s.normal_y[i], s.normal_z[i]};
+    if (job.front.settings.channels & further_channels) fill_channels(job, batch, draw, s);
 }
 
 /// The records of what `count` pixels of the batch arrays show, each once, in the order of their first pixels.
@@ -128,6 +130,7 @@ void set_background(const RenderSettings& settings, bool to_srgb8, TileScratch& 
     if (settings.channels & channel_normal) std::fill(s.normal.begin(), s.normal.end(), vec3{});
     if (settings.channels & channel_object) std::fill(s.object.begin(), s.object.end(), none);
     if (settings.channels & channel_material) std::fill(s.material.begin(), s.material.end(), none);
+    if (settings.channels & further_channels) clear_channels(settings.channels, s);
 }
 
 bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs) {

@@ -42,6 +42,7 @@ struct TileScratch : ChannelArrays {
     /// For tools: called after each blended triangle was laid over, with the number of its pixels (`pixel`); `alpha`
     /// are its own, `color` is what came of it.
     std::function<void(std::size_t count)> on_layer;
+    std::vector<float> channel_values;  ///< [channel_planes][tile_pixels + batch_padding] where channels need them
     std::vector<ShadeTriangle> triangles;
     std::vector<LitTriangle> lit;        ///< beside `triangles` in flat and Gouraud pictures
     std::vector<const TriangleRow*> rows;       ///< of the records that are made, padded

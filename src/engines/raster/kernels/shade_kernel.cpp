@@ -242,8 +242,14 @@ static void alpha(const ShadeJob* job) {
     }
 }
 
+}  // namespace rakelight::raster::RL_ISA
+
+#include "engines/raster/kernels/channel_kernel.h"  // here: it calls the functions above
+
+namespace rakelight::raster::RL_ISA {
+
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, collect, number, record, shade, alpha, light};
+    static constexpr Kernels table = {lanes, collect, number, record, shade, alpha, light, channels};
     return &table;
 }
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Data channels of a run of pixels, from the same functions as their color. Runs only where somebody asked. Part of
+// shade_kernel.cpp, whose functions it calls. Per instruction set.
+#pragma once
+
+namespace rakelight::raster::RL_ISA {
+
+/// The terms whose sum is lit_color().
+struct ColorTerms {
+    vec3 ambient, diffuse, specular, emission;
+};
+
+inline ColorTerms color_terms(const ShadeJob& job, const Pixels& p, const BaseColor& base,
+                              const lit::Surface& surface) {
+    const vec3 zero(real(0.0f));
+    ColorTerms sum = {zero, zero, zero, emission_of(*job.material, p)};
+    if (job.unlit != 0) {
+        sum.emission = lit::unlit(rgb(base.color), sum.emission);
+    } else if (job.lit != nullptr) {
+        const ReceivedLight received = interpolate_light(job.lit, p.triangle, p.b);
+        sum.ambient = surface.ambient * received.ambient;
+        sum.diffuse = surface.diffuse * received.diffuse;
+        sum.specular = surface.specular * received.specular;
+    } else {
+        const ReceivedLight reflected = receive(job, surface, p.position);
+        sum.ambient = reflected.ambient;
+        sum.diffuse = reflected.diffuse;
+        sum.specular = reflected.specular;
+    }
+    return sum;
+}
+
+/// Tangent as normal maps use it, and the sign that makes bitangent = cross(normal on the side that is lit, tangent) w.
+/// 0 where the mesh has none.
+inline vec4 tangent_of(const ShadeJob& job, const Pixels& p) {
+    const vec3 n = safe_normalize(interpolate3(p.records, p.b, offsetof(ShadeTriangle, normal)));
+    const vec3 along = interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent));
+    const vec3 across = lit::orthogonal_tangent(n, along);
+    const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(along, across);
+    const real w = p.records(offsetof(ShadeTriangle, handedness)) * p.records(offsetof(ShadeTriangle, facing));
+    const mask has_tangent = dot(along, along) > real(0.0f);
+    const real zero(0.0f);
+    return vec4(select(has_tangent, t.x, zero), select(has_tangent, t.y, zero), select(has_tangent, t.z, zero),
+                select(has_tangent, w, zero));
+}
+
+inline void put3(const ChannelJob& job, int32_t plane, int32_t first, vec3 v) {
+    if (job.out[plane] == nullptr) return;
+    store(job.out[plane] + first, v.x);
+    store(job.out[plane + 1] + first, v.y);
+    store(job.out[plane + 2] + first, v.z);
+}
+
+inline void put_places(const ChannelJob& job, int32_t first, const Pixels& p) {
+    put3(job, plane_position, first, p.position);
+    put3(job, plane_barycentric, first, vec3(real(1.0f) - p.b.b1 - p.b.b2, p.b.b1, p.b.b2));
+    for (int32_t set = 0; set < 2; ++set) {
+        const int32_t plane = plane_uv + 2 * set;
+        if (job.out[plane] == nullptr) continue;
+        const vec2 uv = texcoords(p.records, p.b, set).uv;
+        store(job.out[plane] + first, uv.x);
+        store(job.out[plane + 1] + first, uv.y);
+    }
+}
+
+static void channels(const ChannelJob* given) {
+    const ChannelJob& job = *given;
+    const ShadeJob& shade = *job.shade;
+    const bool needs_color = job.out[plane_base_color] != nullptr || job.needs_terms != 0;
+    for (int32_t i = 0; i < shade.count; i += lanes) {
+        Pixels p;
+        p.find(shade, i);
+        put_places(job, i, p);
+        if (job.out[plane_tangent] != nullptr) {
+            const vec4 t = tangent_of(shade, p);
+            put3(job, plane_tangent, i, vec3(t.x, t.y, t.z));
+            store(job.out[plane_tangent + 3] + i, t.w);
+        }
+        if (!needs_color) continue;
+        find_texcoords(*shade.material, p);
+        const BaseColor base = base_color(*shade.material, p);
+        put3(job, plane_base_color, i, rgb(base.color));
+        if (job.needs_terms == 0) continue;
+        lit::Surface surface = reflectance_of(*shade.material, p, base);
+        surface.n = shading_normal(shade, p);
+        surface.v = to_viewer(shade, p.position);
+        const ColorTerms terms = color_terms(shade, p, base, surface);
+        put3(job, plane_ambient, i, terms.ambient);
+        put3(job, plane_diffuse, i, terms.diffuse);
+        put3(job, plane_specular, i, terms.specular);
+        put3(job, plane_emission, i, terms.emission);
+    }
+}
+
+}  // namespace rakelight::raster::RL_ISA
