@@ -169,6 +169,10 @@ void add_render_options(CLI::App& app, RenderWords& w) {
         "(z-buffer of the textbook's depth), painter (triangles sorted by depth), none (the last drawn stays), "
         "back-face (none, "
         "and back faces are left out)");
+    add(app, "Shading", "--interpolation", w.interpolation, "HOW",
+        "Attributes between the corners of a triangle: perspective (default: correct) or screen (linear on the "
+        "picture, as old "
+        "hardware had it)");
     add_line_options(app, w);
     add_normal_options(app,
                        "auto (default: the file's, else as its format says, else model), file, flat, object (smooth "

@@ -104,6 +104,10 @@ void apply_lighting(const RenderWords& w, RenderSettings& s) {
         s.front_face = word<FrontFace>("--front-face", w.front_face,
                                        {{"ccw", FrontFace::counter_clockwise}, {"cw", FrontFace::clockwise}});
     s.orthogonalize = w.orthogonalize != "off";
+    if (!w.interpolation.empty())
+        s.interpolation = word<AttributeInterpolation>(
+            "--interpolation", w.interpolation,
+            {{"perspective", AttributeInterpolation::perspective}, {"screen", AttributeInterpolation::screen}});
     if (!w.visibility.empty())
         s.visibility = word<Visibility>("--visibility", w.visibility,
                                         {{"z-reversed", Visibility::z_reversed},

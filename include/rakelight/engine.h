@@ -45,6 +45,10 @@ enum class Cull : std::uint8_t { automatic, none, back, front };  ///< automatic
 /// left out where Cull is automatic.
 enum class Visibility : std::uint8_t { z_reversed, z_float, z16, z24, z32, painter, none, back_face };
 
+/// How a pixel's attributes come from its triangle's corners: correct in perspective, or linear on the screen, as old
+/// hardware had it (textures bend at the edges of triangles).
+enum class AttributeInterpolation : std::uint8_t { perspective, screen };
+
 /// How vertices are shown, if at all.
 enum class PointShape : std::uint8_t { none, square, disc };
 
@@ -95,6 +99,7 @@ struct RenderSettings {
     FrontFace front_face = FrontFace::counter_clockwise;
     Cull cull = Cull::automatic;
     Visibility visibility = Visibility::z_reversed;
+    AttributeInterpolation interpolation = AttributeInterpolation::perspective;
     bool surfaces = true;  ///< triangles are filled; false: only lines and points are drawn
     bool edges = false;    ///< edges of the triangles that culling leaves, over the picture
     PointShape points =

@@ -55,6 +55,18 @@ class Visibility(program.Case):
             self.assertEqual(run.code, 0, run.err)
         self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
 
+    def test_interpolation_on_the_screen_bends_textures(self):
+        model = DATA.parents[1] / "tests/golden/models/floor.obj"
+        view = ("--camera-position", "0,1.2,4", "--camera-focal-point", "0,0.8,0", "--camera-view-angle", "60", "--shading", "unlit")
+        pictures = []
+        for words in ((), ("--interpolation", "perspective"), ("--interpolation", "screen")):
+            run = self.run_program("render", model, "-o", "out.png", "--resolution", "96,72", *view, *words)
+            self.assertEqual((run.code, run.err), (0, ""))
+            pictures.append((self.folder / "out.png").read_bytes())
+        self.assertEqual(pictures[0], pictures[1])
+        self.assertNotEqual(pictures[0], pictures[2])
+        self.check_refused(self.run_program("render", model, "-o", "a.png", "--interpolation", "linear"), 2, "--interpolation")
+
     def test_an_unknown_method_is_wrong_usage(self):
         run = self.run_program("render", "builtin:teapot", "-o", "out.png", "--visibility", "w-buffer")
         self.check_refused(run, 2, "--visibility", "w-buffer", "painter")

@@ -97,6 +97,11 @@ struct FrontEnd {
     std::vector<Shading> shading;  ///< [draws] never automatic; choose_shading()
 };
 
+/// Whether attributes are linear on the screen.
+inline bool is_affine(const FrontEnd& front) {
+    return front.view.orthographic || front.settings.interpolation == AttributeInterpolation::screen;
+}
+
 /// Clip space -> screen: x = x / w * scale_x + offset_x, floored, about snap_origin; likewise y and the depth key.
 struct ScreenMap {
     explicit ScreenMap(const View& view);

@@ -145,7 +145,8 @@ ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParame
     out.orthogonalize = settings.orthogonalize;
     out.bump = settings.bump != Bump::none && !is_lit_at_corners(front, draw);
     out.unlit = view.unlit || front.shading[draw] == Shading::unlit;
-    out.orthographic = out.affine = front.view.orthographic;
+    out.orthographic = front.view.orthographic;
+    out.affine = is_affine(front);
     const dvec3 back = front.view.camera_to_world[2].xyz();
     out.view_direction[0] = float(back.x), out.view_direction[1] = float(back.y), out.view_direction[2] = float(back.z);
     return out;

@@ -53,6 +53,30 @@ void set_planes(const DrawRecords& d, const ScreenTriangle& s, const std::uint32
     }
 }
 
+/// Interpolation on the screen of what clipping left: barycentrics are right at its corners and linear between them, as
+/// where clipping makes new vertices. From the planes b1 / w, b2 / w and 1 / w.
+void flatten_planes(const ScreenTriangle& s, int tile_x, int tile_y, ShadeTriangle& out) {
+    double x[3], y[3], b[2][3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        x[k] = double(s.x(k)) / (1 << subpixel_bits) - tile_x - 0.5;
+        y[k] = double(s.y(k)) / (1 << subpixel_bits) - tile_y - 0.5;
+        const auto at = [&](const float(&p)[3]) { return double(p[0]) * x[k] + double(p[1]) * y[k] + double(p[2]); };
+        const double per_w = at(out.depth), w = per_w > 0 ? 1 / per_w : 0;
+        b[0][k] = at(out.b1) * w;
+        b[1][k] = at(out.b2) * w;
+    }
+    const double x1 = x[1] - x[0], y1 = y[1] - y[0], x2 = x[2] - x[0], y2 = y[2] - y[0],
+                 per_area = 1 / (x1 * y2 - x2 * y1);
+    float(*const planes[2])[3] = {&out.b1, &out.b2};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double d1 = b[i][1] - b[i][0], d2 = b[i][2] - b[i][0];
+        const double slope_x = (d1 * y2 - d2 * y1) * per_area, slope_y = (d2 * x1 - d1 * x2) * per_area;
+        (*planes[i])[0] = float(slope_x);
+        (*planes[i])[1] = float(slope_y);
+        (*planes[i])[2] = float(b[i][0] - slope_x * x[0] - slope_y * y[0]);
+    }
+}
+
 /// a0, a1 - a0, a2 - a0 of a vector attribute.
 void set_deltas(float (&to)[3][3], const dvec3 (&a)[3]) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -95,6 +119,8 @@ void make_piece_record(const DrawRecords& d, const ScreenTriangle& s, int tile_x
     for (std::size_t k = 0; k < 3; ++k) index[k] = mesh.indices[3 * std::size_t(s.triangle) + k];
     out = {};
     set_planes(d, s, index, tile_x, tile_y, out);
+    if (d.front.settings.interpolation == AttributeInterpolation::screen && !d.front.view.orthographic)
+        flatten_planes(s, tile_x, tile_y, out);
     dvec3 position[3], normal[3], tangent[3];
     out.handedness = float(d.mirror);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -150,7 +176,8 @@ RecordJob record_job(const DrawRecords& d, std::uint32_t number, bool whole) {
     job.mirror = float(d.mirror);
     job.by_winding = !d.material.classical;
     job.whole = whole || d.material.view.vertex_colors || uses_second_set(d.material.view);
-    job.orthographic = job.affine = d.front.view.orthographic;
+    job.orthographic = d.front.view.orthographic;
+    job.affine = is_affine(d.front);
     return job;
 }
 
