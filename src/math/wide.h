@@ -22,10 +22,19 @@
 #error "math/wide.h belongs in sources that are compiled per instruction set: rl_add_isa_sources()"
 #endif
 
+// The namespace of what the processor takes at once: all of it, or with RL_WIDE_PAIRS half.
+#if defined(RL_WIDE_PAIRS)
+#define RL_WIDE_PART RL_ISA::half
+#else
+#define RL_WIDE_PART RL_ISA
+#endif
 #if defined(RL_ISA_scalar)
 #include "math/wide_scalar.h"
 #else
 #include "math/wide_xsimd.h"
+#endif
+#if defined(RL_WIDE_PAIRS)
+#include "math/wide_pair.h"
 #endif
 #include "math/wide_functions.h"
 #include "math/wide_vector.h"

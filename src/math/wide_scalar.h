@@ -10,6 +10,7 @@ using integer = int32_t;
 using mask = bool;
 constexpr int lanes = 1;
 
+inline real& part_of(real& x, int) { return x; }  ///< wide_pair.h has two
 inline real broadcast(float s) { return s; }
 inline integer broadcast_i(int32_t s) { return s; }
 inline integer lane_indices() { return 0; }  ///< 0, 1, 2, ...

@@ -14,7 +14,7 @@
 
 static_assert(XSIMD_VERSION_MAJOR == 8, "names and edge cases below were checked against xsimd 8.1");
 
-namespace rakelight::wide::RL_ISA {
+namespace rakelight::wide::RL_WIDE_PART {
 
 #if defined(RL_ISA_avx512)
 using arch = xsimd::avx512bw;
@@ -152,6 +152,7 @@ inline mask select(mask m, mask a, mask b) { return (m && a) || (!m && b); }
 // --- memory
 // --------------------------------------------------------------------------------------------------------------
 
+inline real& part_of(real& x, int) { return x; }  ///< wide_pair.h has two
 inline real broadcast(float s) { return real(s); }
 inline integer broadcast_i(int32_t s) { return integer(s); }
 inline real load(const float* p) { return real(RealBatch::load_unaligned(p)); }
@@ -309,4 +310,4 @@ inline real ceil(real x) { return real(RealBatch(_mm256_round_ps(x.v, _MM_FROUND
 #endif
 #endif
 
-}  // namespace rakelight::wide::RL_ISA
+}  // namespace rakelight::wide::RL_WIDE_PART

@@ -10,7 +10,7 @@
 
 namespace rakelight::raster {
 
-inline constexpr int batch_padding = 16;     ///< arrays of a batch may be read and written this far past their count
+inline constexpr int batch_padding = 32;     ///< arrays of a batch may be read and written this far past their count
 inline constexpr int max_mip_levels = 16;    ///< 32768 texels a side
 
 /// One texture as the kernel reads it: all levels in one array, rows tightly packed, row 0 on top.
@@ -162,16 +162,6 @@ struct ChannelJob {
 /// The functions that exist once per instruction set.
 struct Kernels {
     int32_t lanes;
-    /// Lists the pixels [tile_size * tile_size] whose `visible` is in begin..end-1, in order; returns their number.
-    /// Writes up to batch_padding past it.
-    int32_t (*collect)(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel);
-    /// Numbers what `count` pixels show, each triangle once, in the order of their first pixels: position in the tile's
-    /// list -> `record`, which is -1 before, pixel -> `triangle`, number -> `wanted`. Returns how many there are. Reads
-    /// `pixel` and writes `triangle` up to batch_padding past count: dead lanes must repeat a pixel.
-    int32_t (*number)(const int32_t* visible, const int32_t* pixel, int32_t count, int32_t* record, int32_t* triangle,
-                      int32_t* wanted);
-    /// Returns whether there are pieces (TriangleRow::is_piece): their records mean nothing.
-    int32_t (*record)(const RecordJob* job);
     int32_t (*shade)(const ShadeJob* job);  ///< returns how many components came out not finite: they are 0
     void (*alpha)(const ShadeJob* job);    ///< only `alpha` is written: for masks
     void (*light)(const LightJob* job);
@@ -181,6 +171,8 @@ struct Kernels {
 namespace scalar { const Kernels* kernels(); }
 namespace sse2 { const Kernels* kernels(); }
 namespace avx2 { const Kernels* kernels(); }
-namespace avx512 { const Kernels* kernels(); }
+namespace avx512x2 {
+const Kernels* kernels();
+}  // namespace avx512x2
 
 }  // namespace rakelight::raster

@@ -23,7 +23,8 @@ const Kernels* kernels_for(Isa isa) {
         case Isa::scalar: return scalar::kernels();
         case Isa::sse2: return sse2::kernels();
         case Isa::avx2: return avx2::kernels();
-        case Isa::avx512: return avx512::kernels();
+        case Isa::avx512:
+            return avx512x2::kernels();
     }
     return scalar::kernels();
 }

@@ -53,8 +53,8 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
 void find_records(const TileJob& job, std::size_t tile, std::uint32_t draw, std::size_t count, TileScratch& s) {
     const ScreenTriangle* const* const items = job.binned.items.data() + job.binned.offsets[tile];
     std::fill_n(s.pixel.begin() + std::ptrdiff_t(count), batch_padding, s.pixel[count - 1]);
-    const std::int32_t wanted = job.kernels.number(s.visible.data(), s.pixel.data(), std::int32_t(count),
-                                                   s.record.data(), s.triangle.data(), s.numbers.data());
+    const std::int32_t wanted = job.front.kernels.number(s.visible.data(), s.pixel.data(), std::int32_t(count),
+                                                         s.record.data(), s.triangle.data(), s.numbers.data());
     s.wanted.resize(std::size_t(wanted));
     for (std::size_t i = 0; i < s.wanted.size(); ++i) {
         s.wanted[i] = items[s.numbers[i]];
@@ -100,7 +100,7 @@ constexpr std::size_t most_passes =
 void shade_sorted(const TileJob& job, std::size_t tile, const std::vector<DrawRun>& runs, bool to_srgb8,
                   TileScratch& s) {
     s.sorted.resize(tile_pixels + batch_padding);
-    const auto count = std::size_t(job.kernels.collect(s.visible.data(), 0, runs.back().end, s.sorted.data()));
+    const auto count = std::size_t(job.front.kernels.collect(s.visible.data(), 0, runs.back().end, s.sorted.data()));
     const auto run_of = [&](std::int32_t pixel) {
         return std::partition_point(runs.begin(), runs.end(),
                                     [&](const DrawRun& r) { return r.end <= s.visible[std::size_t(pixel)]; });
@@ -185,8 +185,8 @@ bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     else
         for (const DrawRun& run : runs)
             shade_draw(job, tile, run.draw,
-                       std::size_t(job.kernels.collect(s.visible.data(), run.begin, run.end, s.pixel.data())), direct,
-                       s);
+                       std::size_t(job.front.kernels.collect(s.visible.data(), run.begin, run.end, s.pixel.data())),
+                       direct, s);
     return blends;
 }
 

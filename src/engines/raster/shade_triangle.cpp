@@ -194,7 +194,7 @@ void make_records(const TileJob& job, std::uint32_t draw, std::span<const Screen
     kernel_job.row = s.rows.data();
     kernel_job.tile_x = tile_x, kernel_job.tile_y = tile_y;
     kernel_job.out = s.triangles.data();
-    const bool has_piece = job.kernels.record(&kernel_job) != 0;
+    const bool has_piece = job.front.kernels.record(&kernel_job) != 0;
     for (std::size_t i = 0; i < triangles.size() && has_piece; ++i)
         if (triangles[i]->is_piece) make_piece_record(d, *triangles[i], tile_x, tile_y, s.triangles[i]);
     if (!is_lit_at_corners(job.front, draw)) return;

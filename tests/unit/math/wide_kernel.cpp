@@ -12,7 +12,7 @@ RL_USE_WIDE;
     for (int at = 0; at < in.count; at += lanes) {                                    \
         [[maybe_unused]] const float* pa = in.a + at;                                 \
         [[maybe_unused]] const int32_t* pi = (const int32_t*)(in.a + at);             \
-        [[maybe_unused]] const float* block = in.a + at / 16 * 16;                    \
+        [[maybe_unused]] const float* block = in.a + at / 32 * 32;                    \
         [[maybe_unused]] const int32_t* integer_block = (const int32_t*)block;        \
         [[maybe_unused]] const uint32_t* unsigned_block = (const uint32_t*)block;     \
         [[maybe_unused]] real a = load(pa), b = load(in.b + at), c = load(in.c + at); \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one flavour of the test kernel offers. `count` is a multiple of 16; blocks hold 16 elements.
+// What one flavour of the test kernel offers. `count` is a multiple of 32; blocks hold 32 elements.
 #pragma once
 #include <stdint.h>
 
@@ -39,6 +39,9 @@ namespace avx2 {
 extern const Kernel kernel;
 }
 namespace avx512 {
+extern const Kernel kernel;
+}
+namespace avx512x2 {  // pairs of vectors: math/wide_pair.h
 extern const Kernel kernel;
 }
 

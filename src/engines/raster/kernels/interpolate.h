@@ -6,44 +6,63 @@
 
 namespace rakelight::raster::RL_ISA {
 RL_USE_WIDE;
+namespace part = rakelight::wide::RL_WIDE_PART;
+using rakelight::wide::RL_ISA::part_of;
 
 /// Numbers of the triangles' records, one record a lane. Lanes of one triangle get them by one broadcast: a gather
-/// would read lane by lane, and neighbors mostly share a triangle.
+/// would read lane by lane, and neighbors mostly share a triangle. Halves of a pair apart: they show different
+/// triangles.
 struct Records {
-    int32_t count;  ///< of different triangles
-    const float* base[lanes];
-    mask lanes_of[lanes];
+    static constexpr int parts = lanes / part::lanes;
+    struct Part {
+        int32_t count;  ///< of different triangles
+        const float* base[part::lanes];
+        part::mask lanes_of[part::lanes];
+    };
+    Part of[parts];
 
     Records() = default;
     /// Records of `floats` floats each.
     Records(const float* records, int32_t floats, const int32_t* triangle) { find(records, floats, triangle); }
 
     void find(const float* records, int32_t floats, const int32_t* triangle) {
-        const integer all = load_i(triangle);
-        count = 1;
-        base[0] = records + int64_t(triangle[0]) * floats;
-        uint32_t others = lane_bits(all != integer(triangle[0]));
-        while (others != 0) {
-            const int32_t next = triangle[__builtin_ctz(others)];
-            const mask same = all == integer(next);
-            others &= ~lane_bits(same);
-            base[count] = records + int64_t(next) * floats;
-            lanes_of[count++] = same;
-        }
+        for (int p = 0; p < parts; ++p) find_part(records, floats, triangle + p * part::lanes, of[p]);
     }
 
     /// `n` numbers that follow one another.
     template <int n>
     void get(size_t member_offset, real* out) const {
         const int32_t at = int32_t(member_offset / sizeof(float));
-        for (int k = 0; k < n; ++k) out[k] = broadcast(base[0][at + k]);
-        for (int32_t i = 1; i < count; ++i)
-            for (int k = 0; k < n; ++k) out[k] = select(lanes_of[i], broadcast(base[i][at + k]), out[k]);
+        for (int p = 0; p < parts; ++p) get_part<n>(of[p], at, p, out);
     }
     real operator()(size_t member_offset) const {
         real one;
         get<1>(member_offset, &one);
         return one;
+    }
+
+private:
+    static void find_part(const float* records, int32_t floats, const int32_t* triangle, Part& to) {
+        const part::integer all = part::load_i(triangle);
+        to.count = 1;
+        to.base[0] = records + int64_t(triangle[0]) * floats;
+        uint32_t others = part::lane_bits(all != part::integer(triangle[0]));
+        while (others != 0) {
+            const int32_t next = triangle[__builtin_ctz(others)];
+            const part::mask same = all == part::integer(next);
+            others &= ~part::lane_bits(same);
+            to.base[to.count] = records + int64_t(next) * floats;
+            to.lanes_of[to.count++] = same;
+        }
+    }
+    template <int n>
+    static void get_part(const Part& from, int32_t at, int p, real* out) {
+        part::real v[n];
+        for (int k = 0; k < n; ++k) v[k] = part::broadcast(from.base[0][at + k]);
+        for (int32_t i = 1; i < from.count; ++i)
+            for (int k = 0; k < n; ++k)
+                v[k] = part::select(from.lanes_of[i], part::broadcast(from.base[i][at + k]), v[k]);
+        for (int k = 0; k < n; ++k) part_of(out[k], p) = v[k];
     }
 };
 

@@ -3,9 +3,7 @@
 // math/wide.h and what stands on it.
 #include <stddef.h>
 
-#include "engines/raster/kernels/collect_kernel.h"
 #include "engines/raster/kernels/light_kernel.h"
-#include "engines/raster/kernels/record_kernel.h"
 #include "engines/raster/kernels/sample.h"
 
 namespace rakelight::raster::RL_ISA {
@@ -156,7 +154,7 @@ inline integer srgb8(const uint32_t* table, real linear) {
 /// Vectors of pixels that go through the stages side by side: what one waits for another one fills (a pixel's own
 /// operations mostly depend on one another).
 struct Block {
-    static constexpr int32_t most = 4;
+    static constexpr int32_t most = lanes < 32 ? 4 : 2;
     int32_t count;  ///< of vectors
     Pixels pixels[most];
     BaseColor base[most];
@@ -249,7 +247,7 @@ static void alpha(const ShadeJob* job) {
 namespace rakelight::raster::RL_ISA {
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, collect, number, record, shade, alpha, light, channels};
+    static constexpr Kernels table = {lanes, shade, alpha, light, channels};
     return &table;
 }
 
