@@ -51,8 +51,16 @@ void refuse(const char* what, std::initializer_list<std::pair<const char*, const
 }
 
 void apply_smooth(const BenchWords& w, SmoothBenchOptions& o) {
-    refuse("smooth", {{"a scene", w.scene}, {"--lights", w.lights}, {"--engine", w.engines}, {"--resolution", w.resolution},
-                      {"--frames", w.frames}, {"--shading", w.shading}, {"--bump", w.bump}, {"--output", w.output}, {"--export", w.export_file}});
+    refuse("smooth", {{"a scene", w.scene},
+                      {"--lights", w.lights},
+                      {"--engine", w.engines},
+                      {"--resolution", w.resolution},
+                      {"--frames", w.frames},
+                      {"--samples", w.samples},
+                      {"--shading", w.shading},
+                      {"--bump", w.bump},
+                      {"--output", w.output},
+                      {"--export", w.export_file}});
     o.triangles =
         w.triangles.empty() ? 1'000'000 : std::uint64_t(count("--triangles", w.triangles, 100, 1'000'000'000));
     if (!w.objects.empty()) o.objects = std::uint32_t(count("--objects", w.objects, 1, 100'000));
@@ -92,6 +100,7 @@ void apply_render(const BenchWords& w, RenderBenchOptions& o) {
         const std::vector<int> size = integers("--resolution", w.resolution, 2);
         o.settings.width = size[0], o.settings.height = size[1];
     }
+    if (!w.samples.empty()) o.settings.samples = word<int>("--samples", w.samples, {{"1", 1}, {"4", 4}, {"8", 8}});
     if (!w.shading.empty())
         o.settings.shading = word<Shading>("--shading", w.shading,
                                            {{"unlit", Shading::unlit}, {"flat", Shading::flat}, {"gouraud", Shading::gouraud}, {"phong", Shading::phong}});
@@ -123,6 +132,7 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     add(render, "--engine", w.engines, "NAMES", "Engines, separated by commas; their pictures are interleaved (default soft)");
     add(render, "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1920,1080)");
     add(render, "--frames", w.frames, "N", "Counted pictures of each engine, after one that is not counted (default 15)");
+    add(render, "--samples", w.samples, "N", "Samples a pixel: 1 (default), 4 or 8");
     add(render, "--shading", w.shading, "HOW", "phong (default), gouraud, flat or unlit");
     add(render, "--bump", w.bump, "HOW", "normal (default: use normal maps) or none");
     add(render, "-o,--output", w.output, "FILE", "Also write the picture of the first engine");

@@ -19,7 +19,7 @@ struct BenchWords {
     std::string order, weight, crease_angle, tolerance, repetitions, with;
     bool brute_force = false;
     // bench render
-    std::string lights, engines, resolution, frames, shading, bump, output, export_file;
+    std::string lights, engines, resolution, frames, samples, shading, bump, output, export_file;
 };
 
 void add_bench_options(CLI::App& app, BenchWords& words);

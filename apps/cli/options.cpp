@@ -128,6 +128,8 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Output", "--resolution", w.resolution, "W,H", "Size of the picture in pixels, also WxH (default 1280,720)");
     add(app, "Output", "--window", w.window, "X,Y,W,H",
         "Draw and write only this part of the picture; 0,0 is the top left pixel");
+    add(app, "Output", "--samples", w.samples, "N",
+        "Samples a pixel: 1 (default), 4 or 8 make edges smooth; surfaces are shaded once a pixel");
     add(app, "Output", "--background", w.background, "COLOR",
         "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent");
     add(app, "Output", "--channels", w.channels, "LIST",

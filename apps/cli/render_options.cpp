@@ -27,6 +27,7 @@ void apply_size(const RenderWords& w, RenderSettings& s) {
         s.window = {window[0], window[1], window[2], window[3]};
         if (s.window.width < 1 || s.window.height < 1) throw Error(ErrorCode::usage, "--window: the window is empty");
     }
+    if (!w.samples.empty()) s.samples = word<int>("--samples", w.samples, {{"1", 1}, {"4", 4}, {"8", 8}});
     if (!w.background.empty()) s.background = background("--background", w.background);
 }
 
@@ -118,6 +119,8 @@ void apply_lighting(const RenderWords& w, RenderSettings& s) {
                                          {"painter", Visibility::painter},
                                          {"none", Visibility::none},
                                          {"back-face", Visibility::back_face}});
+    if (s.samples > 1 && s.visibility != Visibility::z_reversed)
+        throw Error(ErrorCode::usage, "--samples " + w.samples + " needs --visibility z-reversed, the default");
     if (!w.cull.empty())
         s.cull =
             word<Cull>("--cull", w.cull,

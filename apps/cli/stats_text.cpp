@@ -19,6 +19,7 @@ std::string stats_text(const PictureResult& result) {
                 {"clipped", s.clipped},
                 {"triangles drawn", s.drawn},
                 {"pixels covered", s.pixels_covered},
+                {"samples covered", s.samples_covered},
                 {"pixels shaded", s.pixels_shaded},
                 {"depth passes", s.depth_passes},
                 {"line, point pixels", s.pixels_marked}};

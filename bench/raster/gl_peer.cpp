@@ -77,7 +77,7 @@ Options parse(int argc, char** argv) {
         else if (option == "--frames")
             o.frames = int(number(value, 1, 10'000));
         else if (option == "--samples")
-            o.samples = int(number(value, 1, 4));
+            o.samples = int(number(value, 1, 8));
         else if (option == "--threads")
             o.threads = int(number(value, 1, 1024));
         else if (option == "--cases")
@@ -123,6 +123,7 @@ struct Timings {
 RenderSettings settings_for(const std::string& name, const Options& o) {
     RenderSettings s;
     s.width = o.width, s.height = o.height;
+    s.samples = o.samples;
     s.cull = Cull::back;
     s.bump = name == "normal" ? Bump::normal : Bump::none;
     if (name == "unlit")
@@ -171,10 +172,6 @@ double mean_difference(const Pixels& a, const Pixels& b) {
 std::optional<SoftSide> soft_side(const Scene& scene, const RenderSettings& settings, const Options& o,
                                   Context& context) {
     if (o.gl_only) return {};
-    if (o.samples > 1) {
-        std::fprintf(stderr, "gl_peer: the soft engine takes one sample a pixel: not measured\n");
-        return {};
-    }
     try {
         std::optional<SoftSide> side(std::in_place, scene, settings, context);
         side->draw();

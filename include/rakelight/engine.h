@@ -100,6 +100,9 @@ struct RenderSettings {
     Cull cull = Cull::automatic;
     Visibility visibility = Visibility::z_reversed;
     AttributeInterpolation interpolation = AttributeInterpolation::perspective;
+    /// 1, 4 or 8 a pixel, at the standard positions of Direct3D and Vulkan: coverage, depth and masks are found at
+    /// each, shading once for a triangle in a pixel, and linear colors are averaged. More than 1 need z_reversed.
+    int samples = 1;
     bool surfaces = true;  ///< triangles are filled; false: only lines and points are drawn
     bool edges = false;    ///< edges of the triangles that culling leaves, over the picture
     PointShape points =
@@ -187,16 +190,18 @@ struct RenderStats {
     /// Culled ones are counted once, by the first reason that applies. `clipped`: those that were cut; each of their pieces counts as
     /// drawn or culled.
     std::uint64_t triangles_in = 0, culled_back = 0, culled_degenerate = 0, culled_outside = 0, clipped = 0, drawn = 0;
-    /// Covered: by something opaque. Shaded: those, and each blended surface over each pixel.
+    /// Covered: by something opaque, at one sample or more. Shaded: those, once for each triangle that its samples
+    /// show, and each blended surface over each pixel.
     std::uint64_t pixels_covered = 0, pixels_shaded = 0;
+    std::uint64_t samples_covered = 0;  ///< by something opaque: as many as pixels_covered where samples is 1
     /// Points where the sum over the lights was evaluated. unlit: 0; flat: faces that are drawn; gouraud: vertices of faces that are
     /// drawn, one that is seen from both sides twice; phong: shaded pixels. Unlit materials count nowhere.
     std::uint64_t lighting_evaluations = 0;
     std::uint64_t vertices_lit_twice = 0;  ///< gouraud: vertices seen from both sides
-    /// Opaque pixels that were nearer than what stood there. Over pixels_covered it is the overdraw that visibility works for:
-    /// 1 where every pixel was written once. Depends on the order of the triangles.
+    /// Opaque samples that were nearer than what stood there. Over samples_covered it is the overdraw that visibility
+    /// works for: 1 where every one was written once. Depends on the order of the triangles.
     std::uint64_t depth_passes = 0;
-    double overdraw() const { return pixels_covered > 0 ? double(depth_passes) / double(pixels_covered) : 0; }
+    double overdraw() const { return samples_covered > 0 ? double(depth_passes) / double(samples_covered) : 0; }
     std::uint64_t pixels_marked = 0;      ///< pixels that lines or points cover, each color of them counted
     std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
     StageTimes times;  ///< never the same twice

@@ -14,6 +14,7 @@ Json stats_json(const RenderStats& s) {
             {"clipped", s.clipped},
             {"drawn", s.drawn},
             {"pixels_covered", s.pixels_covered},
+            {"samples_covered", s.samples_covered},
             {"pixels_shaded", s.pixels_shaded},
             {"lighting_evaluations", s.lighting_evaluations},
             {"vertices_lit_twice", s.vertices_lit_twice},

@@ -71,6 +71,7 @@ struct SetUpJob {
     const ScreenVertex* vertices;
     int32_t cull_back, cull_front, front_is_negative;  ///< front faces have negative area
     int32_t left, top, right, bottom;                  ///< [px] of the window, inclusive
+    int32_t reach;  ///< [1/256 px] how far from a pixel's center samples lie: 0 where the center is the only one
     int32_t first_tile_x, first_tile_y, columns;
     TriangleRow* rows;                                        ///< [count] out, in the order of the mesh
     uint32_t* tiles;                                          ///< [count] out: beside `rows`
@@ -85,6 +86,7 @@ struct NearestJob {
     int32_t
         position;  ///< of the first in the tile's list: written to `visible` where it is nearer than what stands there
     int32_t tile_x, tile_y;            ///< [px] corner of the tile
+    int32_t sample_x, sample_y;        ///< [1/256 px] from the pixels' centers: where they are looked at
     int32_t left, top, right, bottom;  ///< [px] of the tile that count, inclusive
     float farthest;                    ///< nothing in the tile is farther
     float* depth;                      ///< [tile_size * tile_size]

@@ -95,6 +95,8 @@ struct RecordJob {
 struct ShadeJob {
     int32_t count;
     const int32_t* pixel;                  ///< [count] y * tile_size + x in the tile
+    const float* offset_x;                 ///< [count] [px] from the pixel's center to where it is shaded; null: there
+    const float* offset_y;
     const int32_t* triangle;               ///< [count] into `triangles`
     const ShadeTriangle* triangles;
     const LitTriangle* lit;                ///< beside `triangles`; null: lighting is evaluated at every pixel

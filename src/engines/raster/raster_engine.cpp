@@ -9,6 +9,7 @@
 
 #include "engines/channel_arrays.h"
 #include "engines/raster/channels_tile.h"
+#include "engines/raster/multisample.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
@@ -134,6 +135,17 @@ private:
 
 void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink& sink) {
     StageClock clock;
+    if (job.front.settings.samples > 1) {
+        find_visible_samples(job, tile, scratch);
+        scratch.times.visibility += clock.lap();
+        shade_samples(job, tile, scratch);
+        scratch.times.shading += clock.lap();
+        finish_samples(job, tile, scratch);
+        scratch.times.blending += clock.lap();
+        deliver(job, tile, scratch, sink);
+        scratch.times.delivery += clock.lap();
+        return;
+    }
     find_visible(job, tile, scratch);
     scratch.times.visibility += clock.lap();
     const bool blends = shade_opaque(job, tile, scratch);
@@ -206,13 +218,15 @@ public:
 private:
     /// @return [s] what the sink did with finished strips
     double draw_tiles(const TileJob& job, Sink& sink, Context& context, RenderStats& stats) {
-        std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, marked{0}, lit_pixels{0}, depth_passes{0};
+        std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, marked{0}, lit_pixels{0}, depth_passes{0},
+            samples_covered{0};
         std::atomic<std::size_t> done{0};
         const auto draw = [&](std::size_t tile) {
             const FlushDenormals guard;
             if (context.cancelled()) return;
             auto scratch = pool_.take();
-            scratch->covered = scratch->shaded = scratch->not_finite = scratch->marked = scratch->lit_pixels = scratch->depth_passes = 0;
+            scratch->covered = scratch->shaded = scratch->not_finite = scratch->marked = scratch->lit_pixels =
+                scratch->depth_passes = scratch->samples_covered = 0;
             draw_tile(job, tile, *scratch, sink);
             covered += scratch->covered;
             shaded += scratch->shaded;
@@ -220,6 +234,7 @@ private:
             marked += scratch->marked;
             lit_pixels += scratch->lit_pixels;
             depth_passes += scratch->depth_passes;
+            samples_covered += scratch->samples_covered;
             pool_.give_back(std::move(scratch));
             context.progress("render", double(++done) / double(job.grid.count()));
         };
@@ -243,6 +258,7 @@ private:
         stats.pixels_marked = marked;
         stats.lighting_evaluations += lit_pixels;
         stats.depth_passes = depth_passes;
+        stats.samples_covered = samples_covered;
         if (not_finite > 0)
             context.report().add(Remark::warning, list_.scene.source, {}, std::to_string(not_finite) + " color values came out not finite and are shown black");
         return waited;

@@ -7,25 +7,28 @@
 #include <span>
 #include <utility>
 
+#include "engines/raster/sample_positions.h"
+
 namespace rakelight::raster {
 namespace {
 
 constexpr int tile_fixed = tile_size << subpixel_bits;
 constexpr std::uint64_t entry_bytes = 2 * sizeof(Binned::items[0]);  // sorted by chunks, and by tiles
 
-/// The pixels whose center may be inside, in the window.
+/// The pixels of which a sample may be inside, in the window.
 struct Box {
     int left, right, top, bottom;
 };
 
-Box box_of(const ScreenTriangle& s, const Window& window) {
+/// @param reach  as in SetUpJob
+Box box_of(const ScreenTriangle& s, const Window& window, int reach) {
     const auto [x_low, x_high] = std::minmax({s.x0, s.x1, s.x2});
     const auto [y_low, y_high] = std::minmax({s.y0, s.y1, s.y2});
     Box box;
-    box.left = std::max((x_low + 127) >> subpixel_bits, window.x);
-    box.right = std::min((x_high - 128) >> subpixel_bits, window.x + window.width - 1);
-    box.top = std::max((y_low + 127) >> subpixel_bits, window.y);
-    box.bottom = std::min((y_high - 128) >> subpixel_bits, window.y + window.height - 1);
+    box.left = std::max((x_low + 127 - reach) >> subpixel_bits, window.x);
+    box.right = std::min((x_high - 128 + reach) >> subpixel_bits, window.x + window.width - 1);
+    box.top = std::max((y_low + 127 - reach) >> subpixel_bits, window.y);
+    box.bottom = std::min((y_high - 128 + reach) >> subpixel_bits, window.y + window.height - 1);
     return box;
 }
 
@@ -69,7 +72,8 @@ public:
           mesh_(front.list.scene.meshes[draw_.mesh]),
           culling_(front, draw_),
           volume_(front.view),
-          map_(front.view) {}
+          map_(front.view),
+          reach_(sample_reach(front.settings.samples)) {}
 
     void run() {
         s_.entry_count = 0;
@@ -84,7 +88,7 @@ public:
             if (s_.tiles[i] == to_be_cut)
                 add(rows[i].triangle);
             else
-                bin(rows + i, box_of(rows[i], grid_.window));
+                bin(rows + i, box_of(rows[i], grid_.window, reach_));
             ++i;
         }
         front_.memory.add(new_bytes_ + s_.entry_count * entry_bytes - told_bytes_);
@@ -112,6 +116,7 @@ private:
         job.front_is_negative = culling_.front_is_negative;
         const Window& w = grid_.window;
         job.left = w.x, job.top = w.y, job.right = w.x + w.width - 1, job.bottom = w.y + w.height - 1;
+        job.reach = reach_;
         job.first_tile_x = grid_.first_x, job.first_tile_y = grid_.first_y, job.columns = grid_.columns;
         job.rows = rows;
         job.tiles = s_.tiles.data();
@@ -168,7 +173,7 @@ private:
         const auto [x_low, x_high] = std::minmax({s.x0, s.x1, s.x2});
         const auto [y_low, y_high] = std::minmax({s.y0, s.y1, s.y2});
         s.is_large = x_high - x_low >= small_extent || y_high - y_low >= small_extent;
-        const Box box = box_of(s, grid_.window);
+        const Box box = box_of(s, grid_.window, reach_);
         if (box.left > box.right || box.top > box.bottom) {
             ++stats_.culled_outside;
             return;
@@ -232,6 +237,7 @@ private:
     Culling culling_;
     ClipVolume volume_;
     ScreenMap map_;
+    int reach_;
     bool has_large_ = false;
     std::uint64_t new_bytes_ = 0;   ///< of rows
     std::uint64_t told_bytes_ = 0;  ///< to the picture's memory

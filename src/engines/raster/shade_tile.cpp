@@ -67,6 +67,7 @@ void shade_draw(const TileJob& job, std::size_t tile, std::uint32_t draw, std::s
                 TileScratch& s) {
     if (count == 0) return;
     s.covered += count;
+    s.samples_covered += count;
     find_records(job, tile, draw, count, s);
     shade_batch(job, draw, tile, count, to_srgb8, s);
     const std::uint32_t channels = job.front.settings.channels;
@@ -75,22 +76,6 @@ void shade_draw(const TileJob& job, std::size_t tile, std::uint32_t draw, std::s
     for (std::size_t i = 0; i < count && (channels & channel_object); ++i) s.object[std::size_t(s.pixel[i])] = d.node;
     for (std::size_t i = 0; i < count && (channels & channel_material); ++i)
         s.material[std::size_t(s.pixel[i])] = material;
-}
-
-/// Positions begin..end-1 of a tile's list, all of one draw.
-struct DrawRun {
-    std::int32_t begin, end;
-    std::uint32_t draw;
-};
-
-/// The draws in a tile's list, which is in the order of the scene.
-void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs) {
-    runs.clear();
-    const std::uint32_t first = job.binned.offsets[tile];
-    for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1]; ++r) {
-        const TileRun& run = job.binned.runs[r];
-        runs.push_back({std::int32_t(run.first - first), std::int32_t(run.first - first + run.count), run.draw});
-    }
 }
 
 constexpr std::size_t most_passes =
@@ -133,12 +118,6 @@ void set_background(const RenderSettings& settings, bool to_srgb8, TileScratch& 
     if (settings.channels & further_channels) clear_channels(settings.channels, s);
 }
 
-bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs) {
-    return job.has_blended && std::any_of(runs.begin(), runs.end(), [&](const DrawRun& r) {
-               return job.front.list.materials[job.front.list.draws[r.draw].material].view.blend != 0;
-           });
-}
-
 /// Where a pixel's ray leads: ShadeJob::ray.
 void set_ray(const View& view, int tile_x, int tile_y, ShadeJob& out) {
     const dvec3 right = view.camera_to_world[0].xyz() / view.scale_x, up = view.camera_to_world[1].xyz() / view.scale_y;
@@ -154,6 +133,21 @@ void set_ray(const View& view, int tile_x, int tile_y, ShadeJob& out) {
 }
 
 }  // namespace
+
+void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs) {
+    runs.clear();
+    const std::uint32_t first = job.binned.offsets[tile];
+    for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1]; ++r) {
+        const TileRun& run = job.binned.runs[r];
+        runs.push_back({std::int32_t(run.first - first), std::int32_t(run.first - first + run.count), run.draw});
+    }
+}
+
+bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs) {
+    return job.has_blended && std::any_of(runs.begin(), runs.end(), [&](const DrawRun& r) {
+               return job.front.list.materials[job.front.list.draws[r.draw].material].view.blend != 0;
+           });
+}
 
 ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y, std::size_t count, TileScratch& s) {
     ShadeJob out = draw_job(job.front, job.lights, draw);
@@ -190,9 +184,7 @@ bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     return blends;
 }
 
-namespace {
-
-void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
+std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile) {
     struct Layer {
         double place;
         std::uint32_t item;
@@ -203,14 +195,21 @@ void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
         if (job.front.list.materials[job.front.list.draws[t.draw].material].view.blend)
             layers.push_back({blending_place(job.front, t), i});
     }
-    if (layers.empty()) return;
     std::stable_sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.place < b.place; });
+    std::vector<std::uint32_t> items;
+    for (const Layer& layer : layers) items.push_back(layer.item);
+    return items;
+}
+
+namespace {
+
+void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
     const Window area = job.grid.pixels(tile);
     const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
-    for (const Layer& layer : layers) {
-        const ScreenTriangle& t = job.binned.at(job.binned.items[layer.item]);
+    for (const std::uint32_t item : blending_order(job, tile)) {
+        const ScreenTriangle& t = job.binned.at(job.binned.items[item]);
         std::size_t count = 0;
-        const BlendTest is_before(job.front, t, std::int32_t(layer.item - job.binned.offsets[tile]));
+        const BlendTest is_before(job.front, t, std::int32_t(item - job.binned.offsets[tile]));
         cover(t, area, ox, oy, [&](int x, int y, float depth) {
             if (!is_before(x, y, ox, oy, depth, s)) return;
             s.pixel[count] = y * tile_size + x;

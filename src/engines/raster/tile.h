@@ -2,6 +2,7 @@
 // One tile of the picture: visibility first, so that each pixel is shaded once whatever the overdraw, then shading.
 #pragma once
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct TileJob {
     const Marks* marks = nullptr;  ///< lines and points; null: none
 };
 
+struct SampleScratch;  // multisample.h
+
 /// Working memory of one tile; used again by the next one.
 struct TileScratch : ChannelArrays {
     // Visibility: depth key (in `depth`) and position in the tile's list of the nearest triangle, -1 for none.
@@ -37,6 +40,7 @@ struct TileScratch : ChannelArrays {
     std::vector<std::int32_t> pixel = batch<std::int32_t>(), triangle = batch<std::int32_t>();
     std::vector<std::uint32_t> codes = batch<std::uint32_t>();
     std::vector<float> red = batch<float>(), green = batch<float>(), blue = batch<float>(), alpha = batch<float>();
+    std::vector<float> offset_x = batch<float>(), offset_y = batch<float>();
     std::vector<float> normal_x = batch<float>(), normal_y = batch<float>(), normal_z = batch<float>();
     std::vector<float> batch_depth = batch<float>();
     /// For tools: called after each blended triangle was laid over, with the number of its pixels (`pixel`); `alpha`
@@ -57,6 +61,8 @@ struct TileScratch : ChannelArrays {
         std::vector<std::uint32_t>(tile_pixels);  ///< in place of `color` where the sink takes display values
     std::vector<PendingMark> pending;  ///< [tile_pixels] in pictures with lines or points; between tiles nothing waits
     std::uint64_t covered = 0, shaded = 0, not_finite = 0, marked = 0;
+    std::uint64_t samples_covered = 0;       ///< by something opaque
+    std::shared_ptr<SampleScratch> samples;  ///< of multisampled pictures
     StageTimes times;  ///< of all tiles so far
     std::uint64_t lit_pixels = 0;        ///< lighting was evaluated at
     std::uint64_t depth_passes = 0;      ///< opaque and masked pixels that were nearer than what stood there
@@ -78,6 +84,18 @@ void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch);
 bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& scratch);
 /// Blended triangles over them, far to near, then lines and points.
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& scratch);
+
+/// Positions begin..end-1 of a tile's list, all of one draw.
+struct DrawRun {
+    std::int32_t begin, end;
+    std::uint32_t draw;
+};
+/// The draws in a tile's list, which is in the order of the scene.
+void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs);
+/// Some of them are blended.
+bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs);
+/// The blended triangles of a tile, into Binned::items, in the order in which they are laid: far to near.
+std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile);
 
 /// The kernel's records of triangles of one draw, about the tile's first pixel center, into `triangles` of the scratch;
 /// where lighting is not evaluated at the pixels, the light of their corners into `lit`.

@@ -4,18 +4,19 @@
 #include <span>
 
 #include "engines/raster/coverage.h"
+#include "engines/raster/multisample.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
 
 namespace rakelight::raster {
 namespace {
 
-/// A masked triangle: the pixels that would be visible ask the texture first.
-void cover_masked(const TileJob& job, const ScreenTriangle& s, std::int32_t position, const Window& area, int ox, int oy,
-                  TileScratch& scratch) {
+/// A masked triangle: the pixels that would be visible ask the texture first, where they are looked at.
+void cover_masked(const TileJob& job, const ScreenTriangle& s, std::int32_t position, const Window& area, int ox,
+                  int oy, const SamplePlane& plane, TileScratch& scratch) {
     std::size_t count = 0;
-    cover(s, area, ox, oy, [&](int x, int y, float depth) {
-        if (!(depth > scratch.depth[std::size_t(y * tile_size + x)])) return;
+    cover(seen_from(plane.at, s), area, ox, oy, [&](int x, int y, float depth) {
+        if (!(depth > plane.depth[y * tile_size + x])) return;
         scratch.pixel[count] = y * tile_size + x;
         scratch.triangle[count] = 0;
         scratch.batch_depth[count++] = depth;
@@ -23,14 +24,15 @@ void cover_masked(const TileJob& job, const ScreenTriangle& s, std::int32_t posi
     if (count == 0) return;
     const ScreenTriangle* const only = &s;
     make_records(job, s.draw, {&only, 1}, ox, oy, scratch);
-    const ShadeJob batch = make_job(job, s.draw, ox, oy, count, scratch);
+    ShadeJob batch = make_job(job, s.draw, ox, oy, count, scratch);
+    if (plane.at.x != 0 || plane.at.y != 0) move_to(plane.at, count, batch, scratch);
     job.kernels.alpha(&batch);
     const float cutoff = batch.material->alpha_cutoff;
     for (std::size_t i = 0; i < count; ++i) {
         if (!(scratch.alpha[i] >= cutoff)) continue;
         const auto p = std::size_t(scratch.pixel[i]);
-        scratch.depth[p] = scratch.batch_depth[i];
-        scratch.visible[p] = position;
+        plane.depth[p] = scratch.batch_depth[i];
+        plane.visible[p] = position;
         ++scratch.depth_passes;
     }
 }
@@ -44,7 +46,7 @@ bool fits_kernel(const Coverage& c) {
     return largest < limit;
 }
 
-CoverJob cover_job(const Coverage& c, std::int32_t position, TileScratch& scratch) {
+CoverJob cover_job(const Coverage& c, std::int32_t position, const SamplePlane& plane) {
     CoverJob job;
     job.left = c.left, job.top = c.top, job.right = c.right, job.bottom = c.bottom;
     for (int k = 0; k < 3; ++k) {
@@ -56,8 +58,8 @@ CoverJob cover_job(const Coverage& c, std::int32_t position, TileScratch& scratc
     job.depth_0 = c.depth_0, job.depth_x = c.depth_x, job.depth_y = c.depth_y;
     job.depth_low = c.depth_low, job.depth_high = c.depth_high;
     job.position = position;
-    job.depth = scratch.depth.data();
-    job.visible = scratch.visible.data();
+    job.depth = plane.depth;
+    job.visible = plane.visible;
     return job;
 }
 
@@ -65,7 +67,7 @@ CoverJob cover_job(const Coverage& c, std::int32_t position, TileScratch& scratc
 /// pixels was written since.
 class FarthestDepth {
 public:
-    FarthestDepth(const GeometryKernels& kernels, const Window& area, int ox, int oy, const std::vector<float>& depth)
+    FarthestDepth(const GeometryKernels& kernels, const Window& area, int ox, int oy, const float* depth)
         : kernels_(kernels),
           left_(area.x - ox),
           top_(area.y - oy),
@@ -77,28 +79,28 @@ public:
     void written(std::int32_t pixels) {
         if ((since_ += pixels) < tile_pixels / 2) return;
         since_ = 0;
-        farthest_ = kernels_.farthest(depth_.data(), left_, top_, right_, bottom_);
+        farthest_ = kernels_.farthest(depth_, left_, top_, right_, bottom_);
     }
 
 private:
     const GeometryKernels& kernels_;
     int left_, top_, right_, bottom_;
-    const std::vector<float>& depth_;
+    const float* depth_;
     std::int32_t since_ = 0;
     float farthest_ = -1;
 };
 
-std::int32_t cover_opaque(const TileJob& job, const Coverage& c, std::int32_t position, TileScratch& scratch) {
+std::int32_t cover_opaque(const TileJob& job, const Coverage& c, std::int32_t position, const SamplePlane& plane) {
     if (fits_kernel(c)) {
-        const CoverJob kernel_job = cover_job(c, position, scratch);
+        const CoverJob kernel_job = cover_job(c, position, plane);
         return job.front.kernels.cover(&kernel_job);
     }
     std::int32_t written = 0;
     for_each_covered(c, [&](int x, int y, float depth) {
-        const auto p = std::size_t(y * tile_size + x);
-        if (!(depth > scratch.depth[p])) return;  // the first of equals stays
-        scratch.depth[p] = depth;
-        scratch.visible[p] = position;
+        const int p = y * tile_size + x;
+        if (!(depth > plane.depth[p])) return;  // the first of equals stays
+        plane.depth[p] = depth;
+        plane.visible[p] = position;
         ++written;
     });
     return written;
@@ -106,16 +108,17 @@ std::int32_t cover_opaque(const TileJob& job, const Coverage& c, std::int32_t po
 
 constexpr std::size_t triangles_per_job = 64;  ///< between looks at the farthest depth of the tile
 
-/// The visibility of one tile.
+/// The visibility of one tile, at its pixels' centers or at one of their samples.
 class TileVisibility {
 public:
-    TileVisibility(const TileJob& job, std::size_t tile, TileScratch& scratch)
+    TileVisibility(const TileJob& job, std::size_t tile, const SamplePlane& plane, TileScratch& scratch)
         : job_(job),
+          plane_(plane),
           s_(scratch),
           area_(job.grid.pixels(tile)),
           ox_(job.grid.origin_x(tile)),
           oy_(job.grid.origin_y(tile)),
-          farthest_(job.front.kernels, area_, ox_, oy_, scratch.depth) {}
+          farthest_(job.front.kernels, area_, ox_, oy_, plane.depth) {}
 
     /// @param position  of the first triangle in the tile's list
     void draw(std::uint32_t draw, bool has_large, std::span<const ScreenTriangle* const> list, std::int32_t position) {
@@ -136,17 +139,18 @@ private:
     void draw_masked(std::span<const ScreenTriangle* const> list, std::int32_t position) {
         for (std::size_t i = 0; i < list.size(); ++i)
             if (!farthest_.hides(*list[i]))
-                cover_masked(job_, *list[i], position + std::int32_t(i), area_, ox_, oy_, s_);
+                cover_masked(job_, *list[i], position + std::int32_t(i), area_, ox_, oy_, plane_, s_);
     }
 
     void draw_small(std::span<const ScreenTriangle* const> list, std::int32_t position) {
         NearestJob job;
         const ScreenTriangle* const* const end_of_items = job_.binned.items.data() + job_.binned.items.size();
         job.tile_x = ox_, job.tile_y = oy_;
+        job.sample_x = plane_.at.x * fixed_per_position, job.sample_y = plane_.at.y * fixed_per_position;
         job.left = area_.x - ox_, job.top = area_.y - oy_;
         job.right = job.left + area_.width - 1, job.bottom = job.top + area_.height - 1;
-        job.depth = s_.depth.data();
-        job.visible = s_.visible.data();
+        job.depth = plane_.depth;
+        job.visible = plane_.visible;
         for (std::size_t i = 0; i < list.size(); i += triangles_per_job) {
             job.rows = reinterpret_cast<const TriangleRow* const*>(list.data() + i);
             job.count = std::int32_t(std::min(triangles_per_job, list.size() - i));
@@ -159,7 +163,8 @@ private:
 
     void draw_large(const ScreenTriangle& s, std::int32_t position) {
         Coverage c;
-        if (!farthest_.hides(s) && set_coverage(s, area_, ox_, oy_, c)) note(cover_opaque(job_, c, position, s_));
+        if (!farthest_.hides(s) && set_coverage(seen_from(plane_.at, s), area_, ox_, oy_, c))
+            note(cover_opaque(job_, c, position, plane_));
     }
 
     void note(std::int32_t written) {
@@ -168,6 +173,7 @@ private:
     }
 
     const TileJob& job_;
+    const SamplePlane plane_;
     TileScratch& s_;
     Window area_;
     int ox_, oy_;
@@ -178,8 +184,12 @@ private:
 
 void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch) {
     if (job.front.settings.visibility != Visibility::z_reversed) return find_visible_by_method(job, tile, scratch);
-    job.front.kernels.clear_tile(scratch.depth.data(), scratch.visible.data());
-    TileVisibility visibility(job, tile, scratch);
+    find_visible_at({{0, 0}, scratch.depth.data(), scratch.visible.data()}, job, tile, scratch);
+}
+
+void find_visible_at(const SamplePlane& plane, const TileJob& job, std::size_t tile, TileScratch& scratch) {
+    job.front.kernels.clear_tile(plane.depth, plane.visible);
+    TileVisibility visibility(job, tile, plane, scratch);
     std::int32_t position = 0;
     for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1]; ++r) {
         const TileRun& run = job.binned.runs[r];

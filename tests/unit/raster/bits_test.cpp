@@ -115,6 +115,27 @@ TEST(Bits, AreThoseOfOneThreadAndNoVectorsForAnyThreadsAndInstructionSet) {
         }
 }
 
+TEST(Bits, OfMultisampledPicturesAreThoseOfOneThreadAndNoVectorsToo) {
+    const Scene scene = busy_scene();
+    for (const int samples : {4, 8})
+        for (const bool edges : {false, true}) {
+            RenderSettings settings = settings_for(Shading::phong);
+            settings.samples = samples;
+            settings.edges = edges;
+            const std::uint64_t expected = [&] {
+                const IsaGuard guard(Isa::scalar);
+                return hash_of(scene, settings, 1);
+            }();
+            for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
+                if (!is_available(isa)) continue;
+                const IsaGuard guard(isa);
+                for (const int threads : {1, 2, 4})
+                    EXPECT_EQ(hash_of(scene, settings, threads), expected)
+                        << name(isa) << ", " << threads << " threads, " << samples << " samples";
+            }
+        }
+}
+
 /// Tiles lie on the picture's own grid, so a window draws parts of them: cut anywhere, drawn in any order by one engine
 /// that keeps its memory from window to window.
 TEST(Bits, OfWindowsInAnyOrderAreThoseOfTheWhole) {
@@ -123,8 +144,13 @@ TEST(Bits, OfWindowsInAnyOrderAreThoseOfTheWhole) {
     Context context({.threads = 2});
     const auto engine = raster::make_engine();
     engine->prepare(scene, context);
-    for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong}) {
+    for (const auto& [shading, samples] : {std::pair{Shading::flat, 1},
+                                           {Shading::gouraud, 1},
+                                           {Shading::phong, 1},
+                                           {Shading::phong, 4},
+                                           {Shading::gouraud, 8}}) {
         RenderSettings settings = settings_for(shading);
+        settings.samples = samples;
         Frame whole;
         engine->render(eye(), settings, whole, context);
         for (int round = 0; round < 8; ++round) {
@@ -140,7 +166,8 @@ TEST(Bits, OfWindowsInAnyOrderAreThoseOfTheWhole) {
                 put(pieces.material, part.material, window);
             }
             settings.window = {};
-            EXPECT_EQ(hash(pieces), hash(whole)) << "round " << round << ", shading " << int(shading);
+            EXPECT_EQ(hash(pieces), hash(whole))
+                << "round " << round << ", shading " << int(shading) << ", samples " << samples;
         }
     }
 }

@@ -37,7 +37,8 @@ inline mask set_coverage_vector(const NearestJob& job, const TriangleRow* const*
     integer x[3], y[3], fine_x[3], fine_y[3];
     real key[3];
     // 1. Corners about the tile, and the box.
-    const integer origin_x(job.tile_x << subpixel_bits), origin_y(job.tile_y << subpixel_bits);
+    const integer origin_x((job.tile_x << subpixel_bits) + job.sample_x),
+        origin_y((job.tile_y << subpixel_bits) + job.sample_y);
     for (int k = 0; k < 3; ++k) {
         real v[4];
         load_rows4_at(reinterpret_cast<const float* const*>(rows), 4 * k, v);

@@ -84,7 +84,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     t.is_swapped = area < zero;
     t.x[0] = x[0], t.x[1] = select(t.is_swapped, x[2], x[1]), t.x[2] = select(t.is_swapped, x[1], x[2]);
     t.y[0] = y[0], t.y[1] = select(t.is_swapped, y[2], y[1]), t.y[2] = select(t.is_swapped, y[1], y[2]);
-    const integer before(127), after(128);
+    const integer before(127 - job.reach), after(128 - job.reach);
     t.left = max((low_x + before) >> subpixel_bits, integer(job.left));
     t.right = min((high_x - after) >> subpixel_bits, integer(job.right));
     t.top = max((low_y + before) >> subpixel_bits, integer(job.top));
@@ -93,7 +93,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     const integer one(1);
     const mask is_tiny = passes && has_centers && t.right - t.left <= one && t.bottom - t.top <= one;
     mask is_hit = has_centers;
-    if (any_lane(is_tiny)) is_hit = is_hit && (!is_tiny || hits_a_corner_pixel(t, is_tiny));
+    if (job.reach == 0 && any_lane(is_tiny)) is_hit = is_hit && (!is_tiny || hits_a_corner_pixel(t, is_tiny));
     const mask is_missed = passes && !is_hit;
     passes = passes && is_hit;
 

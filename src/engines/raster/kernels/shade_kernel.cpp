@@ -24,7 +24,8 @@ struct Pixels {
         triangle = job.triangle + first;
         records.find(reinterpret_cast<const float*>(job.triangles), shade_triangle_floats, triangle);
         const integer pixel = load_i(job.pixel + first);
-        const real x = to_real(pixel & integer(tile_size - 1)), y = to_real(shift_right_logical(pixel, tile_bits));
+        real x = to_real(pixel & integer(tile_size - 1)), y = to_real(shift_right_logical(pixel, tile_bits));
+        if (job.offset_x != nullptr) x = x + load(job.offset_x + first), y = y + load(job.offset_y + first);
         const Place place = place_of(records, x, y, job.affine != 0, job.orthographic != 0);
         b = place.b;
         const auto ray = [&](int c) { return real(job.ray[c][0]) * x + real(job.ray[c][1]) * y + real(job.ray[c][2]); };
