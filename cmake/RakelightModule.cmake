@@ -37,7 +37,7 @@ set(RL_ISA_FLAGS_avx512 "-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;-mavx512cd;-
 function(rl_add_flavour target isa flavour definitions)
   set(objects ${target}_${flavour})
   if(TARGET ${objects})
-    set(objects ${objects}_more)
+    set(objects ${target}_paired_${flavour})
   endif()
   add_library(${objects} OBJECT ${ARGN})
   target_link_libraries(${objects} PRIVATE rl_flags)
