@@ -133,12 +133,12 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Output", "--background", w.background, "COLOR",
         "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent");
     add(app, "Output", "--channels", w.channels, "LIST",
-        "Also write data, see below: depth,normal,face-normal,tangent,uv,uv1,position,object,mesh,material,triangle,"
-        "barycentric,overdraw,base-color,ambient,diffuse,specular,emission; lighting (the last four), all");
+        "Also write data: depth, normal, face-normal, tangent, uv, uv1, position, object, mesh, material, "
+        "triangle, barycentric, overdraw, base-color, ambient, diffuse, specular, emission; lighting: the last "
+        "four; all");
     add(app, "Output", "--channel-files", w.channel_files, "HOW",
-        "exr (default: NAME.depth.exr, ...), layers (all in one EXR: FILE itself, else NAME.channels.exr), png (for "
-        "the "
-        "eye: NAME.depth.png, ...); several: exr,png");
+        "exr (default: NAME.depth.exr, ...), layers (all in one EXR: FILE itself, else NAME.channels.exr), png "
+        "(for the eye: NAME.depth.png, ...); several: exr,png");
     add(app, "Output", "--exr-colors", w.exr_colors, "HOW", "Colors in EXR files: float (default) or half (16 bits)");
 
     add(app, "Shading", "--engine", w.engine, "NAME",
