@@ -130,6 +130,8 @@ void add_render_options(CLI::App& app, RenderWords& w) {
         "Draw and write only this part of the picture; 0,0 is the top left pixel");
     add(app, "Output", "--samples", w.samples, "N",
         "Samples a pixel: 1 (default), 4 or 8 make edges smooth; surfaces are shaded once a pixel");
+    add(app, "Output", "--anisotropy", w.anisotropy, "N",
+        "Texture samples along a pixel's longer side, 1 (default) to 16: sharp at grazing angles");
     add(app, "Output", "--background", w.background, "COLOR",
         "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent");
     add(app, "Output", "--channels", w.channels, "LIST",

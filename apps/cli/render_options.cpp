@@ -27,6 +27,7 @@ void apply_size(const RenderWords& w, RenderSettings& s) {
         s.window = {window[0], window[1], window[2], window[3]};
         if (s.window.width < 1 || s.window.height < 1) throw Error(ErrorCode::usage, "--window: the window is empty");
     }
+    if (!w.anisotropy.empty()) s.anisotropy = integer("--anisotropy", w.anisotropy, 1, 16);
     if (!w.samples.empty()) s.samples = word<int>("--samples", w.samples, {{"1", 1}, {"4", 4}, {"8", 8}});
     if (!w.background.empty()) s.background = background("--background", w.background);
 }

@@ -16,7 +16,8 @@ namespace rakelight::cli {
 struct RenderWords {
     std::string output, engine = "soft", resolution, window, background, channels, channel_files, exr_colors;
     std::vector<std::string> shading;
-    std::string lighting, specular, specular_horizon, bump, front_face, cull, visibility, interpolation, samples;
+    std::string lighting, specular, specular_horizon, bump, front_face, cull, visibility, interpolation, samples,
+        anisotropy;
     std::string line_width, line_color, points, point_size;
     std::string normals, crease_angle, weight, uv, tangents, orthogonalize;
     std::string texture_base_color, texture_normal, normal_scale;

@@ -12,7 +12,7 @@ namespace rakelight::cli {
 
 void add_stages_options(CLI::App& app, RenderWords& w) {
     add_render_options(app, w);
-    for (const char* name : {"--window", "--channels", "--samples", "--engine"})
+    for (const char* name : {"--window", "--channels", "--samples", "--anisotropy", "--engine"})
         app.remove_option(app.get_option(name));
     app.get_option("--output")
         ->description("Folder to write, with index.html. It must be new, empty, or written by this command. {model} stands for the model's name")

@@ -103,6 +103,9 @@ struct RenderSettings {
     /// 1, 4 or 8 a pixel, at the standard positions of Direct3D and Vulkan: coverage, depth and masks are found at
     /// each, shading once for a triangle in a pixel, and linear colors are averaged. More than 1 need z_reversed.
     int samples = 1;
+    /// Texture samples along the longer side of a pixel's footprint, 1..16: 1 filters in squares, which blurs what is
+    /// seen at a grazing angle (GL_EXT_texture_filter_anisotropic).
+    int anisotropy = 1;
     bool surfaces = true;  ///< triangles are filled; false: only lines and points are drawn
     bool edges = false;    ///< edges of the triangles that culling leaves, over the picture
     PointShape points =

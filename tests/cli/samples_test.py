@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`rakelight render --samples` through the program.
+"""`rakelight render --samples` and `--anisotropy` through the program.
 
   samples_test.py PROGRAM [unittest arguments]"""
 import json
@@ -38,6 +38,9 @@ class Samples(program.Case):
         self.check_refused(run, 2, "--samples 4", "z-reversed")
         self.check_refused(self.run_program("explain", "builtin:teapot", "--pixel", "3,3", "--samples", "4"), 2, "--samples")
         self.check_refused(self.run_program("stages", "builtin:teapot", "-o", "out", "--samples", "4"), 2, "--samples")
+        for n in ("0", "17", "2.5", "some", ""):
+            self.check_refused(self.run_program("render", "builtin:teapot", "-o", "out.png", f"--anisotropy={n}"), 2, "--anisotropy")
+        self.check_refused(self.run_program("explain", "builtin:teapot", "--pixel", "3,3", "--anisotropy", "4"), 2, "--anisotropy")
         self.assertEqual(self.files(), [])
 
 

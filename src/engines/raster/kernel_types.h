@@ -108,6 +108,7 @@ struct ShadeJob {
     int32_t specular_horizon;
     int32_t bump;                          ///< 0: normal maps are ignored
     int32_t orthogonalize;                 ///< 0: tangents are used as they are interpolated, only made unit
+    int32_t anisotropy;                    ///< most texture samples along a footprint's longer side, 1..16
     int32_t unlit;                         ///< own color: no lighting
     int32_t affine;                        ///< as in RecordJob
     int32_t orthographic;

@@ -143,6 +143,7 @@ ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParame
                               : settings.specular_form == SpecularForm::normalized;
     out.specular_horizon = settings.specular_horizon;
     out.orthogonalize = settings.orthogonalize;
+    out.anisotropy = settings.anisotropy;
     out.bump = settings.bump != Bump::none && !is_lit_at_corners(front, draw);
     out.unlit = view.unlit || front.shading[draw] == Shading::unlit;
     out.orthographic = front.view.orthographic;

@@ -11,6 +11,7 @@ namespace {
 void check_settings(const RenderSettings& s) {
     if (s.width < 1 || s.height < 1 || s.width > 65536 || s.height > 65536) refuse("the resolution must be 1 to 65536 pixels a side");
     if (s.samples != 1 && s.samples != 4 && s.samples != 8) refuse("the samples of a pixel must be 1, 4 or 8");
+    if (s.anisotropy < 1 || s.anisotropy > 16) refuse("anisotropy must be 1 to 16");
     if (s.samples != 1 && s.visibility != Visibility::z_reversed)
         refuse("more than one sample a pixel needs the default visibility, z-reversed");
     const Window w = s.window;

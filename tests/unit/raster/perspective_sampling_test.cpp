@@ -7,6 +7,7 @@
 // pixels for an angle whose tangent is 1, a ray meets the floor at distance d = h k / b and x = h a / b.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -181,4 +182,65 @@ TEST(PerspectiveSampling, TheNearestFilterIsOffByAtMostHalfATexel) {
         }
     EXPECT_LE(worst, 0.5 / 128 + 4e-5);
     EXPECT_GT(worst, 0.49 / 128);
+}
+
+namespace {
+
+/// White stripes of 4 texels that run away from the viewer.
+Pixels stripes() {
+    return rgb_pixels(512, 512, [](int x, int) {
+        const int v = x / 4 % 2 == 0 ? 255 : 0;
+        return std::array<int, 3>{v, v, v};
+    });
+}
+
+Frame draw(const Scene& scene, int anisotropy) {
+    Context context({.threads = 2});
+    const auto engine = raster::make_engine();
+    engine->prepare(scene, context);
+    Frame frame;
+    RenderSettings s = settings();
+    s.anisotropy = anisotropy;
+    engine->render(above(), s, frame, context);
+    return frame;
+}
+
+/// Difference of the lightest and the darkest of a row's middle.
+float contrast(const Frame& f, int y) {
+    float low = 2, high = -1;
+    for (int x = width / 2 - 30; x < width / 2 + 30; ++x) {
+        const float v = f.color[std::size_t(y * width + x)].x;
+        low = std::fmin(low, v);
+        high = std::fmax(high, v);
+    }
+    return high - low;
+}
+
+}  // namespace
+
+TEST(PerspectiveSampling, AnisotropicFilteringKeepsStripesThatRunAwayAndSquaresBlurThem) {
+    // 12.5 pixels below the horizon a pixel is 0.8 texels wide and 7.9 long.
+    const Scene scene = floor_with(stripes(), {});
+    const int row = height / 2 + 12;
+    EXPECT_LT(contrast(draw(scene, 1), row), 0.1f);
+    EXPECT_GT(contrast(draw(scene, 4), row), 0.4f);
+    EXPECT_GT(contrast(draw(scene, 16), row), 0.7f);
+}
+
+TEST(PerspectiveSampling, AnisotropicFilteringLeavesARampAsItIs) {
+    const Scene scene = floor_with(ramp(256, 256), {});
+    const Frame f = draw(scene, 16);
+    for (int y = height / 2 + 20; y < height; y += 7)
+        for (int x = width / 2 - 20; x < width / 2 + 20; x += 5) {
+            const OnFloor p(x, y);
+            const vec4 c = f.color[std::size_t(y * width + x)];
+            EXPECT_NEAR(c.x, p.u, 2e-3) << x << ", " << y;
+            EXPECT_NEAR(c.y, p.v, 2e-3) << x << ", " << y;
+        }
+}
+
+TEST(PerspectiveSampling, AnisotropyOutOfRangeIsRefused) {
+    const Scene scene = floor_with(stripes(), {});
+    EXPECT_THROW(draw(scene, 0), Error);
+    EXPECT_THROW(draw(scene, 17), Error);
 }

@@ -14,6 +14,8 @@ struct Pixels {
     Barycentrics b;
     TexCoords texcoords[2];
     Footprint footprint;  ///< of base color and normal map where they share it
+    int32_t anisotropy;
+    bool shares_footprint;
     vec3 position;        ///< relative to the eye
     const int32_t* triangle;
 
@@ -22,6 +24,7 @@ struct Pixels {
 
     void find(const ShadeJob& job, int32_t first) {
         triangle = job.triangle + first;
+        anisotropy = job.anisotropy;
         records.find(reinterpret_cast<const float*>(job.triangles), shade_triangle_floats, triangle);
         const integer pixel = load_i(job.pixel + first);
         real x = to_real(pixel & integer(tile_size - 1)), y = to_real(shift_right_logical(pixel, tile_bits));
@@ -35,7 +38,10 @@ struct Pixels {
 };
 
 inline vec3 rgb(vec4 v) { return vec3(v.x, v.y, v.z); }
-inline vec4 texel(const TextureSlot& slot, const Pixels& p) { return sample(slot, p.texcoords[slot.texcoord_set == 0 ? 0 : 1]); }
+inline vec4 texel(const TextureSlot& slot, const Pixels& p) {
+    const TexCoords& at = p.texcoords[slot.texcoord_set == 0 ? 0 : 1];
+    return p.anisotropy > 1 ? sample_anisotropic(slot, at, p.anisotropy) : sample(slot, at);
+}
 
 inline void find_texcoords(const MaterialView& m, Pixels& p) {
     bool used[2] = {false, false};
@@ -45,7 +51,8 @@ inline void find_texcoords(const MaterialView& m, Pixels& p) {
         if (slot->view != nullptr) used[slot->texcoord_set == 0 ? 0 : 1] = true;
     for (int set = 0; set < 2; ++set)
         if (used[set]) p.texcoords[set] = texcoords(p.records, p.b, set);
-    if (m.shares_footprint == 0) return;
+    p.shares_footprint = m.shares_footprint != 0 && p.anisotropy <= 1;
+    if (!p.shares_footprint) return;
     const TextureView& t = *m.base_color_map.view;
     const TexCoords c = transformed(m.base_color_map, p.texcoords[m.base_color_map.texcoord_set == 0 ? 0 : 1]);
     p.footprint = footprint_of(t, c, level_of_detail(t, c), t.minify_linear != 0);
@@ -53,7 +60,7 @@ inline void find_texcoords(const MaterialView& m, Pixels& p) {
 
 /// The normal map's texel, 0..1.
 inline vec3 normal_texel(const MaterialView& m, const Pixels& p) {
-    return rgb(m.shares_footprint != 0 ? sample(*m.normal_map.view, p.footprint) : texel(m.normal_map, p));
+    return rgb(p.shares_footprint ? sample(*m.normal_map.view, p.footprint) : texel(m.normal_map, p));
 }
 
 /// What the surface is painted with, vertex color times texture, and that times the material's factor; alpha with the opacity map.
@@ -65,7 +72,7 @@ inline BaseColor base_color(const MaterialView& m, const Pixels& p) {
     BaseColor base;
     const real one(1.0f);
     base.paint = m.vertex_colors != 0 ? interpolate_color(p.records, p.b) : vec4(one, one, one, one);
-    if (m.shares_footprint != 0)
+    if (p.shares_footprint)
         base.paint = base.paint * sample(*m.base_color_map.view, p.footprint);
     else if (m.base_color_map.view != nullptr)
         base.paint = base.paint * texel(m.base_color_map, p);
