@@ -67,6 +67,21 @@ class Visibility(program.Case):
         self.assertNotEqual(pictures[0], pictures[2])
         self.check_refused(self.run_program("render", model, "-o", "a.png", "--interpolation", "linear"), 2, "--interpolation")
 
+    def test_culling_back_faces_of_an_open_box_is_warned_of_where_it_was_asked_for(self):
+        view = ("-o", "out.png", "--resolution", "64,48", "--camera-position", "2.4,3.4,4.2", "--camera-focal-point", "0,0.5,0")
+        open_box = DATA / "open_box.obj"
+        run = self.run_program("render", open_box, *view, "--cull", "back")
+        self.assertEqual((run.code, len(run.lines)), (0, 1), run.err)
+        for words in ("rakelight: warning: ", "'box'", "4 boundary edges"):
+            self.assertIn(words, run.err)
+        for words in ((), ("--cull", "none"), ("--cull", "front"), ("--visibility", "back-face")):
+            run = self.run_program("render", open_box, *view, *words)
+            self.assertEqual((run.code, run.err), (0, ""), words)
+        self.assertIn("4 boundary edges", self.run_program("render", open_box, *view, "--visibility", "back-face", "--verbose").err)
+        closed = self.write("closed.obj", open_box.read_text() + "f 5 6 7 8\n")
+        run = self.run_program("render", closed, *view, "--cull", "back")
+        self.assertNotIn("boundary", run.err)
+
     def test_an_unknown_method_is_wrong_usage(self):
         run = self.run_program("render", "builtin:teapot", "-o", "out.png", "--visibility", "w-buffer")
         self.check_refused(run, 2, "--visibility", "w-buffer", "painter")

@@ -95,6 +95,7 @@ struct FrontEnd {
     RenderStats stats;
     PictureMemory memory;
     std::vector<Shading> shading;  ///< [draws] never automatic; choose_shading()
+    std::vector<std::uint8_t> culled_by_side;  ///< [draws] not 0: triangles were culled by the side they are seen from
 };
 
 /// Whether attributes are linear on the screen.

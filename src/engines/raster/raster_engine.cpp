@@ -10,6 +10,7 @@
 #include "engines/channel_arrays.h"
 #include "engines/raster/channels_tile.h"
 #include "engines/raster/multisample.h"
+#include "engines/raster/open_surfaces.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
@@ -178,7 +179,10 @@ public:
 
     std::string name() const override { return "soft"; }
 
-    void prepare(const Scene& scene, Context& context) override { list_ = make_draw_list(scene, textures_, context); }
+    void prepare(const Scene& scene, Context& context) override {
+        list_ = make_draw_list(scene, textures_, context);
+        open_surfaces_.forget();
+    }
 
     RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {
         const RenderSettings settings = settings_for_method(wanted);
@@ -208,6 +212,7 @@ public:
                                          sink, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;
+        open_surfaces_.remark(front, wanted.cull == Cull::back, context);
         clip_ = std::move(front.clip);
         screen_ = std::move(front.screen);
         binned_ = std::move(binned);
@@ -268,6 +273,7 @@ private:
     const GeometryKernels* geometry_kernels_;
     TextureCache textures_;
     DrawList list_;
+    OpenSurfaces open_surfaces_;
     ScratchPool pool_;
     // Memory of the picture before, used again.
     std::vector<ClipVertices> clip_;
