@@ -101,6 +101,8 @@ void add_view_options(CLI::App& app, const char* group, RenderWords& w) {
         "What it looks at (default: the middle of the model)");
     add(app, group, "--camera-view-up", w.up, "X,Y,Z", "Which way is up (default 0,1,0). OBJ, STL and PLY files are taken as Y up: 0,0,1 shows models that are Z up");
     add(app, group, "--camera-view-angle", w.view_angle, "DEG", "Vertical angle of view (default 40)");
+    add(app, group, "--camera-horizontal-angle", w.horizontal_angle, "DEG",
+        "Horizontal angle of view; with --camera-view-angle both hold, and pixels need not be square");
     app.add_flag("--camera-orthographic", w.orthographic,
                  "Parallel projection, as high as what the angle of view shows at the focal point")
         ->group(group);

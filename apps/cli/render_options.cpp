@@ -213,11 +213,14 @@ void apply_view(const RenderWords& w, ViewRequest& v) {
     if (!w.position.empty()) v.position = vector3("--camera-position", w.position);
     if (!w.focal_point.empty()) v.focal_point = vector3("--camera-focal-point", w.focal_point);
     if (!w.up.empty()) v.up = vector3("--camera-view-up", w.up);
-    if (w.view_angle.empty()) return;
-    const double angle = number("--camera-view-angle", w.view_angle);
-    if (!(angle > 0 && angle < 180))
-        throw Error(ErrorCode::usage, "--camera-view-angle: must be more than 0 and less than 180 degrees");
-    v.vertical_fov_rad = radians(angle);
+    const auto angle = [](const char* option, const std::string& text) {
+        const double degrees = number(option, text);
+        if (!(degrees > 0 && degrees < 180))
+            throw Error(ErrorCode::usage, std::string(option) + ": must be more than 0 and less than 180 degrees");
+        return radians(degrees);
+    };
+    if (!w.view_angle.empty()) v.vertical_fov_rad = angle("--camera-view-angle", w.view_angle);
+    if (!w.horizontal_angle.empty()) v.horizontal_fov_rad = angle("--camera-horizontal-angle", w.horizontal_angle);
 }
 
 void apply_textures(const RenderWords& w, TextureOverrides& t) {

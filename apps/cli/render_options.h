@@ -21,7 +21,7 @@ struct RenderWords {
     std::string line_width, line_color, points, point_size;
     std::string normals, crease_angle, weight, uv, tangents, orthogonalize;
     std::string texture_base_color, texture_normal, normal_scale;
-    std::string view, camera, position, focal_point, up, view_angle;
+    std::string view, camera, position, focal_point, up, view_angle, horizontal_angle;
     bool orthographic = false, keep_instances = false, stats = false, edges = false, wireframe = false,
          point_sprites = false;
     std::vector<std::string> lights;

@@ -23,9 +23,11 @@ struct ViewRequest {
     std::optional<dvec3> focal_point;  ///< [m] world; what the camera looks at
     std::optional<dvec3> up;           ///< any length; default +Y; the default view turns along
     std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
+    /// 0..pi, both exclusive. Alone: pixels stay square, the vertical one follows. With the vertical one: pixels are as wide as both say.
+    std::optional<double> horizontal_fov_rad;
     bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
 
-    bool is_placed() const { return position || focal_point || up || vertical_fov_rad || orthographic; }
+    bool is_placed() const { return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic; }
 };
 
 /// The camera for a picture of `aspect` = width / height: placed in the world, no node, no aspect of its own (a camera

@@ -219,8 +219,11 @@ struct Camera {
     std::uint32_t node = none;
     dmat4 to_world;                     ///< used when node is none: a rotation and a translation
     double vertical_fov_rad = radians(40);  ///< perspective, 0..pi
+    /// Perspective, 0..pi: the field of view across, whatever the picture's aspect: pixels need not be square then. Absent: square pixels.
+    std::optional<double> horizontal_fov_rad;
     std::optional<double> aspect;       ///< width / height that the file wants; the picture's own when absent
     double half_height = 1;             ///< orthographic: half the visible height [m]
+    std::optional<double> half_width;   ///< orthographic: half the visible width [m]; absent: square pixels
     double near = 0.1, far = 1000;      ///< 0 < near < far (orthographic: near may be <= 0); far may be infinity
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/file.h"
+#include "math/functions.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 
@@ -197,12 +198,15 @@ OrderedJson camera_json(const Camera& camera) {
     if (camera.projection == Projection::perspective) {
         json["type"] = "perspective";
         OrderedJson& p = json["perspective"] = {{"yfov", camera.vertical_fov_rad}, {"znear", camera.near}};
-        if (camera.aspect) p["aspectRatio"] = *camera.aspect;
+        if (camera.horizontal_fov_rad)
+            p["aspectRatio"] = math::tan(0.5 * *camera.horizontal_fov_rad) / math::tan(0.5 * camera.vertical_fov_rad);
+        else if (camera.aspect)
+            p["aspectRatio"] = *camera.aspect;
         if (std::isfinite(camera.far)) p["zfar"] = camera.far;
     } else {
         json["type"] = "orthographic";
         const double near = std::max(0.0, camera.near), far = std::isfinite(camera.far) ? camera.far : near + 1e6;
-        json["orthographic"] = {{"xmag", camera.half_height * camera.aspect.value_or(1)},
+        json["orthographic"] = {{"xmag", camera.half_width.value_or(camera.half_height * camera.aspect.value_or(1))},
                                 {"ymag", camera.half_height},
                                 {"zfar", far},
                                 {"znear", near}};

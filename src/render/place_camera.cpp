@@ -22,6 +22,8 @@ void check_placement(const ViewRequest& view) {
         throw Error(ErrorCode::usage, "the camera's focal point is more than 1e15 m away");
     if (view.vertical_fov_rad && !(*view.vertical_fov_rad > 0 && *view.vertical_fov_rad < pi))
         throw Error(ErrorCode::usage, "the camera's view angle must be more than 0 and less than 180 degrees");
+    if (view.horizontal_fov_rad && !(*view.horizontal_fov_rad > 0 && *view.horizontal_fov_rad < pi))
+        throw Error(ErrorCode::usage, "the camera's horizontal angle must be more than 0 and less than 180 degrees");
     if (view.up && *view.up == dvec3{0, 0, 0}) throw Error(ErrorCode::usage, "the camera's up must not be zero");
 }
 
@@ -56,7 +58,10 @@ bool is_along(dvec3 up, dvec3 direction) {
 Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
                     const std::string& file, Context& context) {
     Camera camera = base;
-    if (view.vertical_fov_rad) camera.vertical_fov_rad = *view.vertical_fov_rad;
+    if (view.vertical_fov_rad) {
+        camera.vertical_fov_rad = *view.vertical_fov_rad;
+        camera.horizontal_fov_rad = view.horizontal_fov_rad;
+    }
     const dvec3 base_eye = base.to_world[3].xyz(), base_z = base.to_world[2].xyz();
 
     // 1. What the base camera looks at: the model's centre, or the point on a file camera's axis that is nearest to it.
@@ -76,6 +81,8 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     // 3. Projection and depths.
     if (camera.projection == Projection::perspective ? view.orthographic : view.vertical_fov_rad.has_value()) {
         camera.half_height = math::tan(0.5 * camera.vertical_fov_rad) * length(eye - focal);
+        camera.half_width.reset();
+        if (camera.horizontal_fov_rad) camera.half_width = math::tan(0.5 * *camera.horizontal_fov_rad) * length(eye - focal);
         camera.projection = Projection::orthographic;
     }
     camera.node = none;

@@ -13,9 +13,11 @@ namespace {
 
 bool is_drawable(const Camera& c) {
     if (!std::isfinite(c.near) || !(c.far > c.near)) return false;
+    const auto is_length = [](double half) { return half > 0 && std::isfinite(half); };
+    const auto is_angle = [](double fov_rad) { return fov_rad > 0 && fov_rad < pi; };
     if (c.projection == Projection::orthographic)
-        return c.half_height > 0 && std::isfinite(c.half_height) && std::isfinite(c.far);
-    return c.near > 0 && c.vertical_fov_rad > 0 && c.vertical_fov_rad < pi;
+        return is_length(c.half_height) && (!c.half_width || is_length(*c.half_width)) && std::isfinite(c.far);
+    return c.near > 0 && is_angle(c.vertical_fov_rad) && (!c.horizontal_fov_rad || is_angle(*c.horizontal_fov_rad));
 }
 
 std::string list_of_cameras(const Scene& scene) {
@@ -55,10 +57,25 @@ Camera checked_camera_of_file(const Scene& scene, std::size_t index, double aspe
     return default_camera(bounds, aspect);
 }
 
+/// A horizontal angle alone becomes the vertical one of square pixels; both change `aspect` to that of what is seen.
+ViewRequest resolve_angles(ViewRequest view, double& aspect) {
+    if (!view.horizontal_fov_rad) return view;
+    const double half_width = math::tan(0.5 * *view.horizontal_fov_rad);
+    if (view.vertical_fov_rad) {
+        aspect = half_width / math::tan(0.5 * *view.vertical_fov_rad);
+    } else {
+        view.vertical_fov_rad = 2 * math::atan2(half_width / aspect, 1);
+        view.horizontal_fov_rad.reset();
+    }
+    return view;
+}
+
 }  // namespace
 
-Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
-    check_placement(view);
+Camera choose_camera(const Scene& scene, const ViewRequest& asked, double picture_aspect, Context& context) {
+    check_placement(asked);
+    double aspect = picture_aspect;
+    const ViewRequest view = resolve_angles(asked, aspect);
     const Bounds bounds = world_bounds(scene);
     if (bounds.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     if (!view.side.empty() && !view.camera.empty())
@@ -77,6 +94,9 @@ Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect,
 bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
     const bool perspective = camera.projection == Projection::perspective;
     const double half_height = perspective ? math::tan(0.5 * camera.vertical_fov_rad) : camera.half_height;
+    double half_width = half_height * aspect;
+    if (perspective && camera.horizontal_fov_rad) half_width = math::tan(0.5 * *camera.horizontal_fov_rad);
+    if (!perspective && camera.half_width) half_width = *camera.half_width;
     const dvec3 eye = camera.to_world[3].xyz();
     unsigned outside_all = 0x3F;  // one bit a plane: left, right, bottom, top, near, far
     for (int corner = 0; corner < 8; ++corner) {
@@ -85,7 +105,7 @@ bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
                         eye;
         const double x = dot(p, camera.to_world[0].xyz()), y = dot(p, camera.to_world[1].xyz());
         const double distance = -dot(p, camera.to_world[2].xyz());
-        const double limit_y = half_height * (perspective ? distance : 1), limit_x = limit_y * aspect;
+        const double at_one = perspective ? distance : 1, limit_x = half_width * at_one, limit_y = half_height * at_one;
         outside_all &= unsigned(x < -limit_x) | unsigned(x > limit_x) << 1 | unsigned(y < -limit_y) << 2 |
                        unsigned(y > limit_y) << 3 | unsigned(distance < camera.near) << 4 |
                        unsigned(distance > camera.far) << 5;
@@ -94,7 +114,9 @@ bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
 }
 
 Camera adapt_to_aspect(Camera camera, double aspect) {
-    if (camera.aspect && *camera.aspect > aspect) {  // the picture is narrower: show more above and below
+    const bool has_width = camera.projection == Projection::perspective ? camera.horizontal_fov_rad.has_value()
+                                                                        : camera.half_width.has_value();
+    if (camera.aspect && *camera.aspect > aspect && !has_width) {  // the picture is narrower: show more above and below
         const double factor = *camera.aspect / aspect;
         camera.half_height *= factor;
         if (camera.projection == Projection::perspective)

@@ -85,9 +85,14 @@ void check_camera(const Scene& scene, std::size_t i) {
     if (!std::isfinite(camera.near) || !(camera.far > camera.near)) place.fail("near must be a number and less than far");
     if (camera.projection == Projection::perspective) {
         if (!(camera.vertical_fov_rad > 0 && camera.vertical_fov_rad < pi)) place.fail("the field of view is not between 0 and pi");
+        if (camera.horizontal_fov_rad && !(*camera.horizontal_fov_rad > 0 && *camera.horizontal_fov_rad < pi))
+            place.fail("the horizontal field of view is not between 0 and pi");
         if (!(camera.near > 0)) place.fail("near must be greater than 0");
-    } else if (!(camera.half_height > 0 && std::isfinite(camera.half_height))) {
-        place.fail("the visible height is not a number > 0");
+    } else {
+        if (!(camera.half_height > 0 && std::isfinite(camera.half_height)))
+            place.fail("the visible height is not a number > 0");
+        if (camera.half_width && !(*camera.half_width > 0 && std::isfinite(*camera.half_width)))
+            place.fail("the visible width is not a number > 0");
     }
 }
 

@@ -66,8 +66,12 @@ public:
           radius_px_(std::max(1.5, 0.003 * frame.height)),
           heat_deg_(frame.color.size(), 0),
           cover_(frame.color.size(), 0) {
-        half_height_ = camera.projection == Projection::orthographic ? camera.half_height
-                                                                     : math::tan(0.5 * camera.vertical_fov_rad);
+        const bool parallel = camera.projection == Projection::orthographic;
+        half_height_ = parallel ? camera.half_height : math::tan(0.5 * camera.vertical_fov_rad);
+        std::optional<double> half_width = camera.half_width;
+        if (!parallel) half_width.reset();
+        if (!parallel && camera.horizontal_fov_rad) half_width = math::tan(0.5 * *camera.horizontal_fov_rad);
+        if (half_width) pixel_height_ = half_height_ * frame.width / (*half_width * frame.height);
     }
 
     void paint(std::span<const SeamLine> lines) {
@@ -94,7 +98,7 @@ private:
 
     PicturePoint project(dvec3 c) const {
         const double half = 0.5 * frame_.height, scale = half / half_height_at(-c.z);
-        return {0.5 * frame_.width + c.x * scale, half - c.y * scale, -c.z};
+        return {0.5 * frame_.width + c.x * scale * pixel_height_, half - c.y * scale, -c.z};
     }
 
     void add(const SeamLine& line) {
@@ -170,7 +174,7 @@ private:
 
     Frame& frame_;
     const Camera& camera_;
-    double radius_px_, half_height_ = 1;
+    double radius_px_, half_height_ = 1, pixel_height_ = 1;  ///< the last: of a pixel's width
     std::vector<float> heat_deg_, cover_;  ///< [pixels]
 };
 

@@ -41,9 +41,32 @@ class Cameras(program.Case):
     def test_fields_of_view_that_see_nothing_or_all_are_refused(self):
         for angle in ("0", "180", "-10", "360", "nan", "inf"):
             with self.subTest(angle=angle):
-                self.check_no_picture(self.render("builtin:teapot", "--camera-view-angle", angle), "--camera-view-angle")
-        for angle in ("0.001", "179"):
-            self.assertEqual(self.render("builtin:teapot", "--camera-view-angle", angle).code, 0)
+                for option in ("--camera-view-angle", "--camera-horizontal-angle"):
+                    self.check_no_picture(self.render("builtin:teapot", option, angle), option)
+                self.check_no_picture(self.render("builtin:teapot", "--camera-view-angle", "40", "--camera-horizontal-angle", angle), "--camera-horizontal-angle")
+        for option in ("--camera-view-angle", "--camera-horizontal-angle"):
+            for angle in ("0.001", "179"):
+                self.assertEqual(self.render("builtin:teapot", option, angle).code, 0)
+
+    def test_either_angle_gives_square_pixels_and_both_hold(self):
+        """A square of 1 m seen from 1 m: an angle of 2 atan(t) shows 2 t meters."""
+        self.write("a.obj", "v -.5 -.5 0\nv .5 -.5 0\nv .5 .5 0\nv -.5 .5 0\nf 1 2 3 4\n")
+
+        def extent(*angles):
+            result = self.render("a.obj", "--camera-position", "0,0,1", "--camera-focal-point", "0,0,0", "--background", "0,0,0", *angles)
+            self.assertEqual((result.code, result.err), (0, ""))
+            rows = program.png(self.folder / "a.png")[3]
+            return sum(any(rows[24][3 * x:3 * x + 3]) for x in range(64)), sum(any(row[96:99]) for row in rows)
+
+        def angle(half_tangent):
+            return repr(math.degrees(2 * math.atan(half_tangent)))
+
+        for projection in ((), ("--camera-orthographic",)):
+            with self.subTest(projection=projection):
+                self.assertEqual(extent("--camera-view-angle", "90", *projection), (24, 24))
+                self.assertEqual(extent("--camera-horizontal-angle", "90", *projection), (32, 32))
+                self.assertEqual(extent("--camera-horizontal-angle", "90", "--camera-view-angle", "90", *projection), (32, 24))
+                self.assertEqual(extent("--camera-horizontal-angle", angle(2), "--camera-view-angle", angle(0.75), *projection), (16, 32))
 
     def test_cameras_of_files_that_cannot_be_are_left_out_and_that_is_said(self):
         for depths, word in (((1, 1), "zfar must be greater than znear"), ((10, 1), "zfar must be greater than znear"), ((0, 100), "znear"), ((-1, 100), "znear"),

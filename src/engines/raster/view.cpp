@@ -25,6 +25,11 @@ void check_camera(const Camera& c) {
     if (!depths_fit) refuse("the camera's near distance must be positive and less than its far distance");
     if (c.projection == Projection::perspective && !(c.vertical_fov_rad > 0 && c.vertical_fov_rad < pi))
         refuse("the camera's field of view must be more than 0 and less than 180 degrees");
+    const std::optional<double>& across = c.horizontal_fov_rad;
+    if (c.projection == Projection::perspective && across && !(*across > 0 && *across < pi))
+        refuse("the camera's horizontal field of view must be more than 0 and less than 180 degrees");
+    if (c.projection == Projection::orthographic && c.half_width && !(*c.half_width > 0 && std::isfinite(*c.half_width)))
+        refuse("the orthographic camera's width must be positive");
     if (c.projection == Projection::orthographic && !(c.half_height > 0 && std::isfinite(c.half_height)))
         refuse("the orthographic camera's height must be positive");
     if (c.projection == Projection::orthographic && !std::isfinite(c.far)) refuse("an orthographic camera needs a finite far distance");
@@ -49,6 +54,8 @@ View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderS
     const double half_height = view.orthographic ? camera.half_height : math::tan(camera.vertical_fov_rad * 0.5);
     view.scale_y = 1.0 / half_height;
     view.scale_x = view.scale_y / aspect;
+    if (view.orthographic && camera.half_width) view.scale_x = 1.0 / *camera.half_width;
+    if (!view.orthographic && camera.horizontal_fov_rad) view.scale_x = 1.0 / math::tan(*camera.horizontal_fov_rad * 0.5);
     return view;
 }
 

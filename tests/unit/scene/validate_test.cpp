@@ -129,6 +129,13 @@ TEST(Validate, RefusesImpossibleCamerasAndLights) {
     expect_fault("near must be", [](Scene& s) { s.cameras[0].far = 0.05; });
     expect_fault("near must be greater than 0", [](Scene& s) { s.cameras[0].near = 0; });
     expect_fault("field of view", [](Scene& s) { s.cameras[0].vertical_fov_rad = pi; });
+    for (const double angle : {0.0, -1.0, pi, double(nan_f), double(infinity)})
+        expect_fault("horizontal field of view", [&](Scene& s) { s.cameras[0].horizontal_fov_rad = angle; });
+    for (const double half : {0.0, -1.0, double(nan_f), double(infinity)})
+        expect_fault("visible width", [&](Scene& s) {
+            s.cameras[0].projection = Projection::orthographic;
+            s.cameras[0].half_width = half;
+        });
     expect_fault("visible height", [](Scene& s) {
         s.cameras[0].projection = Projection::orthographic;
         s.cameras[0].half_height = 0;

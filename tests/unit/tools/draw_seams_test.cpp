@@ -42,6 +42,22 @@ TEST(DrawSeams, TheSeamIsALineOfItsColorAndTheRestIsGray) {
     EXPECT_LE(colored, 6);
 }
 
+TEST(DrawSeams, TheLineLiesOnTheSeamWherePixelsAreNotSquare) {
+    // From 1 m away a field of view of 90 degrees across: the seam, half a meter left of the axis, is a quarter of the
+    // width from the edge.
+    for (const bool parallel : {false, true}) {
+        const ViewRequest view{.position = dvec3{0.5, 0.5, 1},
+                               .focal_point = dvec3{0.5, 0.5, 0},
+                               .vertical_fov_rad = radians(30),
+                               .horizontal_fov_rad = radians(90),
+                               .orthographic = parallel};
+        const Frame f = seams_of(with_seam({0.6f, 0, 0.8f}), view);
+        EXPECT_FALSE(is_gray(pixel(f, 25, 25)));
+        EXPECT_TRUE(is_gray(pixel(f, 35, 25)));
+        EXPECT_TRUE(is_gray(pixel(f, 15, 25)));
+    }
+}
+
 TEST(DrawSeams, AModelWithoutSeamsStaysGray) {
     const Frame f = seams_of(test::two_squares());
     for (int x = 20; x < 80; ++x) EXPECT_TRUE(is_gray(pixel(f, x, 25)));
