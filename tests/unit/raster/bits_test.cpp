@@ -3,6 +3,8 @@
 // their order. tests/acceptance/acceptance.py (bits) holds the program to the same, under qemu too.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -92,6 +94,20 @@ void put(std::vector<T>& whole, const std::vector<T>& part, const Window& w) {
                     whole.begin() + std::ptrdiff_t(w.y + y) * width + w.x);
 }
 
+/// The picture of one thread and no vectors, from any number of threads and every instruction set.
+void expect_same_everywhere(const Scene& scene, const RenderSettings& settings, const std::string& what) {
+    const std::uint64_t expected = [&] {
+        const IsaGuard guard(Isa::scalar);
+        return hash_of(scene, settings, 1);
+    }();
+    for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
+        if (!is_available(isa)) continue;
+        const IsaGuard guard(isa);
+        for (const int threads : {1, 2, 4})
+            EXPECT_EQ(hash_of(scene, settings, threads), expected) << name(isa) << ", " << threads << " threads, " << what;
+    }
+}
+
 }  // namespace
 
 TEST(Bits, AreThoseOfOneThreadAndNoVectorsForAnyThreadsAndInstructionSet) {
@@ -100,18 +116,8 @@ TEST(Bits, AreThoseOfOneThreadAndNoVectorsForAnyThreadsAndInstructionSet) {
         for (const Visibility visibility : {Visibility::z_reversed, Visibility::z24, Visibility::painter}) {
             RenderSettings settings = settings_for(shading);
             settings.visibility = visibility;
-            const std::uint64_t expected = [&] {
-                const IsaGuard guard(Isa::scalar);
-                return hash_of(scene, settings, 1);
-            }();
-            for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
-                if (!is_available(isa)) continue;
-                const IsaGuard guard(isa);
-                for (const int threads : {1, 2, 4})
-                    EXPECT_EQ(hash_of(scene, settings, threads), expected)
-                        << name(isa) << ", " << threads << " threads, shading " << int(shading) << ", visibility "
-                        << int(visibility);
-            }
+            expect_same_everywhere(scene, settings,
+                                   "shading " + std::to_string(int(shading)) + ", visibility " + std::to_string(int(visibility)));
         }
 }
 
@@ -122,17 +128,7 @@ TEST(Bits, OfMultisampledPicturesAreThoseOfOneThreadAndNoVectorsToo) {
             RenderSettings settings = settings_for(Shading::phong);
             settings.samples = samples;
             settings.edges = edges;
-            const std::uint64_t expected = [&] {
-                const IsaGuard guard(Isa::scalar);
-                return hash_of(scene, settings, 1);
-            }();
-            for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
-                if (!is_available(isa)) continue;
-                const IsaGuard guard(isa);
-                for (const int threads : {1, 2, 4})
-                    EXPECT_EQ(hash_of(scene, settings, threads), expected)
-                        << name(isa) << ", " << threads << " threads, " << samples << " samples";
-            }
+            expect_same_everywhere(scene, settings, std::to_string(samples) + " samples");
         }
 }
 
