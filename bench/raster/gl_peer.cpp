@@ -2,6 +2,7 @@
 // The soft engine beside OpenGL without a GPU: the same scene, equations and texels, pictures in sRGB on both sides,
 // frame by frame in turns. Says medians, their ratio, and how much the pictures differ.
 //   gl_peer --triangles 100k --lights 2 --cases normal,phong,gouraud,unlit --pictures /tmp/peer- --json
+// The case plain has one color an object: edges alone differ.
 // --least-psnr DB fails where the pictures of both sides agree less.
 // One call is one OpenGL version: what a package brings is chosen by the loader (LD_LIBRARY_PATH, LIBGL_DRIVERS_PATH).
 #include <rakelight/bench.h>
@@ -126,12 +127,12 @@ RenderSettings settings_for(const std::string& name, const Options& o) {
     s.samples = o.samples;
     s.cull = Cull::back;
     s.bump = name == "normal" ? Bump::normal : Bump::none;
-    if (name == "unlit")
+    if (name == "unlit" || name == "plain")
         s.shading = Shading::unlit;
     else if (name == "gouraud")
         s.shading = Shading::gouraud;
     else if (name != "normal" && name != "phong")
-        wrong("cases are normal, phong (no normal map), gouraud, unlit; not '" + name + "'");
+        wrong("cases are normal, phong (no normal map), gouraud, unlit, plain (unlit, no texture); not '" + name + "'");
     return s;
 }
 
@@ -160,6 +161,13 @@ private:
     PictureSink sink_{PixelFormat{}};
     RenderStats stats_;
 };
+
+/// One color an object: what differs then are edges alone.
+Scene without_textures(Scene scene) {
+    scene.textures.clear();
+    for (Material& m : scene.materials) m.base_color_texture = m.normal_texture = {};
+    return scene;
+}
 
 /// Mean over components, in steps of 8 bits.
 double mean_difference(const Pixels& a, const Pixels& b) {
@@ -250,7 +258,8 @@ void run(const Options& o) {
     const GlContext gl;
     const std::string name = gl.renderer().starts_with("llvmpipe") ? "llvmpipe" : "gl";
     Json rows = Json::array();
-    for (const std::string& c : o.cases) run_case(c, scene, name, o, context, rows);
+    for (const std::string& c : o.cases)
+        run_case(c, c == "plain" ? without_textures(scene) : scene, name, o, context, rows);
     const Json json = {{"schema", "rakelight.bench/1"},
                        {"rows", rows},
                        {"triangles", triangle_count(scene)},

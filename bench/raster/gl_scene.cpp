@@ -72,10 +72,14 @@ GlScene::GlScene(const Scene& scene, Shading shading, Bump bump, double aspect, 
     glUseProgram(program_);
     const auto place = [&](const char* name) { return glGetUniformLocation(program_, name); };
     const Camera& camera = scene.cameras[0];
-    const mat4 projection = cast<float>(perspective(camera.vertical_fov_rad, aspect, camera.near, camera.far));
+    mat4 projection = cast<float>(perspective(camera.vertical_fov_rad, aspect, camera.near, camera.far));
+    for (std::size_t c = 0; c < 4; ++c) projection[c].y = -projection[c].y;  // on its head: fronts turn clockwise
+    glFrontFace(GL_CW);
     glUniformMatrix4fv(place("projection"), 1, GL_FALSE, &projection[0].x);
-    upload_texture(0, scene.textures[0], ColorSpace::srgb, context);
-    upload_texture(1, scene.textures[1], ColorSpace::linear, context);
+    if (!scene.textures.empty()) {
+        upload_texture(0, scene.textures[0], ColorSpace::srgb, context);
+        upload_texture(1, scene.textures[1], ColorSpace::linear, context);
+    }
     glUniform1i(place("color_map"), 0);
     glUniform1i(place("normal_map"), 1);
     const ClassicalParameters& surface = scene.materials[0].classical;
@@ -133,6 +137,7 @@ void GlScene::upload_vertices(const Scene& scene) {
 
 void GlScene::make_program(const Scene& scene, Shading shading, Bump bump) {
     std::string head = "#version 330 core\n#define LIGHTS " + std::to_string(scene.lights.size()) + "\n";
+    if (scene.textures.empty()) head += "#define PLAIN\n";
     if (shading == Shading::unlit) head += "#define UNLIT\n";
     if (shading == Shading::gouraud) head += "#define GOURAUD\n";
     if (shading == Shading::phong && bump == Bump::normal) head += "#define NORMAL_MAP\n";

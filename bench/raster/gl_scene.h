@@ -12,9 +12,10 @@ namespace rakelight::bench {
 
 class GlScene {
 public:
-    /// @param scene  as make_bench_scene() makes it: classical materials, point lights, two textures, uniform scales
+    /// @param scene  as make_bench_scene() makes it: classical materials, point lights, two textures or none, uniform
+    ///               scales
     GlScene(const Scene& scene, Shading shading, Bump bump, double aspect, Context& context);
-    void draw() const;
+    void draw() const;  ///< on its head, see GlTarget
 
 private:
     void upload_vertices(const Scene& scene);

@@ -81,7 +81,11 @@ in vec4 t0;
 out vec4 color;
 void main()
 {
+#ifdef PLAIN
+    vec3 own = base_color;
+#else
     vec3 own = base_color * texture(color_map, uv).rgb;
+#endif
 #if defined(UNLIT)
     color = vec4(own, 1.0);
 #elif defined(GOURAUD)

@@ -8,7 +8,6 @@
 #include <GL/glext.h>
 
 #include <cstdlib>
-#include <cstring>
 
 #include <rakelight/error.h>
 
@@ -92,16 +91,14 @@ void GlTarget::resolve() const {
 }
 
 Pixels GlTarget::read() const {
-    Pixels upside_down, pixels;
+    Pixels pixels;
     pixels.width = width_;
     pixels.height = height_;
     pixels.channels = 3;
     pixels.bytes.resize(pixels.row_bytes() * std::size_t(height_));
-    upside_down = pixels;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, upside_down.bytes.data());
-    for (int y = 0; y < height_; ++y) std::memcpy(pixels.row(y), upside_down.row(height_ - 1 - y), pixels.row_bytes());
+    glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, pixels.bytes.data());
     return pixels;
 }
 

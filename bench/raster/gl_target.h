@@ -22,13 +22,15 @@ private:
     void* context_ = nullptr;
 };
 
-/// sRGB color and 24 bits of depth, `samples` a pixel; those are averaged by resolve().
+/// sRGB color and 24 bits of depth, `samples` a pixel; those are averaged by resolve(). OpenGL counts rows, and the
+/// positions of a pixel's samples in a frame buffer object, from the bottom; so that both lie as those of the soft
+/// engine, what is drawn stands on its head: row 0 is the picture's top.
 class GlTarget {
 public:
     GlTarget(int width, int height, int samples);
     void begin() const;    ///< binds, clears
     void resolve() const;  ///< nothing for one sample
-    Pixels read() const;   ///< RGB codes, row 0 on top
+    Pixels read() const;   ///< RGB codes
 
 private:
     unsigned make(int samples, bool with_depth) const;

@@ -25,6 +25,19 @@ class Samples(program.Case):
             self.assertLessEqual(stats["samples_covered"], int(n) * stats["pixels_covered"])
             self.assertEqual(stats["pixels_shaded"] > stats["pixels_covered"], n != "1")
 
+    def test_a_pixel_of_two_colors_is_their_mean_in_linear_light(self):
+        # Red to the left of the edge in the middle of column 8, blue to the right; 4 and 8 samples: half on each side.
+        (self.folder / "two.mtl").write_text("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
+        corners = "".join(f"v {x} {y} 0\n" for x in (-2, 0.0625, 2) for y in (-2, 2))
+        (self.folder / "two.obj").write_text(f"mtllib two.mtl\n{corners}usemtl red\nf 1 3 4 2\nusemtl blue\nf 3 5 6 4\n")
+        for n in ("4", "8"):
+            run = self.run_program("render", "two.obj", "-o", "two.png", "--resolution", "16,16", "--samples", n, "--shading",
+                                   "unlit", "--camera-orthographic", "--camera-position", "0,0,1", "--camera-focal-point",
+                                   "0,0,0", "--camera-view-angle", "90")
+            self.assertEqual(run.code, 0, run.err)
+            for row in program.png(self.folder / "two.png")[3]:
+                self.assertEqual([list(row[3 * x:3 * x + 3]) for x in (7, 8, 9)], [[255, 0, 0], [188, 0, 188], [0, 0, 255]])
+
     def test_data_channels_do_not_change(self):
         for n in ("1", "4"):
             self.picture(n + ".png", "--samples", n, "--channels", "depth,normal")

@@ -192,6 +192,25 @@ TEST(Multisample, APixelOfOneTriangleIsThatOfOneSampleToTheBit) {
         EXPECT_NEAR(one.red(size - 1 - y, y), four.red(size - 1 - y, y), 0.05) << "on the diagonal";
 }
 
+TEST(Multisample, WhatChangesEvenlyOverASurfaceIsThatOfThePixelsCenterWhateverEdgesPass) {
+    for (const int samples : {4, 8}) {
+        Scene scene =
+            polygon(white, {{0, 0}, {23.25, 0}, {64, 0}, {64, 23}, {64, 64}, {41.25, 64}, {9.75, 64}, {0, 64}});
+        std::vector<vec4> colors;
+        for (const vec3& p : scene.meshes[0].positions)
+            colors.push_back({(p.x + 1) / 2, (p.y + 1) / 2, (2 + p.x - p.y) / 4, 1});
+        scene.meshes[0].colors = std::move(colors);
+        const Drawn drawn = draw(scene, settings_of(samples));
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                const float across = (float(x) + 0.5f) / size, up = 1 - (float(y) + 0.5f) / size;
+                EXPECT_NEAR(drawn.at(x, y).x, across, 1e-6f) << x << ", " << y;
+                EXPECT_NEAR(drawn.at(x, y).y, up, 1e-6f) << x << ", " << y;
+                EXPECT_NEAR(drawn.at(x, y).z, (1 + across - up) / 2, 1e-6f) << x << ", " << y;
+            }
+    }
+}
+
 TEST(Multisample, DataChannelsAreThoseOfThePixelsCenters) {
     constexpr std::uint32_t channels_of_centers =
         channel_depth | channel_normal | channel_object | channel_material | channel_overdraw | channel_triangle;
