@@ -84,6 +84,10 @@ void set_property(const std::string& option, Light& light, std::string_view part
 
 vec4 background(const std::string& option, std::string_view text) {
     if (text == "transparent") return {0, 0, 0, 0};
+    return display_color(option, text, "write r,g,b from 0 to 1, '#rrggbb', or transparent");
+}
+
+vec4 display_color(const std::string& option, std::string_view text, const char* advice) {
     const std::string_view hex = text.starts_with('#') ? text.substr(1) : text;
     dvec3 display;
     if (is_hex(hex)) {
@@ -94,7 +98,7 @@ vec4 background(const std::string& option, std::string_view text) {
         display = vector3(option, text);
     } else {
         throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 40) + "' is not a color", {},
-                    "write r,g,b from 0 to 1, '#rrggbb', or transparent");
+                    advice);
     }
     for (std::size_t i = 0; i < 3; ++i)
         if (display[i] < 0 || display[i] > 1)
@@ -106,11 +110,13 @@ vec4 background(const std::string& option, std::string_view text) {
 Light light(const std::string& option, std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ':');
     Light light;
+    if (parts[0] == "default") throw Error(ErrorCode::usage, option + ": default stands alone, without numbers");
     light.type = word<LightType>(option, parts[0],
                                  {{"point", LightType::point},
                                   {"directional", LightType::directional},
                                   {"spot", LightType::spot},
-                                  {"ambient", LightType::ambient}});
+                                  {"ambient", LightType::ambient},
+                                  {"default", {}}});  // refused above: for the list in the message
     if (parts.size() < 2)
         throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 60) + "' lacks its numbers", {},
                     "for example point:0,2,3 or directional:0,-1,-1 or ambient:0.1,0.1,0.1");

@@ -123,6 +123,10 @@ static void add_line_options(CLI::App& app, RenderWords& w) {
         "Color of edges and vertices (default: black over surfaces, else the material's)");
 }
 
+void hide_drawn_lines(CLI::App& app) {
+    for (const char* name : {"--edges", "--wireframe", "--points", "--point-sprites"}) app.get_option(name)->group("");
+}
+
 void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Output", "-o,--output", w.output, "FILE",
         "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for the model's name")

@@ -21,6 +21,9 @@ Error no_name_for_each(Verb verb) {
     if (verb == Verb::smooth)
         return Error(ErrorCode::usage, "several models need a name for each output", {},
                      "write for example -o 'out/{model}.glb'");
+    if (verb == Verb::stages)
+        return Error(ErrorCode::usage, "several models need a name for each folder", {},
+                     "write for example -o 'out/{model}'");
     return Error(ErrorCode::usage, "several models need a name for each picture", {},
                  verb == Verb::inspect ? "write for example --heatmap 'out/{model}.png'"
                                        : "write for example -o 'out/{model}.png'");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "values.h"
 
@@ -32,6 +33,12 @@ void apply_size(const RenderWords& w, RenderSettings& s) {
     if (!w.background.empty()) s.background = background("--background", w.background);
 }
 
+bool is_exr(const std::string& file) {
+    std::string ending = std::filesystem::path(file).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return ending == ".exr";
+}
+
 void apply_channels(const RenderWords& w, PictureRequest& request) {
     for (const std::string_view name : w.channels.empty() ? std::vector<std::string_view>() : split(w.channels, ',')) {
         try {
@@ -48,8 +55,13 @@ void apply_channels(const RenderWords& w, PictureRequest& request) {
             {{"exr", channel_files_exr}, {"layers", channel_files_layers}, {"png", channel_files_png}});
     if (!w.channel_files.empty() && w.channels.empty())
         throw Error(ErrorCode::usage, "--channel-files says how channels are written, but --channels asks for none");
-    if (!w.exr_colors.empty())
-        request.half_colors = word<bool>("--exr-colors", w.exr_colors, {{"float", false}, {"half", true}});
+    if (w.exr_colors.empty()) return;
+    request.half_colors = word<bool>("--exr-colors", w.exr_colors, {{"float", false}, {"half", true}});
+    const bool has_exr_channels =
+        !w.channels.empty() && (request.channel_files & ~std::uint32_t(channel_files_png)) != 0;
+    if (!has_exr_channels && !is_exr(request.output))
+        throw Error(ErrorCode::usage, "--exr-colors is about EXR files, but none is written", {},
+                    "let --output end in .exr, or add --channels");
 }
 
 Shading shading_word(std::string_view text) {
@@ -147,8 +159,7 @@ void apply_lines(const RenderWords& w, RenderSettings& s) {
         throw Error(ErrorCode::usage, "--point-sprites and --points none exclude each other");
     if (!w.line_width.empty()) s.line_width = pixels("--line-width", w.line_width);
     if (!w.point_size.empty()) s.point_size = pixels("--point-size", w.point_size);
-    if (!w.line_color.empty()) s.line_color = background("--line-color", w.line_color);
-    if (!w.line_color.empty() && s.line_color.w == 0) throw Error(ErrorCode::usage, "--line-color: must be a color");
+    if (!w.line_color.empty()) s.line_color = display_color("--line-color", w.line_color);
 }
 
 void apply_normals(const RenderWords& w, PrepareOptions& p) {

@@ -29,6 +29,9 @@ struct RenderWords {
 
 /// Declares the options with their help. `words` must live until the command line is read.
 void add_render_options(CLI::App& app, RenderWords& words);
+/// For verbs that look into surfaces: --edges and the like are refused with their own message, so the help leaves them
+/// out.
+void hide_drawn_lines(CLI::App& app);
 
 /// The part about normals and tangents; `which` is the help for --normals.
 void add_normal_options(CLI::App& app, const char* which, RenderWords& words);

@@ -28,6 +28,9 @@ std::uint64_t byte_size(const std::string& option, std::string_view text);
 
 /// Display color "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", or "transparent": linear RGB and alpha.
 vec4 background(const std::string& option, std::string_view text);
+/// The same without "transparent". `advice` says what may be written.
+vec4 display_color(const std::string& option, std::string_view text,
+                   const char* advice = "write r,g,b from 0 to 1 or '#rrggbb'");
 
 /// "point:0,2,3:color=1,0.9,0.8:attenuation=1,0,0.1", "directional:0,-1,-1", "spot:...", "ambient:0.1,0.1,0.1".
 Light light(const std::string& option, std::string_view text);

@@ -42,8 +42,12 @@ struct Measured {
 void check(const RenderBenchOptions& o) {
     const auto refuse = [](const char* text) { throw Error(ErrorCode::usage, text); };
     if (o.triangles < 100 || o.triangles > 100'000'000) refuse("triangles must be 100 to 100000000");
-    if (o.objects < 1 || o.objects > 100'000 || o.objects > o.triangles / 20)
-        refuse("objects must be 1 to 100000, with 20 triangles or more each");
+    if (o.objects < 1 || o.objects > 100'000) refuse("objects must be 1 to 100000");
+    if (o.objects > o.triangles / 20)
+        throw Error(ErrorCode::usage,
+                    std::to_string(o.triangles) + " triangles are too few for " + std::to_string(o.objects) +
+                        " objects of 20 triangles or more each",
+                    {}, "give fewer --objects or more --triangles");
     if (o.lights > bench_lights_max) refuse("lights must be 0 to 8");
     if (o.frames < 1 || o.frames > 10'000) refuse("frames must be 1 to 10000");
     if (o.engines.empty()) refuse("no engine to measure");

@@ -84,7 +84,9 @@ class Channels(program.Case):
     def test_wrong_words_are_refused_with_the_right_ones(self):
         for options, words in ((("--channels", "depth,smell"), ("smell", "face-normal")), (("--channels", ""), ("empty",)),
                                (("--channels", "depth", "--channel-files", "tiff"), ("tiff", "layers")),
-                               (("--channel-files", "png"), ("--channels",)), (("--exr-colors", "quarter"), ("half",))):
+                               (("--channel-files", "png"), ("--channels",)), (("--exr-colors", "quarter"), ("half",)),
+                               (("--exr-colors", "half"), ("none is written", ".exr")),
+                               (("--exr-colors", "half", "--channels", "depth", "--channel-files", "png"), ("none is written",))):
             result = self.run_program("render", "builtin:teapot", "-o", "a.png", *options)
             self.assertEqual((result.code, len(result.lines)), (2, 1), result.err)
             for word in words:

@@ -173,6 +173,9 @@ class Cli(program.Case):
             with self.subTest(arguments=arguments):
                 self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", *arguments), 2)
         self.check_refused(self.run_program("rendr", "a.obj"), 2, "unknown command 'rendr'")
+        self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", "--light", "sun"), 2, "ambient, default")
+        self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", "--light", "default:1,1,1"), 2, "without numbers")
+        self.check_refused(self.run_program("bench", "render", "--triangles", "1k"), 2, "1000 triangles are too few for 100 objects", "--objects")
         self.check_refused(self.run_program("render", "-lead.glb", "-o", "a.png"), 2, "./-lead.glb")
         self.check_refused(self.run_program("render", "a.obj", "-o", "{name}.png"), 2, "{model}")
         for arguments in ((), ("paint",), ("render",), ("render", "a.obj"), ("render", "-o", "a.png"), ("inspect",), ("--what",)):
