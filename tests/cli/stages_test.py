@@ -250,6 +250,39 @@ class Stages(program.Case):
         (self.folder / "other" / "stages.json").write_text('{"schema": "rakelight.stages/1", "files": 3}')
         self.assertEqual(self.run_program("stages", "builtin:teapot", "-o", "other", "--resolution", SIZE).code, 1)
 
+    def test_refusals_speak_of_folders(self):
+        self.check_refused(self.run_program("stages", "builtin:teapot", "-o", "no/such/out"), 1, "no/such/out: the folder", "does not exist; create it first")
+        self.check_refused(self.run_program("stages", "a.obj", "b.obj", "-o", "out"), 2, "a name for each folder", "-o 'out/{model}'\n")
+        self.assertEqual(self.files(), [])
+
+    def test_the_help_leaves_out_what_would_be_refused_or_changes_nothing(self):
+        for verb in ("stages", "explain"):
+            text = self.run_program(verb, "--help").out
+            for option in ("--samples", "--channels", "--channel-files", "--exr-colors", "--edges", "--wireframe", "--points", "--point-sprites", "--line-color"):
+                self.assertNotIn(option, text, verb)
+            self.assertEqual("--point-size" in text, verb == "stages")
+
+    def test_a_model_of_points_alone_has_no_ranges_and_a_warning(self):
+        self.write("a.obj", "v 0 0 0\nv 1 1 0\np 1 2\n")
+        run = self.run_program("stages", "a.obj", "-o", self.out, "--resolution", SIZE)
+        self.assertEqual((run.code, len(run.lines)), (0, 1), run.err)
+        self.assertIn("no triangles", run.err)
+        for stage in STAGES[:7]:
+            table = self.table(stage)
+            self.assertEqual([name for name in table["numbers"] if name.startswith("range of ") and "nf" in str(table["numbers"][name])], [], stage)
+        self.assertEqual(self.table("model")["numbers"], {"vertices": 0})
+        self.assertEqual(self.table("model")["rows_note"], "There are no vertices.")
+
+    def test_in_the_world_the_camera_is_seen_from_one_side_wherever_it_stands(self):
+        self.write("a.obj", "v 1 0 0\nv 0 0 1\nv -1 0 0\nv 0 0 -1\nv 0 1 0\nv 0 -1 0\n" +
+                   "".join(f"f {i} {i % 4 + 1} {top}\n" for i in range(1, 5) for top in (5, 6)))
+        pictures = []
+        for view in ("front", "right", "back", "left"):
+            self.stages("--view", view, model="a.obj")
+            pictures.append(png(self.out / "world.png"))
+        for picture in pictures[1:]:
+            self.assertEqual(picture, pictures[0])
+
     def test_nothing_is_left_of_what_fails(self):
         for arguments in (("none.obj", "-o", "out"), ("builtin:teapot", "-o", "no/such/out"), ("builtin:teapot", "-o", "out", "--camera-index", "9"),
                           ("builtin:teapot", "-o", "out", "--resolution", "65536,65536")):

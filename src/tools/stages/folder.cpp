@@ -58,6 +58,16 @@ void check_target(const fs::path& target) {
     }
 }
 
+/// The folder that the new one is to lie in; `given` is how the user wrote it.
+void check_parent(const fs::path& target, const std::string& given) {
+    std::error_code error;
+    if (!fs::is_directory(target.parent_path(), error))
+        throw Error(ErrorCode::failed,
+                    "the folder '" + one_line(target.parent_path().string(), 160) + "' does not exist", {},
+                    "create it first")
+            .with_file(given);
+}
+
 fs::path beside(const fs::path& target, const char* what) {
     return target.parent_path() / ("." + target.filename().string() + "." + what + "-" + std::to_string(getpid()));
 }
@@ -68,6 +78,7 @@ NewFolder::NewFolder(const std::string& target) : target_(fs::absolute(target).l
     if (!target_.has_filename()) target_ = target_.parent_path();  // "out/"
     if (!target_.has_filename()) refuse("is no name for a folder", target);
     check_target(target_);
+    check_parent(target_, target);
     work_ = beside(target_, "new");
     std::error_code error;
     if (!fs::create_directory(work_, error))

@@ -12,7 +12,7 @@ constexpr const char* style = R"(
 :root { color-scheme: light dark; }
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 0 auto; padding: 1rem; background: Canvas; color: CanvasText; }
 h1 { font-size: 1.7rem; overflow-wrap: anywhere; } h2 { font-size: 1.3rem; margin-top: 3rem; border-top: 1px solid GrayText; padding-top: 1rem; }
-p { max-width: 46rem; } nav ol { columns: 16rem; } figure { margin: 1rem 0; } img { max-width: 100%; height: auto; display: block; }
+p { max-width: 46rem; } nav ol { columns: 18rem; column-gap: 3rem; } figure { margin: 1rem 0; } img { max-width: 100%; height: auto; display: block; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 0 1rem; }
 figcaption, caption { text-align: left; color: GrayText; font-size: .9rem; padding: .3rem 0; }
 .scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; margin: .5rem 0; }

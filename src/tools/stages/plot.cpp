@@ -143,10 +143,12 @@ void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, co
     }
     stage.numbers["vertices"] = count;
     for (std::size_t c = 0; c < columns.size(); ++c)
-        stage.numbers["range of " + columns[c]] = {cell(low[c]), cell(high[c])};
+        if (low[c] <= high[c]) stage.numbers["range of " + columns[c]] = {cell(low[c]), cell(high[c])};
     stage.columns = {"object", "vertex"};
     stage.columns.insert(stage.columns.end(), columns.begin(), columns.end());
-    stage.rows_note = "The first " + std::to_string(stage.rows.size()) + " of " + std::to_string(count) + " vertices";
+    stage.rows_note =
+        count == 0 ? "There are no vertices."
+                   : "The first " + std::to_string(stage.rows.size()) + " of " + std::to_string(count) + " vertices";
 }
 
 }  // namespace rakelight::stages

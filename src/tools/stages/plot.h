@@ -86,7 +86,7 @@ void add_plot(Stage& stage, const Sources& of, const Vertices& vertices, const s
 
 using VertexRow = std::function<std::vector<double>(std::size_t draw, std::uint32_t vertex)>;
 
-/// Adds rows of numbers and the range of each column, for all vertices.
+/// Adds rows of numbers, and the range of each column that has finite ones, for all vertices.
 void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, const std::vector<std::string>& columns,
                const VertexRow& values);
 

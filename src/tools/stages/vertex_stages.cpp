@@ -24,6 +24,25 @@ Stage model_stage(const Sources& of, const Vertices& vertices) {
     return s;
 }
 
+/// Turns the world round its vertical axis so that the camera looks to the right in the oblique view, a little into the
+/// picture: seen along its own axis, a frustum could not be told from a frame.
+class SeenFromAside {
+public:
+    explicit SeenFromAside(const raster::View& view) {
+        const dvec3 back = view.camera_to_world[2].xyz();
+        const double length = std::sqrt(back.x * back.x + back.z * back.z);
+        if (length < 1e-6) return;  // straight up or down: seen from aside as it is
+        // The picture's right is (1, 0, -1), into it (-1, 0, -1): between them, nearer to the right.
+        const dvec2 to{0.25881904510252074, -0.96592582628906831}, from{-back.x / length, -back.z / length};
+        cos_ = from.x * to.x + from.y * to.y;
+        sin_ = from.x * to.y - from.y * to.x;
+    }
+    dvec2 operator()(dvec3 p) const { return oblique({cos_ * p.x - sin_ * p.z, p.y, sin_ * p.x + cos_ * p.z}); }
+
+private:
+    double cos_ = 1, sin_ = 0;
+};
+
 Stage world_stage(const Sources& of, const Vertices& vertices) {
     Stage s{.id = "world",
             .title = "World space",
@@ -33,14 +52,17 @@ Stage world_stage(const Sources& of, const Vertices& vertices) {
                 "The camera and the lights stand there too. The placement is computed in double precision."};
     const raster::View& view = of.engine.view();
     const dvec3 eye = view.camera_to_world[3].xyz();
-    Space space{.caption = "The objects in place, and in orange the camera with what it can see.",
-                .place = [&](std::size_t d, std::uint32_t v) { return oblique(vertices.world(d, v)); }};
+    const SeenFromAside seen(view);
+    Space space{.caption =
+                    "The objects in place, and in orange the camera with what it can see; turned about the vertical so "
+                    "that the camera looks to the right.",
+                .place = [&](std::size_t d, std::uint32_t v) { return seen(vertices.world(d, v)); }};
     const std::array<dvec3, 8> corners = frustum(view, std::min(view.far, vertices.farthest()));
-    const auto at = [&](std::size_t i) { return oblique(transform_point(view.camera_to_world, corners[i])); };
+    const auto at = [&](std::size_t i) { return seen(transform_point(view.camera_to_world, corners[i])); };
     for (std::size_t i = 0; i < 4; ++i) {
         space.before.push_back({at(i), at((i + 1) % 4)});
         space.before.push_back({at(i + 4), at((i + 1) % 4 + 4)});
-        space.before.push_back({view.orthographic ? at(i) : oblique(eye), at(i + 4)});
+        space.before.push_back({view.orthographic ? at(i) : seen(eye), at(i + 4)});
     }
     add_plot(s, of, vertices, "world", space);
     s.numbers["eye"] = {eye.x, eye.y, eye.z};
@@ -76,8 +98,13 @@ Stage camera_stage(const Sources& of, const Vertices& vertices) {
 }
 
 Stage device_stage(const Sources& of, const Vertices& vertices) {
-    Stage s{.id = "device", .title = "Normalized device coordinates", .text = "After the division by w: the picture is the square from -1 to 1. This is the central projection. The depth that is compared is near / distance "
-            "in perspective: 1 at the near plane, 0 at infinity, straight on the screen, so that it can be stepped from pixel to pixel. Vertices behind the near plane have no place here (NaN is listed)."};
+    Stage s{.id = "device",
+            .title = "Normalized device coordinates",
+            .text =
+                "After the division by w: the picture is the square from -1 to 1. This is the central projection. The "
+                "depth that is compared is near / distance "
+                "in perspective: 1 at the near plane, 0 at infinity, straight on the screen, so that it can be stepped "
+                "from pixel to pixel. Vertices behind the near plane have no place here (nan is listed)."};
     const double near = of.engine.view().near, nan = std::nan("");
     const auto device = [&](std::size_t d, std::uint32_t v) {
         return double(vertices.clip(d, v).distance) < near ? dvec3{nan, nan, nan} : vertices.device(d, v);

@@ -6,6 +6,7 @@
 #include <rakelight/stages.h>
 
 #include "render/report_json.h"
+#include "scene/scene_tools.h"
 #include "tools/open_engine.h"
 #include "tools/stages/folder.h"
 #include "tools/stages/stage.h"
@@ -23,6 +24,9 @@ StagesResult write(const PictureRequest& request, Context& context) {
     stages::NewFolder folder(request.output);  // first: what stands in the way is said at once
     const auto engine = open_engine(request, context);
     context.progress("stages", 0);
+    if (triangle_count(engine->list().scene) == 0)
+        context.report().add(Remark::warning, request.input, "",
+                             "the model has no triangles: its lines and points are in the last stage alone");
     const raster::Inspection::Geometry open(*engine, {}, true, context), drawn(*engine, {}, false, context);
     const raster::PixelStageData pixels = raster::inspect_pixels(*engine, open, drawn, most_lights, context);
     const stages::Sources sources{*engine, open, drawn, pixels};
