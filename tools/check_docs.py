@@ -7,8 +7,9 @@
 - links lead to files, and `#anchors` to headings;
 - paths in backticks that begin with a folder of the repository exist (`*` matches as in a shell);
 - `./dev WORD` is a command of ./dev;
-- commands `rakelight VERB ...` in code blocks, and in the examples of `rakelight VERB --help`, run. Models that are not there are
-  replaced by one of data/; where no such model can be made (model.fbx), the program must get as far as not finding it.
+- commands `rakelight VERB ...` in code blocks, fenced or indented, and in the examples of `rakelight VERB --help`, run. Models that are
+  not there are replaced by one of data/; where no such model can be made (model.fbx), the program must get as far as not finding it.
+  What stands indented with MODEL, [OPTION] or a|b is no command but a synopsis.
 
 Exit code 1 with a line for each thing that is wrong. Without a program its commands are left out, and it is said."""
 import argparse
@@ -24,6 +25,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 STAND_INS = {".glb": "data/spot/spot_slab5.glb", ".obj": "tests/golden/models/solids.obj"}
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```", re.M | re.S)
+INDENTED = re.compile(r"^(?: {4}.*\n?)+", re.M)
+SYNOPSIS = re.compile(r"(?:^|\s)[A-Z]{2,}\b|\[|\|")
 SPAN = re.compile(r"`([^`\n]+)`")
 
 
@@ -81,6 +84,14 @@ def commands_in(text):
             yield match.group(1)
 
 
+def commands_of_page(text):
+    """Those of fenced blocks, then those of indented ones."""
+    for _, body in FENCE.findall(text):
+        yield from commands_in(body)
+    for body in INDENTED.findall(FENCE.sub("", text)):
+        yield from (command for command in commands_in(body) if not SYNOPSIS.search(command.partition("#")[0]))
+
+
 def run_command(root, program, command, wrong):
     """Runs one command line in a folder of its own, where its models stand under their names; `*.glb` finds two."""
     words = shlex.split(command, comments=True)
@@ -91,7 +102,7 @@ def run_command(root, program, command, wrong):
             option = words[at - 1]
             if option in ("-o", "--output"):
                 (folder / word).parent.mkdir(parents=True, exist_ok=True)
-            elif re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x)", word):
+            elif option.startswith("--texture-") or re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x)", word):
                 is_missing |= not provide(root, folder, word)
         done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=120,
                               stdin=subprocess.DEVNULL)
@@ -144,10 +155,9 @@ def main():
         check_links(page, text, wrong)
         check_paths(root, text, wrong)
         check_dev(root, text, wrong)
-        for _, body in FENCE.findall(text) if program else ():
-            for command in commands_in(body):
-                counts["commands"] += 1
-                run_command(root, program, command, wrong)
+        for command in commands_of_page(text) if program else ():
+            counts["commands"] += 1
+            run_command(root, program, command, wrong)
     for name, text in help_texts(program) if program else ():
         for command in commands_in(text.partition("Examples:")[2]):
             counts["commands"] += 1

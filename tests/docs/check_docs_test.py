@@ -60,6 +60,13 @@ class CheckDocs(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("usage: --no-such-option", errors)
 
+    def test_indented_commands_must_run_but_synopses_need_not(self):
+        self.assertEqual(self.check("words\n\n    rakelight render here.obj \\\n        --window 1,2\n\n    rakelight render MODEL -o PICTURE --a b|c [--d]\n", True), (0, ""))
+        code, errors = self.check("words\n\n    rakelight render --no-such-option\n", True)
+        self.assertEqual(code, 1)
+        self.assertIn("usage: --no-such-option", errors)
+        self.assertIn("#aa0000", self.check("    rakelight render five.obj --line-color '#aa0000'\n", True)[1])
+
     def test_examples_of_the_help_must_run(self):
         code, errors = self.check("", True, example="--gone")
         self.assertEqual(code, 1)
