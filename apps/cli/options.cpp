@@ -161,8 +161,7 @@ void add_render_options(CLI::App& app, RenderWords& w) {
         ->group("Shading")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    add(app, "Shading", "--lighting", w.lighting, "MODEL",
-        "auto (default: what the material says), lambert, phong, blinn-phong");
+    add(app, "Shading", "--lighting", w.lighting, "MODEL", "auto (default: blinn-phong), lambert, phong, blinn-phong");
     add(app, "Shading", "--specular", w.specular, "FORM", "auto (default), textbook, normalized (conserves energy)");
     add(app, "Shading", "--specular-horizon", w.specular_horizon, "on|off",
         "No highlight where the light is below the surface (default on)");
@@ -170,7 +169,9 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Shading", "--texture-base-color", w.texture_base_color, "FILE", "Picture for the color of all materials");
     add(app, "Shading", "--texture-normal", w.texture_normal, "FILE", "Normal map for all materials (green up)");
     add(app, "Shading", "--normal-scale", w.normal_scale, "S", "How strongly normal maps bump (default: the material's, 1)");
-    add(app, "Shading", "--front-face", w.front_face, "ccw|cw", "Which turn of a triangle --cull takes for its front (default ccw)");
+    add(app, "Shading", "--front-face", w.front_face, "ccw|cw",
+        "Which turn of a triangle is its front, for --cull and for the side that a glTF file's normals belong to "
+        "(default ccw)");
     add(app, "Shading", "--cull", w.cull, "WHICH",
         "Faces left out: auto (default: as the material says), none, back, front");
     add(app, "Shading", "--visibility", w.visibility, "METHOD",

@@ -33,7 +33,7 @@ struct ShadingRule {
     Shading shading = Shading::phong;
     bool operator==(const ShadingRule&) const = default;
 };
-enum class Lighting : std::uint8_t { automatic, lambert, phong, blinn_phong };  ///< automatic: what the material says
+enum class Lighting : std::uint8_t { automatic, lambert, phong, blinn_phong };  ///< automatic: Blinn-Phong
 enum class SpecularForm : std::uint8_t { automatic, textbook, normalized };     ///< automatic: textbook for classical materials
 enum class Bump : std::uint8_t { none, normal };
 enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };
