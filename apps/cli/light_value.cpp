@@ -2,6 +2,7 @@
 // --light and --background.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <rakelight/picture.h>
 
@@ -22,8 +23,16 @@ bool is_hex(std::string_view text) {
            std::all_of(text.begin(), text.end(), [](char c) { return hex_digit(c) >= 0; });
 }
 
+/// Three numbers that lights keep as floats.
+dvec3 floats(const std::string& option, std::string_view text) {
+    const dvec3 v = vector3(option, text);
+    if (std::max({v.x, v.y, v.z}) > double(std::numeric_limits<float>::max()))
+        throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 60) + "' is more than 3.4e38");
+    return v;
+}
+
 vec3 color(const std::string& option, std::string_view text) {
-    const dvec3 c = vector3(option, text);
+    const dvec3 c = floats(option, text);
     if (c.x < 0 || c.y < 0 || c.z < 0) throw Error(ErrorCode::usage, option + ": a color must not be negative");
     return {float(c.x), float(c.y), float(c.z)};
 }
@@ -59,7 +68,7 @@ void set_property(const std::string& option, Light& light, std::string_view part
     } else if (name == "specular" && light.type != LightType::ambient) {
         light.specular = color(what, value);
     } else if (name == "attenuation" && has_place) {
-        const dvec3 a = vector3(what, value);
+        const dvec3 a = floats(what, value);
         if (a.x < 0 || a.y < 0 || a.z < 0 || a == dvec3{0, 0, 0})
             throw Error(ErrorCode::usage, what + ": attenuation must be three numbers >= 0, not all 0");
         light.constant = float(a.x), light.linear = float(a.y), light.quadratic = float(a.z);

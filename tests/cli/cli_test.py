@@ -165,7 +165,7 @@ class Cli(program.Case):
                  ("--camera-position", "1,2"), ("--camera-position", "1,2,inf"), ("--camera-view-angle", "180"), ("--view", "behind"),
                  ("--view", "front", "--camera-index", "0"), ("--light", "sun"), ("--light", "point"), ("--light", "point:0,0"),
                  ("--light", "directional:0,0,0"), ("--light", "ambient:1,1,1:cutoff=3"), ("--light", "spot:0,0,1:cutoff=100"),
-                 ("--light", "point:0,0,0:attenuation=0,0,0"), ("--light", "ambient:-1,0,0"), ("--background", "purple"),
+                 ("--light", "point:0,0,0:attenuation=0,0,0"), ("--light", "ambient:-1,0,0"), ("--background", "purple"), ("--light", "ambient:1e39,0,0"), ("--light", "point:0,0,0:attenuation=0,1e39,0"),
                  ("--background", "2,0,0"), ("--channels", "depth,smell"), ("--threads", "0"), ("--threads", "two"),
                  ("--threads", "1025"), ("--max-memory", "lots"), ("--max-memory", "99999999999T"), ("--quiet", "--verbose"),
                  ("--no-such-option",), ("-o",), ("-o", "b.png"))
