@@ -54,7 +54,8 @@ enum class PointShape : std::uint8_t { none, square, disc };
 
 /// Data beside color that an engine can hand out, as bits. All are of the nearest opaque surface (or masked one, where
 /// its texture is opaque) at the pixel's center; blended surfaces are seen in the color alone. Directions and positions
-/// are in world axes. Where there is no surface: depth +infinity, numbers `none`, all else 0.
+/// are in world axes. Where there is no surface: depth +infinity, numbers `none`, all else 0. Opaque lines and points
+/// are held too, with depth, position, object, mesh, material, base color and emission, as nothing in the others.
 enum Channel : std::uint32_t {
     channel_depth = 1u << 0,        ///< [m] distance along the view axis
     /// Shading normal: interpolated, bumped by the normal map, on the side that is lit; unit.

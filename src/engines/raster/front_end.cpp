@@ -102,7 +102,8 @@ void renew(SetUpMemory& memory, std::size_t chunks) {
 
 void PictureMemory::add(std::uint64_t bytes) {
     if ((used_ += bytes) <= limit_) return;
-    throw Error(ErrorCode::bad_file, "the picture's triangles need more than " + std::to_string(limit_) + " bytes", {},
+    throw Error(ErrorCode::bad_file,
+                "the picture's triangles, lines and points need more than " + std::to_string(limit_) + " bytes", {},
                 "raise the limit with --max-memory, or render a part with --window");
 }
 

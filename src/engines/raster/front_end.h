@@ -78,6 +78,7 @@ public:
     explicit PictureMemory(const MemoryBudget& budget) : limit_(budget.limit() / 2) {}
     /// @throws Error bad_file where the sum passes the limit
     void add(std::uint64_t bytes);
+    void remove(std::uint64_t bytes) { used_ -= bytes; }
 
 private:
     std::uint64_t limit_;
@@ -93,7 +94,7 @@ struct FrontEnd {
     std::vector<std::vector<ScreenVertex>> screen;  ///< [draws][vertices + row_padding]
     std::vector<dmat4> to_eye;           ///< [draws] object -> world axes about the eye
     RenderStats stats;
-    PictureMemory memory;
+    mutable PictureMemory memory;  ///< tiles count what they take, too
     std::vector<Shading> shading;  ///< [draws] never automatic; choose_shading()
     std::vector<std::uint8_t> culled_by_side;  ///< [draws] not 0: triangles were culled by the side they are seen from
 };

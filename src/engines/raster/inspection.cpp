@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/inspection.h"
 
-#include <limits>
-
 #include "engines/raster/visibility_methods.h"
 
 namespace rakelight::raster {
@@ -13,11 +11,6 @@ Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSet
     settings_.window = {};
     view_ = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings_);
     lights_ = make_lights(list_.scene, list_.node_to_world, view_.camera_to_world[3].xyz());
-}
-
-float Inspection::distance_of(float key) const {
-    if (view_.orthographic) return float(view_.near + (1 - double(key)) * (view_.far - view_.near));
-    return key > 0 ? float(view_.near / double(key)) : std::numeric_limits<float>::infinity();
 }
 
 bool Inspection::is_culled(std::uint32_t draw, bool is_back) const {

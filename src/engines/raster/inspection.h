@@ -80,7 +80,7 @@ public:
     const RenderSettings& settings() const { return settings_; }
     const std::vector<lighting::LightParameters>& lights() const { return lights_; }
     /// [m] distance along the view axis of a depth key.
-    float distance_of(float key) const;
+    float distance_of(float key) const { return float(view_.distance_of(double(key))); }
     /// Whether culling drops what is seen from behind (or from the front) of a draw.
     bool is_culled(std::uint32_t draw, bool is_back) const;
 

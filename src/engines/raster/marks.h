@@ -2,6 +2,7 @@
 // Lines and points on the picture: edges and vertices of triangles where settings ask for them, and the lines and
 // points that scenes hold. They are laid over the shaded surfaces, anti-aliased by coverage.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct Mark {
 struct Marks {
     std::vector<vec4> colors;  ///< linear RGB and opacity
     std::vector<std::vector<Mark>> chunks;
+    std::vector<const Draw*> draws;      ///< [chunks] whose marks they are
     std::vector<std::uint32_t> offsets;  ///< [tiles + 1] into items; empty: there are no marks
     std::vector<std::uint64_t> items;    ///< chunk << 32 | index in the chunk, in the order of the scene
     bool is_of_one_color = true;
@@ -32,15 +34,42 @@ struct Marks {
     const Mark& at(std::uint64_t item) const { return chunks[item >> 32][item & 0xFFFFFFFFu]; }
 };
 
-/// A color that waits to be laid on a pixel, so that marks of one color which follow each other there are united.
+/// Part of a mark that covers a part of a pixel.
+struct MarkFragment {
+    std::uint32_t pixel;         ///< of the tile
+    std::uint32_t color_number;  ///< into Marks::colors; none: a mixture
+    float key, coverage;         ///< reversed depth; more than 0, at most 1
+    float reach;                 ///< [px] mark_reach() of the mark
+    vec4 color;
+};
+
+/// A color that waits to be laid on a pixel, so that marks of one color which follow each other there are united: the
+/// greater coverage counts, and corners are not darker.
 struct PendingMark {
     vec4 color;
     float coverage = 0;  ///< 0: nothing waits
     std::uint32_t color_number = none;
+
+    /// @param lay  called with a color and its opacity
+    template <class Lay>
+    void add(const MarkFragment& f, const Lay& lay) {
+        if (f.color_number == none || f.color_number != color_number) finish(lay);
+        if (coverage == 0)
+            *this = {f.color, f.coverage, f.color_number};
+        else
+            coverage = std::max(coverage, f.coverage);
+    }
+    template <class Lay>
+    void finish(const Lay& lay) {
+        if (coverage > 0) lay(vec4{color.x, color.y, color.z, coverage * std::min(std::max(color.w, 0.0f), 1.0f)});
+        *this = {};
+    }
 };
 
+/// [px] half the diagonal of a pixel, rounded up: a border farther than this from its center does not cut it.
+inline constexpr double half_diagonal = 0.70711;
 /// [px] from the middle of a mark to the last pixel center that it may cover in part.
-inline double mark_reach(float size) { return 0.5 * double(size) + 0.70711; }
+inline double mark_reach(float size) { return 0.5 * double(size) + half_diagonal; }
 
 /// What settings and scene give, in the order: lines and points of the scene, edges, vertices. Triangles that culling
 /// drops have neither. Same bits for any number of threads and any window.
@@ -50,9 +79,9 @@ Marks make_marks(FrontEnd& front, const TileGrid& grid, Context& context);
 /// Whether a tile has any.
 bool has_marks(const TileJob& job, std::size_t tile);
 
-/// Lays the marks of a tile over its colors. A mark is hidden where it is farther than the visible surface by more than
-/// that surface's depth changes over half the mark's width and half a pixel: what lies on the surface shows, without
-/// gaps. Where colors differ, nearer marks lie over farther ones.
+/// Lays the marks of a tile without blended surfaces over its colors, into data channels too. A mark is hidden where it
+/// is farther than the visible surface by more than that surface's depth changes over half the mark's width and half a
+/// pixel: what lies on the surface shows, without gaps. Where colors differ, nearer marks lie over farther ones.
 void draw_marks(const TileJob& job, std::size_t tile, TileScratch& scratch);
 
 }  // namespace rakelight::raster

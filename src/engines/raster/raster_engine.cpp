@@ -75,12 +75,6 @@ private:
     std::vector<std::unique_ptr<TileScratch>> free_;
 };
 
-float distance_of(float key, const View& view) {
-    if (!(key >= 0)) return std::numeric_limits<float>::infinity();
-    if (view.orthographic) return float(view.near + (1 - double(key)) * (view.far - view.near));
-    return key > 0 ? float(view.near / double(key)) : std::numeric_limits<float>::infinity();
-}
-
 /// The rows of a whole tile that lie in the window; a tile that does so wholly is handed on as it stands.
 template <class T>
 std::span<const T> part(const std::vector<T>& whole, const Window& in_tile, std::vector<T>& copy) {
@@ -97,7 +91,7 @@ void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     const Window in_tile = {area.x - job.grid.origin_x(tile), area.y - job.grid.origin_y(tile), area.width, area.height};
     const std::uint32_t channels = job.front.settings.channels;
     if (channels & channel_depth)
-        for (float& key : s.depth) key = distance_of(key, job.front.view);
+        for (float& key : s.depth) key = float(job.front.view.distance_of(double(key)));
     std::vector<vec4> color;
     std::vector<std::uint32_t> srgb8;
     Tile result{.area = area};

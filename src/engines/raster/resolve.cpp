@@ -2,27 +2,23 @@
 // The end of a multisampled tile: blended surfaces sample by sample, the mean of the samples, lines and points.
 #include <algorithm>
 #include <bit>
+#include <optional>
 
+#include "engines/raster/blend.h"
 #include "engines/raster/coverage.h"
+#include "engines/raster/mark_layers.h"
 #include "engines/raster/multisample.h"
 #include "image/tone.h"
 
 namespace rakelight::raster {
 namespace {
 
-/// Porter & Duff 1984, straight alpha: what blend_batch() of shade_tile.cpp does to a pixel.
-void lay(vec4 c, vec4& to) {
-    const float under = to.w * (1 - c.w), alpha = c.w + under;
-    if (alpha > 0)
-        to = {(c.x * c.w + to.x * under) / alpha, (c.y * c.w + to.y * under) / alpha,
-              (c.z * c.w + to.z * under) / alpha, alpha};
-}
-
 /// A blended triangle, shaded once a pixel, over those of its samples where it is nearer than what stands there: at an
 /// edge that two triangles share no sample gets both, so that the surface has no seam.
 /// @param shown  [tile_pixels] all 0, and again after
-void blend_triangle(const TileJob& job, std::size_t tile, const ScreenTriangle& t, std::vector<std::uint16_t>& shown,
-                    TileScratch& s) {
+/// @param marks  lines and points between the surfaces, if there are any
+void blend_triangle(const TileJob& job, std::size_t tile, const ScreenTriangle& t, MarkLayers* marks,
+                    std::vector<std::uint16_t>& shown, TileScratch& s) {
     SampleScratch& m = *s.samples;
     const auto positions = sample_positions(job.front.settings.samples);
     const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
@@ -46,13 +42,14 @@ void blend_triangle(const TileJob& job, std::size_t tile, const ScreenTriangle& 
     s.not_finite += std::uint64_t(job.kernels.shade(&batch));
     s.shaded += count;
     if (!batch.unlit && !batch.lit) s.lit_pixels += count;
+    if (marks) marks->lay_behind(t, count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto p = std::size_t(s.pixel[i]);
         const bool is_finite = s.alpha[i] - s.alpha[i] == 0;
         if (!is_finite) ++s.not_finite;
         const vec4 c = {s.red[i], s.green[i], s.blue[i], is_finite ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f};
         vec4* const colors = &m.color[std::size_t(m.number[p]) * positions.size()];
-        for (std::uint32_t left = shown[p]; left != 0; left &= left - 1) lay(c, colors[std::countr_zero(left)]);
+        for (std::uint32_t left = shown[p]; left != 0; left &= left - 1) lay_over(c, colors[std::countr_zero(left)]);
         shown[p] = 0;
     }
 }
@@ -86,15 +83,20 @@ void resolve(bool is_direct, std::size_t samples, TileScratch& s) {
 }  // namespace
 
 void finish_samples(const TileJob& job, std::size_t tile, TileScratch& s) {
+    const bool has_any_marks = has_marks(job, tile);
+    std::optional<MarkLayers> marks;
     if (s.samples->blends) {
+        if (has_any_marks) marks.emplace(job, tile, s);
         std::vector<std::uint16_t> shown(tile_pixels, 0);
         for (const std::uint32_t item : blending_order(job, tile))
-            blend_triangle(job, tile, job.binned.at(job.binned.items[item]), shown, s);
+            blend_triangle(job, tile, *job.binned.items[item], marks ? &*marks : nullptr, shown, s);
     }
-    const bool marks = has_marks(job, tile);
-    resolve(job.to_srgb8 && !marks, std::size_t(job.front.settings.samples), s);
-    if (!marks) return;
-    draw_marks(job, tile, s);
+    resolve(job.to_srgb8 && !has_any_marks, std::size_t(job.front.settings.samples), s);
+    if (!has_any_marks) return;
+    if (marks)
+        marks->lay_rest();
+    else
+        draw_marks(job, tile, s);
     if (job.to_srgb8) to_srgb8(s.color, 4, {reinterpret_cast<std::uint8_t*>(s.srgb8.data()), 4 * s.srgb8.size()});
 }
 

@@ -4,9 +4,10 @@
 #include <cstring>
 #include <utility>
 
+#include "engines/raster/blend.h"
 #include "engines/raster/channels_tile.h"
 #include "engines/raster/coverage.h"
-#include "engines/raster/tile.h"
+#include "engines/raster/mark_layers.h"
 #include "engines/raster/visibility_methods.h"
 #include "image/srgb_encoder.h"
 #include "image/tone.h"
@@ -17,16 +18,13 @@ namespace {
 
 bool is_lit_at_pixels(const ShadeJob& job) { return !job.unlit && !job.lit; }
 
-/// Colors of a finished batch over what is there (Porter & Duff 1984, straight alpha over an opaque ground).
+/// Colors of a finished batch over what is there.
 void blend_batch(std::size_t count, TileScratch& s) {
     for (std::size_t i = 0; i < count; ++i) {
-        vec4& to = s.color[std::size_t(s.pixel[i])];
         const bool is_finite = s.alpha[i] - s.alpha[i] == 0;
         if (!is_finite) ++s.not_finite;
         const vec4 c = {s.red[i], s.green[i], s.blue[i], is_finite ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f};
-        const float under = to.w * (1 - c.w), alpha = c.w + under;
-        if (alpha > 0)
-            to = {(c.x * c.w + to.x * under) / alpha, (c.y * c.w + to.y * under) / alpha, (c.z * c.w + to.z * under) / alpha, alpha};
+        lay_over(c, s.color[std::size_t(s.pixel[i])]);
     }
 }
 
@@ -203,10 +201,12 @@ std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile) 
 
 namespace {
 
-void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
+/// @param marks  lines and points between the surfaces, if there are any
+void blend_layers(const TileJob& job, std::size_t tile, const std::vector<std::uint32_t>& order, MarkLayers* marks,
+                  TileScratch& s) {
     const Window area = job.grid.pixels(tile);
     const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
-    for (const std::uint32_t item : blending_order(job, tile)) {
+    for (const std::uint32_t item : order) {
         const ScreenTriangle& t = job.binned.at(job.binned.items[item]);
         std::size_t count = 0;
         const BlendTest is_before(job.front, t, std::int32_t(item - job.binned.offsets[tile]));
@@ -222,6 +222,7 @@ void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
         s.not_finite += std::uint64_t(job.kernels.shade(&batch));
         s.shaded += count;
         if (is_lit_at_pixels(batch)) s.lit_pixels += count;
+        if (marks) marks->lay_behind(t, count);
         blend_batch(count, s);
         if (s.on_layer) s.on_layer(count);
     }
@@ -230,8 +231,17 @@ void blend_layers(const TileJob& job, std::size_t tile, TileScratch& s) {
 }  // namespace
 
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
-    if (job.has_blended) blend_layers(job, tile, s);
-    if (has_marks(job, tile)) draw_marks(job, tile, s);
+    std::vector<std::uint32_t> order;
+    if (job.has_blended) order = blending_order(job, tile);
+    if (order.empty()) {
+        if (has_marks(job, tile)) draw_marks(job, tile, s);
+    } else if (has_marks(job, tile)) {
+        MarkLayers marks(job, tile, s);
+        blend_layers(job, tile, order, &marks, s);
+        marks.lay_rest();
+    } else {
+        blend_layers(job, tile, order, nullptr, s);
+    }
     if (job.to_srgb8) to_srgb8(s.color, 4, {reinterpret_cast<std::uint8_t*>(s.srgb8.data()), 4 * s.srgb8.size()});
 }
 

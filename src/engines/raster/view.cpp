@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/view.h"
 
+#include <limits>
+
 #include "math/functions.h"
 
 namespace rakelight::raster {
@@ -36,6 +38,17 @@ void check_camera(const Camera& c) {
 }
 
 }  // namespace
+
+double View::distance_of(double key) const {
+    if (orthographic && key >= 0) return near + (1 - key) * (far - near);
+    return key > 0 ? near / key : std::numeric_limits<double>::infinity();
+}
+
+dvec3 View::place(double x, double y, double key) const {
+    const double distance = distance_of(key), scale = orthographic ? 1 : distance;
+    const dvec2 at = {(2 * x / width - 1) / scale_x, (1 - 2 * y / height) / scale_y};
+    return transform_point(camera_to_world, dvec3{at.x * scale, at.y * scale, -distance});
+}
 
 View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings) {
     check_settings(settings);

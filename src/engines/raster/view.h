@@ -28,6 +28,10 @@ struct View {
     dvec2 screen(const ClipVertex& v) const {
         return {(double(v.x) / double(v.w) * 0.5 + 0.5) * width, (0.5 - double(v.y) / double(v.w) * 0.5) * height};
     }
+    /// [m] distance along the view axis of a depth key; infinity where it says that nothing is there.
+    double distance_of(double key) const;
+    /// [m] where the ray through a place on the screen (px) meets a depth key; world axes.
+    dvec3 place(double x, double y, double key) const;
 };
 
 /// @throws Error usage: size out of 1..65536, near or far not in order, not finite, field of view out of (0, 180) degrees.

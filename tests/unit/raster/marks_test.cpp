@@ -6,69 +6,20 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <random>
 
-#include "engines/raster/raster_engine.h"
-#include "math/isa.h"
-#include "support/scene_builder.h"
+#include "unit/raster/marked_scene.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
 
 namespace {
 
-constexpr int side = 64;
-
-RenderSettings settings() { return {.width = side, .height = side, .background = {0, 0, 0, 1}}; }
-
-Frame draw(const Scene& scene, const Camera& camera, const RenderSettings& s = settings(), int threads = 1, RenderStats* stats = nullptr) {
-    Context context({.threads = threads});
-    auto engine = raster::make_engine();
-    engine->prepare(scene, context);
-    Frame frame;
-    const RenderStats counted = engine->render(camera, s, frame, context);
-    if (stats) *stats = counted;
-    return frame;
-}
-
-vec4 pixel(const Frame& f, int x, int y) { return f.color[std::size_t(y * f.window.width + x)]; }
-
-bool same_bits(const Frame& a, const Frame& b) {
-    return a.color.size() == b.color.size() && std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(vec4)) == 0;
-}
-
 double sum_of_red(const Frame& f) {
     double sum = 0;
     for (const vec4& c : f.color) sum += double(c.x);
     return sum;
 }
-
-std::uint32_t add_unlit(Scene& scene, vec4 color, bool double_sided = true) {
-    Material m;
-    m.model = MaterialModel::unlit;
-    m.base_color = color;
-    m.double_sided = double_sided;
-    scene.materials.push_back(m);
-    return std::uint32_t(scene.materials.size() - 1);
-}
-
-/// Lines or points through these places, in pairs or one by one.
-void add_marks(Scene& scene, Topology topology, std::vector<vec3> places, vec4 color = {1, 1, 1, 1}, std::vector<vec4> colors = {}) {
-    Mesh mesh;
-    mesh.topology = topology;
-    std::vector<std::uint32_t> indices;
-    for (std::uint32_t i = 0; i < places.size(); ++i) indices.push_back(i);
-    mesh.positions = std::move(places);
-    mesh.indices = indices;
-    if (!colors.empty()) mesh.colors = std::move(colors);
-    mesh.material = add_unlit(scene, color);
-    add_object(scene, std::move(mesh));
-}
-
-/// flat_camera() shows -1..1 on 64 pixels: the place of a pixel coordinate.
-float at(double px) { return float(px / 32 - 1); }
-vec3 place(double px, double py, float z = 0) { return {at(px), -at(py), z}; }
 
 Scene one_line(vec3 a, vec3 b) {
     Scene scene;
@@ -84,19 +35,11 @@ Scene tilted_square() {
     return scene;
 }
 
-Camera eye() {
-    Camera camera;
-    camera.vertical_fov_rad = radians(50);
-    camera.near = 0.1;
-    camera.far = 100;
-    camera.to_world = translation(dvec3{0.1, 0.2, 2.2});
-    return camera;
-}
-
 /// Squares in every attitude, some through the eye plane, with lines and points of the scene's own.
 Scene busy_scene() {
     Scene scene;
-    const std::uint32_t materials[] = {add_unlit(scene, {0.9f, 0.5f, 0.2f, 1}), add_unlit(scene, {0.2f, 0.5f, 0.9f, 1}, false)};
+    const std::uint32_t materials[] = {add_unlit(scene, {0.9f, 0.5f, 0.2f, 1}),
+                                       add_unlit(scene, {0.2f, 0.5f, 0.9f, 1}, AlphaMode::opaque, false)};
     std::mt19937 random(3);
     std::uniform_real_distribution<float> part(-2, 2);
     const auto anywhere = [&] { return vec3{part(random), part(random), part(random)}; };
@@ -116,7 +59,7 @@ Scene busy_scene() {
 }  // namespace
 
 TEST(Marks, ALineOfOnePixelAlongPixelCentersCoversThemAndNothingElse) {
-    const Frame f = draw(one_line(place(10.5, 20.5), place(50.5, 20.5)), flat_camera());
+    const Frame f = draw(one_line(place(10.5, 20.5), place(50.5, 20.5)), flat_camera(), settings());
     for (int x = 0; x < side; ++x) {
         EXPECT_EQ(pixel(f, x, 20).x, x >= 10 && x <= 50 ? 1.0f : 0.0f) << x;
         EXPECT_EQ(pixel(f, x, 19).x, 0);
@@ -125,7 +68,7 @@ TEST(Marks, ALineOfOnePixelAlongPixelCentersCoversThemAndNothingElse) {
 }
 
 TEST(Marks, ALineBetweenTwoRowsIsSharedByThem) {
-    const Frame f = draw(one_line(place(10, 21), place(50, 21)), flat_camera());
+    const Frame f = draw(one_line(place(10, 21), place(50, 21)), flat_camera(), settings());
     EXPECT_NEAR(pixel(f, 30, 20).x, 0.5f, 1e-4f);
     EXPECT_NEAR(pixel(f, 30, 21).x, 0.5f, 1e-4f);
 }
@@ -160,10 +103,10 @@ TEST(Marks, ALineThroughTheEyePlaneIsCutAtTheNearPlaneAndDoesNotWrapRound) {
     const vec3 a{0.4f, 0.3f, 0}, behind{-2, -1, 8};
     const float t = 2.1f / 8;
     const vec3 cut = a + (behind - a) * t;
-    const Frame f = draw(one_line(a, behind), camera), g = draw(one_line(a, cut), camera);
+    const Frame f = draw(one_line(a, behind), camera, settings()), g = draw(one_line(a, cut), camera, settings());
     EXPECT_GT(sum_of_red(f), 10);
     for (std::size_t i = 0; i < f.color.size(); ++i) EXPECT_NEAR(f.color[i].x, g.color[i].x, 2e-3f);
-    EXPECT_EQ(sum_of_red(draw(one_line({0, 0, 3}, behind), camera)), 0) << "all of it is behind the eye";
+    EXPECT_EQ(sum_of_red(draw(one_line({0, 0, 3}, behind), camera, settings())), 0) << "all of it is behind the eye";
 }
 
 TEST(Marks, EdgesOfASurfaceShowWholeOverIt) {
@@ -191,7 +134,7 @@ TEST(Marks, AreHiddenBehindSurfacesAndSeenBeforeThem) {
     add_object(scene, square_mesh(add_unlit(scene, {0, 0, 1, 1})));
     add_marks(scene, Topology::lines, {place(5, 20.5, -0.01f), place(60, 20.5, -0.01f), place(5, 40.5, 0.01f), place(60, 40.5, 0.01f)}, {1, 0, 0, 1});
     add_marks(scene, Topology::points, {place(30, 10, -0.01f), place(30, 50, 0.01f)}, {0, 1, 0, 1});
-    const Frame f = draw(scene, flat_camera());
+    const Frame f = draw(scene, flat_camera(), settings());
     EXPECT_EQ(pixel(f, 30, 20), (vec4{0, 0, 1, 1}));
     EXPECT_EQ(pixel(f, 30, 40), (vec4{1, 0, 0, 1}));
     EXPECT_EQ(pixel(f, 30, 10), (vec4{0, 0, 1, 1}));
@@ -210,9 +153,38 @@ TEST(Marks, WhereEdgesMeetTheyAreNotDarker) {
     EXPECT_GT(most, 0.45f);
 }
 
+TEST(Marks, AnEdgeThatTrianglesShareIsLaidOnceAndSoIsAVertex) {
+    const std::vector<vec4> colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
+    const dmat4 turned = compose({0, 0, 0}, {-0.5, 0.2, 0.05, 0.8}, {1, 1, 1});
+    Scene square, lines, points;
+    add_object(square, square_mesh(add_unlit(square, {1, 1, 1, 1})), turned);
+    square.meshes[0].colors = std::vector<vec4>(colors);
+    const auto add = [&](Scene& scene, Topology topology, std::vector<std::uint32_t> indices) {
+        Mesh mesh = square.meshes[0];
+        mesh.topology = topology;
+        mesh.indices = std::move(indices);
+        mesh.material = add_unlit(scene, {1, 1, 1, 1});
+        add_object(scene, std::move(mesh), turned);
+    };
+    add(lines, Topology::lines, {0, 1, 1, 2, 0, 2, 2, 3, 0, 3});
+    add(points, Topology::points, {0, 1, 2, 3});
+    RenderSettings s = settings();
+    s.line_width = 2.3f;
+    s.surfaces = false;
+    s.edges = true;
+    RenderStats of_edges, of_lines;
+    const Frame edges = draw(square, eye(), s, 1, &of_edges);
+    EXPECT_TRUE(same_bits(edges, draw(lines, eye(), s, 1, &of_lines)));
+    EXPECT_EQ(of_edges.pixels_marked, of_lines.pixels_marked);
+    s.edges = false;
+    s.points = PointShape::disc;
+    EXPECT_TRUE(same_bits(draw(square, eye(), s), draw(points, eye(), s)));
+}
+
 TEST(Marks, TrianglesThatCullingDropsHaveNoEdges) {
     Scene scene;  // its back is seen
-    add_object(scene, square_mesh(add_unlit(scene, {1, 1, 1, 1}, false)), scaling(dvec3{1, 1, -1}) * scaling(dvec3{-1, 1, 1}));
+    add_object(scene, square_mesh(add_unlit(scene, {1, 1, 1, 1}, AlphaMode::opaque, false)),
+               scaling(dvec3{1, 1, -1}) * scaling(dvec3{-1, 1, 1}));
     RenderSettings s = settings();
     s.edges = true;
     s.surfaces = false;
@@ -254,7 +226,7 @@ TEST(Marks, NearerOnesLieOverFartherOnesWhateverTheirOrder) {
         };
         add(near_first);
         add(!near_first);
-        EXPECT_EQ(pixel(draw(scene, flat_camera()), 32, 32), (vec4{1, 0, 0, 1}));
+        EXPECT_EQ(pixel(draw(scene, flat_camera(), settings()), 32, 32), (vec4{1, 0, 0, 1}));
     }
 }
 
