@@ -6,7 +6,7 @@
   golden.py --update [SCENE...]   takes the new pictures over: look at them, and say in the commit why they changed
 
 Scenes stand in tests/golden/scenes.json, one a line: the arguments of `rakelight render` without -o, the size of the picture,
-and the tolerance, the largest difference of a channel in 1/255. It is 0 where no "reason" stands: the soft engine gives the
+the data channel whose picture is meant in place of the color ("channel", where there is one), and the tolerance, the largest difference of a channel in 1/255. It is 0 where no "reason" stands: the soft engine gives the
 same bits everywhere. Only the standard library is needed."""
 import argparse
 import json
@@ -28,7 +28,7 @@ def read_scenes(path):
         sys.exit(f"golden: {path}: the schema is not rakelight.golden/1")
     rows = content["rows"]
     for row in rows:
-        unknown = set(row) - {"name", "shows", "size", "tolerance", "reason", "arguments"}
+        unknown = set(row) - {"name", "shows", "size", "tolerance", "reason", "arguments", "channel"}
         if unknown:
             sys.exit(f"golden: {row['name']}: unknown field {sorted(unknown)[0]}")
         if row["tolerance"] != 0 and not row.get("reason"):
@@ -42,12 +42,17 @@ def read_scenes(path):
 def render(program, row, picture):
     """Renders into `picture`; returns what went wrong, or None."""
     arguments = list(row["arguments"])
+    channel = row.get("channel")
+    if channel:
+        arguments += ["--channels", channel, "--channel-files", "png"]
     if "--resolution" not in arguments:
         arguments += ["--resolution", "{},{}".format(*row["size"])]
     done = subprocess.run([program, "render", *arguments, "-o", picture, "--quiet"], cwd=ROOT, capture_output=True, text=True,
                           errors="replace", stdin=subprocess.DEVNULL)
     if done.returncode != 0:
         return f"exit code {done.returncode}: {(done.stderr.strip().splitlines() or ['no message'])[-1]}"
+    if channel:
+        picture.with_suffix(f".{channel}.png").replace(picture)
     size = list(read_pixels(picture)[:2])
     return None if size == row["size"] else f"the picture is {size}, scenes.json says {row['size']}"
 

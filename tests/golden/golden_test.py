@@ -42,6 +42,14 @@ class Golden(unittest.TestCase):
         self.assertEqual(self.golden(), (0, ""))
         self.assertFalse((self.folder / "out").exists())
 
+    def test_a_data_channel_takes_the_place_of_the_color(self):
+        self.assertEqual(self.golden("--update")[0], 0)
+        color = self.reference.read_bytes()
+        self.assertEqual(self.golden("--update", channel="object")[0], 0)
+        self.assertNotEqual(self.reference.read_bytes(), color)
+        self.assertEqual(self.golden(channel="object"), (0, ""))
+        self.assertEqual(self.golden()[0], 1)
+
     def test_a_picture_that_is_not_there_is_a_fault(self):
         code, errors = self.golden()
         self.assertEqual(code, 1)
