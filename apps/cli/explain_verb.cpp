@@ -15,8 +15,7 @@ void add_explain_options(CLI::App& app, ExplainWords& w) {
     app.add_option("--pixel", w.pixel, "Which pixel; 0,0 is the top left one")->type_name("X,Y")->group("Output")->required();
     add_render_options(app, w.render);
     // What is about files and parts of pictures has no meaning here.
-    for (const char* name : {"--output", "--window", "--channels", "--channel-files", "--exr-colors", "--samples",
-                             "--anisotropy", "--engine"})
+    for (const char* name : {"--output", "--window", "--channels", "--channel-files", "--exr-colors", "--engine"})
         app.remove_option(app.get_option(name));
     for (const char* name : {"--line-width", "--point-size", "--line-color"}) app.remove_option(app.get_option(name));
     hide_drawn_lines(app);

@@ -12,8 +12,7 @@ namespace rakelight::cli {
 
 void add_stages_options(CLI::App& app, RenderWords& w) {
     add_render_options(app, w);
-    for (const char* name :
-         {"--window", "--channels", "--channel-files", "--exr-colors", "--samples", "--anisotropy", "--engine"})
+    for (const char* name : {"--window", "--channels", "--channel-files", "--exr-colors", "--engine"})
         app.remove_option(app.get_option(name));
     app.remove_option(app.get_option("--line-color"));
     hide_drawn_lines(app);  // the sizes stay: the picture has the model's own lines and points

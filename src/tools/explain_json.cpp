@@ -22,6 +22,16 @@ Json list(vec4 v) { return {double(v.x), double(v.y), double(v.z), double(v.w)};
 Json list(dvec3 v) { return {v.x, v.y, v.z}; }
 Json index_or_null(std::uint32_t index) { return index == none ? Json() : Json(index); }
 
+Json covered_json(const CoveringTriangle& t) {
+    Json out = Json::array();
+    for (const raster::CoveredSample& s : t.samples)
+        out.push_back({{"sample", s.sample},
+                       {"fate", word_for(s.fate)},
+                       {"depth_key", double(s.depth_key)},
+                       {"alpha", double(s.alpha)}});
+    return out;
+}
+
 Json triangle_json(const ExplainedPixel& e, const CoveringTriangle& t) {
     const TriangleNames names = names_of(e, t);
     return {{"fate", word_for(t.fate)},
@@ -37,7 +47,8 @@ Json triangle_json(const ExplainedPixel& e, const CoveringTriangle& t) {
             {"clipped", t.is_clipped},
             {"distance", double(t.distance)},
             {"depth_key", double(t.depth_key)},
-            {"alpha", double(t.alpha)}};
+            {"alpha", double(t.alpha)},
+            {"samples", covered_json(t)}};
 }
 
 Json maps_json(const ExplainedPixel& e, const ShadedLayer& layer) {
@@ -46,14 +57,20 @@ Json maps_json(const ExplainedPixel& e, const ShadedLayer& layer) {
         const raster::TracedTexture& map = layer.trace.map[i];
         if (!map.is_used) continue;
         Json texels = Json::array();
-        for (int k = 0; k < map.texel_count; ++k) {
-            const raster::TracedTexel& t = map.texel[k];
-            texels.push_back(
-                {{"level", t.level}, {"x", t.x}, {"y", t.y}, {"weight", double(t.weight)}, {"value", list(t.value)}});
+        for (int k = 0; k < layer.texels[std::size_t(i)].count; ++k) {
+            const raster::TracedTexel& t = layer.texels[std::size_t(i)].texel[k];
+            texels.push_back({{"probe", t.probe},
+                              {"level", t.level},
+                              {"x", t.x},
+                              {"y", t.y},
+                              {"weight", double(t.weight)},
+                              {"value", list(t.value)}});
         }
         out.push_back({{"role", name_of_map(i)},
                        {"picture", picture_of_map(e, layer, i)},
                        {"uv", {double(map.u), double(map.v)}},
+                       {"probes", map.probes},
+                       {"along", {double(map.axis_u), double(map.axis_v)}},
                        {"level_of_detail", double(map.level_of_detail)},
                        {"level", double(map.level)},
                        {"value", list(map.value)},
@@ -143,8 +160,12 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
     add_corners(out, e, layer);
     out["color"] = list(t.color);
     out["alpha"] = double(t.alpha);
-    out["before"] = list(layer.before);
-    out["after"] = list(layer.after);
+    out["place"] = {double(layer.place.x), double(layer.place.y)};
+    out["before"] = list(layer.samples[0].before);
+    out["after"] = list(layer.samples[0].after);
+    out["samples"] = Json::array();
+    for (const raster::LaidSample& s : layer.samples)
+        out["samples"].push_back({{"sample", s.sample}, {"before", list(s.before)}, {"after", list(s.after)}});
     return out;
 }
 
@@ -158,6 +179,7 @@ Json pixel_json(const ExplainedPixel& e) {
                 {"color", list(p.color)},
                 {"sum", list(p.sum)},
                 {"codes", e.codes},
+                {"samples", samples_json(e)},
                 {"triangles", Json::array()},
                 {"layers", Json::array()}};
     for (const CoveringTriangle& t : p.triangles) out["triangles"].push_back(triangle_json(e, t));

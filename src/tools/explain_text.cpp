@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explained pixels for people. Floats with the fewest digits that read back as the same float (std::to_chars).
 #include <algorithm>
-#include <charconv>
 
 #include "tools/explained_pixel.h"
+#include "tools/shortest_digits.h"
 #include "tools/text_table.h"
 #include "tools/texture_uses.h"
 
@@ -13,13 +13,6 @@ namespace {
 using raster::CoveringTriangle;
 using raster::ShadedLayer;
 using raster::TracedLight;
-
-template <class Number>
-std::string digits(Number v) {
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, v).ptr;
-    return {buffer, end};
-}
 
 using Cells = std::vector<std::string>;
 
@@ -46,15 +39,33 @@ std::string fate_text(raster::Fate fate) {
 }
 
 std::string triangles_text(const ExplainedPixel& e) {
-    TextTable table({">#", "object", "mesh", ">triangle", "material", "side", ">distance [m]", ">depth key", ">alpha", "what becomes of it"});
+    const bool has_samples = e.pixel.samples.size() > 1;
+    Cells head = {">#",   "object",        "mesh",       ">triangle", "material",
+                  "side", ">distance [m]", ">depth key", ">alpha",    "what becomes of it"};
+    if (has_samples) head.insert(head.end() - 1, "samples");
+    TextTable table(head);
     for (std::size_t i = 0; i < e.pixel.triangles.size(); ++i) {
         const CoveringTriangle& t = e.pixel.triangles[i];
         const TriangleNames n = names_of(e, t);
-        table.add({digits(i), shown(n.object, n.node), shown(n.mesh, n.mesh_index), digits(t.triangle), shown(n.material, n.material_index),
-                   t.is_back ? "back" : "front", digits(t.distance), digits(t.depth_key), digits(t.alpha),
-                   fate_text(t.fate) + (t.is_clipped ? " (clipped)" : "")});
+        Cells cells = {digits(i),
+                       shown(n.object, n.node),
+                       shown(n.mesh, n.mesh_index),
+                       digits(t.triangle),
+                       shown(n.material, n.material_index),
+                       t.is_back ? "back" : "front",
+                       digits(t.distance),
+                       digits(t.depth_key),
+                       digits(t.alpha),
+                       fate_text(t.fate) + (t.is_clipped ? " (clipped)" : "")};
+        if (has_samples) cells.insert(cells.end() - 1, letters_of_samples(e, t));
+        table.add(std::move(cells));
     }
-    return "\nTriangles that cover the pixel, nearest first\n" + table.text("  ");
+    return "\nTriangles that cover the pixel, nearest first\n" +
+           std::string(has_samples
+                           ? "  (numbers are those of the nearest sample; a letter a sample: V visible, B blended, "
+                             "M masked out, H hidden, C culled, - not covered)\n"
+                           : "") +
+           table.text("  ");
 }
 
 /// "name   x  y  z" lines.
@@ -113,33 +124,6 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
         values.add("to the viewer (v)", t.view);
     }
     return values.text("  ");
-}
-
-/// The texels that the filters read.
-std::string texels_text(const ShadedLayer& layer) {
-    TextTable table({"map", ">level", ">x", ">y", ">weight", ">red", ">green", ">blue", ">alpha"});
-    for (int i = 0; i < raster::traced_maps; ++i) {
-        const raster::TracedTexture& m = layer.trace.map[i];
-        for (int k = 0; k < m.texel_count; ++k) {
-            const raster::TracedTexel& t = m.texel[k];
-            Cells cells{name_of_map(i), digits(t.level), digits(t.x), digits(t.y), digits(t.weight)};
-            append(cells, t.value);
-            table.add(std::move(cells));
-        }
-    }
-    return "  Texels that they came from, linear\n" + table.text("    ");
-}
-
-std::string maps_text(const ExplainedPixel& e, const ShadedLayer& layer) {
-    TextTable table({"map", "picture", ">u", ">v", ">level of detail", ">level read", ">red", ">green", ">blue", ">alpha"});
-    for (int i = 0; i < raster::traced_maps; ++i) {
-        const raster::TracedTexture& m = layer.trace.map[i];
-        if (!m.is_used) continue;
-        Cells cells{name_of_map(i), one_line(picture_of_map(e, layer, i), 60), digits(m.u), digits(m.v), digits(m.level_of_detail), digits(m.level)};
-        append(cells, m.value);
-        table.add(std::move(cells));
-    }
-    return table.empty() ? "" : "  Maps, filtered and linear\n" + table.text("    ") + texels_text(layer);
 }
 
 std::string surface_text(const ExplainedPixel& e, const ShadedLayer& layer) {
@@ -256,14 +240,19 @@ std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::s
     text += "  material " + shown(n.material, n.material_index) + " (" + material_model(e, layer) + ")";
     if (!layer.is_unlit)
         text += std::string(", ") + reflection_model(layer) + (layer.reflection_form ? ", normalized" : ", textbook form");
-    text += "\n" + place_text(e, layer) + maps_text(e, layer) + surface_text(e, layer);
+    text += "\n";
+    if (e.pixel.samples.size() > 1) text += shaded_at_text(layer);
+    text += place_text(e, layer) + maps_text(e, layer) + surface_text(e, layer);
     for (std::size_t i = 0; i < layer.lights.size(); ++i) text += light_text(e, layer, layer.lights[i], i);
     text += corners_text(e, layer) + sum_text(layer);
     if (layer.is_blended) {
         Values over(4);
-        over.add("behind", layer.before);
         over.add("opacity", layer.trace.alpha);
-        over.add("laid over it", layer.after);
+        for (const raster::LaidSample& sample : layer.samples) {
+            const std::string at = e.pixel.samples.size() > 1 ? ", sample " + digits(sample.sample) : "";
+            over.add("behind" + at, sample.before);
+            over.add("laid over it" + at, sample.after);
+        }
         text += over.text("  ");
     }
     return text;
@@ -278,13 +267,17 @@ std::string to_text(const ExplainedPixel& e) {
                        digits(settings.height) + "\n";
     if (p.triangles.empty()) text += "  background: no triangle covers it\n";
     Values color(4);
-    color.add("linear color, alpha", p.color, p.layers.empty() ? "background" : "");
+    color.add("linear color, alpha", p.color,
+              p.layers.empty()       ? "background"
+              : p.samples.size() > 1 ? "the mean of its samples"
+                                     : "");
     text += color.text("  ");
     text += "  sRGB code ";
     for (const std::uint8_t code : e.codes) text += " " + digits(int(code));
     text += "\n";
     if (!p.triangles.empty()) text += triangles_text(e);
     for (std::size_t i = 0; i < p.layers.size(); ++i) text += layer_text(e, p.layers[i], i);
+    if (p.samples.size() > 1 && !p.layers.empty()) text += samples_text(e);
     return text;
 }
 

@@ -8,6 +8,7 @@
 #include <rakelight/explain.h>
 
 #include "engines/raster/inspection.h"
+#include "render/report_json.h"
 
 namespace rakelight {
 
@@ -28,10 +29,22 @@ TriangleNames names_of(const ExplainedPixel& e, const raster::CoveringTriangle& 
 /// "visible", "blended", "hidden", "masked_out", "culled_back", "culled_front"
 const char* word_for(raster::Fate fate);
 
+/// Pictures of several samples: a letter a sample, V visible, B blended, M masked out, H hidden, C culled, - not
+/// covered.
+std::string letters_of_samples(const ExplainedPixel& e, const raster::CoveringTriangle& triangle);
+/// The same: for which samples a layer was shaded, and where; a line.
+std::string shaded_at_text(const raster::ShadedLayer& layer);
+/// The same: each sample, and the mean.
+std::string samples_text(const ExplainedPixel& e);
+Json samples_json(const ExplainedPixel& e);
+
 /// The maps in the order of raster::TracedMap: "base_color", "normal", ...
 const char* name_of_map(int map);
 /// The picture that a map of a layer's material reads, or empty.
 std::string picture_of_map(const ExplainedPixel& e, const raster::ShadedLayer& layer, int map);
+
+/// The maps that a layer read, as text; empty where it has none.
+std::string maps_text(const ExplainedPixel& e, const raster::ShadedLayer& layer);
 
 /// "classical", "metallic_roughness" or "unlit"
 const char* material_model(const ExplainedPixel& e, const raster::ShadedLayer& layer);

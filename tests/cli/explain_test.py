@@ -48,6 +48,30 @@ class Explain(program.Case):
                     self.assertEqual(row["codes"], list(png(picture)[3][y][3 * x:3 * x + 3]), (model, options, x, y))
                     self.assertEqual(row["sum"], row["color"])
 
+    def test_samples_and_probes_come_to_the_rendered_pixel(self):
+        floor = pathlib.Path(__file__).resolve().parents[2] / "data/visibility/floor.obj"
+        painted = ("--texture-base-color", floor.parents[1] / "bricks/normal.png", "--camera-position", "0,0.3,3.3",
+                   "--camera-focal-point", "0,0,0", "--camera-view-angle", "16")
+        for model, view, x, y in (("builtin:teapot", (), 41, 24), ("scene.obj", ("--view", "front"), 35, 30), (floor, painted, 48, 30)):
+            for options in (("--samples", "4"), ("--samples", "8"), ("--samples", "4", "--anisotropy", "16")):
+                picture = self.folder / "picture.png"
+                run = self.run_program("render", model, "-o", picture, "--resolution", "%d,%d" % SIZE, *view, *options)
+                self.assertEqual(run.code, 0, run.err)
+                row = self.explain(model, x, y, *view, *options)
+                self.assertEqual(row["codes"], list(png(picture)[3][y][3 * x:3 * x + 3]), (model, options))
+                self.assertEqual(row["sum"], row["color"])
+                self.assertEqual(len(row["samples"]), int(options[1]))
+                for c in range(3):
+                    mean = sum(sample["color"][c] for sample in row["samples"]) / len(row["samples"])
+                    self.assertEqual(single(mean), row["color"][c])
+                shown = [sample for layer in row["layers"] if not layer["blended"] for sample in layer["samples"]]
+                self.assertEqual(len(shown), sum(sample["triangle"] is not None for sample in row["samples"]))
+                probes = [m["probes"] for layer in row["layers"] for m in layer["maps"]]
+                self.assertEqual(max(probes, default=1) > 2, model == floor and len(options) > 2, probes)
+        text = self.run_program("explain", floor, "--pixel", "48,30", "--resolution", "96,64", *painted, *options).out
+        for word in ("the mean of its samples", "VVVV", "Probes of the anisotropic filter", "shaded once for samples 0 1 2 3"):
+            self.assertIn(word, text)
+
     def test_the_terms_add_up_to_the_color_in_single_precision(self):
         row = self.explain("builtin:teapot", 48, 32)
         layer = row["layers"][0]

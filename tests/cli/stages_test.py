@@ -217,6 +217,34 @@ class Stages(program.Case):
         self.stages()
         self.assertEqual(self.table("blended")["numbers"], {"pixels that something is laid over": 0, "layers shown": 0})
 
+    def test_terms_of_layers_are_in_the_pictures_of_the_light(self):
+        square = "v -1 -1 {z}\nv 1 -1 {z}\nv 1 1 {z}\nv -1 1 {z}\n"
+        self.write("a.mtl", "newmtl wall\nKd 0 0 1\nnewmtl red\nKd 1 0 0\nd 0.25\n")
+        self.write("a.obj", "mtllib a.mtl\n" + "".join(square.format(z=z) for z in (0, 1)) + "usemtl wall\nf 1 2 3 4\nusemtl red\nf 5 6 7 8\n")
+        self.stages("--view", "front", "--light", "directional:0,0,-1", model="a.obj")
+        found = [linear(c) for c in png(self.out / "light-0-diffuse.png")[3][32][3 * 48:3 * 48 + 3]]
+        for a, b in zip(found, (0.25, 0, 0.75)):
+            self.assertAlmostEqual(a, b, delta=0.005)
+        self.assertEqual(png(self.out / "light-0-diffuse.png")[3][32][3 * 48:3 * 48 + 3], png(self.out / "picture.png")[3][32][3 * 48:3 * 48 + 3])
+
+    def test_several_samples_have_a_stage_of_their_own_and_the_picture_is_their_mean(self):
+        for options in (("--samples", "4"), ("--samples", "8", "--anisotropy", "4")):
+            self.stages(*options)
+            run = self.run_program("render", "builtin:teapot", "-o", "a.png", "--resolution", SIZE, *options, "--json")
+            stats = json.loads(run.out)["rows"][0]["stats"]
+            self.assertEqual((self.out / "picture.png").read_bytes(), (self.folder / "a.png").read_bytes())
+            self.assertEqual((self.out / "shading-phong.png").read_bytes(), (self.folder / "a.png").read_bytes())
+            table = self.table("samples")
+            self.assertEqual(table["numbers"]["samples covered"], stats["samples_covered"])
+            self.assertEqual(table["numbers"]["pixels covered"], stats["pixels_covered"])
+            self.assertEqual(table["numbers"]["opaque triangles shaded, over all pixels"], stats["pixels_shaded"])
+            self.assertEqual(sum(n * pixels for n, pixels, _ in table["rows"]), stats["samples_covered"])
+            self.assertEqual(sum(n * pixels for n, _, pixels in table["rows"]), stats["pixels_shaded"])
+            text = (self.out / "index.html").read_text()
+            self.assertLess(text.index('<section id="samples">'), text.index('<section id="picture">'))
+            for picture in table["pictures"]:
+                self.assertTrue((self.out / picture["file"]).is_file())
+
     def test_shading_frequencies_are_those_of_render(self):
         self.stages()
         for shading, _, evaluations, difference in self.table("shading-frequency")["rows"]:
@@ -258,7 +286,7 @@ class Stages(program.Case):
     def test_the_help_leaves_out_what_would_be_refused_or_changes_nothing(self):
         for verb in ("stages", "explain"):
             text = self.run_program(verb, "--help").out
-            for option in ("--samples", "--channels", "--channel-files", "--exr-colors", "--edges", "--wireframe", "--points", "--point-sprites", "--line-color"):
+            for option in ("--channels", "--channel-files", "--exr-colors", "--edges", "--wireframe", "--points", "--point-sprites", "--line-color"):
                 self.assertNotIn(option, text, verb)
             self.assertEqual("--point-size" in text, verb == "stages")
 

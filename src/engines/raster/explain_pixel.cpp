@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "engines/raster/blend.h"
 #include "engines/raster/coverage.h"
 #include "engines/raster/inspection.h"
+#include "engines/raster/multisample.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
@@ -13,21 +15,34 @@
 namespace rakelight::raster {
 namespace {
 
+constexpr std::size_t nothing = SIZE_MAX;
+
 /// The stages of one pixel: a window of that size lies in one tile.
 class PixelStages {
 public:
     PixelStages(const Inspection& of, int x, int y, Context& context)
-        : of_(of), open_(of, {x, y, 1, 1}, true, context), drawn_(of, {x, y, 1, 1}, false, context), x_(x), y_(y) {}
+        : of_(of),
+          open_(of, {x, y, 1, 1}, true, context),
+          drawn_(of, {x, y, 1, 1}, false, context),
+          x_(x),
+          y_(y),
+          ox_(open_.grid.origin_x(0)),
+          oy_(open_.grid.origin_y(0)) {}
 
     PixelExplanation run() {
         const FlushDenormals guard;
         out_.x = x_;
         out_.y = y_;
-        out_.background = out_.sum = of_.settings().background;
+        out_.background = of_.settings().background;
+        for (const SamplePosition at : sample_positions(of_.settings().samples))
+            out_.samples.push_back({at, nothing, out_.background});
         find_covering();
-        decide();
+        find_visible_triangles();
+        find_blended();
         for (const std::size_t i : order_) shade(i);
+        out_.sum = resolved();
         draw();
+        summarize();
         sort_by_depth();
         out_.has_marks = !drawn_.marks.is_empty() && !drawn_.marks.items.empty();
         return std::move(out_);
@@ -40,48 +55,62 @@ private:
     const MaterialView& material_of(const CoveringTriangle& t) const {
         return of_.list().materials[of_.list().draws[t.draw].material].view;
     }
+    vec2 place_of(int sample) const {
+        const SamplePosition at = out_.samples[std::size_t(sample)].at;
+        return {float(at.x) / 16, float(at.y) / 16};
+    }
 
     void find_covering() {
-        const Binned& binned = open_.binned;
-        const int ox = open_.grid.origin_x(0), oy = open_.grid.origin_y(0);
-        for (const ScreenTriangle* const item : binned.items) {
-            const ScreenTriangle& s = binned.at(item);
-            cover(s, {x_, y_, 1, 1}, ox, oy, [&](int, int, float depth) { add(s, depth); });
+        for (const ScreenTriangle* const item : open_.binned.items) {
+            const ScreenTriangle& s = open_.binned.at(item);
+            std::vector<CoveredSample> covered;
+            for (std::size_t k = 0; k < out_.samples.size(); ++k)
+                cover(seen_from(out_.samples[k].at, s), {x_, y_, 1, 1}, ox_, oy_, [&](int, int, float depth) {
+                    covered.push_back({int(k), depth});
+                });
+            if (!covered.empty()) add(s, std::move(covered));
         }
     }
 
-    void add(const ScreenTriangle& s, float depth) {
+    void add(const ScreenTriangle& s, std::vector<CoveredSample> covered) {
         const Mesh& mesh = of_.list().scene.meshes[of_.list().draws[s.draw].mesh];
         const ClipVolume volume(of_.view());
         CoveringTriangle t;
         t.draw = s.draw;
         t.triangle = s.triangle;
         t.is_back = s.is_back;
-        t.depth_key = depth;
-        t.distance = of_.distance_of(depth);
         for (std::size_t k = 0; k < 3; ++k) {
             t.vertex[k] = mesh.indices[3 * std::size_t(s.triangle) + k];
             t.is_clipped |= (outcode(open_.front.clip[s.draw][t.vertex[k]], volume) & cutting_planes) != 0;
         }
         const MaterialView& m = material_of(t);
+        const SurfaceOrder order(open_.front, s);
+        std::vector<double>& seen = seen_order_.emplace_back();
+        for (CoveredSample& c : covered) {
+            seen.push_back(order.at(x_, y_, c.depth_key));
+            if (m.blend || m.alpha_cutoff >= 0) c.alpha = trace(s, place_of(c.sample), nullptr).alpha;
+        }
+        t.samples = std::move(covered);
         screen_.push_back(&s);
-        seen_order_.push_back(SurfaceOrder(open_.front, s).at(x_, y_, depth));
-        if (m.blend || m.alpha_cutoff >= 0) t.alpha = trace(s, nullptr).alpha;
-        out_.triangles.push_back(t);
+        out_.triangles.push_back(std::move(t));
     }
 
     /// Shades the pixel of a triangle with the recorder.
-    PixelTrace trace(const ScreenTriangle& s, ShadedLayer* layer) {
+    /// @param place  [px] where, from the pixel's center
+    PixelTrace trace(const ScreenTriangle& s, vec2 place, ShadedLayer* layer) {
         const TileJob job = job_of(open_);
-        const int ox = open_.grid.origin_x(0), oy = open_.grid.origin_y(0);
         const ScreenTriangle* const only = &s;
-        make_records(job, s.draw, {&only, 1}, ox, oy, scratch_);
-        scratch_.pixel[0] = (y_ - oy) * tile_size + x_ - ox;
+        make_records(job, s.draw, {&only, 1}, ox_, oy_, scratch_);
+        scratch_.pixel[0] = (y_ - oy_) * tile_size + x_ - ox_;
         scratch_.triangle[0] = 0;
-        const ShadeJob batch = make_job(job, s.draw, ox, oy, 1, scratch_);
+        scratch_.offset_x[0] = place.x;
+        scratch_.offset_y[0] = place.y;
+        ShadeJob batch = make_job(job, s.draw, ox_, oy_, 1, scratch_);
+        use_offsets(batch, scratch_);
         std::vector<TracedLight> lights(of_.lights().size());
         PixelTrace pixel;
-        trace::trace_pixel(&batch, &pixel, lights.data());
+        if (layer) layer->texels.resize(traced_maps);
+        trace::trace_pixel(&batch, &pixel, lights.data(), layer ? layer->texels.data() : nullptr);
         if (!layer) return pixel;
         layer->is_unlit = batch.unlit != 0;
         layer->reflection_model = batch.reflection_model;
@@ -93,36 +122,54 @@ private:
         return pixel;
     }
 
-    /// Who wins: the rules of find_visible() and blend_transparent().
-    void decide() {
-        const Visibility method = of_.settings().visibility;
-        double standing = std::numeric_limits<double>::infinity();
-        std::size_t visible = out_.triangles.size();
+    /// Who wins at each sample: the rule of find_visible().
+    void find_visible_triangles() {
+        std::vector<double> standing(out_.samples.size(), std::numeric_limits<double>::infinity());
         for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
             CoveringTriangle& t = out_.triangles[i];
             const MaterialView& m = material_of(t);
-            if (of_.is_culled(t.draw, t.is_back))
-                t.fate = t.is_back ? Fate::culled_back : Fate::culled_front;
-            else if (!m.blend && m.alpha_cutoff >= 0 && !(t.alpha >= m.alpha_cutoff))
-                t.fate = Fate::masked_out;
-            else if (!m.blend && is_seen_before(method, seen_order_[i], standing, true)) {
-                standing = seen_order_[i];
-                visible = i;
+            for (std::size_t k = 0; k < t.samples.size(); ++k) {
+                CoveredSample& c = t.samples[k];
+                const auto sample = std::size_t(c.sample);
+                if (of_.is_culled(t.draw, t.is_back)) {
+                    c.fate = t.is_back ? Fate::culled_back : Fate::culled_front;
+                } else if (!m.blend && m.alpha_cutoff >= 0 && !(c.alpha >= m.alpha_cutoff)) {
+                    c.fate = Fate::masked_out;
+                } else if (!m.blend &&
+                           is_seen_before(of_.settings().visibility, seen_order_[i][k], standing[sample], true)) {
+                    standing[sample] = seen_order_[i][k];
+                    out_.samples[sample].triangle = i;
+                }
             }
         }
-        if (visible < out_.triangles.size()) {
-            out_.triangles[visible].fate = Fate::visible;
-            order_.push_back(visible);
+        for (std::size_t k = 0; k < out_.samples.size(); ++k) {
+            const std::size_t i = out_.samples[k].triangle;
+            if (i == nothing) continue;
+            covered_sample(i, k)->fate = Fate::visible;
+            if (std::find(order_.begin(), order_.end(), i) == order_.end()) order_.push_back(i);
         }
+    }
+
+    /// Null: the triangle does not cover the sample.
+    CoveredSample* covered_sample(std::size_t triangle, std::size_t sample) {
+        for (CoveredSample& c : out_.triangles[triangle].samples)
+            if (c.sample == int(sample)) return &c;
+        return nullptr;
+    }
+
+    /// What is laid over which samples, and in which order: the rules of blend_transparent().
+    void find_blended() {
         std::vector<std::size_t> blended;
         for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
             CoveringTriangle& t = out_.triangles[i];
-            const bool is_later = visible == out_.triangles.size() || i > visible;
-            if (t.fate != Fate::hidden || !material_of(t).blend ||
-                !is_seen_before(method, seen_order_[i], standing, is_later))
-                continue;
-            t.fate = Fate::blended;
-            blended.push_back(i);
+            bool is_laid = false;
+            for (std::size_t k = 0; k < t.samples.size() && material_of(t).blend; ++k) {
+                CoveredSample& c = t.samples[k];
+                if (c.fate != Fate::hidden || !is_before_visible(i, c, seen_order_[i][k])) continue;
+                c.fate = Fate::blended;
+                is_laid = true;
+            }
+            if (is_laid) blended.push_back(i);
         }
         const auto place = [this](std::size_t i) { return blending_place(open_.front, *screen_[i]); };
         std::stable_sort(blended.begin(), blended.end(),
@@ -130,55 +177,104 @@ private:
         order_.insert(order_.end(), blended.begin(), blended.end());
     }
 
-    /// Adds a layer over what is there: the formulas of store_batch().
+    bool is_before_visible(std::size_t i, const CoveredSample& c, double order) {
+        const std::size_t visible = out_.samples[std::size_t(c.sample)].triangle;
+        if (visible == nothing) return true;
+        double standing = 0;
+        const std::vector<CoveredSample>& its = out_.triangles[visible].samples;
+        for (std::size_t k = 0; k < its.size(); ++k)
+            if (its[k].sample == c.sample) standing = seen_order_[visible][k];
+        return is_seen_before(of_.settings().visibility, order, standing, i > visible);
+    }
+
+    /// Adds a layer over what is there: once for all samples that show it, at the middle of those.
     void shade(std::size_t i) {
         ShadedLayer layer;
         layer.triangle = i;
-        layer.is_blended = out_.triangles[i].fate == Fate::blended;
-        layer.trace = trace(*screen_[i], &layer);
-        layer.before = out_.sum;
+        std::uint32_t shown = 0;
+        for (const CoveredSample& c : out_.triangles[i].samples)
+            if (c.fate == Fate::visible || c.fate == Fate::blended) {
+                shown |= 1u << c.sample;
+                layer.is_blended = c.fate == Fate::blended;
+            }
+        if (out_.samples.size() > 1) layer.place = middle_of(int(out_.samples.size()), shown);
+        layer.trace = trace(*screen_[i], layer.place, &layer);
         const auto finite = [](float v) { return std::isfinite(v) ? v : 0.0f; };
         const float opacity = layer.is_blended ? std::clamp(finite(layer.trace.alpha), 0.0f, 1.0f) : 1.0f;
         const float(&rgb)[3] = layer.trace.color;
-        const vec4 c = {finite(rgb[0]), finite(rgb[1]), finite(rgb[2]), opacity}, to = layer.before;
-        const float under = to.w * (1 - c.w), alpha = c.w + under;
-        if (!layer.is_blended)
-            out_.sum = c;
-        else if (alpha > 0)
-            out_.sum = {(c.x * c.w + to.x * under) / alpha, (c.y * c.w + to.y * under) / alpha, (c.z * c.w + to.z * under) / alpha, alpha};
-        layer.after = out_.sum;
+        const vec4 color = {finite(rgb[0]), finite(rgb[1]), finite(rgb[2]), opacity};
+        for (std::size_t k = 0; k < out_.samples.size(); ++k) {
+            if (!(shown >> k & 1u)) continue;
+            vec4& to = out_.samples[k].color;
+            LaidSample laid{int(k), to, color};
+            if (layer.is_blended)
+                lay_over(color, to);
+            else
+                to = color;
+            laid.after = to;
+            layer.samples.push_back(laid);
+        }
         out_.layers.push_back(std::move(layer));
+    }
+
+    vec4 resolved() const {
+        std::vector<vec4> colors;
+        for (const SeenSample& s : out_.samples) colors.push_back(s.color);
+        return colors.size() == 1 ? colors[0] : mean_of_samples(colors.data(), colors.size());
     }
 
     /// The pixel by the engine's own stages.
     void draw() {
         const TileJob job = job_of(drawn_);
-        find_visible(job, 0, scratch_);
-        if (shade_opaque(job, 0, scratch_)) blend_transparent(job, 0, scratch_);
-        out_.color = scratch_.color[std::size_t((y_ - drawn_.grid.origin_y(0)) * tile_size + x_ - drawn_.grid.origin_x(0))];
+        if (of_.settings().samples > 1) {
+            find_visible_samples(job, 0, scratch_);
+            shade_samples(job, 0, scratch_);
+            finish_samples(job, 0, scratch_);
+        } else {
+            find_visible(job, 0, scratch_);
+            if (shade_opaque(job, 0, scratch_)) blend_transparent(job, 0, scratch_);
+        }
+        out_.color = scratch_.color[std::size_t((y_ - oy_) * tile_size + x_ - ox_)];
+    }
+
+    /// Each triangle's own fate, and the numbers of its nearest sample.
+    void summarize() {
+        for (CoveringTriangle& t : out_.triangles) {
+            const auto nearest = std::max_element(
+                t.samples.begin(), t.samples.end(),
+                [](const CoveredSample& a, const CoveredSample& b) { return a.depth_key < b.depth_key; });
+            t.depth_key = nearest->depth_key;
+            t.distance = of_.distance_of(t.depth_key);
+            t.alpha = nearest->alpha;
+            t.fate = t.samples[0].fate;
+            for (const CoveredSample& c : t.samples) t.fate = std::min(t.fate, c.fate);
+        }
     }
 
     void sort_by_depth() {
         std::vector<std::size_t> order(out_.triangles.size()), place(order.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::stable_sort(order.begin(), order.end(),
-                         [this](std::size_t a, std::size_t b) { return out_.triangles[a].depth_key > out_.triangles[b].depth_key; });
+        std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+            return out_.triangles[a].depth_key > out_.triangles[b].depth_key;
+        });
         std::vector<CoveringTriangle> sorted;
         for (const std::size_t i : order) {
             place[i] = sorted.size();
-            sorted.push_back(out_.triangles[i]);
+            sorted.push_back(std::move(out_.triangles[i]));
         }
         out_.triangles = std::move(sorted);
         for (ShadedLayer& layer : out_.layers) layer.triangle = place[layer.triangle];
+        for (SeenSample& s : out_.samples)
+            if (s.triangle != nothing) s.triangle = place[s.triangle];
     }
 
     const Inspection& of_;
     Inspection::Geometry open_, drawn_;
-    int x_, y_;
+    int x_, y_, ox_, oy_;
     TileScratch scratch_;
-    std::vector<const ScreenTriangle*> screen_;  ///< of out_.triangles while in the order of the scene
-    std::vector<double> seen_order_;             ///< the same: what the method of visibility compares
-    std::vector<std::size_t> order_;             ///< of the layers
+    std::vector<const ScreenTriangle*> screen_;    ///< of out_.triangles while in the order of the scene
+    std::vector<std::vector<double>> seen_order_;  ///< [their samples]: what the method of visibility compares
+    std::vector<std::size_t> order_;               ///< of the layers
     PixelExplanation out_;
 };
 

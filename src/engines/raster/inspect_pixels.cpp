@@ -5,7 +5,8 @@
 #include <limits>
 
 #include "engines/raster/coverage.h"
-#include "engines/raster/tile.h"
+#include "engines/raster/inspect_samples.h"
+#include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {
@@ -40,6 +41,13 @@ void allocate_layers(PixelStageData& d, std::size_t pixels) {
     }
 }
 
+void allocate_samples(PixelStageData& d, std::size_t pixels) {
+    d.center_color.assign(pixels, {});
+    d.samples_covered.assign(pixels, 0);
+    d.triangles_shown.assign(pixels, 0);
+    d.sample_spread.assign(pixels, 0);
+}
+
 /// The stages of one tile of both geometries.
 class TileStages {
 public:
@@ -49,7 +57,7 @@ public:
           open_(open),
           drawn_(drawn),
           tile_(tile),
-          job_{drawn.front, drawn.binned, drawn.grid, of.lights(), *scalar::kernels(), true, drawn.points, false, true, &drawn.marks},
+          job_(tile_job(of, drawn)),
           area_(drawn.grid.pixels(tile)),
           ox_(drawn.grid.origin_x(tile)),
           oy_(drawn.grid.origin_y(tile)),
@@ -64,9 +72,12 @@ public:
         if (!out_.opaque.empty()) copy_color(out_.opaque);
         s_.on_layer = [this](std::size_t pixels) { note_layer(pixels); };
         if (blends) blend_transparent(job_, tile_, s_);
-        copy_color(out_.color);
+        copy_color(out_.center_color.empty() ? out_.color : out_.center_color);
         for (std::size_t k = 0; k < out_.layers.size(); ++k) fill_up(k);
-        trace_all();
+        trace_visible();
+        if (!out_.layer_count.empty()) trace_blended();
+        if (of_.settings().samples > 1)
+            note_samples(job_, tile_, of_.settings(), s_, out_);  // the scratch is its own now
     }
 
 private:
@@ -101,7 +112,7 @@ private:
     void fill_up(std::size_t layer) {
         for_each_pixel([&](std::size_t pixel) {
             const std::size_t p = at(pixel);
-            if (out_.layer_count[p] <= layer) out_.layers[layer].color[p] = out_.color[p];
+            if (out_.layer_count[p] <= layer) out_.layers[layer].color[p] = out_.centers()[p];
         });
     }
 
@@ -138,29 +149,61 @@ private:
     }
 
     /// The shading of each visible surface with the recorder.
-    void trace_all() {
+    void trace_visible() {
         const ScreenTriangle* last = nullptr;
-        std::vector<TracedCorner> corners;
         for (const Visible& v : visible_) {
-            const bool is_new = v.triangle != last;
-            last = v.triangle;
-            if (is_new) make_records(job_, last->draw, {&last, 1}, ox_, oy_, s_);
-            s_.pixel[0] = v.y * tile_size + v.x;
-            s_.triangle[0] = 0;
-            const ShadeJob batch = make_job(job_, last->draw, ox_, oy_, 1, s_);
-            PixelTrace pixel;
-            trace::trace_pixel(&batch, &pixel, lights_.data());
             const std::size_t p = at(v.x, v.y);
+            const PixelTrace pixel = trace(*v.triangle, v.triangle != last, v.x, v.y);
+            last = v.triangle;
             out_.normal[p] = rgb(pixel.normal);
-            out_.emission[p] = rgb(pixel.emission);
-            if (batch.unlit) continue;
-            if (is_new && pixel.is_lit_at_corners) corners = trace_corners(drawn_.front, drawn_.points, *last, batch);
-            if (pixel.is_lit_at_corners) interpolate(corners, pixel);
-            for (std::size_t i = 0; i < out_.lights.size(); ++i) {
-                out_.lights[i].ambient[p] = rgb(lights_[i].ambient);
-                out_.lights[i].diffuse[p] = rgb(lights_[i].diffuse);
-                out_.lights[i].specular[p] = rgb(lights_[i].specular);
-            }
+            add_terms(p, pixel, 1, 0);
+        }
+    }
+
+    /// Those of the surfaces that are laid over, in their order; weights as blend_transparent() has them.
+    void trace_blended() {
+        for_each_pixel([this](std::size_t pixel) {
+            alpha_[pixel] = out_.draw[at(pixel)] == none ? of_.settings().background.w : 1;
+        });
+        for (const std::uint32_t item : blending_order(job_, tile_)) {
+            const ScreenTriangle& t = drawn_.binned.at(drawn_.binned.items[item]);
+            const BlendTest is_before(drawn_.front, t, std::int32_t(item - drawn_.binned.offsets[tile_]));
+            bool is_new = true;
+            cover(t, area_, ox_, oy_, [&](int x, int y, float depth) {
+                if (!is_before(x, y, ox_, oy_, depth, s_)) return;
+                const PixelTrace pixel = trace(t, is_new, x, y);
+                is_new = false;
+                float& alpha = alpha_[std::size_t(y * tile_size + x)];
+                const float own = pixel.alpha >= 0 ? std::min(pixel.alpha, 1.0f) : 0, under = alpha * (1 - own);
+                alpha = own + under;
+                if (alpha > 0) add_terms(at(x, y), pixel, own / alpha, under / alpha);
+            });
+        }
+    }
+
+    /// @param is_new  another triangle than that of the call before
+    PixelTrace trace(const ScreenTriangle& t, bool is_new, int x, int y) {
+        const ScreenTriangle* const only = &t;
+        if (is_new) make_records(job_, t.draw, {&only, 1}, ox_, oy_, s_);
+        s_.pixel[0] = y * tile_size + x;
+        s_.triangle[0] = 0;
+        const ShadeJob batch = make_job(job_, t.draw, ox_, oy_, 1, s_);
+        std::fill(lights_.begin(), lights_.end(), TracedLight{});
+        PixelTrace pixel;
+        trace::trace_pixel(&batch, &pixel, lights_.data(), nullptr);
+        if (is_new && pixel.is_lit_at_corners) corners_ = trace_corners(drawn_.front, drawn_.points, t, batch);
+        if (pixel.is_lit_at_corners) interpolate(corners_, pixel);
+        return pixel;
+    }
+
+    /// What trace() left, laid over the terms that are there.
+    void add_terms(std::size_t p, const PixelTrace& pixel, float own, float under) {
+        const auto add = [&](vec3& to, const float(&term)[3]) { to = rgb(term) * own + to * under; };
+        add(out_.emission[p], pixel.emission);
+        for (std::size_t i = 0; i < out_.lights.size(); ++i) {
+            add(out_.lights[i].ambient[p], lights_[i].ambient);
+            add(out_.lights[i].diffuse[p], lights_[i].diffuse);
+            add(out_.lights[i].specular[p], lights_[i].specular);
         }
     }
 
@@ -194,6 +237,8 @@ private:
     TileScratch s_;
     std::vector<Visible> visible_;
     std::vector<TracedLight> lights_;
+    std::vector<TracedCorner> corners_;                           ///< of the triangle that was traced last
+    std::vector<float> alpha_ = std::vector<float>(tile_pixels);  ///< of the picture, while layers are laid
     PixelStageData& out_;
 };
 
@@ -207,6 +252,7 @@ PixelStageData inspect_pixels(const Inspection& of, const Inspection::Geometry& 
     if (std::any_of(of.list().materials.begin(), of.list().materials.end(),
                     [](const DrawMaterial& m) { return m.view.blend != 0; }))
         allocate_layers(out, pixels);
+    if (of.settings().samples > 1) allocate_samples(out, pixels);
     context.parallel_for(drawn.grid.count(), [&](std::size_t tile) {
         const FlushDenormals guard;
         if (!context.cancelled()) TileStages(of, open, drawn, tile, out).run();

@@ -27,12 +27,25 @@ struct PixelStageData {
     std::vector<float> distance;                    ///< [m] along the view axis; +infinity where nothing opaque is
     std::vector<std::uint32_t> draw, triangle;      ///< the visible surface; `none` where nothing opaque is
     std::vector<vec3> normal;                       ///< that is lit
-    std::vector<TermPictures> lights;               ///< of the visible surface, as Scene::lights but at most `max_lights`
-    std::vector<vec3> emission;
+    /// As Scene::lights but at most `max_lights`: what the terms of the visible surface and of those that are laid over
+    /// it come to in the picture. A layer's count by its alpha, those behind it by what it lets through.
+    std::vector<TermPictures> lights;
+    std::vector<vec3> emission;             ///< the same
     std::vector<vec4> opaque;               ///< the picture before blended surfaces; empty where no material blends
     std::vector<std::uint8_t> layer_count;  ///< blended surfaces laid over the pixel, at most 255; empty with `opaque`
     std::vector<BlendedLayer> layers;       ///< the first of each pixel, as many as there are, at most most_layers
     std::vector<vec4> color;                        ///< the picture, linear
+    // Of pictures of several samples a pixel, else empty. All else is of the pixels' centers.
+    std::vector<vec4> center_color;             ///< the picture of one sample
+    std::vector<std::uint8_t> samples_covered;  ///< by something opaque
+    std::vector<std::uint8_t> triangles_shown;  ///< by the samples: so often the pixel was shaded; opaque ones
+    std::vector<float> sample_spread;           ///< greatest difference of a component between samples, each at most 1
+
+    /// Something that is drawn shows at the pixel's center.
+    bool shows(std::size_t pixel) const {
+        return draw[pixel] != none || (!layer_count.empty() && layer_count[pixel] > 0);
+    }
+    const std::vector<vec4>& centers() const { return center_color.empty() ? color : center_color; }
 };
 
 /// Runs the pixel stages. Memory: about 60 bytes a pixel and 36 for each light.

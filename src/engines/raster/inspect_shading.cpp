@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/inspect_shading.h"
 
-#include "engines/raster/tile.h"
+#include "engines/raster/multisample.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {
@@ -20,9 +20,15 @@ ShadedPicture draw_shaded(const Inspection& of, Shading shading, Context& contex
         const FlushDenormals guard;
         if (context.cancelled()) return;
         TileScratch s;
-        find_visible(job, tile, s);
-        shade_opaque(job, tile, s);
-        blend_transparent(job, tile, s);
+        if (of.settings().samples > 1) {
+            find_visible_samples(job, tile, s);
+            shade_samples(job, tile, s);
+            finish_samples(job, tile, s);
+        } else {
+            find_visible(job, tile, s);
+            shade_opaque(job, tile, s);
+            blend_transparent(job, tile, s);
+        }
         lit[tile] = s.lit_pixels;
         const Window area = geometry.grid.pixels(tile);
         const int ox = geometry.grid.origin_x(tile), oy = geometry.grid.origin_y(tile);

@@ -205,6 +205,11 @@ void move_to(SamplePosition at, std::size_t count, ShadeJob& batch, TileScratch&
     use_offsets(batch, s);
 }
 
+vec2 middle_of(int samples, std::uint32_t shown) {
+    const Middles& m = middles(samples);
+    return {m.x[shown], m.y[shown]};
+}
+
 void move_to_middle(int samples, std::uint32_t shown, std::size_t i, TileScratch& s) {
     s.offset_x[i] = middles(samples).x[shown];
     s.offset_y[i] = middles(samples).y[shown];

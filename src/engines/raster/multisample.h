@@ -56,11 +56,16 @@ void move_to(SamplePosition at, std::size_t count, ShadeJob& batch, TileScratch&
 /// Each pixel of a batch is looked at in the middle of those of its samples that show the triangle.
 /// @param samples  1 << sample for each; all of them: the center
 void move_to_middle(int samples, std::uint32_t shown, std::size_t i, TileScratch& scratch);
+/// [px] the same for one pixel, from its center.
+vec2 middle_of(int samples, std::uint32_t shown);
 /// Makes `batch` look at the offsets that move_to_middle() wrote.
 void use_offsets(ShadeJob& batch, TileScratch& scratch);
 
 /// find_visible() at one place of every pixel.
 void find_visible_at(const SamplePlane& plane, const TileJob& job, std::size_t tile, TileScratch& scratch);
+
+/// The mean of n samples' colors, each by its alpha: a pixel. Of equal ones it is the color itself, to the bit.
+vec4 mean_of_samples(const vec4* colors, std::size_t n);
 
 /// The stages of a tile in multisampled pictures. Data channels, and what lines and points ask, are of the pixels'
 /// centers: a pass of its own, the same as in a picture of one sample.

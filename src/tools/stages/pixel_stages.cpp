@@ -30,7 +30,9 @@ Stage culling_stage(const Sources& of) {
             "are seen from behind (of closed surfaces, as their material says; --cull chooses)."};
     const RenderStats& stats = of.drawn.front.stats;
     s.numbers = {{"triangles in", stats.triangles_in},
-                 {"outside, or no pixel center in their box", stats.culled_outside},
+                 {of.engine.settings().samples > 1 ? "outside, or no sample in their box"
+                                                   : "outside, or no pixel center in their box",
+                  stats.culled_outside},
                  {"without area", stats.culled_degenerate},
                  {"facing the wrong way", stats.culled_back},
                  {"clipped", stats.clipped},
@@ -126,12 +128,12 @@ Stage normal_stage(const Sources& of) {
     return s;
 }
 
-/// Mean and largest value of a term over the visible pixels.
+/// Mean and largest value of a term over the pixels that show something.
 Json totals(const Sources& of, const std::vector<vec3>& term) {
     dvec3 sum{}, most{};
     std::uint64_t n = 0;
     for (std::size_t p = 0; p < term.size(); ++p) {
-        if (of.pixels.draw[p] == none) continue;
+        if (!of.pixels.shows(p)) continue;
         const dvec3 v = {double(term[p].x), double(term[p].y), double(term[p].z)};
         sum = sum + v;
         most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
@@ -146,8 +148,14 @@ bool is_black(const std::vector<vec3>& term) {
 }
 
 Stage lighting_stage(const Sources& of) {
-    Stage s{.id = "lighting", .title = "Lighting, term by term", .text = "Each light adds an ambient term (k ambient times its color), a diffuse one (k diffuse, its color, the cosine n.l) and a specular one (k specular, its color, the lobe). "
-            "The terms are those of the visible surfaces before blended ones are laid over; their sum with the emission is the pixel. Terms that are black everywhere have no picture."};
+    Stage s{.id = "lighting",
+            .title = "Lighting, term by term",
+            .text =
+                "Each light adds an ambient term (k ambient times its color), a diffuse one (k diffuse, its color, the "
+                "cosine n.l) and a specular one (k specular, its color, the lobe). "
+                "Their sum with the emission is the pixel. Where blended surfaces are laid over, a term is what it "
+                "comes to in the picture: a layer's own counts by its alpha, those behind by what it lets through. "
+                "Terms that are black everywhere have no picture."};
     if (of.engine.settings().shading == Shading::flat || of.engine.settings().shading == Shading::gouraud)
         s.text +=
             " Here lighting is evaluated once a face or vertex: what is interpolated from there is multiplied by the "
@@ -158,7 +166,8 @@ Stage lighting_stage(const Sources& of) {
         for (const Json& v : totals(of, term)) row.push_back(v);
         s.rows.push_back(std::move(row));
         if (!is_black(term))
-            s.pictures.push_back({file, name, paint(of, [&](std::size_t p) { return of.pixels.draw[p] == none ? ground : display(term[p]); })});
+            s.pictures.push_back(
+                {file, name, paint(of, [&](std::size_t p) { return of.pixels.shows(p) ? display(term[p]) : ground; })});
     };
     add("Emission", "emission", of.pixels.emission);
     for (std::size_t i = 0; i < of.pixels.lights.size(); ++i) {
@@ -169,7 +178,7 @@ Stage lighting_stage(const Sources& of) {
         add(name + "diffuse", "light-" + number + "-diffuse", t.diffuse);
         add(name + "specular", "light-" + number + "-specular", t.specular);
     }
-    s.rows_note = "Linear values over the visible pixels";
+    s.rows_note = "Linear values over the pixels that show a surface";
     const std::size_t all = of.engine.lights().size();
     s.numbers["lights"] = all;
     if (all > of.pixels.lights.size()) s.numbers["lights shown"] = of.pixels.lights.size();
@@ -192,7 +201,7 @@ Stage blending_stage(const Sources& of) {
     s.pictures.push_back({"blended-0",
                           blended == 0 ? "Nothing is laid over: this is the picture of the opaque surfaces."
                                        : "The opaque surfaces alone.",
-                          shown(blended == 0 ? d.color : d.opaque)});
+                          shown(blended == 0 ? d.centers() : d.opaque)});
     s.columns = {"layer, the farthest first", "pixels", "least alpha", "mean alpha", "greatest alpha"};
     for (std::size_t k = 0; k < d.layers.size(); ++k) {
         const std::string number = std::to_string(k + 1);
@@ -237,6 +246,7 @@ std::vector<Stage> pixel_stages(const Sources& of) {
     stages.push_back(normal_stage(of));
     stages.push_back(lighting_stage(of));
     stages.push_back(blending_stage(of));
+    if (of.engine.settings().samples > 1) stages.push_back(samples_stage(of));
     stages.push_back(picture_stage(of));
     return stages;
 }

@@ -48,6 +48,8 @@ std::vector<Stage> clip_stages(const Sources& of);
 std::vector<Stage> screen_stages(const Sources& of);
 /// What the depth test's number keeps of a distance.
 Stage depth_precision_stage(const Sources& of);
+/// What the samples of a picture with several a pixel show.
+Stage samples_stage(const Sources& of);
 /// The picture with each shading frequency.
 Stage frequency_stage(const Sources& of, Context& context);
 /// Pixels: culled faces, coverage, depth, visibility, normals, terms of the lights, the picture.

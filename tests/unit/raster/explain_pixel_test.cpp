@@ -98,6 +98,54 @@ TEST(ExplainPixel, SumsAreThePicturesBitsUnderEverySetting) {
     expect_all_explained(scene, s, flat_camera(), 5);
 }
 
+TEST(ExplainPixel, SumsAreThePicturesBitsWithSeveralSamplesAPixelAndAnisotropicFilters) {
+    const Scene scene = busy_scene();
+    for (const int samples : {1, 4, 8})
+        for (const int anisotropy : {1, 8}) {
+            RenderSettings s = settings();
+            s.samples = samples;
+            s.anisotropy = anisotropy;
+            SCOPED_TRACE(std::to_string(samples) + " samples, anisotropy " + std::to_string(anisotropy));
+            expect_all_explained(scene, s, eye(), 5);
+            s.shading = Shading::gouraud;
+            expect_all_explained(scene, s, flat_camera(), 9);
+        }
+}
+
+TEST(ExplainPixel, SamplesShowTheNearestTriangleAndLayersAreLaidOverThoseThatTheyAreBefore) {
+    Scene scene;
+    Material solid, glass;
+    solid.model = glass.model = MaterialModel::unlit;
+    glass.base_color = {0, 0, 1, 0.25f};
+    glass.alpha_mode = AlphaMode::blend;
+    scene.materials = {solid, glass};
+    add_object(scene, square_mesh(0, 0.5f));                                // pixels 16 to 48 of 64
+    add_object(scene, square_mesh(1), translation(dvec3{1.0 / 64, 0, 1}));  // glass from the middle of column 0 on
+    RenderSettings s = settings();
+    s.width = s.height = 64;
+    s.samples = 4;
+    s.background = {0, 0, 0, 1};
+    Context context({.threads = 1});
+    const raster::Inspection inspection(scene, flat_camera(), s, context);
+    const raster::PixelExplanation edge = inspection.explain(0, 20, context);
+    ASSERT_EQ(edge.layers.size(), 1u);
+    ASSERT_EQ(edge.layers[0].samples.size(), 2u) << "half of them";
+    EXPECT_EQ(edge.layers[0].place, (vec2{0.25f, 0.125f})) << "the middle of the two on the right";
+    EXPECT_EQ(edge.sum, (vec4{0, 0, 0.125f, 1}));
+    for (const raster::SeenSample& sample : edge.samples) {
+        EXPECT_EQ(sample.triangle, SIZE_MAX) << "glass is laid over the background";
+        EXPECT_EQ(sample.color.z, sample.at.x > 0 ? 0.25f : 0.0f);
+    }
+    const raster::PixelExplanation inside = inspection.explain(30, 20, context);
+    ASSERT_EQ(inside.layers.size(), 2u);
+    EXPECT_EQ(inside.layers[0].place, (vec2{0, 0}));
+    for (const raster::ShadedLayer& layer : inside.layers) EXPECT_EQ(layer.samples.size(), 4u);
+    for (const raster::CoveringTriangle& t : inside.triangles) {
+        EXPECT_EQ(t.fate, t.draw == 0 ? Fate::visible : Fate::blended);
+        EXPECT_EQ(t.samples.size(), 4u);
+    }
+}
+
 TEST(ExplainPixel, LightOfTheCornersTimesWhatThePixelReflectsIsItsColor) {
     const Scene scene = busy_scene();
     for (const Shading shading : {Shading::flat, Shading::gouraud}) {
@@ -123,33 +171,50 @@ TEST(ExplainPixel, LightOfTheCornersTimesWhatThePixelReflectsIsItsColor) {
 
 TEST(ExplainPixel, AFilteredValueIsItsTexelsTimesTheirWeights) {
     const Scene scene = busy_scene();
-    Context context({.threads = 1});
-    const raster::Inspection inspection(scene, eye(), settings(), context);
-    int used = 0, most = 0;
-    for (int y = 0; y < height; y += 3)
-        for (int x = 0; x < width; x += 3)
-            for (const raster::ShadedLayer& layer : inspection.explain(x, y, context).layers)
-                for (const raster::TracedTexture& map : layer.trace.map) {
-                    if (map.is_used == 0) continue;
-                    ++used;
-                    most = std::max(most, map.texel_count);
-                    float weight = 0, sum[4] = {};
-                    ASSERT_GT(map.texel_count, 0);
-                    for (int k = 0; k < map.texel_count; ++k) {
-                        const raster::TracedTexel& texel = map.texel[k];
-                        weight += texel.weight;
-                        for (int c = 0; c < 4; ++c) sum[c] += texel.weight * texel.value[c];
-                        EXPECT_GE(texel.level, int(map.level));
-                        EXPECT_LE(texel.level, int(map.level) + 1);
-                        EXPECT_TRUE(texel.x >= 0 && texel.x < 32 && texel.y >= 0 && texel.y < 64)
-                            << texel.x << ", " << texel.y;
+    for (const int anisotropy : {1, 8, 16}) {
+        RenderSettings s = settings();
+        s.anisotropy = anisotropy;
+        Context context({.threads = 1});
+        const raster::Inspection inspection(scene, eye(), s, context);
+        int used = 0, most = 0, most_probes = 0;
+        for (int y = 0; y < height; y += 3)
+            for (int x = 0; x < width; x += 3)
+                for (const raster::ShadedLayer& layer : inspection.explain(x, y, context).layers)
+                    for (std::size_t i = 0; i < raster::traced_maps; ++i) {
+                        const raster::TracedTexture& map = layer.trace.map[i];
+                        const raster::TracedTexels& texels = layer.texels[i];
+                        if (map.is_used == 0) continue;
+                        ++used;
+                        most = std::max(most, texels.count);
+                        most_probes = std::max(most_probes, map.probes);
+                        std::vector<float> of_probe(std::size_t(map.probes), 0);
+                        float weight = 0, sum[4] = {};
+                        ASSERT_GT(texels.count, 0);
+                        for (int k = 0; k < texels.count; ++k) {
+                            const raster::TracedTexel& texel = texels.texel[k];
+                            weight += texel.weight;
+                            of_probe.at(std::size_t(texel.probe)) += texel.weight;
+                            for (int c = 0; c < 4; ++c) sum[c] += texel.weight * texel.value[c];
+                            EXPECT_GE(texel.level, int(map.level));
+                            EXPECT_LE(texel.level, int(map.level) + 1);
+                            EXPECT_TRUE(texel.x >= 0 && texel.x < 32 && texel.y >= 0 && texel.y < 64)
+                                << texel.x << ", " << texel.y;
+                        }
+                        EXPECT_NEAR(weight, 1, 1e-5f) << x << ", " << y;
+                        for (const float w : of_probe) EXPECT_NEAR(w, 1 / float(map.probes), 1e-6f);
+                        EXPECT_EQ(map.probes > 1, map.axis_u != 0 || map.axis_v != 0);
+                        for (int c = 0; c < 4; ++c)
+                            EXPECT_NEAR(sum[c], map.value[c], 3e-4f) << x << ", " << y << ": fixed-point filters round";
                     }
-                    EXPECT_NEAR(weight, 1, 1e-5f) << x << ", " << y;
-                    for (int c = 0; c < 4; ++c)
-                        EXPECT_NEAR(sum[c], map.value[c], 3e-4f) << x << ", " << y << ": fixed-point filters round";
-                }
-    EXPECT_GT(used, 500);
-    EXPECT_EQ(most, raster::most_texels);
+        EXPECT_GT(used, 500);
+        EXPECT_LE(most_probes, anisotropy);
+        EXPECT_GE(most_probes, std::min(anisotropy, 5));
+        if (anisotropy == 1) {
+            EXPECT_EQ(most, 8) << "2 x 2 of two levels";
+        } else {
+            EXPECT_GT(most, 16);
+        }
+    }
 }
 
 TEST(ExplainPixel, CornersAreThoseThatTheEngineLitAndTheirTermsAddUpToTheirLight) {

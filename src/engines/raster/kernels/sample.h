@@ -179,29 +179,48 @@ inline vec4 sample(const TextureSlot& slot, const TexCoords& raw) {
     return select(is_minified, result, sample(t, footprint_of(t, c, real(0.0f), t.magnify_linear != 0)));
 }
 
-/// The same with up to `most` samples along the longer side of the footprint, each as wide as the shorter one:
+/// Samples along the longer side of a footprint, each as wide as the shorter one:
 /// GL_EXT_texture_filter_anisotropic, its section 3.8.8, with the footprint's axes as they are.
-inline vec4 sample_anisotropic(const TextureSlot& slot, const TexCoords& raw, int32_t most) {
-    const TextureView& t = *slot.view;
-    const TexCoords c = transformed(slot, raw);
+struct Probes {
+    mask is_stretched;  ///< else one sample as of square footprints
+    real count, inverse, lod;
+    vec2 axis;
+
+    vec2 place(vec2 middle, int32_t i) const {
+        return middle + axis * ((real(float(i)) + real(0.5f)) * inverse - real(0.5f));
+    }
+};
+
+inline Probes probes_of(const TextureView& t, const TexCoords& c, int32_t most) {
     const real w = real(float(t.width[0])), h = real(float(t.height[0]));
     const real ux = c.dx.x * w, vx = c.dx.y * h, uy = c.dy.x * w, vy = c.dy.y * h;
     const real along_x = ux * ux + vx * vx, along_y = uy * uy + vy * vy;
     const real longer = max(along_x, along_y), shorter = max(min(along_x, along_y), real(1e-20f));
     const real count = ceil(clamp(sqrt(longer / shorter), real(1.0f), real(float(most))));
-    const mask is_stretched = count > real(1.0f) && longer > real(1.0f);  // what is magnified needs one sample
-    if (t.mip == 0 || t.levels == 1 || no_lane(is_stretched)) return sample(slot, raw);
-    const real probes = select(is_stretched, count, real(1.0f)), inverse = reciprocal(probes);
-    const real lod = real(0.5f) * log2_coarse(longer * inverse * inverse);
-    const vec2 axis = select(along_x >= along_y, c.dx, c.dy);
+    Probes p;
+    p.is_stretched = count > real(1.0f) && longer > real(1.0f);  // what is magnified needs one sample
+    p.count = select(p.is_stretched, count, real(1.0f));
+    p.inverse = reciprocal(p.count);
+    p.lod = real(0.5f) * log2_coarse(longer * p.inverse * p.inverse);
+    p.axis = select(along_x >= along_y, c.dx, c.dy);
+    return p;
+}
+
+/// A slot's texture by up to `most` probes.
+inline vec4 sample_anisotropic(const TextureSlot& slot, const TexCoords& raw, int32_t most) {
+    const TextureView& t = *slot.view;
+    const TexCoords c = transformed(slot, raw);
+    if (t.mip == 0 || t.levels == 1) return sample(slot, raw);
+    const Probes p = probes_of(t, c, most);
+    if (no_lane(p.is_stretched)) return sample(slot, raw);
     vec4 sum = vec4(real(0.0f));
-    for (int32_t i = 0; any_lane(real(float(i)) < probes); ++i) {
+    for (int32_t i = 0; any_lane(real(float(i)) < p.count); ++i) {
         TexCoords at = c;
-        at.uv = c.uv + axis * ((real(float(i)) + real(0.5f)) * inverse - real(0.5f));
-        const vec4 probe = sample(t, footprint_of(t, at, lod, t.minify_linear != 0));
-        sum = sum + select(real(float(i)) < probes, probe, vec4(real(0.0f)));
+        at.uv = p.place(c.uv, i);
+        const vec4 probe = sample(t, footprint_of(t, at, p.lod, t.minify_linear != 0));
+        sum = sum + select(real(float(i)) < p.count, probe, vec4(real(0.0f)));
     }
-    return select(is_stretched, sum * inverse, sample(slot, raw));
+    return select(p.is_stretched, sum * p.inverse, sample(slot, raw));
 }
 
 }  // namespace rakelight::raster::RL_ISA

@@ -11,9 +11,11 @@ namespace {
 void put(float (&to)[3], vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 void put(float (&to)[4], vec4 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
 
-void put_texel(const TextureView& t, int32_t texel, float weight, TracedTexture& out) {
-    if (!(weight > 0.0f) || out.texel_count == most_texels) return;
-    TracedTexel& to = out.texel[out.texel_count++];
+void put_texel(const TextureView& t, int32_t texel, int32_t probe, float weight, TracedTexels& out) {
+    if (!(weight > 0.0f) || out.count == most_texels) return;
+    TracedTexel& to = out.texel[out.count++];
+    to.probe = probe;
+    to.level = 0;
     while (to.level + 1 < t.levels && texel >= t.offset[to.level + 1]) ++to.level;
     to.x = (texel - t.offset[to.level]) % t.width[to.level];
     to.y = (texel - t.offset[to.level]) / t.width[to.level];
@@ -25,46 +27,65 @@ void put_texel(const TextureView& t, int32_t texel, float weight, TracedTexture&
 
 float weight_of(int32_t fixed) { return float(fixed & 0xffff) / float(1 << fraction_bits); }
 
-void trace_taps(const TextureView& t, const Taps& taps, bool linear, float weight, TracedTexture& out) {
-    if (!linear) return put_texel(t, taps.texel[0], weight, out);
+void trace_taps(const TextureView& t, const Taps& taps, bool linear, int32_t probe, float weight, TracedTexels& out) {
+    if (!linear) return put_texel(t, taps.texel[0], probe, weight, out);
     const float right = weight_of(taps.along_x), lower = weight_of(taps.along_y);
     for (int32_t k = 0; k < 4; ++k)
-        put_texel(t, taps.texel[k], weight * (k % 2 == 0 ? 1.0f - right : right) * (k / 2 == 0 ? 1.0f - lower : lower),
-                  out);
+        put_texel(t, taps.texel[k], probe,
+                  weight * (k % 2 == 0 ? 1.0f - right : right) * (k / 2 == 0 ? 1.0f - lower : lower), out);
 }
 
-/// The texels of sample()'s footprint.
-void trace_texels(const TextureView& t, const TexCoords& c, TracedTexture& out) {
-    const bool linear = (out.level_of_detail > 0.0f ? t.minify_linear : t.magnify_linear) != 0;
-    const Footprint f = footprint_of(t, c, out.level_of_detail, linear);
+/// The texels of a footprint.
+void trace_texels(const TextureView& t, const Footprint& f, int32_t probe, float weight, TracedTexels& out) {
     const float second = f.has_two_levels ? weight_of(f.between) : 0.0f;
-    trace_taps(t, f.taps[0], linear, 1.0f - second, out);
-    if (f.has_two_levels) trace_taps(t, f.taps[1], linear, second, out);
+    trace_taps(t, f.taps[0], f.linear, probe, weight * (1.0f - second), out);
+    if (f.has_two_levels) trace_taps(t, f.taps[1], f.linear, probe, weight * second, out);
 }
 
-/// What sample() reads where: its coordinates and levels.
-void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out) {
+/// How texel() reads: the probes and their level of detail; one in the middle where none are wanted.
+Probes trace_probes(const TextureView& t, const TexCoords& c, int32_t most, TracedTexture& out) {
+    Probes p{};
+    if (most > 1 && t.mip != 0 && t.levels > 1) p = probes_of(t, c, most);
+    out.probes = 1;
+    out.axis_u = out.axis_v = 0;
+    out.level_of_detail = p.is_stretched ? p.lod : level_of_detail(t, c);
+    if (!p.is_stretched) return p;
+    out.probes = to_int(p.count);
+    out.axis_u = p.axis.x, out.axis_v = p.axis.y;
+    return p;
+}
+
+/// What texel() reads where: its coordinates, probes and levels.
+void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out, TracedTexels* texels) {
     if (slot.view == nullptr) return;
     const TextureView& t = *slot.view;
-    const TexCoords& raw = p.texcoords[slot.texcoord_set == 0 ? 0 : 1];
-    const TexCoords c = transformed(slot, raw);
+    const TexCoords c = transformed(slot, p.texcoords[slot.texcoord_set == 0 ? 0 : 1]);
     out.is_used = 1;
     out.u = c.uv.x;
     out.v = c.uv.y;
-    out.level_of_detail = level_of_detail(t, c);
+    const Probes probes = trace_probes(t, c, p.anisotropy, out);
     out.level = 0;
     if (t.mip != 0 && t.levels > 1 && out.level_of_detail > 0.0f) {
         out.level = clamp(out.level_of_detail, 0.0f, float(t.levels - 1));
         if (t.mip == 1) out.level = float(to_int(out.level + 0.5f));
     }
     put(out.value, texel(slot, p));
-    trace_texels(t, c, out);
+    if (texels == nullptr) return;
+    const bool linear = (out.probes > 1 || out.level_of_detail > 0.0f ? t.minify_linear : t.magnify_linear) != 0;
+    for (int32_t i = 0; i < out.probes; ++i) {
+        TexCoords at = c;
+        if (out.probes > 1) at.uv = probes.place(c.uv, i);
+        trace_texels(t, footprint_of(t, at, out.level_of_detail, linear), i, 1.0f / float(out.probes), *texels);
+    }
 }
 
-void trace_maps(const MaterialView& m, const Pixels& p, PixelTrace& out) {
+void trace_maps(const MaterialView& m, const Pixels& p, PixelTrace& out, TracedTexels* texels) {
     const TextureSlot* const slots[traced_maps] = {&m.base_color_map, &m.normal_map,   &m.emission_map,          &m.occlusion_map,
                                                    &m.opacity_map,    &m.specular_map, &m.metallic_roughness_map};
-    for (int i = 0; i < traced_maps; ++i) trace_texture(*slots[i], p, out.map[i]);
+    for (int i = 0; i < traced_maps; ++i) {
+        if (texels != nullptr) texels[i].count = 0;
+        trace_texture(*slots[i], p, out.map[i], texels != nullptr ? &texels[i] : nullptr);
+    }
 }
 
 void trace_normal(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
@@ -175,7 +196,7 @@ void trace_point(const ShadeJob* job, float roughness, const float (&position)[3
     for (int k = 0; k < 3; ++k) put(received[k], sum[k]);
 }
 
-void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights) {
+void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, TracedTexels* texels) {
     const MaterialView& m = *job->material;
     PixelTrace& out = *pixel;
     out = PixelTrace{};
@@ -187,7 +208,7 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights) {
         const TexCoords c = texcoords(p.records, p.b, set);
         out.texcoord[set][0] = c.uv.x, out.texcoord[set][1] = c.uv.y;
     }
-    trace_maps(m, p, out);
+    trace_maps(m, p, out, texels);
     const BaseColor base = base_color(m, p);
     put(out.vertex_color, interpolate_color(p.records, p.b));
     put(out.paint, base.paint);

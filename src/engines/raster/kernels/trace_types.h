@@ -9,21 +9,28 @@ namespace rakelight::raster {
 
 /// A texel that a filtered sample came from.
 struct TracedTexel {
+    int32_t probe;        ///< of an anisotropic filter; 0 without
     int32_t level, x, y;  ///< of the mip chain; from the level's top left texel
     float weight;         ///< all of a sample's come to 1
     float value[4];       ///< linear
 };
-inline constexpr int most_texels = 8;  ///< 2 x 2 of two levels
+inline constexpr int most_texels = 16 * 8;  ///< 2 x 2 of two levels, of 16 probes
+/// What one texture's value came from. Texels with a weight of 0 are left out.
+struct TracedTexels {
+    int32_t count;
+    TracedTexel texel[most_texels];
+};
 
 /// One sampled texture. Meaningless where `is_used` is 0.
 struct TracedTexture {
     int32_t is_used;
     float u, v;            ///< after the slot's transform, before wrapping
-    float level_of_detail; ///< log2 of texels a pixel; over 0 the picture is shrunk
+    int32_t probes;        ///< samples along the footprint's longer side, 1..16
+    float axis_u, axis_v;  ///< that side: from the first probe's end to the last one's; 0 for one probe
+    float
+        level_of_detail;   ///< log2 of texels a pixel, of a probe where there are several; over 0 the picture is shrunk
     float level;           ///< of the mip chain that was read; a fraction lies between two
     float value[4];        ///< filtered, linear
-    int32_t texel_count;   ///< those with a weight of 0 are left out
-    TracedTexel texel[most_texels];
 };
 
 /// The maps in the order of MaterialView.
@@ -75,9 +82,10 @@ namespace trace {
 /// job->light_count entries.
 void trace_point(const ShadeJob* job, float roughness, const float (&position)[3], const float (&normal)[3],
                  float (&received)[3][3], TracedLight* lights);
-/// Shades the first pixel of a job as its `shade` does and records how. `lights` takes job->light_count entries; those of
-/// unlit surfaces and of surfaces lit at their corners are left as they are. The numbers are those of the engine's kernels to the bit, which run the same source.
-void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights);
+/// Shades the first pixel of a job as its `shade` does and records how. `lights` takes job->light_count entries; those
+/// of unlit surfaces and of surfaces lit at their corners are left as they are. `texels` takes traced_maps entries, or
+/// null. The numbers are those of the engine's kernels to the bit, which run the same source.
+void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, TracedTexels* texels);
 }  // namespace trace
 
 }  // namespace rakelight::raster

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of several samples a pixel: what they cover, how often their pixels are shaded, and their mean.
+#include <algorithm>
+
+#include "engines/raster/inspect_samples.h"
+#include "engines/raster/tile.h"
+#include "tools/stages/stage.h"
+
+namespace rakelight::stages {
+namespace {
+
+constexpr Code ground{16, 18, 24};
+constexpr int enlarged_px = 16;  ///< side of the part that is shown enlarged; divides a tile's
+constexpr int cell_px = 48;      ///< one of its pixels: 3 a step of sample_positions()
+
+Canvas paint(const Sources& of, const auto& color) {
+    Canvas canvas(of.engine.settings().width, of.engine.settings().height, ground);
+    std::size_t p = 0;
+    for (int y = 0; y < canvas.height(); ++y)
+        for (int x = 0; x < canvas.width(); ++x) canvas.set(x, y, color(p++));
+    return canvas;
+}
+
+/// Where samples differ most, so that there is something to see.
+Window liveliest_part(const Sources& of) {
+    const int width = of.engine.settings().width, height = of.engine.settings().height;
+    Window best{0, 0, std::min(enlarged_px, width), std::min(enlarged_px, height)};
+    double most = -1;
+    for (int top = 0; top < height; top += enlarged_px)
+        for (int left = 0; left < width; left += enlarged_px) {
+            const Window part{left, top, std::min(enlarged_px, width - left), std::min(enlarged_px, height - top)};
+            double sum = 0;
+            for (int y = top; y < top + part.height; ++y)
+                for (int x = left; x < left + part.width; ++x)
+                    sum += double(of.pixels.sample_spread[std::size_t(y) * std::size_t(width) + std::size_t(x)]);
+            if (sum > most) most = sum, best = part;
+        }
+    return best;
+}
+
+void square(Canvas& canvas, int x, int y, int side, Code color) {
+    for (int dy = 0; dy < side; ++dy)
+        for (int dx = 0; dx < side; ++dx) canvas.set(x + dx, y + dy, color);
+}
+
+/// Each pixel in the color of the picture, a dot with a dark rim for each of its samples.
+Picture enlarged(const Sources& of) {
+    const raster::SampleColors part = inspect_samples(of.engine, of.drawn, liveliest_part(of));
+    const int samples = of.engine.settings().samples, width = of.engine.settings().width;
+    Canvas canvas(part.window.width * cell_px, part.window.height * cell_px, ground);
+    std::size_t next = 0;
+    for (int y = 0; y < part.window.height; ++y)
+        for (int x = 0; x < part.window.width; ++x) {
+            const auto p = std::size_t(y + part.window.y) * std::size_t(width) + std::size_t(x + part.window.x);
+            square(canvas, x * cell_px, y * cell_px, cell_px, display(of.pixels.color[p].xyz()));
+            for (const raster::SamplePosition at : raster::sample_positions(samples)) {
+                const int middle_x = x * cell_px + cell_px / 2 + 3 * at.x,
+                          middle_y = y * cell_px + cell_px / 2 + 3 * at.y;
+                square(canvas, middle_x - 3, middle_y - 3, 7, ground);
+                square(canvas, middle_x - 2, middle_y - 2, 5, display(part.color[next++].xyz()));
+            }
+        }
+    const std::string corner = std::to_string(part.window.x) + "," + std::to_string(part.window.y);
+    return {
+        "samples-enlarged",
+        "The part whose samples differ most, from pixel " + corner + " on, " + std::to_string(cell_px) +
+            " times as large: each pixel has the mean of its samples, each dot the color of one sample in its place.",
+        std::move(canvas)};
+}
+
+}  // namespace
+
+Stage samples_stage(const Sources& of) {
+    const int samples = of.engine.settings().samples;
+    const raster::PixelStageData& d = of.pixels;
+    Stage s{.id = "samples", .title = "Several samples a pixel, and their mean"};
+    s.text =
+        "With " + std::to_string(samples) +
+        " samples coverage and depth are looked at in as many places of every pixel, and each triangle that they show "
+        "is shaded once, in the middle of those that show it. The pixel is the mean of its samples in linear light. "
+        "The stages before look at the pixels' centers, as the data channels do.";
+    std::vector<std::uint64_t> covered(std::size_t(samples) + 1, 0), shaded(std::size_t(samples) + 1, 0);
+    std::uint64_t sum = 0, all = 0;
+    for (std::size_t p = 0; p < d.color.size(); ++p) {
+        ++covered[d.samples_covered[p]], ++shaded[d.triangles_shown[p]];
+        sum += d.samples_covered[p], all += d.triangles_shown[p];
+    }
+    const std::uint64_t pixels = d.color.size() - covered[0];
+    s.numbers = {{"samples a pixel", samples},
+                 {"pixels covered", pixels},
+                 {"samples covered", sum},
+                 {"opaque triangles shaded, over all pixels", all},
+                 {"times a covered pixel is shaded, mean", pixels > 0 ? double(all) / double(pixels) : 0.0}};
+    s.columns = {"number", "pixels with so many samples covered",
+                 "pixels that so many opaque triangles are shaded for"};
+    for (std::size_t n = 0; n < covered.size(); ++n) s.rows.push_back({n, covered[n], shaded[n]});
+    s.rows_note = "Opaque surfaces; blended ones are laid sample by sample over what is there";
+    s.pictures.push_back({"samples-covered", "Samples that something opaque covers: black none, white all.",
+                          paint(of, [&](std::size_t p) { return gray(double(d.samples_covered[p]) / samples); })});
+    s.pictures.push_back({"samples-triangles",
+                          "How many opaque triangles the pixel is shaded for: blue 1, over green and yellow to white " +
+                              std::to_string(std::min(samples, 4)) + " and more.",
+                          paint(of, [&](std::size_t p) {
+                              return d.triangles_shown[p] == 0
+                                         ? ground
+                                         : heat(double(d.triangles_shown[p]) / std::min(samples, 4));
+                          })});
+    s.pictures.push_back({"samples-difference",
+                          "The greatest difference between samples of the pixel, as light: what the mean makes smooth.",
+                          paint(of, [&](std::size_t p) {
+                              return display(vec3{1, 1, 1} * d.sample_spread[p]);
+                          })});
+    s.pictures.push_back(enlarged(of));
+    return s;
+}
+
+}  // namespace rakelight::stages

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the pixel stages leave: the terms of the lights add up to the picture, and the picture is the engine's.
+#include "engines/raster/inspect_pixels.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "engines/raster/inspect_samples.h"
+#include "engines/raster/inspect_shading.h"
+#include "engines/raster/multisample.h"
+#include "engines/raster/raster_engine.h"
+#include "support/scene_builder.h"
+#include "unit/raster/busy_scene.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+
+namespace {
+
+constexpr int width = 96, height = 70;
+
+RenderSettings settings(int samples) {
+    return {.width = width, .height = height, .samples = samples, .background = {0, 0, 0, 1}};
+}
+
+Camera eye() {
+    Camera camera;
+    camera.vertical_fov_rad = 1;
+    camera.near = 0.5;
+    camera.far = 50;
+    camera.to_world = translation(dvec3{0.2, 0.1, 4});
+    return camera;
+}
+
+std::vector<vec4> draw(const Scene& scene, const RenderSettings& s) {
+    Context context({.threads = 1});
+    const auto engine = raster::make_engine();
+    engine->prepare(scene, context);
+    Frame frame;
+    engine->render(eye(), s, frame, context);
+    return frame.color;
+}
+
+bool same_bits(const std::vector<vec4>& a, const std::vector<vec4>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(vec4)) == 0;
+}
+
+/// Squares that are all lit, every fifth of them blended.
+Scene lit_scene() {
+    Scene scene = busy_scene();
+    scene.materials[4] = matte({0.3f, 0.3f, 0.9f});
+    return scene;
+}
+
+struct Looked {
+    Context context{{.threads = 1}};
+    raster::Inspection inspection;
+    raster::Inspection::Geometry open, drawn;
+    raster::PixelStageData data;
+    Looked(const Scene& scene, const RenderSettings& s)
+        : inspection(scene, eye(), s, context),
+          open(inspection, {}, true, context),
+          drawn(inspection, {}, false, context),
+          data(inspect_pixels(inspection, open, drawn, 8, context)) {}
+};
+
+}  // namespace
+
+TEST(InspectPixels, TermsOfAllLightsAddUpToThePictureAlsoWhereSurfacesAreLaidOver) {
+    const Scene scene = lit_scene();
+    for (const Shading shading : {Shading::phong, Shading::gouraud, Shading::flat}) {
+        RenderSettings s = settings(1);
+        s.shading = shading;
+        const Looked looked(scene, s);
+        int laid_over = 0;
+        for (std::size_t p = 0; p < looked.data.color.size(); ++p) {
+            vec3 sum = looked.data.emission[p];
+            for (const raster::TermPictures& t : looked.data.lights) sum += t.ambient[p] + t.diffuse[p] + t.specular[p];
+            const vec4 color = looked.data.color[p];
+            const float tolerance = 2e-5f * (1 + color.x + color.y + color.z);
+            EXPECT_NEAR(sum.x, color.x, tolerance) << p;
+            EXPECT_NEAR(sum.y, color.y, tolerance) << p;
+            EXPECT_NEAR(sum.z, color.z, tolerance) << p;
+            laid_over += looked.data.layer_count[p] > 0;
+        }
+        EXPECT_GT(laid_over, 500);
+    }
+}
+
+TEST(InspectPixels, ALayerShowsByItsAlphaAndLetsThroughTheRest) {
+    Scene scene;
+    scene.materials = {matte({1, 0.5f, 0}), matte({0, 0, 1})};
+    scene.materials[1].alpha_mode = AlphaMode::blend;
+    scene.materials[1].base_color.w = 0.25f;
+    add_object(scene, square_mesh(0, 9));
+    add_object(scene, square_mesh(1, 9), translation(dvec3{0, 0, 1}));
+    scene.lights = {directional({0, 0, -1})};
+    const raster::PixelStageData data = Looked(scene, settings(1)).data;
+    const vec3 diffuse = data.lights[0].diffuse[width * 35 + 48];
+    EXPECT_NEAR(diffuse.x, 0.75f, 1e-6f);
+    EXPECT_NEAR(diffuse.y, 0.375f, 1e-6f);
+    EXPECT_NEAR(diffuse.z, 0.25f, 1e-6f);
+}
+
+TEST(InspectPixels, ThePictureIsTheEnginesToTheBitForAnyNumberOfSamples) {
+    const Scene scene = busy_scene();
+    const Looked one(scene, settings(1));
+    EXPECT_TRUE(one.data.center_color.empty());
+    for (const int samples : {1, 4, 8}) {
+        const std::vector<vec4> picture = draw(scene, settings(samples));
+        const Looked looked(scene, settings(samples));
+        EXPECT_TRUE(same_bits(looked.data.color, picture)) << samples;
+        EXPECT_TRUE(same_bits(looked.data.centers(), one.data.color)) << samples;
+        EXPECT_EQ(looked.data.draw, one.data.draw);
+        Context context({.threads = 1});
+        EXPECT_TRUE(same_bits(draw_shaded(looked.inspection, Shading::phong, context).color, picture)) << samples;
+    }
+}
+
+TEST(InspectPixels, SamplesAreCountedAndTheirMeanIsThePixel) {
+    const Scene scene = busy_scene();
+    for (const int samples : {4, 8}) {
+        const Looked looked(scene, settings(samples));
+        const Window part{64, 16, 16, 16};
+        const raster::SampleColors colors = inspect_samples(looked.inspection, looked.drawn, part);
+        ASSERT_EQ(colors.color.size(), std::size_t(16 * 16 * samples));
+        for (std::size_t i = 0; i < 256; ++i) {
+            const std::size_t p = (16 + i / 16) * width + 64 + i % 16;
+            const vec4* const its = &colors.color[i * std::size_t(samples)];
+            EXPECT_EQ(raster::mean_of_samples(its, std::size_t(samples)), looked.data.color[p]);
+            float low = 1, high = 0;
+            for (int k = 0; k < samples; ++k)
+                low = std::min(low, std::min(its[k].x, 1.0f)), high = std::max(high, std::min(its[k].x, 1.0f));
+            EXPECT_LE(high - low, looked.data.sample_spread[p]);
+        }
+        int edges = 0;
+        for (std::size_t p = 0; p < looked.data.color.size(); ++p) {
+            const int covered = looked.data.samples_covered[p], shown = looked.data.triangles_shown[p];
+            EXPECT_LE(covered, samples);
+            EXPECT_LE(shown, covered);
+            EXPECT_EQ(shown == 0, covered == 0);
+            edges += shown > 1;
+        }
+        EXPECT_GT(edges, 100);
+    }
+}
