@@ -38,6 +38,6 @@ std::unique_ptr<ImageWriter> write_webp(const std::string& path, int width, int 
 std::unique_ptr<ImageWriter> write_exr(const std::string& path, int width, int height, int channels, Component component);
 std::unique_ptr<ImageWriter> write_hdr(const std::string& path, int width, int height, int channels, Component component);
 std::unique_ptr<ImageWriter> write_exr_channels(const std::string& path, int width, int height,
-                                                std::vector<ExrChannel> channels);
+                                                std::vector<ExrChannel> channels, ExrPlace place);
 
 }  // namespace rakelight::io::codec

@@ -157,7 +157,8 @@ void round_to_half(float& value) {
 class ExrWriter final : public ImageWriter {
 public:
     /// @param alpha  the last channel is alpha: the others are multiplied by it
-    ExrWriter(const std::string& path, int width, int height, std::vector<ExrChannel> channels, bool alpha)
+    ExrWriter(const std::string& path, int width, int height, std::vector<ExrChannel> channels, bool alpha,
+              ExrPlace place)
         : path_(path),
           channels_(std::move(channels)),
           alpha_(alpha),
@@ -165,15 +166,19 @@ public:
           file_(path),
           output_(file_.handle()),
           row_(std::size_t(width) * channels_.size()) {
-        Imf::Header header(width, height);
+        const Imath::Box2i whole({0, 0}, {place.width - 1, place.height - 1});
+        Imf::Header header(whole, {{place.x, place.y}, {place.x + width - 1, place.y + height - 1}});
         header.compression() = Imf::ZIP_COMPRESSION;
         for (const ExrChannel& c : channels_) header.channels().insert(c.name, Imf::Channel(pixel_type(c.type)));
         call([&] { exr_ = std::make_unique<Imf::OutputFile>(output_, header, 0); });
-        Imf::FrameBuffer buffer;  // a row stride of 0: every row is handed over in the same place
-        for (std::size_t c = 0; c < channels_.size(); ++c)
+        // A row stride of 0: every row is handed over in the same place. The library adds x times the pixel's stride.
+        Imf::FrameBuffer buffer;
+        const std::size_t stride = 4 * channels_.size();
+        for (std::size_t c = 0; c < channels_.size(); ++c) {
+            const auto first = reinterpret_cast<std::uintptr_t>(row_.data() + c) - std::size_t(place.x) * stride;
             buffer.insert(channels_[c].name,
-                          Imf::Slice(pixel_type(channels_[c].type), reinterpret_cast<char*>(row_.data() + c),
-                                     4 * channels_.size(), 0));
+                          Imf::Slice(pixel_type(channels_[c].type), reinterpret_cast<char*>(first), stride, 0));
+        }
         call([&] { exr_->setFrameBuffer(buffer); });
     }
 
@@ -237,12 +242,13 @@ std::unique_ptr<ImageWriter> write_exr(const std::string& path, int width, int h
         channels < 3 ? Layout{{"Y", "A", nullptr, nullptr}, channels} : Layout{{"R", "G", "B", "A"}, channels};
     std::vector<ExrChannel> list;
     for (int c = 0; c < channels; ++c) list.push_back({layout.names[std::size_t(c)], ExrType::f32});
-    return std::make_unique<ExrWriter>(path, width, height, std::move(list), channels % 2 == 0);
+    return std::make_unique<ExrWriter>(path, width, height, std::move(list), channels % 2 == 0,
+                                       ExrPlace{0, 0, width, height});
 }
 
 std::unique_ptr<ImageWriter> write_exr_channels(const std::string& path, int width, int height,
-                                                std::vector<ExrChannel> channels) {
-    return std::make_unique<ExrWriter>(path, width, height, std::move(channels), false);
+                                                std::vector<ExrChannel> channels, ExrPlace place) {
+    return std::make_unique<ExrWriter>(path, width, height, std::move(channels), false, place);
 }
 
 }  // namespace rakelight::io::codec

@@ -41,11 +41,16 @@ struct ExrChannel {
     std::string name;  ///< "R", "normal.X": the part before the last dot is the layer
     ExrType type = ExrType::f32;
 };
+/// Where the pixels of an EXR file (its data window) lie in the whole picture (its display window) [px].
+struct ExrPlace {
+    int x = 0, y = 0;           ///< of the file's top left pixel
+    int width = 0, height = 0;  ///< of the whole picture; 0: the file is the whole
+};
 /// An EXR file of any channels. Rows are [width * channels] values of four bytes, in the order given: floats (halves
 /// are rounded from them, what is too large for one becomes the largest) or, for u32, unsigned integers. They are
 /// written as they are, without a multiplication by alpha. @throws Error usage / failed.
 std::unique_ptr<ImageWriter> make_exr_writer(const std::string& path, int width, int height,
-                                             std::vector<ExrChannel> channels);
+                                             std::vector<ExrChannel> channels, ExrPlace place = {});
 /// All rows at once.
 void write_image(const std::string& path, const Pixels& pixels);
 

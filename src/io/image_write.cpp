@@ -67,9 +67,11 @@ std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int widt
 }
 
 std::unique_ptr<ImageWriter> make_exr_writer(const std::string& path, int width, int height,
-                                             std::vector<ExrChannel> channels) {
+                                             std::vector<ExrChannel> channels, ExrPlace place) {
     check_written_size(path, width, height, channels.size(), 1024);
-    return codec::write_exr_channels(path, width, height, std::move(channels));
+    if (place.width == 0) place = {0, 0, width, height};
+    check_written_size(path, place.width, place.height, channels.size(), 1024);
+    return codec::write_exr_channels(path, width, height, std::move(channels), place);
 }
 
 void write_image(const std::string& path, const Pixels& pixels) {

@@ -50,7 +50,8 @@ void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& r
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
     PictureFiles files(request.output, window.width, window.height, format,
-                       {settings.channels, request.channel_files, request.half_colors, result.view_range});
+                       {settings.channels, request.channel_files, request.half_colors, result.view_range},
+                       {window.x, window.y, settings.width, settings.height});
     double written_ms = 0;
     PictureSink sink(format, files.needs_linear(), [&](int rows) {
         const Stopwatch watch;

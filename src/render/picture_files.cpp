@@ -61,8 +61,8 @@ std::string channel_file(const std::string& output, const std::string& channel, 
 }
 
 PictureFiles::PictureFiles(const std::string& output, int width, int height, PixelFormat format,
-                           const ChannelWishes& wishes)
-    : output_(output), width_(width), height_(height), format_(format) {
+                           const ChannelWishes& wishes, io::ExrPlace place)
+    : output_(output), width_(width), height_(height), format_(format), place_(place) {
     const bool layers = wishes.channels != 0 && (wishes.files & channel_files_layers),
                inside = layers && is_exr(output);
     needs_linear_ = layers && !inside;
@@ -92,7 +92,7 @@ void PictureFiles::add_color(const ChannelWishes& wishes) {
         [&] {
             return is_exr(output_)
                        ? io::make_exr_writer(output_, width_, height_,
-                                             color_channels(format_.channels, wishes.half_colors))
+                                             color_channels(format_.channels, wishes.half_colors), place_)
                        : io::make_image_writer(output_, width_, height_, format_.channels, format_.component);
         },
         [](const PictureSink& strip, int y) -> const void* { return strip.color_row(y); });
@@ -115,7 +115,8 @@ void PictureFiles::add_exr(std::uint32_t channel, std::size_t plane, bool half) 
             return values.data();
         };
     add(
-        channels_, path, [&] { return io::make_exr_writer(path, width_, height_, std::move(list)); }, std::move(row));
+        channels_, path, [&] { return io::make_exr_writer(path, width_, height_, std::move(list), place_); },
+        std::move(row));
 }
 
 void PictureFiles::add_layers(const std::string& path, const ChannelWishes& wishes) {
@@ -140,7 +141,7 @@ void PictureFiles::add_layers(const std::string& path, const ChannelWishes& wish
     };
     add(
         path == output_ ? color_ : channels_, path,
-        [&] { return io::make_exr_writer(path, width_, height_, std::move(list)); }, std::move(row));
+        [&] { return io::make_exr_writer(path, width_, height_, std::move(list), place_); }, std::move(row));
 }
 
 void PictureFiles::add_png(std::uint32_t channel, std::size_t plane, const ViewRange& range) {

@@ -30,8 +30,10 @@ struct ChannelWishes {
 
 class PictureFiles {
 public:
-    /// Opens all files under temporary names. @throws Error failed, with the file's name
-    PictureFiles(const std::string& output, int width, int height, PixelFormat format, const ChannelWishes& wishes);
+    /// Opens all files under temporary names. EXR files know their place in the whole picture.
+    /// @throws Error failed, with the file's name
+    PictureFiles(const std::string& output, int width, int height, PixelFormat format, const ChannelWishes& wishes,
+                 io::ExrPlace place = {});
     /// Whether the sink must keep linear colors.
     bool needs_linear() const { return needs_linear_; }
     void write(const PictureSink& strip, int rows);  ///< the next `rows` rows of the picture
@@ -56,6 +58,7 @@ private:
     std::string output_;
     int width_, height_;
     PixelFormat format_;
+    io::ExrPlace place_;
     bool needs_linear_ = false;
     std::vector<File> color_, channels_;  ///< one of color
 };

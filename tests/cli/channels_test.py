@@ -81,6 +81,16 @@ class Channels(program.Case):
         for name, (kind, rows) in part.items():
             self.assertEqual((kind, rows), (whole[name][0], [row[13:63] for row in whole[name][1][7:47]]), name)
 
+    def test_exr_files_of_a_window_know_their_place_in_the_picture(self):
+        self.render("-o", "a.exr")
+        whole = exr.windows(self.folder / "a.exr")
+        self.assertEqual(whole[0], whole[1])
+        self.render("-o", "b.exr", "--channels", "depth,triangle", "--channel-files", "exr,layers", "--window", "13,7,50,40")
+        self.render("-o", "c.png", "--channels", "depth", "--channel-files", "layers", "--window", "13,7,50,40")
+        for name in ("b.exr", "b.depth.exr", "b.triangle.exr", "c.channels.exr"):
+            self.assertEqual(exr.windows(self.folder / name), ((13, 7, 62, 46), whole[1]), name)
+        self.render("-o", "d.png", "--texture-base-color", "b.exr", "--uv", "box")  # and they are read as pictures of their own size
+
     def test_wrong_words_are_refused_with_the_right_ones(self):
         for options, words in ((("--channels", "depth,smell"), ("smell", "face-normal")), (("--channels", ""), ("empty",)),
                                (("--channels", "depth", "--channel-files", "tiff"), ("tiff", "layers")),

@@ -46,6 +46,12 @@ def unpacked(block, size):
     return bytes(out)
 
 
+def windows(path):
+    """(data window, display window), each (x0, y0, x1, y1), the last pixels included"""
+    header, _ = header_of(path.read_bytes())
+    return tuple(struct.unpack("<4i", header[name]) for name in ("dataWindow", "displayWindow"))
+
+
 def read(path):
     """(width, height, {channel: (format letter, rows of numbers)})"""
     data = path.read_bytes()
