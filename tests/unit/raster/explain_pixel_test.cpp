@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 
@@ -110,6 +111,35 @@ TEST(ExplainPixel, SumsAreThePicturesBitsWithSeveralSamplesAPixelAndAnisotropicF
             s.shading = Shading::gouraud;
             expect_all_explained(scene, s, flat_camera(), 9);
         }
+}
+
+TEST(ExplainPixel, TransformedTexturesOfEveryRoleAreReadWhereThePictureReadsThem) {
+    Scene scene = busy_scene();
+    const TextureTransform turned{.offset = {0.3f, -0.2f}, .scale = {3, 0.5f}, .rotation_rad = 0.7f};
+    for (Material& m : scene.materials)
+        for (TextureUse* use : {&m.base_color_texture, &m.normal_texture, &m.emission_texture, &m.occlusion_texture,
+                                &m.opacity_texture, &m.classical.specular_texture, &m.metallic_roughness.texture})
+            use->transform = turned;
+    for (const int anisotropy : {1, 8}) {
+        RenderSettings s = settings();
+        s.anisotropy = anisotropy;
+        expect_all_explained(scene, s, eye(), 5);
+        Context context({.threads = 1});
+        const raster::Inspection inspection(scene, eye(), s, context);
+        int used[raster::traced_maps] = {};
+        for (int pixel = 0; pixel < width * height; pixel += 7)
+            for (const raster::ShadedLayer& layer : inspection.explain(pixel % width, pixel / width, context).layers)
+                for (int i = 0; i < raster::traced_maps; ++i) {
+                    const raster::TracedTexture& map = layer.trace.map[i];
+                    if (!map.is_used) continue;
+                    ++used[i];
+                    const float u = 3 * layer.trace.texcoord[0][0], v = 0.5f * layer.trace.texcoord[0][1];
+                    const float c = std::cos(0.7f), sine = std::sin(0.7f);  // KHR_texture_transform: T R S
+                    EXPECT_NEAR(map.u, 0.3f + c * u + sine * v, 1e-4f * (1 + std::fabs(map.u)));
+                    EXPECT_NEAR(map.v, -0.2f - sine * u + c * v, 1e-4f * (1 + std::fabs(map.v)));
+                }
+        for (const int n : used) EXPECT_GT(n, 0);
+    }
 }
 
 TEST(ExplainPixel, SamplesShowTheNearestTriangleAndLayersAreLaidOverThoseThatTheyAreBefore) {

@@ -18,22 +18,28 @@ namespace {
 
 constexpr int width = 160, height = 120;
 
+struct Look {
+    int samples = 1, anisotropy = 1, step = 7;
+    std::string camera;
+};
+
 /// Explains a grid of pixels of a model; returns how many showed it.
-int expect_explained(const std::string& file) {
+int expect_explained(const std::string& file, const Look& look = {}) {
     Context context({.threads = 1});
     Scene scene = load(file, {}, context);
-    const Camera camera = choose_camera(scene, {}, double(width) / height, context);
+    const Camera camera = choose_camera(scene, {.camera = look.camera}, double(width) / height, context);
     if (scene.lights.empty()) scene.lights = default_lights(camera.to_world);
     scene = prepare_scene(scene, {}, context);
-    const RenderSettings settings{.width = width, .height = height};
+    const RenderSettings settings{
+        .width = width, .height = height, .samples = look.samples, .anisotropy = look.anisotropy};
     const auto engine = raster::make_engine();
     engine->prepare(scene, context);
     Frame frame;
     engine->render(camera, settings, frame, context);
     const raster::Inspection inspection(scene, camera, settings, context);
     int shown = 0;
-    for (int y = 0; y < height; y += 7)
-        for (int x = y % 7; x < width; x += 7) {
+    for (int y = 0; y < height; y += look.step)
+        for (int x = y % look.step; x < width; x += look.step) {
             const raster::PixelExplanation e = inspection.explain(x, y, context);
             const vec4 drawn = frame.color[std::size_t(y * width + x)];
             EXPECT_EQ(std::memcmp(&e.sum, &drawn, sizeof drawn), 0) << file << " " << x << "," << y;
@@ -45,21 +51,29 @@ int expect_explained(const std::string& file) {
 
 }  // namespace
 
-TEST(Explain, ThePixelsOfTheTeapotAddUp) { EXPECT_GT(expect_explained("builtin:teapot"), 50); }
+TEST(Explain, ThePixelsOfTheTeapotAddUp) {
+    EXPECT_GT(expect_explained("builtin:teapot"), 50);
+    EXPECT_GT(expect_explained("builtin:teapot", {.samples = 8}), 50);
+}
 
 TEST(Explain, ThePixelsOfRealModelsAddUp) {
     RL_NEEDS_SHARED("assets");
-    for (const char* name : {"FlightHelmet", "AlphaBlendModeTest", "TextureSettingsTest", "NegativeScaleTest", "MultiUVTest", "BoomBoxWithAxes"}) {
+    for (const char* name : {"FlightHelmet", "AlphaBlendModeTest", "TextureSettingsTest", "NegativeScaleTest",
+                             "MultiUVTest", "BoomBoxWithAxes", "GlamVelvetSofa"}) {
         const std::filesystem::path folder = shared_dir() / "assets/gltf" / name;
         int found = 0;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
             if (entry.path().extension() != ".gltf" && entry.path().extension() != ".glb") continue;
             ++found;
             EXPECT_GT(expect_explained(entry.path().string()), 10) << entry.path();
+            EXPECT_GT(expect_explained(entry.path().string(), {.samples = 4, .anisotropy = 8, .step = 13}), 3)
+                << entry.path();
             break;
         }
         EXPECT_EQ(found, 1) << name;
     }
+    const std::string cameras = (shared_dir() / "assets/gltf/Cameras/Cameras.gltf").string();
+    EXPECT_GT(expect_explained(cameras, {.samples = 4, .camera = "1"}), 10) << "the orthographic one";
 }
 
 TEST(Explain, CodesAndColorAreThoseOfTheText) {
