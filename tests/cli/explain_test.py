@@ -48,6 +48,12 @@ class Explain(program.Case):
                     self.assertEqual(row["codes"], list(png(picture)[3][y][3 * x:3 * x + 3]), (model, options, x, y))
                     self.assertEqual(row["sum"], row["color"])
 
+    def test_a_normal_map_is_listed_where_it_acts(self):
+        bricks = pathlib.Path(__file__).resolve().parents[2] / "data/bricks/normal.png"
+        for options, acts in (((), True), (("--bump", "none"), False), (("--shading", "flat"), False), (("--shading", "gouraud"), False)):
+            layer = self.explain("builtin:teapot", 48, 32, "--texture-normal", bricks, "--texture-base-color", bricks, *options)["layers"][0]
+            self.assertEqual([m["role"] for m in layer["maps"]], ["base_color"] + ["normal"] * acts, options)
+
     def test_samples_and_probes_come_to_the_rendered_pixel(self):
         floor = pathlib.Path(__file__).resolve().parents[2] / "data/visibility/floor.obj"
         painted = ("--texture-base-color", floor.parents[1] / "bricks/normal.png", "--camera-position", "0,0.3,3.3",

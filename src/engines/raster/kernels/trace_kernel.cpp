@@ -79,11 +79,14 @@ void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out,
     }
 }
 
-void trace_maps(const MaterialView& m, const Pixels& p, PixelTrace& out, TracedTexels* texels) {
+/// The normal map where it acts: not where lighting is not evaluated at pixels, nor with bumps off.
+void trace_maps(const ShadeJob& job, const Pixels& p, PixelTrace& out, TracedTexels* texels) {
+    const MaterialView& m = *job.material;
     const TextureSlot* const slots[traced_maps] = {&m.base_color_map, &m.normal_map,   &m.emission_map,          &m.occlusion_map,
                                                    &m.opacity_map,    &m.specular_map, &m.metallic_roughness_map};
     for (int i = 0; i < traced_maps; ++i) {
         if (texels != nullptr) texels[i].count = 0;
+        if (i == traced_normal && job.bump == 0) continue;
         trace_texture(*slots[i], p, out.map[i], texels != nullptr ? &texels[i] : nullptr);
     }
 }
@@ -208,7 +211,7 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, Tr
         const TexCoords c = texcoords(p.records, p.b, set);
         out.texcoord[set][0] = c.uv.x, out.texcoord[set][1] = c.uv.y;
     }
-    trace_maps(m, p, out, texels);
+    trace_maps(*job, p, out, texels);
     const BaseColor base = base_color(m, p);
     put(out.vertex_color, interpolate_color(p.records, p.b));
     put(out.paint, base.paint);
