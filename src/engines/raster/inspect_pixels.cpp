@@ -22,6 +22,7 @@ void allocate(PixelStageData& d, std::size_t pixels, std::size_t lights) {
     d.triangle.assign(pixels, none);
     d.normal.assign(pixels, {});
     d.emission.assign(pixels, {});
+    d.own_color.assign(pixels, {});
     d.color.assign(pixels, {});
     d.lights.resize(lights);
     for (TermPictures& t : d.lights) {
@@ -153,17 +154,20 @@ private:
         const ScreenTriangle* last = nullptr;
         for (const Visible& v : visible_) {
             const std::size_t p = at(v.x, v.y);
-            const PixelTrace pixel = trace(*v.triangle, v.triangle != last, v.x, v.y);
+            const Traced pixel = trace(*v.triangle, v.triangle != last, v.x, v.y);
             last = v.triangle;
-            out_.normal[p] = rgb(pixel.normal);
+            out_.normal[p] = rgb(pixel.trace.normal);
             add_terms(p, pixel, 1, 0);
         }
     }
 
     /// Those of the surfaces that are laid over, in their order; weights as blend_transparent() has them.
     void trace_blended() {
-        for_each_pixel([this](std::size_t pixel) {
-            alpha_[pixel] = out_.draw[at(pixel)] == none ? of_.settings().background.w : 1;
+        const vec4 background = of_.settings().background;
+        for_each_pixel([&](std::size_t pixel) {
+            const std::size_t p = at(pixel);
+            alpha_[pixel] = out_.draw[p] == none ? background.w : 1;
+            if (out_.draw[p] == none && out_.layer_count[p] > 0) out_.own_color[p] = background.xyz();
         });
         for (const std::uint32_t item : blending_order(job_, tile_)) {
             const ScreenTriangle& t = drawn_.binned.at(drawn_.binned.items[item]);
@@ -171,18 +175,24 @@ private:
             bool is_new = true;
             cover(t, area_, ox_, oy_, [&](int x, int y, float depth) {
                 if (!is_before(x, y, ox_, oy_, depth, s_)) return;
-                const PixelTrace pixel = trace(t, is_new, x, y);
+                const Traced pixel = trace(t, is_new, x, y);
                 is_new = false;
                 float& alpha = alpha_[std::size_t(y * tile_size + x)];
-                const float own = pixel.alpha >= 0 ? std::min(pixel.alpha, 1.0f) : 0, under = alpha * (1 - own);
+                const float own = pixel.trace.alpha >= 0 ? std::min(pixel.trace.alpha, 1.0f) : 0,
+                            under = alpha * (1 - own);
                 alpha = own + under;
                 if (alpha > 0) add_terms(at(x, y), pixel, own / alpha, under / alpha);
             });
         }
     }
 
+    struct Traced {
+        PixelTrace trace;
+        bool is_lit;
+    };
+
     /// @param is_new  another triangle than that of the call before
-    PixelTrace trace(const ScreenTriangle& t, bool is_new, int x, int y) {
+    Traced trace(const ScreenTriangle& t, bool is_new, int x, int y) {
         const ScreenTriangle* const only = &t;
         if (is_new) make_records(job_, t.draw, {&only, 1}, ox_, oy_, s_);
         s_.pixel[0] = y * tile_size + x;
@@ -193,13 +203,16 @@ private:
         trace::trace_pixel(&batch, &pixel, lights_.data(), nullptr);
         if (is_new && pixel.is_lit_at_corners) corners_ = trace_corners(drawn_.front, drawn_.points, t, batch);
         if (pixel.is_lit_at_corners) interpolate(corners_, pixel);
-        return pixel;
+        return {pixel, batch.unlit == 0};
     }
 
     /// What trace() left, laid over the terms that are there.
-    void add_terms(std::size_t p, const PixelTrace& pixel, float own, float under) {
+    void add_terms(std::size_t p, const Traced& pixel, float own, float under) {
         const auto add = [&](vec3& to, const float(&term)[3]) { to = rgb(term) * own + to * under; };
-        add(out_.emission[p], pixel.emission);
+        const float(&base)[4] = pixel.trace.base_color;
+        const float own_color[3] = {base[0], base[1], base[2]}, no_color[3] = {};
+        add(out_.own_color[p], pixel.is_lit ? no_color : own_color);
+        add(out_.emission[p], pixel.trace.emission);
         for (std::size_t i = 0; i < out_.lights.size(); ++i) {
             add(out_.lights[i].ambient[p], lights_[i].ambient);
             add(out_.lights[i].diffuse[p], lights_[i].diffuse);

@@ -30,7 +30,8 @@ struct PixelStageData {
     /// As Scene::lights but at most `max_lights`: what the terms of the visible surface and of those that are laid over
     /// it come to in the picture. A layer's count by its alpha, those behind it by what it lets through.
     std::vector<TermPictures> lights;
-    std::vector<vec3> emission;             ///< the same
+    std::vector<vec3> emission;   ///< the same
+    std::vector<vec3> own_color;  ///< the same, of surfaces that are not lit, and of the background behind layers
     std::vector<vec4> opaque;               ///< the picture before blended surfaces; empty where no material blends
     std::vector<std::uint8_t> layer_count;  ///< blended surfaces laid over the pixel, at most 255; empty with `opaque`
     std::vector<BlendedLayer> layers;       ///< the first of each pixel, as many as there are, at most most_layers

@@ -153,7 +153,8 @@ Stage lighting_stage(const Sources& of) {
             .text =
                 "Each light adds an ambient term (k ambient times its color), a diffuse one (k diffuse, its color, the "
                 "cosine n.l) and a specular one (k specular, its color, the lobe). "
-                "Their sum with the emission is the pixel. Where blended surfaces are laid over, a term is what it "
+                "Their sum with the emission and the own color of what is not lit is the pixel. Where blended surfaces "
+                "are laid over, a term is what it "
                 "comes to in the picture: a layer's own counts by its alpha, those behind by what it lets through. "
                 "Terms that are black everywhere have no picture."};
     if (of.engine.settings().shading == Shading::flat || of.engine.settings().shading == Shading::gouraud)
@@ -169,6 +170,8 @@ Stage lighting_stage(const Sources& of) {
             s.pictures.push_back(
                 {file, name, paint(of, [&](std::size_t p) { return of.pixels.shows(p) ? display(term[p]) : ground; })});
     };
+    if (!is_black(of.pixels.own_color))
+        add("Own color of what is not lit, and of the background behind layers", "own-color", of.pixels.own_color);
     add("Emission", "emission", of.pixels.emission);
     for (std::size_t i = 0; i < of.pixels.lights.size(); ++i) {
         const raster::TermPictures& t = of.pixels.lights[i];

@@ -47,13 +47,6 @@ bool same_bits(const std::vector<vec4>& a, const std::vector<vec4>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(vec4)) == 0;
 }
 
-/// Squares that are all lit, every fifth of them blended.
-Scene lit_scene() {
-    Scene scene = busy_scene();
-    scene.materials[4] = matte({0.3f, 0.3f, 0.9f});
-    return scene;
-}
-
 struct Looked {
     Context context{{.threads = 1}};
     raster::Inspection inspection;
@@ -69,14 +62,19 @@ struct Looked {
 }  // namespace
 
 TEST(InspectPixels, TermsOfAllLightsAddUpToThePictureAlsoWhereSurfacesAreLaidOver) {
-    const Scene scene = lit_scene();
+    const Scene scene = busy_scene();
     for (const Shading shading : {Shading::phong, Shading::gouraud, Shading::flat}) {
         RenderSettings s = settings(1);
         s.shading = shading;
+        s.background = {0.3f, 0.2f, 0.1f, shading == Shading::flat ? 0.5f : 1.0f};
         const Looked looked(scene, s);
         int laid_over = 0;
         for (std::size_t p = 0; p < looked.data.color.size(); ++p) {
-            vec3 sum = looked.data.emission[p];
+            if (!looked.data.shows(p)) {
+                EXPECT_EQ(looked.data.own_color[p], vec3{}) << p;
+                continue;
+            }
+            vec3 sum = looked.data.emission[p] + looked.data.own_color[p];
             for (const raster::TermPictures& t : looked.data.lights) sum += t.ambient[p] + t.diffuse[p] + t.specular[p];
             const vec4 color = looked.data.color[p];
             const float tolerance = 2e-5f * (1 + color.x + color.y + color.z);
