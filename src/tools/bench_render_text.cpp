@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "render/report_json.h"
+#include "tools/inspect_sections.h"
 
 namespace rakelight {
 namespace {
@@ -48,10 +49,11 @@ std::string to_text(const RenderBenchReport& report) {
         return std::string(line);
     };
     const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-    std::string text =
-        one_line(report.scene, 120) +
-        format(": %llu triangles, %llu vertices, %u objects, %u lights, %d x %d, %u frames\n", number(report.triangles),
-               number(report.vertices), report.objects, report.lights, report.width, report.height, report.frames);
+    std::string text = one_line(report.scene, 120) + format(": %llu triangles, %llu vertices, %s, %s, %d x %d, %s\n",
+                                                            number(report.triangles), number(report.vertices),
+                                                            counted(report.objects, "object").c_str(),
+                                                            counted(report.lights, "light").c_str(), report.width,
+                                                            report.height, counted(report.frames, "frame").c_str());
     text += "engine          threads  median ms (fastest  slowest)      CPU    first   Mtri/s   Mpix/s\n";
     for (const RenderBenchRow& r : report.rows) {
         text += format("%-6s %-8s %8d %10.2f %8.2f %8.2f %10.2f %8.2f %8.2f %8.2f\n", r.engine.c_str(), r.isa.c_str(),

@@ -119,6 +119,14 @@ RenderBenchOptions small() {
     return options;
 }
 
+TEST(BenchRender, CountsOneThingInTheSingular) {
+    RenderBenchReport report;
+    report.objects = 2;
+    report.lights = report.frames = 1;
+    EXPECT_NE(to_text(report).find("2 objects, 1 light, "), std::string::npos);
+    EXPECT_NE(to_text(report).find(", 1 frame\n"), std::string::npos);
+}
+
 TEST(BenchRender, ReportsARowForEachEngineWithTimesAndStages) {
     Context context({.threads = 2});
     RenderBenchOptions options = small();
