@@ -286,6 +286,28 @@ TEST(Channels, HaveTheSameBitsForThreadsWindowsAndInstructionSets) {
         }
 }
 
+TEST(Channels, AreFiniteWhereColorsAreNotAndAddUpToWhatIsShown) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Scene scene;
+    scene.materials = {matte()};
+    add_object(scene, ball(24, {0, 0, 0}, 0));
+    scene.meshes[0].colors = std::vector<vec4>(scene.meshes[0].positions.size(), vec4{1, 1, std::nanf(""), 1});
+    Light light = lamp({0.3, -1, -0.5});
+    light.diffuse.x = infinity;  // not a number where the cosine is 0
+    scene.lights = {light};
+    const Frame f = draw(scene, looking_from({0, 0.5, 4}, {0, 0, 0}), everything());
+    int seen = 0;
+    for (std::size_t p = 0; p < f.color.size(); ++p) {
+        if (f.object[p] == none) continue;
+        ++seen;
+        EXPECT_EQ(f.base_color[p], (vec3{1, 1, 0}));
+        const vec3 sum = f.ambient[p] + f.diffuse[p] + f.specular[p] + f.emission[p];
+        ASSERT_TRUE(is_finite(f.ambient[p]) && is_finite(f.diffuse[p]) && is_finite(f.specular[p])) << p;
+        for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(sum[c], f.color[p][c], 2e-6f) << p << ", " << c;
+    }
+    EXPECT_GT(seen, 1000);
+}
+
 TEST(Channels, DoNotChangeThePicture) {
     const Scene scene = two_objects();
     const Camera camera = looking_from({0, 0.5, 6}, {0, 0, 0});

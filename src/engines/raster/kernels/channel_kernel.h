@@ -30,6 +30,20 @@ inline ColorTerms color_terms(const ShadeJob& job, const Pixels& p, const BaseCo
     return sum;
 }
 
+/// `v` where `sum` is finite, component by component, else 0: a color that is not finite is shown black, and none of
+/// its parts says more than their sum.
+inline vec3 where_finite(vec3 sum, vec3 v) {
+    const real zero(0.0f);
+    return vec3(select(sum.x - sum.x == zero, v.x, zero), select(sum.y - sum.y == zero, v.y, zero),
+                select(sum.z - sum.z == zero, v.z, zero));
+}
+
+inline ColorTerms finite_terms(const ColorTerms& t) {
+    const vec3 sum = t.ambient + t.diffuse + t.specular + t.emission;
+    return {where_finite(sum, t.ambient), where_finite(sum, t.diffuse), where_finite(sum, t.specular),
+            where_finite(sum, t.emission)};
+}
+
 /// Tangent as normal maps use it, and the sign that makes bitangent = cross(normal on the side that is lit, tangent) w.
 /// 0 where the mesh has none.
 inline vec4 tangent_of(const ShadeJob& job, const Pixels& p) {
@@ -79,12 +93,13 @@ static void channels(const ChannelJob* given) {
         if (!needs_color) continue;
         find_texcoords(*shade.material, p);
         const BaseColor base = base_color(*shade.material, p);
-        put3(job, plane_base_color, i, rgb(base.color));
+        const vec3 own = rgb(base.color);
+        put3(job, plane_base_color, i, where_finite(own, own));
         if (job.needs_terms == 0) continue;
         lit::Surface surface = reflectance_of(*shade.material, p, base);
         surface.n = shading_normal(shade, p);
         surface.v = to_viewer(shade, p.position);
-        const ColorTerms terms = color_terms(shade, p, base, surface);
+        const ColorTerms terms = finite_terms(color_terms(shade, p, base, surface));
         put3(job, plane_ambient, i, terms.ambient);
         put3(job, plane_diffuse, i, terms.diffuse);
         put3(job, plane_specular, i, terms.specular);
