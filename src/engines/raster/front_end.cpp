@@ -156,7 +156,7 @@ Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Cont
     front.culled_by_side.assign(front.list.draws.size(), 0);
     for (std::size_t c = 0; c < ranges.size(); ++c) {
         add_stats(front.stats, memory.chunks[c].stats);
-        front.culled_by_side[ranges[c].draw] |= memory.chunks[c].stats.culled_back > 0;
+        front.culled_by_side[ranges[c].draw] |= memory.chunks[c].hides_in_window;
     }
     const RunPlaces places = list_tiles(binned, ranges, grid.count());
     context.parallel_for(ranges.size(), [&](std::size_t c) {

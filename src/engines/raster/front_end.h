@@ -96,7 +96,8 @@ struct FrontEnd {
     RenderStats stats;
     mutable PictureMemory memory;  ///< tiles count what they take, too
     std::vector<Shading> shading;  ///< [draws] never automatic; choose_shading()
-    std::vector<std::uint8_t> culled_by_side;  ///< [draws] not 0: triangles were culled by the side they are seen from
+    /// [draws] not 0: triangles whose box has pixel centers of the window were culled by the side they are seen from
+    std::vector<std::uint8_t> culled_by_side;
 };
 
 /// Whether attributes are linear on the screen.

@@ -76,6 +76,7 @@ struct SetUpJob {
     TriangleRow* rows;                                        ///< [count] out, in the order of the mesh
     uint32_t* tiles;                                          ///< [count] out: beside `rows`
     uint32_t culled_back, culled_degenerate, culled_outside;  ///< out, added to
+    int32_t hides_in_window;  ///< out: one culled by its side has pixel centers of the window in its box
 };
 
 /// Small opaque triangles against the depth that stands in one tile.

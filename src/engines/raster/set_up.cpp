@@ -4,6 +4,7 @@
 #include "engines/raster/set_up.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -21,15 +22,19 @@ struct Box {
 };
 
 /// @param reach  as in SetUpJob
-Box box_of(const ScreenTriangle& s, const Window& window, int reach) {
-    const auto [x_low, x_high] = std::minmax({s.x0, s.x1, s.x2});
-    const auto [y_low, y_high] = std::minmax({s.y0, s.y1, s.y2});
+Box box_of(std::array<std::int32_t, 3> x, std::array<std::int32_t, 3> y, const Window& window, int reach) {
+    const auto [x_low, x_high] = std::minmax({x[0], x[1], x[2]});
+    const auto [y_low, y_high] = std::minmax({y[0], y[1], y[2]});
     Box box;
     box.left = std::max((x_low + 127 - reach) >> subpixel_bits, window.x);
     box.right = std::min((x_high - 128 + reach) >> subpixel_bits, window.x + window.width - 1);
     box.top = std::max((y_low + 127 - reach) >> subpixel_bits, window.y);
     box.bottom = std::min((y_high - 128 + reach) >> subpixel_bits, window.y + window.height - 1);
     return box;
+}
+
+Box box_of(const ScreenTriangle& s, const Window& window, int reach) {
+    return box_of({s.x0, s.x1, s.x2}, {s.y0, s.y1, s.y2}, window, reach);
 }
 
 /// False when one edge has the whole tile on its outer side.
@@ -95,6 +100,7 @@ public:
     }
 
     bool has_large() const { return has_large_; }
+    bool hides_in_window() const { return hides_in_window_; }
 
 private:
     ScreenTriangle* rows_for(std::size_t count) {
@@ -124,6 +130,7 @@ private:
         stats_.culled_back += job.culled_back;
         stats_.culled_degenerate += job.culled_degenerate;
         stats_.culled_outside += job.culled_outside;
+        hides_in_window_ = job.hides_in_window != 0;
         return passed;
     }
 
@@ -160,6 +167,9 @@ private:
         }
         if (is_back ? culling_.back : culling_.front) {
             ++stats_.culled_back;
+            const Box hidden = box_of({corner[0].x, corner[1].x, corner[2].x}, {corner[0].y, corner[1].y, corner[2].y},
+                                      grid_.window, reach_);
+            hides_in_window_ |= hidden.left <= hidden.right && hidden.top <= hidden.bottom;
             return;
         }
         const ScreenVertex &a = corner[0], &b = corner[area < 0 ? 2 : 1], &c = corner[area < 0 ? 1 : 2];
@@ -238,7 +248,7 @@ private:
     ClipVolume volume_;
     ScreenMap map_;
     int reach_;
-    bool has_large_ = false;
+    bool has_large_ = false, hides_in_window_ = false;
     std::uint64_t new_bytes_ = 0;   ///< of rows
     std::uint64_t told_bytes_ = 0;  ///< to the picture's memory
 };
@@ -280,6 +290,7 @@ void set_up_chunk(FrontEnd& front, const TileGrid& grid, const ChunkRange& range
     ChunkSetUp set_up(front, grid, range, blocks, scratch, out.stats);
     set_up.run();
     sort_by_tile(scratch, out);
+    out.hides_in_window = set_up.hides_in_window();
     if (set_up.has_large()) note_large(out);
 }
 

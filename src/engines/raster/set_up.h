@@ -28,6 +28,7 @@ struct ChunkRun {
 struct ChunkTriangles {
     std::vector<const ScreenTriangle*> sorted;
     std::vector<ChunkRun> runs;
+    bool hides_in_window = false;  ///< FrontEnd::culled_by_side
     RenderStats stats;
 };
 

@@ -46,11 +46,11 @@ Scene box_scene(int left_out, bool double_sided = false) {
 }
 
 std::vector<ReportEntry> remarks(const Scene& scene, Cull cull, int pictures = 1,
-                                 Visibility visibility = Visibility::z_reversed) {
+                                 Visibility visibility = Visibility::z_reversed, Window window = {}) {
     Context context;
     auto engine = raster::make_engine();
     engine->prepare(scene, context);
-    RenderSettings s{.width = 32, .height = 32, .cull = cull};
+    RenderSettings s{.width = 32, .height = 32, .window = window, .cull = cull};
     s.visibility = visibility;
     for (int i = 0; i < pictures; ++i) {
         Frame frame;
@@ -112,6 +112,34 @@ TEST(OpenSurfaces, NothingIsSaidOfAnOpenObjectThatIsSeenFromItsFrontAlone) {
     EXPECT_TRUE(remarks(scene, Cull::back).empty());
     scene.nodes[0].local.matrix = scaling(dvec3{1, -1, -1});  // half a turn about x
     EXPECT_EQ(remarks(scene, Cull::back).size(), 1u);
+}
+
+TEST(OpenSurfaces, NothingIsSaidWhereTheBackFacesAreOutsideOfTheWindow) {
+    for (const int parts : {1, 30}) {  // one square a side, too large for the kernel; many small ones
+        Scene scene = with_material(false);
+        std::vector<vec3> positions;
+        std::vector<std::uint32_t> indices;
+        for (int i = 0; i < 2 * parts; ++i) {  // columns from left to right, those on the right turned away
+            const float left = float(i) / float(parts) - 1, right = left + 1 / float(parts);
+            const auto first = std::uint32_t(positions.size());
+            positions.insert(positions.end(), {{left, -1, 0}, {right, -1, 0}, {right, 1, 0}, {left, 1, 0}});
+            const std::uint32_t turn = i < parts ? 0 : 1;
+            for (const std::uint32_t k : {0u, 1 + turn, 2 - turn, 0u, 2 + turn, 3 - turn}) indices.push_back(first + k);
+        }
+        Mesh mesh;
+        mesh.normals = std::vector<vec3>(positions.size(), vec3{0, 0, 1});
+        mesh.positions = std::move(positions);
+        mesh.indices = std::move(indices);
+        mesh.material = 0;
+        add_object(scene, std::move(mesh));
+        const auto in = [&](Window window) {
+            return remarks(scene, Cull::back, 1, Visibility::z_reversed, window).size();
+        };
+        EXPECT_EQ(in({}), 1u) << parts;
+        EXPECT_EQ(in({0, 0, 16, 32}), 0u) << parts;
+        EXPECT_EQ(in({0, 0, 17, 32}), 1u) << parts;
+        EXPECT_EQ(in({20, 3, 5, 5}), 1u) << parts;
+    }
 }
 
 TEST(OpenSurfaces, OnePictureHasOneRemarkOnAllOpenObjects) {

@@ -77,7 +77,8 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     job.culled_outside += count_lanes(is_outside);
     job.culled_degenerate += count_lanes(is_flat);
     job.culled_back += count_lanes(is_culled);
-    if (no_lane(passes || is_slow)) return 0;
+    const bool looks_at_culled = job.hides_in_window == 0 && any_lane(is_culled);
+    if (no_lane(passes || is_slow) && !looks_at_culled) return 0;
 
     // 3. The pixel centers of the box, and of small boxes those inside.
     TriangleVector t;
@@ -90,6 +91,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     t.top = max((low_y + before) >> subpixel_bits, integer(job.top));
     t.bottom = min((high_y - after) >> subpixel_bits, integer(job.bottom));
     const mask has_centers = t.left <= t.right && t.top <= t.bottom;
+    if (looks_at_culled) job.hides_in_window = any_lane(is_culled && has_centers);
     const integer one(1);
     const mask is_tiny = passes && has_centers && t.right - t.left <= one && t.bottom - t.top <= one;
     mask is_hit = has_centers;
@@ -141,6 +143,7 @@ static int32_t set_up(SetUpJob* given) {
     given->culled_back = job.culled_back;
     given->culled_degenerate = job.culled_degenerate;
     given->culled_outside = job.culled_outside;
+    given->hides_in_window = job.hides_in_window;
     return written;
 }
 
