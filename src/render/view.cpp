@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 
 #include "math/functions.h"
 #include "math/linear.h"
@@ -70,6 +71,18 @@ ViewRequest resolve_angles(ViewRequest view, double& aspect) {
     return view;
 }
 
+/// The nearer the angle is to 0, the farther away stands a camera that sees the whole model. Engines take distances as
+/// floats: where those of the model's front and back are one, they draw nothing.
+void check_fitted(const Camera& camera) {
+    if ((camera.far - camera.near) * 0x1p24 >= camera.far) return;
+    char distance[32];
+    std::snprintf(distance, sizeof distance, "%.2g", camera.far);
+    throw Error(ErrorCode::usage,
+                std::string("the camera's angle of view is so small that the whole model shows from ") + distance +
+                    " m away, where its front and back are at one distance to a float",
+                {}, "give a larger angle, or --camera-position");
+}
+
 }  // namespace
 
 Camera choose_camera(const Scene& scene, const ViewRequest& asked, double picture_aspect, Context& context) {
@@ -88,6 +101,7 @@ Camera choose_camera(const Scene& scene, const ViewRequest& asked, double pictur
     }
     const FitWishes wishes{view.up, view.vertical_fov_rad};
     const Camera fitted = view_camera(bounds, aspect, view.side.empty() ? "default" : view.side, wishes);
+    if (!view.position) check_fitted(fitted);
     return view.is_placed() ? place_camera(fitted, true, view, aspect, bounds, scene.source, context) : fitted;
 }
 

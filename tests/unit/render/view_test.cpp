@@ -207,6 +207,28 @@ TEST(ChooseCamera, RefusesImpossiblePlacements) {
     for (const ViewRequest& view : impossible) EXPECT_THROW(choose_camera(two_squares(), view, aspect, context), Error);
 }
 
+TEST(ChooseCamera, AnAngleThatNoDistanceServesIsRefusedByName) {
+    Context context;
+    for (const bool orthographic : {false, true})
+        for (const double degrees : {1e-30, 1e-12, 1e-6}) {
+            const ViewRequest up{.vertical_fov_rad = radians(degrees), .orthographic = orthographic};
+            const ViewRequest across{.horizontal_fov_rad = radians(degrees), .orthographic = orthographic};
+            for (const ViewRequest& view : {up, across}) {
+                try {
+                    choose_camera(two_squares(), view, aspect, context);
+                    ADD_FAILURE() << degrees;
+                } catch (const Error& error) {
+                    EXPECT_EQ(error.code(), ErrorCode::usage);
+                    EXPECT_NE(error.reason().find("angle of view is so small"), std::string::npos) << error.reason();
+                }
+            }
+        }
+    const Camera narrow = choose_camera(two_squares(), {.vertical_fov_rad = radians(1e-5)}, aspect, context);
+    EXPECT_LT(float(narrow.near), float(narrow.far));
+    const ViewRequest placed{.position = dvec3{0, 0, 5}, .vertical_fov_rad = radians(1e-12)};
+    EXPECT_NO_THROW(choose_camera(two_squares(), placed, aspect, context)) << "a look through a pinhole";
+}
+
 TEST(ChooseCamera, WarnsWhenTheAskedForCameraSeesNothing) {
     Context context;
     choose_camera(two_squares(), {.position = dvec3{0, 0, 5}, .focal_point = dvec3{0, 0, 9}}, aspect, context);
