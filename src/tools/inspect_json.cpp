@@ -3,6 +3,7 @@
 #include <rakelight/inspect.h>
 
 #include "render/report_json.h"
+#include "tools/camera_extent.h"
 #include "tools/texture_uses.h"
 
 namespace rakelight {
@@ -72,10 +73,14 @@ Json json_of(const Camera& c) {
     Json json = {{"name", c.name}, {"node", index_or_null(c.node)}};
     if (c.projection == Projection::perspective) {
         json["projection"] = "perspective";
+        const std::optional<double> across = horizontal_fov_rad(c);
         json["vertical_fov_deg"] = degrees(c.vertical_fov_rad);
+        json["horizontal_fov_deg"] = across ? Json(degrees(*across)) : Json();  // null: the picture's width decides
     } else {
         json["projection"] = "orthographic";
+        const std::optional<double> across = half_width(c);
         json["half_height"] = c.half_height;
+        json["half_width"] = across ? Json(*across) : Json();
     }
     json["near"] = c.near;
     json["far"] = c.far;  // null when it is infinite

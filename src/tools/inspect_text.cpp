@@ -2,6 +2,7 @@
 // An inspection for people.
 #include <rakelight/inspect.h>
 
+#include "tools/camera_extent.h"
 #include "tools/inspect_sections.h"
 #include "tools/object_name.h"
 #include "tools/texture_uses.h"
@@ -70,13 +71,19 @@ std::string lights_text(const Scene& scene) {
     });
 }
 
+std::string projection_text(const Camera& c) {
+    if (c.projection == Projection::perspective) {
+        const std::optional<double> across = horizontal_fov_rad(c);
+        const std::string up = number(degrees(c.vertical_fov_rad), "%.1f") + " degrees";
+        return "perspective, " + up + (across ? " high, " + number(degrees(*across), "%.1f") + " wide" : "");
+    }
+    const std::optional<double> across = half_width(c);
+    return "orthographic, height " + number(2 * c.half_height) + (across ? ", width " + number(2 * *across) : "");
+}
+
 std::string cameras_text(const Scene& scene) {
     return section("cameras", {">#", "name", "projection"}, scene.cameras, [](const Camera& c, std::size_t n) {
-        const bool perspective = c.projection == Projection::perspective;
-        return std::vector<std::string>{std::to_string(n), name_or(c.name, "camera", n),
-                                        perspective
-                                            ? "perspective, " + number(degrees(c.vertical_fov_rad), "%.1f") + " degrees"
-                                            : "orthographic, height " + number(2 * c.half_height)};
+        return std::vector<std::string>{std::to_string(n), name_or(c.name, "camera", n), projection_text(c)};
     });
 }
 

@@ -4,9 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
-#include <nlohmann/json.hpp>
 
 #include "support/shared.h"
 #include "tools/text_table.h"
@@ -82,6 +83,30 @@ TEST(Inspect, AModelCutIntoSlabsHasSeamsPerObjectAndNoneOverTheModel) {
     };
     EXPECT_GT(largest(NormalSource::object), 20);
     EXPECT_LT(largest(NormalSource::model), 0.01);
+}
+
+TEST(Inspect, CamerasAreSaidByBothAxesWhereTheySayThem) {
+    Scene scene = two_squares();
+    scene.cameras.resize(5);
+    for (Camera& c : scene.cameras) c.vertical_fov_rad = radians(90);
+    scene.cameras[1].horizontal_fov_rad = radians(60);
+    scene.cameras[2].aspect = 1 / std::sqrt(3.0);
+    scene.cameras[3].projection = scene.cameras[4].projection = Projection::orthographic;
+    scene.cameras[3].half_height = 2;
+    scene.cameras[4].half_width = 3;
+    Context context;
+    std::vector<InspectionRow> rows(1);
+    rows[0].inspection = inspect(scene, {}, context);
+    const std::string text = to_text(*rows[0].inspection);
+    EXPECT_NE(text.find("perspective, 90.0 degrees\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("perspective, 90.0 degrees high, 60.0 wide\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("orthographic, height 4\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("orthographic, height 2, width 6\n"), std::string::npos) << text;
+    const auto cameras = nlohmann::json::parse(to_json(rows))["rows"][0]["cameras"];
+    EXPECT_TRUE(cameras[0]["horizontal_fov_deg"].is_null());
+    for (const std::size_t c : {1u, 2u}) EXPECT_NEAR(cameras[c]["horizontal_fov_deg"].get<double>(), 60, 1e-9);
+    EXPECT_TRUE(cameras[3]["half_width"].is_null());
+    EXPECT_EQ(cameras[4]["half_width"], 3);
 }
 
 TEST(Inspect, TextAndJsonSurviveHostileNames) {
