@@ -75,16 +75,16 @@ void take_values(const TileJob& job, std::size_t count, TileScratch& s) {
 void take_numbers(const TileJob& job, std::uint32_t draw, std::size_t count, TileScratch& s) {
     const std::uint32_t channels = job.front.settings.channels;
     const std::uint32_t mesh = job.front.list.draws[draw].mesh;
-    ChannelArrays& out = s;  // its `triangle` is the channel, that of the scratch the batch's records
-    for (std::size_t i = 0; i < count && (channels & channel_mesh); ++i) out.mesh[std::size_t(s.pixel[i])] = mesh;
+    for (std::size_t i = 0; i < count && (channels & channel_mesh); ++i) s.mesh[std::size_t(s.pixel[i])] = mesh;
     for (std::size_t i = 0; i < count && (channels & channel_triangle); ++i)
-        out.triangle[std::size_t(s.pixel[i])] = s.wanted[std::size_t(s.triangle[i])]->triangle;
+        static_cast<ChannelArrays&>(s).triangle[std::size_t(s.pixel[i])] =
+            s.wanted[std::size_t(s.batch_triangle[i])]->triangle;
     if (!(channels & channel_face_normal)) return;
     const DrawFrame frame(job.front, draw);
     std::vector<vec3> normals;
     for (const ScreenTriangle* t : s.wanted) normals.push_back(cast<float>(frame.face(t->triangle).normal));
     for (std::size_t i = 0; i < count; ++i)
-        out.face_normal[std::size_t(s.pixel[i])] = normals[std::size_t(s.triangle[i])];
+        s.face_normal[std::size_t(s.pixel[i])] = normals[std::size_t(s.batch_triangle[i])];
 }
 
 /// The covered pixels of a masked triangle where its texture is opaque.
@@ -131,7 +131,7 @@ void count_overdraw(const TileJob& job, std::size_t tile, TileScratch& s) {
                 return;
             }
             s.pixel[count] = pixel;
-            s.triangle[count++] = 0;
+            s.batch_triangle[count++] = 0;
         });
         if (is_masked) count_masked(job, t, count, ox, oy, s);
     }

@@ -62,7 +62,7 @@ private:
 
     void find_covering() {
         for (const ScreenTriangle* const item : open_.binned.items) {
-            const ScreenTriangle& s = open_.binned.at(item);
+            const ScreenTriangle& s = *item;
             std::vector<CoveredSample> covered;
             for (std::size_t k = 0; k < out_.samples.size(); ++k)
                 cover(seen_from(out_.samples[k].at, s), {x_, y_, 1, 1}, ox_, oy_, [&](int, int, float depth) {
@@ -102,7 +102,7 @@ private:
         const ScreenTriangle* const only = &s;
         make_records(job, s.draw, {&only, 1}, ox_, oy_, scratch_);
         scratch_.pixel[0] = (y_ - oy_) * tile_size + x_ - ox_;
-        scratch_.triangle[0] = 0;
+        scratch_.batch_triangle[0] = 0;
         scratch_.offset_x[0] = place.x;
         scratch_.offset_y[0] = place.y;
         ShadeJob batch = make_job(job, s.draw, ox_, oy_, 1, scratch_);

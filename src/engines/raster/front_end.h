@@ -68,7 +68,6 @@ struct Binned {
     std::vector<std::uint32_t> run_offsets;    ///< [tiles + 1] into runs
     std::vector<TileRun> runs;                 ///< the same by draws
     std::shared_ptr<SetUpMemory> memory;       ///< where the triangles are
-    const ScreenTriangle& at(const ScreenTriangle* item) const { return *item; }
 };
 
 /// What the geometry of one picture takes. A file of a megabyte can place ten thousand instances of a mesh, or a million

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engines/raster/channels_tile.h"
 #include "engines/raster/coverage.h"
 #include "engines/raster/inspect_samples.h"
 #include "engines/raster/visibility_methods.h"
@@ -16,7 +17,7 @@ vec3 rgb(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 void allocate(PixelStageData& d, std::size_t pixels, std::size_t lights) {
     d.overdraw.assign(pixels, 0);
-    d.culled.assign(pixels, 0);
+    d.faces.assign(pixels, 0);
     d.distance.assign(pixels, std::numeric_limits<float>::infinity());
     d.draw.assign(pixels, none);
     d.triangle.assign(pixels, none);
@@ -119,19 +120,18 @@ private:
 
     template <class Visit>
     void for_each_triangle(const Binned& binned, const Visit& visit) const {
-        for (std::uint32_t i = binned.offsets[tile_]; i < binned.offsets[tile_ + 1]; ++i) visit(binned.at(binned.items[i]));
+        for (std::uint32_t i = binned.offsets[tile_]; i < binned.offsets[tile_ + 1]; ++i) visit(*binned.items[i]);
     }
 
     void count() {
-        for_each_triangle(drawn_.binned, [&](const ScreenTriangle& s) {
-            cover(s, area_, ox_, oy_, [&](int x, int y, float) {
-                std::uint16_t& n = out_.overdraw[at(x, y)];
-                n = std::uint16_t(n + (n < 65535));
-            });
+        s_.overdraw.assign(tile_pixels, 0);
+        count_overdraw(job_, tile_, s_);
+        for_each_pixel([&](std::size_t p) {
+            out_.overdraw[at(p)] = std::uint16_t(std::min<std::uint32_t>(s_.overdraw[p], 65535));
         });
         for_each_triangle(open_.binned, [&](const ScreenTriangle& s) {
-            if (!of_.is_culled(s.draw, s.is_back)) return;
-            cover(s, area_, ox_, oy_, [&](int x, int y, float) { out_.culled[at(x, y)] |= s.is_back ? 1 : 2; });
+            const std::uint8_t face = !of_.is_culled(s.draw, s.is_back) ? 4 : s.is_back ? 1 : 2;
+            cover(s, area_, ox_, oy_, [&](int x, int y, float) { out_.faces[at(x, y)] |= face; });
         });
     }
 
@@ -141,7 +141,7 @@ private:
             for (int x = area_.x - ox_; x < area_.x - ox_ + area_.width; ++x) {
                 const auto p = std::size_t(y * tile_size + x);
                 if (s_.visible[p] < 0) continue;
-                const ScreenTriangle& t = drawn_.binned.at(drawn_.binned.items[first + std::uint32_t(s_.visible[p])]);
+                const ScreenTriangle& t = *drawn_.binned.items[first + std::uint32_t(s_.visible[p])];
                 visible_.push_back({x, y, &t});
                 out_.distance[at(x, y)] = of_.distance_of(s_.depth[p]);
                 out_.draw[at(x, y)] = t.draw;
@@ -170,7 +170,7 @@ private:
             if (out_.draw[p] == none && out_.layer_count[p] > 0) out_.own_color[p] = background.xyz();
         });
         for (const std::uint32_t item : blending_order(job_, tile_)) {
-            const ScreenTriangle& t = drawn_.binned.at(drawn_.binned.items[item]);
+            const ScreenTriangle& t = *drawn_.binned.items[item];
             const BlendTest is_before(drawn_.front, t, std::int32_t(item - drawn_.binned.offsets[tile_]));
             bool is_new = true;
             cover(t, area_, ox_, oy_, [&](int x, int y, float depth) {
@@ -196,7 +196,7 @@ private:
         const ScreenTriangle* const only = &t;
         if (is_new) make_records(job_, t.draw, {&only, 1}, ox_, oy_, s_);
         s_.pixel[0] = y * tile_size + x;
-        s_.triangle[0] = 0;
+        s_.batch_triangle[0] = 0;
         const ShadeJob batch = make_job(job_, t.draw, ox_, oy_, 1, s_);
         std::fill(lights_.begin(), lights_.end(), TracedLight{});
         PixelTrace pixel;

@@ -22,8 +22,9 @@ inline constexpr std::size_t most_layers = 4;
 
 /// Arrays are [width * height], row by row, row 0 on top.
 struct PixelStageData {
-    std::vector<std::uint16_t> overdraw;            ///< triangles that are drawn over the pixel's center, at most 65535
-    std::vector<std::uint8_t> culled;               ///< whether culling dropped: 1 a face seen from behind, 2 one from the front
+    std::vector<std::uint16_t> overdraw;  ///< opaque surfaces over the pixel, as channel_overdraw; at most 65535
+    std::vector<std::uint8_t> faces;  ///< bits, what covers the center: 1 a face seen from behind that culling dropped,
+                                      ///< 2 one from the front, 4 one drawn
     std::vector<float> distance;                    ///< [m] along the view axis; +infinity where nothing opaque is
     std::vector<std::uint32_t> draw, triangle;      ///< the visible surface; `none` where nothing opaque is
     std::vector<vec3> normal;                       ///< that is lit

@@ -137,7 +137,7 @@ private:
                       : 0;
         if (count == 0 && begin == end) return;
         s_.wanted.clear();
-        for (std::size_t i = 0; i < count; ++i) s_.triangle[i] = record_of(m_.whole[std::size_t(s_.pixel[i])]);
+        for (std::size_t i = 0; i < count; ++i) s_.batch_triangle[i] = record_of(m_.whole[std::size_t(s_.pixel[i])]);
         for (std::size_t i = begin; i < end; ++i) record_of(m_.fragments[i].position);
         make_records(job_, run.draw, s_.wanted, job_.grid.origin_x(tile_), job_.grid.origin_y(tile_), s_);
         if (count > 0) shade_whole(run.draw, count);
@@ -174,7 +174,7 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             const Fragment& f = m_.fragments[first + i];
             s_.pixel[i] = f.pixel;
-            s_.triangle[i] = s_.record[std::size_t(f.position)];
+            s_.batch_triangle[i] = s_.record[std::size_t(f.position)];
             move_to_middle(int(samples_), f.samples, i, s_);
         }
         ShadeJob batch = batch_of(draw, count);

@@ -32,7 +32,7 @@ void blend_triangle(const TileJob& job, std::size_t tile, const ScreenTriangle& 
         });
     if (count == 0) return;
     for (std::size_t i = 0; i < count; ++i) {
-        s.triangle[i] = 0;
+        s.batch_triangle[i] = 0;
         move_to_middle(job.front.settings.samples, shown[std::size_t(s.pixel[i])], i, s);
     }
     const ScreenTriangle* const only = &t;

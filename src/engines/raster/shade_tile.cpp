@@ -52,7 +52,7 @@ void find_records(const TileJob& job, std::size_t tile, std::uint32_t draw, std:
     const ScreenTriangle* const* const items = job.binned.items.data() + job.binned.offsets[tile];
     std::fill_n(s.pixel.begin() + std::ptrdiff_t(count), batch_padding, s.pixel[count - 1]);
     const std::int32_t wanted = job.front.kernels.number(s.visible.data(), s.pixel.data(), std::int32_t(count),
-                                                         s.record.data(), s.triangle.data(), s.numbers.data());
+                                                         s.record.data(), s.batch_triangle.data(), s.numbers.data());
     s.wanted.resize(std::size_t(wanted));
     for (std::size_t i = 0; i < s.wanted.size(); ++i) {
         s.wanted[i] = items[s.numbers[i]];
@@ -153,10 +153,10 @@ ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y
     out.count = std::int32_t(count);
     for (std::size_t i = 0; i < batch_padding; ++i) {  // dead lanes repeat the last pixel
         s.pixel[count + i] = s.pixel[count - 1];
-        s.triangle[count + i] = s.triangle[count - 1];
+        s.batch_triangle[count + i] = s.batch_triangle[count - 1];
     }
     out.pixel = s.pixel.data();
-    out.triangle = s.triangle.data();
+    out.triangle = s.batch_triangle.data();
     out.triangles = s.triangles.data();
     if (is_lit_at_corners(job.front, draw)) out.lit = s.lit.data();
     out.red = s.red.data();
@@ -189,7 +189,7 @@ std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile) 
     };
     std::vector<Layer> layers;
     for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1]; ++i) {
-        const ScreenTriangle& t = job.binned.at(job.binned.items[i]);
+        const ScreenTriangle& t = *job.binned.items[i];
         if (job.front.list.materials[job.front.list.draws[t.draw].material].view.blend)
             layers.push_back({blending_place(job.front, t), i});
     }
@@ -207,13 +207,13 @@ void blend_layers(const TileJob& job, std::size_t tile, const std::vector<std::u
     const Window area = job.grid.pixels(tile);
     const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
     for (const std::uint32_t item : order) {
-        const ScreenTriangle& t = job.binned.at(job.binned.items[item]);
+        const ScreenTriangle& t = *job.binned.items[item];
         std::size_t count = 0;
         const BlendTest is_before(job.front, t, std::int32_t(item - job.binned.offsets[tile]));
         cover(t, area, ox, oy, [&](int x, int y, float depth) {
             if (!is_before(x, y, ox, oy, depth, s)) return;
             s.pixel[count] = y * tile_size + x;
-            s.triangle[count++] = 0;
+            s.batch_triangle[count++] = 0;
         });
         if (count == 0) continue;
         const ScreenTriangle* const only = &t;

@@ -32,12 +32,17 @@ struct SampleScratch;  // multisample.h
 
 /// Working memory of one tile; used again by the next one.
 struct TileScratch : ChannelArrays {
+private:
+    using ChannelArrays::triangle;  // the channel is named through ChannelArrays, lest it be taken for batch_triangle
+
+public:
     // Visibility: depth key (in `depth`) and position in the tile's list of the nearest triangle, -1 for none.
     // [tile_pixels], row by row.
     std::vector<std::int32_t> visible = std::vector<std::int32_t>(tile_pixels);
     std::vector<double> order;  ///< [tile_pixels] of what is seen, in pictures by another method (visibility_methods.h)
     // A batch for the kernel. [tile_pixels + batch_padding]
-    std::vector<std::int32_t> pixel = batch<std::int32_t>(), triangle = batch<std::int32_t>();
+    std::vector<std::int32_t> pixel = batch<std::int32_t>();
+    std::vector<std::int32_t> batch_triangle = batch<std::int32_t>();  ///< into `triangles`
     std::vector<std::uint32_t> codes = batch<std::uint32_t>();
     std::vector<float> red = batch<float>(), green = batch<float>(), blue = batch<float>(), alpha = batch<float>();
     std::vector<float> offset_x = batch<float>(), offset_y = batch<float>();

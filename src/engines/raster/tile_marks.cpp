@@ -44,25 +44,24 @@ void TileMarks::put_channels() {
 
 /// A mark has no triangle, normal or texture coordinates, and is not lit: there stands what stands where nothing is.
 void TileMarks::put(std::size_t pixel, const Shown& shown) {
-    ChannelArrays& out = s_;
     const std::uint32_t channels = job_.front.settings.channels;
     for_each_channel(
         [&](std::uint32_t bit, auto& array) {
             if ((channels & bit) && bit != channel_overdraw) array[pixel] = empty_value(bit, array);
         },
-        out);
+        static_cast<ChannelArrays&>(s_));
     const Draw& draw = *marks_.draws[shown.item >> 32];
     const Mark& m = marks_.at(shown.item);
     const vec3 color = color_at(m, double(shown.key), double(shown.t)).xyz();
-    out.depth[pixel] = shown.key;
-    if (channels & channel_object) out.object[pixel] = draw.node;
-    if (channels & channel_mesh) out.mesh[pixel] = draw.mesh;
-    if (channels & channel_material) out.material[pixel] = job_.front.list.materials[draw.material].scene_material;
-    if (channels & channel_base_color) out.base_color[pixel] = color;
-    if (channels & channel_emission) out.emission[pixel] = color;
+    s_.depth[pixel] = shown.key;
+    if (channels & channel_object) s_.object[pixel] = draw.node;
+    if (channels & channel_mesh) s_.mesh[pixel] = draw.mesh;
+    if (channels & channel_material) s_.material[pixel] = job_.front.list.materials[draw.material].scene_material;
+    if (channels & channel_base_color) s_.base_color[pixel] = color;
+    if (channels & channel_emission) s_.emission[pixel] = color;
     if (!(channels & channel_position)) return;
     const int x = ox_ + int(pixel) % tile_size, y = oy_ + int(pixel) / tile_size;
-    out.position[pixel] = cast<float>(job_.front.view.place(x + 0.5, y + 0.5, double(shown.key)));
+    s_.position[pixel] = cast<float>(job_.front.view.place(x + 0.5, y + 0.5, double(shown.key)));
 }
 
 }  // namespace rakelight::raster

@@ -18,7 +18,7 @@ void cover_masked(const TileJob& job, const ScreenTriangle& s, std::int32_t posi
     cover(seen_from(plane.at, s), area, ox, oy, [&](int x, int y, float depth) {
         if (!(depth > plane.depth[y * tile_size + x])) return;
         scratch.pixel[count] = y * tile_size + x;
-        scratch.triangle[count] = 0;
+        scratch.batch_triangle[count] = 0;
         scratch.batch_depth[count++] = depth;
     });
     if (count == 0) return;

@@ -38,17 +38,25 @@ Stage culling_stage(const Sources& of) {
                  {"clipped", stats.clipped},
                  {"drawn, pieces counted", stats.drawn}};
     Canvas canvas = paint(of, [&](std::size_t p) {
-        if (of.pixels.culled[p] & 1) return of.pixels.overdraw[p] > 0 ? Code{120, 60, 60} : Code{240, 70, 60};
-        if (of.pixels.culled[p] & 2) return of.pixels.overdraw[p] > 0 ? Code{60, 70, 130} : Code{80, 110, 250};
-        return of.pixels.overdraw[p] > 0 ? Code{110, 110, 110} : ground;
+        const std::uint8_t faces = of.pixels.faces[p];
+        const bool is_drawn = (faces & 4) != 0;
+        if (faces & 1) return is_drawn ? Code{120, 60, 60} : Code{240, 70, 60};
+        if (faces & 2) return is_drawn ? Code{60, 70, 130} : Code{80, 110, 250};
+        return is_drawn ? Code{110, 110, 110} : ground;
     });
     s.pictures.push_back({"culled", "Red: a face seen from behind was dropped here; blue: one from the front. Bright where nothing else covers the pixel, dull where something does; gray: nothing was dropped.", std::move(canvas)});
     return s;
 }
 
 Stage coverage_stage(const Sources& of) {
-    Stage s{.id = "coverage", .title = "Coverage", .text = "Which pixel centers lie in each triangle: three edge functions in whole numbers, with the rule that a center exactly on an edge belongs to the triangle whose top or left edge it is. "
-            "How often a pixel is covered is the overdraw."};
+    Stage s{.id = "coverage",
+            .title = "Coverage",
+            .text =
+                "Which pixel centers lie in each triangle: three edge functions in whole numbers, with the rule that a "
+                "center exactly on an edge belongs to the triangle whose top or left edge it is. "
+                "How often a pixel is covered by something opaque is the overdraw, the same as the data channel of "
+                "that name: masked triangles count where their texture is opaque; what is blended over the picture has "
+                "a stage of its own."};
     const std::vector<std::uint16_t>& overdraw = of.pixels.overdraw;
     const std::uint16_t most = *std::max_element(overdraw.begin(), overdraw.end());
     std::uint64_t sum = 0;
@@ -61,8 +69,11 @@ Stage coverage_stage(const Sources& of) {
     for (std::size_t n = 0; n < std::min<std::size_t>(histogram.size(), 48); ++n) s.rows.push_back({n, histogram[n]});
     s.rows_note = "How many pixels are covered how often";
     const double scale = 1.0 / std::max(1, std::min<int>(most, 12));
-    s.pictures.push_back({"coverage", "Triangles over each pixel: blue 1, over green and yellow to white " + std::to_string(std::min<int>(most, 12)) + " and more.",
-                          paint(of, [&](std::size_t p) { return overdraw[p] == 0 ? ground : heat(overdraw[p] * scale); })});
+    s.pictures.push_back(
+        {"coverage",
+         "Opaque triangles over each pixel: blue 1, over green and yellow to white " +
+             std::to_string(std::min<int>(most, 12)) + " and more.",
+         paint(of, [&](std::size_t p) { return overdraw[p] == 0 ? ground : heat(overdraw[p] * scale); })});
     return s;
 }
 

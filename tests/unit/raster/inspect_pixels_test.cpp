@@ -87,6 +87,25 @@ TEST(InspectPixels, TermsOfAllLightsAddUpToThePictureAlsoWhereSurfacesAreLaidOve
     }
 }
 
+TEST(InspectPixels, OverdrawIsThatOfTheChannel) {
+    const Scene scene = busy_scene();  // masked and blended surfaces, too
+    RenderSettings s = settings(1);
+    const Looked looked(scene, s);
+    s.channels = channel_overdraw;
+    Context context({.threads = 1});
+    const auto engine = raster::make_engine();
+    engine->prepare(scene, context);
+    Frame frame;
+    engine->render(eye(), s, frame, context);
+    int laid_over = 0;
+    for (std::size_t p = 0; p < frame.overdraw.size(); ++p) {
+        ASSERT_EQ(looked.data.overdraw[p], frame.overdraw[p]) << p;
+        EXPECT_TRUE(frame.overdraw[p] == 0 || (looked.data.faces[p] & 4));
+        laid_over += looked.data.layer_count[p] > 0;
+    }
+    EXPECT_GT(laid_over, 100) << "which do not count";
+}
+
 TEST(InspectPixels, ALayerShowsByItsAlphaAndLetsThroughTheRest) {
     Scene scene;
     scene.materials = {matte({1, 0.5f, 0}), matte({0, 0, 1})};
