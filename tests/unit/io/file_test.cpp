@@ -12,10 +12,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/thrown_error.h"
+
 namespace rakelight::io {
 namespace {
 
 namespace fs = std::filesystem;
+using test::error_of;
 
 class FileTest : public testing::Test {
 protected:
@@ -49,17 +52,6 @@ protected:
 std::string as_text(const std::vector<std::byte>& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 std::span<const std::byte> as_bytes(const std::string& text) { return std::as_bytes(std::span(text.data(), text.size())); }
-
-template <class Call>
-Error error_of(Call call) {
-    try {
-        call();
-    } catch (const Error& error) {
-        return error;
-    }
-    ADD_FAILURE() << "nothing was thrown";
-    return Error(ErrorCode::failed, "nothing was thrown");
-}
 
 TEST_F(FileTest, ReadsARegularFileWholeAndThroughALink) {
     const std::string path = put("model/a.bin", std::string("ab\0cd", 5));

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "support/thrown_error.h"
+
 namespace rakelight::test {
 
 class TemporaryFolder {
@@ -66,17 +68,6 @@ inline Pixels noise_picture(int width, int height, int channels, Component compo
         }
     }
     return pixels;
-}
-
-template <class Call>
-Error error_of(Call call) {
-    try {
-        call();
-    } catch (const Error& error) {
-        return error;
-    }
-    ADD_FAILURE() << "nothing was thrown";
-    return Error(ErrorCode::failed, "nothing was thrown");
 }
 
 /// Puts the right CRC behind the chunk that begins at `at` (PNG specification, annex D).

@@ -31,15 +31,6 @@ RenderSettings settings_for(Shading shading) {
             .background = {0.1f, 0.2f, 0.3f, 0.5f}};
 }
 
-Camera eye() {
-    Camera camera;
-    camera.vertical_fov_rad = 1;
-    camera.near = 0.5;
-    camera.far = 50;
-    camera.to_world = translation(dvec3{0.2, 0.1, 4});
-    return camera;
-}
-
 /// FNV-1a, 64 bits.
 template <class T>
 std::uint64_t hash(const std::vector<T>& values, std::uint64_t h) {

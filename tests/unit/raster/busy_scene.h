@@ -61,4 +61,14 @@ inline Scene busy_scene() {
     return scene;
 }
 
+/// Stands within it: some squares lie behind the eye.
+inline Camera eye() {
+    Camera camera;
+    camera.vertical_fov_rad = 1;
+    camera.near = 0.5;
+    camera.far = 50;
+    camera.to_world = translation(dvec3{0.2, 0.1, 4});
+    return camera;
+}
+
 }  // namespace rakelight::test

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "math/isa.h"
-#include "support/scene_builder.h"
+#include "unit/raster/drawn.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -22,13 +22,7 @@ constexpr RenderSettings small{.width = 64, .height = 64, .background = {0, 0, 0
 
 Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings = small, int threads = 1,
              RenderStats* stats = nullptr) {
-    Context context({.threads = threads});
-    auto engine = raster::make_engine();
-    engine->prepare(scene, context);
-    Frame frame;
-    const RenderStats s = engine->render(camera, settings, frame, context);
-    if (stats) *stats = s;
-    return frame;
+    return draw(scene, camera, settings, threads, stats);
 }
 
 Scene lit_square(Material material = matte()) {
@@ -39,16 +33,10 @@ Scene lit_square(Material material = matte()) {
     return scene;
 }
 
-vec4 pixel(const Frame& f, int x, int y) { return f.color[std::size_t(y * f.window.width + x)]; }
-
 std::size_t covered(const Frame& f) {
     std::size_t n = 0;
     for (const vec4& c : f.color) n += c.w > 0;
     return n;
-}
-
-bool same_bits(const Frame& a, const Frame& b) {
-    return a.color.size() == b.color.size() && std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(vec4)) == 0;
 }
 
 /// Many triangles in every attitude, some through the eye plane, textured and lit by three kinds of light.

@@ -8,10 +8,9 @@
 #include <cstring>
 
 #include "engines/raster/inspection.h"
-#include "engines/raster/raster_engine.h"
 #include "math/isa.h"
-#include "support/scene_builder.h"
 #include "unit/raster/busy_scene.h"
+#include "unit/raster/drawn.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -22,24 +21,6 @@ namespace {
 constexpr int width = 96, height = 64;
 
 RenderSettings settings() { return {.width = width, .height = height, .background = {0.1f, 0.2f, 0.3f, 0.5f}}; }
-
-Camera eye() {
-    Camera camera;
-    camera.vertical_fov_rad = 1;
-    camera.near = 0.5;
-    camera.far = 50;
-    camera.to_world = translation(dvec3{0.2, 0.1, 4});
-    return camera;
-}
-
-Frame draw(const Scene& scene, const Camera& camera, const RenderSettings& s) {
-    Context context({.threads = 1});
-    const auto engine = raster::make_engine();
-    engine->prepare(scene, context);
-    Frame frame;
-    engine->render(camera, s, frame, context);
-    return frame;
-}
 
 bool same_bits(vec4 a, vec4 b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 

@@ -5,14 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "engines/raster/inspect_samples.h"
 #include "engines/raster/inspect_shading.h"
 #include "engines/raster/multisample.h"
-#include "engines/raster/raster_engine.h"
-#include "support/scene_builder.h"
 #include "unit/raster/busy_scene.h"
+#include "unit/raster/drawn.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -25,27 +23,7 @@ RenderSettings settings(int samples) {
     return {.width = width, .height = height, .samples = samples, .background = {0, 0, 0, 1}};
 }
 
-Camera eye() {
-    Camera camera;
-    camera.vertical_fov_rad = 1;
-    camera.near = 0.5;
-    camera.far = 50;
-    camera.to_world = translation(dvec3{0.2, 0.1, 4});
-    return camera;
-}
-
-std::vector<vec4> draw(const Scene& scene, const RenderSettings& s) {
-    Context context({.threads = 1});
-    const auto engine = raster::make_engine();
-    engine->prepare(scene, context);
-    Frame frame;
-    engine->render(eye(), s, frame, context);
-    return frame.color;
-}
-
-bool same_bits(const std::vector<vec4>& a, const std::vector<vec4>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(vec4)) == 0;
-}
+std::vector<vec4> draw(const Scene& scene, const RenderSettings& s) { return test::draw(scene, eye(), s).color; }
 
 struct Looked {
     Context context{{.threads = 1}};
@@ -92,11 +70,7 @@ TEST(InspectPixels, OverdrawIsThatOfTheChannel) {
     RenderSettings s = settings(1);
     const Looked looked(scene, s);
     s.channels = channel_overdraw;
-    Context context({.threads = 1});
-    const auto engine = raster::make_engine();
-    engine->prepare(scene, context);
-    Frame frame;
-    engine->render(eye(), s, frame, context);
+    const Frame frame = draw(scene, eye(), s);
     int laid_over = 0;
     for (std::size_t p = 0; p < frame.overdraw.size(); ++p) {
         ASSERT_EQ(looked.data.overdraw[p], frame.overdraw[p]) << p;

@@ -141,16 +141,7 @@ TEST(MarkLayers, GiveTheSameBitsForAnyNumberOfThreadsWindowsAndInstructionSets) 
     s.line_width = 1.7f;
     for (const int samples : {1, 4}) {
         s.samples = samples;
-        s.window = {};
-        const Frame whole = draw(scene, eye(), s);
-        EXPECT_TRUE(same_bits(whole, draw(scene, eye(), s, 4)));
-        setenv("RAKELIGHT_ISA", "scalar", 1);
-        EXPECT_TRUE(same_bits(whole, draw(scene, eye(), s)));
-        unsetenv("RAKELIGHT_ISA");
-        s.window = {37, 41, 70, 51};
-        const Frame part = draw(scene, eye(), s, 2);
-        for (int y = 0; y < 51; ++y)
-            for (int x = 0; x < 70; ++x) ASSERT_EQ(pixel(part, x, y), pixel(whole, x + 37, y + 41)) << x << ", " << y;
+        expect_same_bits_everywhere(scene, s);
     }
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes of lines and points at known pixels.
 #pragma once
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
 #include "unit/raster/drawn.h"
 
 namespace rakelight::test {
@@ -35,6 +39,19 @@ inline Camera eye() {
     camera.far = 100;
     camera.to_world = translation(dvec3{0.1, 0.2, 2.2});
     return camera;
+}
+
+/// Of pictures of 150 x 140 pixels.
+inline void expect_same_bits_everywhere(const Scene& scene, RenderSettings s) {
+    const Frame whole = draw(scene, eye(), s);
+    EXPECT_TRUE(same_bits(whole, draw(scene, eye(), s, 4)));
+    setenv("RAKELIGHT_ISA", "scalar", 1);
+    EXPECT_TRUE(same_bits(whole, draw(scene, eye(), s)));
+    unsetenv("RAKELIGHT_ISA");
+    s.window = {37, 41, 70, 51};
+    const Frame part = draw(scene, eye(), s, 2);
+    for (int y = 0; y < 51; ++y)
+        for (int x = 0; x < 70; ++x) ASSERT_EQ(pixel(part, x, y), pixel(whole, x + 37, y + 41)) << x << ", " << y;
 }
 
 }  // namespace rakelight::test

@@ -254,15 +254,7 @@ TEST(Marks, GiveTheSameBitsForAnyNumberOfThreadsWindowsAndInstructionSets) {
     s.edges = true;
     s.points = PointShape::disc;
     s.line_width = 1.7f;
-    const Frame whole = draw(scene, eye(), s);
-    EXPECT_TRUE(same_bits(whole, draw(scene, eye(), s, 4)));
-    setenv("RAKELIGHT_ISA", "scalar", 1);
-    EXPECT_TRUE(same_bits(whole, draw(scene, eye(), s)));
-    unsetenv("RAKELIGHT_ISA");
-    s.window = {37, 41, 70, 51};
-    const Frame part = draw(scene, eye(), s, 2);
-    for (int y = 0; y < 51; ++y)
-        for (int x = 0; x < 70; ++x) ASSERT_EQ(pixel(part, x, y), pixel(whole, x + 37, y + 41)) << x << ", " << y;
+    expect_same_bits_everywhere(scene, s);
 }
 
 TEST(Marks, SizesOutOfRangeAreUsageErrors) {

@@ -6,9 +6,8 @@
 
 #include <cstring>
 
-#include "engines/raster/raster_engine.h"
-#include "support/scene_builder.h"
 #include "unit/raster/busy_scene.h"
+#include "unit/raster/drawn.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -35,26 +34,9 @@ RenderSettings settings_of(int samples) {
 }
 
 Drawn draw(const Scene& scene, const RenderSettings& settings, const Camera& camera = flat_camera()) {
-    Context context({.threads = 1});
-    auto engine = raster::make_engine();
-    engine->prepare(scene, context);
     Drawn drawn;
-    drawn.stats = engine->render(camera, settings, drawn.frame, context);
+    drawn.frame = test::draw(scene, camera, settings, 1, &drawn.stats);
     return drawn;
-}
-
-bool same_bits(const std::vector<vec4>& a, const std::vector<vec4>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(vec4)) == 0;
-}
-
-std::uint32_t add_unlit(Scene& scene, vec4 c, AlphaMode mode = AlphaMode::opaque) {
-    Material m;
-    m.model = MaterialModel::unlit;
-    m.base_color = c;
-    m.alpha_mode = mode;
-    m.double_sided = true;
-    scene.materials.push_back(m);
-    return std::uint32_t(scene.materials.size() - 1);
 }
 
 /// A fan of triangles, corners in pixels of the picture that flat_camera() sees, y down.

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "engines/raster/raster_engine.h"
-#include "support/scene_builder.h"
+#include "unit/raster/drawn.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -23,23 +21,12 @@ RenderSettings settings(Shading shading) {
 }
 
 Frame draw(const Scene& scene, const RenderSettings& s, RenderStats* stats = nullptr) {
-    Context context({.threads = 2});
-    auto engine = raster::make_engine();
-    engine->prepare(scene, context);
     Camera camera;
     camera.vertical_fov_rad = radians(40);
     camera.near = 0.5;
     camera.far = 50;
     camera.to_world = translation(dvec3{0, 0, 6});
-    Frame frame;
-    const RenderStats counted = engine->render(camera, s, frame, context);
-    if (stats) *stats = counted;
-    return frame;
-}
-
-bool same_bits(const Frame& a, const Frame& b) {
-    return a.color.size() == b.color.size() &&
-           std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(vec4)) == 0;
+    return test::draw(scene, camera, s, 2, stats);
 }
 
 /// A unit sphere with its exact normals.

@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <set>
 
 #include "math/isa.h"
-#include "support/scene_builder.h"
+#include "unit/raster/drawn.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -30,7 +29,7 @@ struct Picture {
     vec4 at(int x, int y) const { return frame.color[std::size_t(y * frame.window.width + x)]; }
 };
 
-Picture draw(const Scene& scene, const Camera& camera, const RenderSettings& settings, int threads = 1) {
+Picture draw_picture(const Scene& scene, const Camera& camera, const RenderSettings& settings, int threads = 1) {
     Context context({.threads = threads});
     const auto engine = raster::make_engine();
     engine->prepare(scene, context);
@@ -41,12 +40,7 @@ Picture draw(const Scene& scene, const Camera& camera, const RenderSettings& set
 }
 
 std::uint64_t evaluations(const Scene& scene, const Camera& camera, Shading shading) {
-    return draw(scene, camera, settings_for(shading)).stats.lighting_evaluations;
-}
-
-bool same_bits(const Frame& a, const Frame& b) {
-    return a.color.size() == b.color.size() &&
-           std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(vec4)) == 0;
+    return draw_picture(scene, camera, settings_for(shading)).stats.lighting_evaluations;
 }
 
 Material single_sided() {
@@ -178,17 +172,17 @@ TEST(ShadingFrequency, ACubeThatShowsThreeSidesIsLitAtItsSixTrianglesTwelveCorne
     EXPECT_EQ(evaluations(scene, camera, Shading::unlit), 0u);
     EXPECT_EQ(evaluations(scene, camera, Shading::flat), 6u);
     EXPECT_EQ(evaluations(scene, camera, Shading::gouraud), 12u);
-    const Picture phong = draw(scene, camera, settings_for(Shading::phong));
+    const Picture phong = draw_picture(scene, camera, settings_for(Shading::phong));
     EXPECT_GT(phong.stats.pixels_covered, 500u);
     EXPECT_EQ(phong.stats.lighting_evaluations, phong.stats.pixels_covered);
 }
 
 TEST(ShadingFrequency, AVertexIsLitOnceWhateverItsFacesAndTwiceWhereItIsSeenFromBothSides) {
     const Camera camera = camera_at({4, 5, 6});
-    const Picture one = draw(scene_of(smooth_cube(), single_sided()), camera, settings_for(Shading::gouraud));
+    const Picture one = draw_picture(scene_of(smooth_cube(), single_sided()), camera, settings_for(Shading::gouraud));
     EXPECT_EQ(one.stats.lighting_evaluations, 7u) << "the eighth corner is behind";
     EXPECT_EQ(one.stats.vertices_lit_twice, 0u);
-    const Picture both = draw(scene_of(smooth_cube(), shiny()), camera, settings_for(Shading::gouraud));
+    const Picture both = draw_picture(scene_of(smooth_cube(), shiny()), camera, settings_for(Shading::gouraud));
     EXPECT_EQ(both.stats.drawn, 12u);
     EXPECT_EQ(both.stats.lighting_evaluations, 14u);
     EXPECT_EQ(both.stats.vertices_lit_twice, 6u);
@@ -209,11 +203,11 @@ TEST(ShadingFrequency, ASpheresCountsAreThoseOfItsFacesThatLookAtTheEye) {
         vertices.insert({mesh.indices[t], mesh.indices[t + 1], mesh.indices[t + 2]});
     }
     const Scene scene = scene_of(mesh, single_sided());
-    const Picture flat = draw(scene, camera_at(eye, 26), settings_for(Shading::flat, 400));
+    const Picture flat = draw_picture(scene, camera_at(eye, 26), settings_for(Shading::flat, 400));
     EXPECT_EQ(flat.stats.drawn, faces);
     EXPECT_EQ(flat.stats.culled_back, flat.stats.triangles_in - faces);
     EXPECT_EQ(flat.stats.lighting_evaluations, faces);
-    EXPECT_EQ(draw(scene, camera_at(eye, 26), settings_for(Shading::gouraud, 400)).stats.lighting_evaluations,
+    EXPECT_EQ(draw_picture(scene, camera_at(eye, 26), settings_for(Shading::gouraud, 400)).stats.lighting_evaluations,
               vertices.size());
 }
 
@@ -223,18 +217,18 @@ TEST(ShadingFrequency, PiecesOfClippedTrianglesAndTilesAddNoEvaluations) {
     Camera camera;
     camera.near = 0.1;
     camera.to_world = look_at({0, 0, 1}, {10, 9, 0}, {0, 0, 1});  // about along the border of the two triangles
-    const Picture flat = draw(scene, camera, settings_for(Shading::flat, 300));
+    const Picture flat = draw_picture(scene, camera, settings_for(Shading::flat, 300));
     EXPECT_GT(flat.stats.clipped, 0u);
     EXPECT_GT(flat.stats.drawn, flat.stats.lighting_evaluations);
     EXPECT_EQ(flat.stats.lighting_evaluations, 2u);
-    EXPECT_EQ(draw(scene, camera, settings_for(Shading::gouraud, 300)).stats.lighting_evaluations, 4u);
+    EXPECT_EQ(draw_picture(scene, camera, settings_for(Shading::gouraud, 300)).stats.lighting_evaluations, 4u);
 }
 
 TEST(ShadingFrequency, UnlitMaterialsCountNowhereAndBlendedSurfacesCountPerPixelTheyShade) {
     Scene scene = scene_of(square_mesh(0), matte({0.25f, 0.5f, 1}));
     scene.materials[0].model = MaterialModel::unlit;
     for (const Shading s : {Shading::flat, Shading::gouraud, Shading::phong}) {
-        const Picture p = draw(scene, flat_camera(), settings_for(s));
+        const Picture p = draw_picture(scene, flat_camera(), settings_for(s));
         EXPECT_EQ(p.stats.lighting_evaluations, 0u);
         EXPECT_EQ(p.at(7, 9), (vec4{0.25f, 0.5f, 1, 1}));
     }
@@ -251,8 +245,8 @@ TEST(ShadingFrequency, WithoutLightsOrTrianglesTheNumbersAreStillRight) {
     scene.materials[0].emission = {0.5f, 0, 0};
     scene.lights.clear();
     for (const Shading s : {Shading::flat, Shading::gouraud}) {
-        EXPECT_EQ(draw(scene, flat_camera(), settings_for(s)).at(3, 3), (vec4{0.5f, 0, 0, 1}));
-        EXPECT_EQ(draw(Scene{}, flat_camera(), settings_for(s)).stats.lighting_evaluations, 0u);
+        EXPECT_EQ(draw_picture(scene, flat_camera(), settings_for(s)).at(3, 3), (vec4{0.5f, 0, 0, 1}));
+        EXPECT_EQ(draw_picture(Scene{}, flat_camera(), settings_for(s)).stats.lighting_evaluations, 0u);
     }
 }
 
@@ -265,7 +259,7 @@ TEST(ShadingFrequency, AFlatFaceHasOneColorAndItIsThatOfItsPlane) {
                                      .shading = Shading::flat,
                                      .lighting = Lighting::lambert,
                                      .background = {0, 0, 0, 0}};
-    const Picture flat = draw(scene, camera_at({0.3, 1, 5}, 26), settings);
+    const Picture flat = draw_picture(scene, camera_at({0.3, 1, 5}, 26), settings);
     std::set<std::array<float, 4>> colors;
     const vec3 to_light = normalize_or(vec3{1, 2, 3}, vec3{});
     for (std::size_t i = 0; i < flat.frame.color.size(); ++i) {
@@ -279,7 +273,7 @@ TEST(ShadingFrequency, AFlatFaceHasOneColorAndItIsThatOfItsPlane) {
     scene.lights = {lamp({2, 3, 4})};  // light that differs over a face, and its highlight
     scene.materials[0] = shiny();
     std::set<std::array<float, 4>> faces;
-    const Picture lamp_lit = draw(scene, camera_at({0.3, 1, 5}, 26), settings_for(Shading::flat, 200));
+    const Picture lamp_lit = draw_picture(scene, camera_at({0.3, 1, 5}, 26), settings_for(Shading::flat, 200));
     for (const vec4& c : lamp_lit.frame.color) faces.insert({c.x, c.y, c.z, c.w});
     EXPECT_LE(faces.size(), lamp_lit.stats.lighting_evaluations + 1);
 }
@@ -292,8 +286,8 @@ TEST(ShadingFrequency, GouraudIsTheLightingAtTheVerticesAndLinearBetweenThem) {
     fan.indices = std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
     Scene scene = scene_of(fan, shiny());
     scene.lights = {lamp({0.4, 0.3, 0.8})};
-    const Picture gouraud = draw(scene, flat_camera(), settings_for(Shading::gouraud));
-    const Picture phong = draw(scene, flat_camera(), settings_for(Shading::phong));
+    const Picture gouraud = draw_picture(scene, flat_camera(), settings_for(Shading::gouraud));
+    const Picture phong = draw_picture(scene, flat_camera(), settings_for(Shading::phong));
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(gouraud.at(32, 32)[c], phong.at(32, 32)[c], 2e-5f);
         EXPECT_NEAR(gouraud.at(8, 32)[c], phong.at(8, 32)[c], 2e-5f);
@@ -310,25 +304,27 @@ TEST(ShadingFrequency, AHighlightAndASpotConeInTheMiddleOfAFaceAreMissingInGoura
     Scene scene = scene_of(square_mesh(0), shiny(200));
     scene.lights = {lamp({0, 0, 2})};
     const Camera camera = camera_at({0, 0, 4}, 35);
-    EXPECT_GT(draw(scene, camera, settings_for(Shading::phong)).at(32, 32).y, 0.8f);
-    EXPECT_LT(draw(scene, camera, settings_for(Shading::gouraud)).at(32, 32).y, 0.4f);
+    EXPECT_GT(draw_picture(scene, camera, settings_for(Shading::phong)).at(32, 32).y, 0.8f);
+    EXPECT_LT(draw_picture(scene, camera, settings_for(Shading::gouraud)).at(32, 32).y, 0.4f);
     scene.lights[0].type = LightType::spot;
     scene.lights[0].direction = {0, 0, -1};
     scene.lights[0].cutoff_rad = float(radians(15));
     scene.lights[0].ambient = {};
-    EXPECT_GT(draw(scene, camera, settings_for(Shading::phong)).at(32, 32).y, 0.8f);
-    const Picture gouraud = draw(scene, camera, settings_for(Shading::gouraud));
+    EXPECT_GT(draw_picture(scene, camera, settings_for(Shading::phong)).at(32, 32).y, 0.8f);
+    const Picture gouraud = draw_picture(scene, camera, settings_for(Shading::gouraud));
     for (const vec4& c : gouraud.frame.color) EXPECT_EQ(c.x + c.y + c.z, 0.0f);
 }
 
 TEST(ShadingFrequency, OnFinerSpheresFlatAndGouraudComeCloserToPhong) {
     const Camera camera = camera_at({0.5, 1, 5}, 26);
-    const Frame finest = draw(scene_of(sphere(128, 256), shiny()), camera, settings_for(Shading::phong, 128)).frame;
+    const Frame finest =
+        draw_picture(scene_of(sphere(128, 256), shiny()), camera, settings_for(Shading::phong, 128)).frame;
     double flat_before = 1, gouraud_before = 1;
     for (const int rows : {8, 16, 32, 64, 128}) {
         const Scene scene = scene_of(sphere(rows, 2 * rows), shiny());
-        const double flat = mean_square(draw(scene, camera, settings_for(Shading::flat, 128)).frame, finest);
-        const double gouraud = mean_square(draw(scene, camera, settings_for(Shading::gouraud, 128)).frame, finest);
+        const double flat = mean_square(draw_picture(scene, camera, settings_for(Shading::flat, 128)).frame, finest);
+        const double gouraud =
+            mean_square(draw_picture(scene, camera, settings_for(Shading::gouraud, 128)).frame, finest);
         EXPECT_LT(flat, flat_before / 1.5) << rows;
         EXPECT_LT(gouraud, gouraud_before / 1.5) << rows;
         EXPECT_LT(gouraud, flat) << rows;
@@ -338,7 +334,8 @@ TEST(ShadingFrequency, OnFinerSpheresFlatAndGouraudComeCloserToPhong) {
     EXPECT_LT(flat_before, 1e-4);
     EXPECT_LT(gouraud_before, 1e-7);
     EXPECT_GT(
-        mean_square(draw(scene_of(sphere(128, 256), shiny()), camera, settings_for(Shading::unlit, 128)).frame, finest),
+        mean_square(draw_picture(scene_of(sphere(128, 256), shiny()), camera, settings_for(Shading::unlit, 128)).frame,
+                    finest),
         1e-3);
 }
 
@@ -363,9 +360,9 @@ TEST(ShadingFrequency, TexturesActAtThePixelWhereverLightingIsEvaluated) {
     Light sky = directional({-0.2, -0.3, -1}, {0.7f, 0.8f, 0.9f});
     sky.ambient = {0.3f, 0.2f, 0.1f};
     scene.lights = {sky};  // parallel light and view on a plane: lighting is the same everywhere
-    const Frame phong = draw(scene, flat_camera(), settings_for(Shading::phong)).frame;
-    EXPECT_LT(difference(draw(scene, flat_camera(), settings_for(Shading::gouraud)).frame, phong), 1e-5f);
-    EXPECT_LT(difference(draw(scene, flat_camera(), settings_for(Shading::flat)).frame, phong), 1e-5f);
+    const Frame phong = draw_picture(scene, flat_camera(), settings_for(Shading::phong)).frame;
+    EXPECT_LT(difference(draw_picture(scene, flat_camera(), settings_for(Shading::gouraud)).frame, phong), 1e-5f);
+    EXPECT_LT(difference(draw_picture(scene, flat_camera(), settings_for(Shading::flat)).frame, phong), 1e-5f);
 }
 
 TEST(ShadingFrequency, ASurfaceSeenFromBehindIsLitOnTheSideThatIsSeen) {
@@ -374,10 +371,10 @@ TEST(ShadingFrequency, ASurfaceSeenFromBehindIsLitOnTheSideThatIsSeen) {
         scene.materials[0].double_sided = true;
         scene.lights = {directional({0, 0, -1})};
         scene.nodes[0].local.matrix = scaling(dvec3{1, 1, -1}) * scaling(dvec3{-1, 1, 1});
-        const Frame phong = draw(scene, flat_camera(), settings_for(Shading::phong)).frame;
+        const Frame phong = draw_picture(scene, flat_camera(), settings_for(Shading::phong)).frame;
         EXPECT_NEAR(phong.color[500].x, 1.0f, 0.05f);
-        EXPECT_LT(difference(draw(scene, flat_camera(), settings_for(Shading::gouraud)).frame, phong), 1e-5f);
-        EXPECT_LT(difference(draw(scene, flat_camera(), settings_for(Shading::flat)).frame, phong), 1e-5f);
+        EXPECT_LT(difference(draw_picture(scene, flat_camera(), settings_for(Shading::gouraud)).frame, phong), 1e-5f);
+        EXPECT_LT(difference(draw_picture(scene, flat_camera(), settings_for(Shading::flat)).frame, phong), 1e-5f);
     }
 }
 
@@ -385,24 +382,24 @@ TEST(ShadingFrequency, WithoutVertexNormalsGouraudIsFlat) {
     Mesh mesh = smooth_cube();
     mesh.normals = {};
     const Scene scene = scene_of(mesh, shiny());
-    const Picture gouraud = draw(scene, camera_at({4, 5, 6}), settings_for(Shading::gouraud));
+    const Picture gouraud = draw_picture(scene, camera_at({4, 5, 6}), settings_for(Shading::gouraud));
     EXPECT_EQ(gouraud.stats.lighting_evaluations, 12u);
-    EXPECT_TRUE(same_bits(gouraud.frame, draw(scene, camera_at({4, 5, 6}), settings_for(Shading::flat)).frame));
+    EXPECT_TRUE(same_bits(gouraud.frame, draw_picture(scene, camera_at({4, 5, 6}), settings_for(Shading::flat)).frame));
 }
 
 TEST(ShadingFrequency, NormalMapsAreLeftOutAndItIsSaid) {
     Scene scene = scene_of(square_mesh(0), shiny());
-    const Frame plain = draw(scene, flat_camera(), settings_for(Shading::gouraud)).frame;
+    const Frame plain = draw_picture(scene, flat_camera(), settings_for(Shading::gouraud)).frame;
     const auto bumps = [](int x, int) { return std::array<int, 3>{x & 1 ? 200 : 60, 128, 220}; };
     scene.materials[0].normal_texture = add_texture(scene, picture(rgb_pixels(16, 16, bumps)));
-    const Picture mapped = draw(scene, flat_camera(), settings_for(Shading::gouraud));
+    const Picture mapped = draw_picture(scene, flat_camera(), settings_for(Shading::gouraud));
     EXPECT_TRUE(same_bits(mapped.frame, plain));
     ASSERT_EQ(mapped.remarks.size(), 1u);
     EXPECT_EQ(mapped.remarks[0].remark, Remark::dropped);
-    EXPECT_EQ(draw(scene, flat_camera(), settings_for(Shading::phong)).remarks.size(), 0u);
+    EXPECT_EQ(draw_picture(scene, flat_camera(), settings_for(Shading::phong)).remarks.size(), 0u);
     RenderSettings without = settings_for(Shading::flat);
     without.bump = Bump::none;
-    EXPECT_EQ(draw(scene, flat_camera(), without).remarks.size(), 0u);
+    EXPECT_EQ(draw_picture(scene, flat_camera(), without).remarks.size(), 0u);
 }
 
 TEST(ShadingFrequency, TheBitsDoNotDependOnThreadsInstructionSetOrWindow) {
@@ -419,19 +416,19 @@ TEST(ShadingFrequency, TheBitsDoNotDependOnThreadsInstructionSetOrWindow) {
     scene.lights.push_back(directional({1, -1, -2}, {0.3f, 0.3f, 0.4f}));
     const Camera camera = camera_at({0.3, 0.4, 4}, 60);
     for (const Shading shading : {Shading::flat, Shading::gouraud}) {
-        const Picture first = draw(scene, camera, settings_for(shading, 150));
+        const Picture first = draw_picture(scene, camera, settings_for(shading, 150));
         for (const int threads : {2, 4})
-            EXPECT_TRUE(same_bits(draw(scene, camera, settings_for(shading, 150), threads).frame, first.frame));
+            EXPECT_TRUE(same_bits(draw_picture(scene, camera, settings_for(shading, 150), threads).frame, first.frame));
         for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
             if (!is_available(isa)) continue;
             const IsaGuard guard(isa);
-            const Picture other = draw(scene, camera, settings_for(shading, 150));
+            const Picture other = draw_picture(scene, camera, settings_for(shading, 150));
             EXPECT_TRUE(same_bits(other.frame, first.frame)) << name(isa);
             EXPECT_EQ(other.stats.lighting_evaluations, first.stats.lighting_evaluations);
         }
         RenderSettings part = settings_for(shading, 150);
         part.window = {33, 50, 70, 81};
-        const Picture window = draw(scene, camera, part);
+        const Picture window = draw_picture(scene, camera, part);
         for (int y = 0; y < 81; ++y)
             for (int x = 0; x < 70; ++x) ASSERT_EQ(window.at(x, y), first.at(x + 33, y + 50)) << x << ' ' << y;
     }
@@ -444,18 +441,18 @@ TEST(ShadingFrequency, DegenerateTrianglesAndNormalsGiveNoNotANumber) {
     mesh.positions = std::vector<vec3>{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, nan, 0}};
     const Scene scene = scene_of(mesh, shiny());
     for (const Shading s : {Shading::flat, Shading::gouraud})
-        EXPECT_EQ(draw(scene, flat_camera(), settings_for(s)).stats.pixels_not_finite, 0u);
+        EXPECT_EQ(draw_picture(scene, flat_camera(), settings_for(s)).stats.pixels_not_finite, 0u);
 }
 
 TEST(ShadingFrequency, OverdrawCountsHowOftenPixelsWereWritten) {
     Scene scene = scene_of(square_mesh(0), matte());
-    const Picture once = draw(scene, flat_camera(), settings_for(Shading::phong));
+    const Picture once = draw_picture(scene, flat_camera(), settings_for(Shading::phong));
     EXPECT_EQ(once.stats.depth_passes, 65u * 65u);
     EXPECT_EQ(once.stats.overdraw(), 1.0);
     add_object(scene, square_mesh(0), translation(dvec3{0, 0, 1}));
-    EXPECT_EQ(draw(scene, flat_camera(), settings_for(Shading::phong)).stats.overdraw(), 2.0)
+    EXPECT_EQ(draw_picture(scene, flat_camera(), settings_for(Shading::phong)).stats.overdraw(), 2.0)
         << "the farther one is drawn first";
     scene.nodes[1].local.matrix = translation(dvec3{0, 0, -1});
-    EXPECT_EQ(draw(scene, flat_camera(), settings_for(Shading::phong)).stats.overdraw(), 1.0);
+    EXPECT_EQ(draw_picture(scene, flat_camera(), settings_for(Shading::phong)).stats.overdraw(), 1.0);
     EXPECT_EQ(RenderStats{}.overdraw(), 0.0) << "nothing covered";
 }

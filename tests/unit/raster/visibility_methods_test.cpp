@@ -5,11 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "engines/raster/inspection.h"
-#include "engines/raster/raster_engine.h"
-#include "support/scene_builder.h"
+#include "unit/raster/drawn.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -26,31 +24,6 @@ RenderSettings settings_of(Visibility method, std::uint32_t channels = 0) {
     RenderSettings s{.width = 64, .height = 64, .channels = channels, .background = {0, 0, 0, 0}};
     s.visibility = method;
     return s;
-}
-
-Frame draw(const Scene& scene, const Camera& camera, const RenderSettings& settings, int threads = 1) {
-    Context context({.threads = threads});
-    auto engine = raster::make_engine();
-    engine->prepare(scene, context);
-    Frame frame;
-    engine->render(camera, settings, frame, context);
-    return frame;
-}
-
-vec4 pixel(const Frame& f, int x, int y) { return f.color[std::size_t(y * f.window.width + x)]; }
-
-bool same_bits(const Frame& a, const Frame& b) {
-    return a.color.size() == b.color.size() && std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(vec4)) == 0;
-}
-
-std::uint32_t add_unlit(Scene& scene, vec4 color, AlphaMode mode = AlphaMode::opaque) {
-    Material m;
-    m.model = MaterialModel::unlit;
-    m.base_color = color;
-    m.alpha_mode = mode;
-    m.double_sided = true;
-    scene.materials.push_back(m);
-    return std::uint32_t(scene.materials.size() - 1);
 }
 
 void add_polygon(Scene& scene, std::uint32_t material, std::vector<vec3> corners) {

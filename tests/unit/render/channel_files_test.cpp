@@ -7,44 +7,25 @@
 #include <fstream>
 
 #include "image/false_color.h"
-#include "io/file.h"
-#include "io/image_io.h"
 #include "render/channel_view.h"
-#include "render/picture_files.h"
-#include "render/picture_steps.h"
-#include "unit/render/fake_engine.h"
+#include "unit/render/picture_fixture.h"
 
 namespace rakelight {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ChannelsInFiles : public testing::Test {
+class ChannelsInFiles : public test::PictureFiles {
 protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() /
-                  ("rakelight_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
-    Pixels decode(const std::string& name) { return io::decode_image(*io::read_file(file(name), context_), context_); }
     std::string text(const std::string& name) {
         std::ifstream stream(file(name), std::ios::binary);
         return {std::istreambuf_iterator<char>(stream), {}};
     }
-    PictureResult draw(PictureRequest request) {
+    PictureResult draw(const PictureRequest& request) {
         PictureResult result;
         result.view_range = {.depth_low = 0, .depth_high = 100, .low = {0, 0, 0}, .high = {1, 1, 1}};
-        draw_to_files(engine_, {}, request, result, context_);
-        return result;
+        return PictureFiles::draw(request, result);
     }
-
-    fs::path folder_;
-    Context context_{{.threads = 2}};
-    test::FakeEngine engine_;
 };
 
 /// "normal.X", the type as the file's list of channels holds it: 0 UINT, 1 HALF, 2 FLOAT.

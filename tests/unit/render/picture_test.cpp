@@ -7,13 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/file.h"
-#include "io/image_io.h"
 #include "math/color.h"
-#include "render/picture_files.h"
 #include "render/picture_sink.h"
-#include "render/picture_steps.h"
-#include "unit/render/fake_engine.h"
+#include "unit/render/picture_fixture.h"
 #include "unit/render/test_scene.h"
 
 namespace rakelight {
@@ -21,31 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Picture : public testing::Test {
+class Picture : public test::PictureFiles {
 protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() /
-                  ("rakelight_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
-    Pixels decode(const std::string& name) { return io::decode_image(*io::read_file(file(name), context_), context_); }
     std::size_t count_files() const {
         return std::size_t(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
     }
-
-    PictureResult draw(PictureRequest request) {
-        PictureResult result;
-        draw_to_files(engine_, {}, request, result, context_);
-        return result;
-    }
-
-    fs::path folder_;
-    Context context_{{.threads = 2}};
-    test::FakeEngine engine_;
 };
 
 /// The pixel of the fake engine as an 8-bit file holds it.
