@@ -76,6 +76,10 @@ public:
         const double t = std::min(std::max((px * dx_ + py * dy_) * scale_, 0.0), 1.0);
         return {t, {px - t * dx_, py - t * dy_}};
     }
+    /// A quick look: true where nothing is covered. Squares are always looked at.
+    bool is_out_of_reach(const Near& n) const {
+        return shape_ != Mark::Shape::square && n.d.x * n.d.x + n.d.y * n.d.y > reach_ * reach_;
+    }
     double coverage(const Near& n) const {
         return shape_ == Mark::Shape::square
                    ? square_coverage(n.d, half_)

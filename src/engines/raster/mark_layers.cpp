@@ -36,6 +36,7 @@ void MarkLayers::take(const MarkFragment& f) {
 
 void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count) {
     const SurfacePlane plane(t, ox_, oy_);
+    const DepthTolerance tolerance = plane.tolerance();
     const auto samples = std::size_t(job_.front.settings.samples);
     for (std::size_t i = 0; i < count; ++i) {
         const auto p = std::size_t(s_.pixel[i]);
@@ -43,7 +44,7 @@ void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count) {
         vec4* const to = samples > 1 ? &s_.samples->color[std::size_t(s_.samples->number[p]) * samples] : &s_.color[p];
         const double key = plane.key(p);
         lay(p, to, samples,
-            [&](const MarkFragment& f) { return double(f.key) + plane.bias(double(f.key), double(f.reach)) < key; });
+            [&](const MarkFragment& f) { return double(f.key) + tolerance.of(double(f.key), double(f.reach)) < key; });
     }
 }
 

@@ -14,7 +14,8 @@ TileMarks::TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch)
       ox_(job.grid.origin_x(tile)),
       oy_(job.grid.origin_y(tile)),
       first_(job.binned.offsets[tile]),
-      items_(marks_.items.begin() + marks_.offsets[tile], marks_.items.begin() + marks_.offsets[tile + 1]) {
+      items_(marks_.items.begin() + marks_.offsets[tile], marks_.items.begin() + marks_.offsets[tile + 1]),
+      surfaces_(tile_pixels) {
     if (job.front.settings.channels != 0) shown_.resize(tile_pixels);
     if (marks_.is_of_one_color) return;
     const auto depth = [this](std::uint64_t item) { return marks_.at(item).key[0] + marks_.at(item).key[1]; };

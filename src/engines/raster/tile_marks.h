@@ -12,6 +12,14 @@
 
 namespace rakelight::raster {
 
+/// How much farther than a surface a mark on it may seem.
+struct DepthTolerance {
+    double slope = 0, range = -1;  ///< of its depth keys, per px; -1: not known yet
+
+    /// The change over `reach` px, at most the surface's whole depth, and what rounding makes.
+    double of(double key, double reach) const { return std::min(range, slope * reach) + 4e-6 * std::fabs(key); }
+};
+
 /// The plane of a surface's depth keys about the tile's first pixel.
 class SurfacePlane {
 public:
@@ -25,11 +33,9 @@ public:
         const double from_below = plane > double(c_.depth_low) ? plane : double(c_.depth_low);  // NaN: the farthest
         return std::min(from_below, double(c_.depth_high));
     }
-    /// How much farther than the surface a mark on it may seem: the plane's change over `reach` px, at most its whole
-    /// depth, and what rounding makes.
-    double bias(double key, double reach) const {
-        const double slope = std::fabs(double(c_.depth_x)) + std::fabs(double(c_.depth_y));
-        return std::min(double(c_.depth_high) - double(c_.depth_low), slope * reach) + 4e-6 * std::fabs(key);
+    DepthTolerance tolerance() const {
+        return {std::fabs(double(c_.depth_x)) + std::fabs(double(c_.depth_y)),
+                double(c_.depth_high) - double(c_.depth_low)};
     }
 
 private:
@@ -72,6 +78,7 @@ private:
             for (int x = left; x <= right; ++x) {
                 const auto p = std::uint32_t((y - oy_) * tile_size + x - ox_);
                 const MarkShape::Near near = shape.nearest(x, y);
+                if (shape.is_out_of_reach(near)) continue;
                 const double key = double(m.key[0]) + (double(m.key[1]) - double(m.key[0])) * near.t;
                 if (is_hidden(p, key, shape.reach())) continue;
                 const double covered = shape.coverage(near);
@@ -86,11 +93,10 @@ private:
     bool is_hidden(std::size_t p, double key, double reach) {
         const double depth = double(s_.depth[p]);
         if (key >= depth || s_.visible[p] < 0) return false;
-        if (s_.visible[p] != surface_) {
-            surface_ = s_.visible[p];
-            plane_ = SurfacePlane(*job_.binned.items[first_ + std::uint32_t(surface_)], ox_, oy_);
-        }
-        return key + plane_.bias(key, reach) < depth;
+        DepthTolerance& surface = surfaces_[p];
+        if (surface.range < 0)
+            surface = SurfacePlane(*job_.binned.items[first_ + std::uint32_t(s_.visible[p])], ox_, oy_).tolerance();
+        return key + surface.of(key, reach) < depth;
     }
 
     vec4 color_at(const Mark& m, double key, double t) const {
@@ -108,8 +114,7 @@ private:
     std::uint32_t first_;
     std::vector<std::uint64_t> items_;
     std::vector<Shown> shown_;  ///< [tile_pixels] where channels are asked for
-    std::int32_t surface_ = -1;
-    SurfacePlane plane_;  ///< of `surface_`
+    std::vector<DepthTolerance> surfaces_;  ///< [tile_pixels] what is seen there, where it was asked for
 };
 
 }  // namespace rakelight::raster
