@@ -170,8 +170,7 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Shading", "--texture-normal", w.texture_normal, "FILE", "Normal map for all materials (green up)");
     add(app, "Shading", "--normal-scale", w.normal_scale, "S", "How strongly normal maps bump (default: the material's, 1)");
     add(app, "Shading", "--front-face", w.front_face, "ccw|cw",
-        "Which turn of a triangle is its front, for --cull and for the side that a glTF file's normals belong to "
-        "(default ccw)");
+        "How the model's triangles turn, seen from their front: counter-clockwise (default) or clockwise");
     add(app, "Shading", "--cull", w.cull, "WHICH",
         "Faces left out: auto (default: as the material says), none, back, front");
     add(app, "Shading", "--visibility", w.visibility, "METHOD",

@@ -97,6 +97,8 @@ struct RenderSettings {
     Lighting lighting = Lighting::automatic;
     SpecularForm specular_form = SpecularForm::automatic;
     Bump bump = Bump::normal;
+    /// How triangles turn as seen from their front. Normals that are made before have to be made for that side:
+    /// PrepareOptions::clockwise_fronts.
     FrontFace front_face = FrontFace::counter_clockwise;
     Cull cull = Cull::automatic;
     Visibility visibility = Visibility::z_reversed;

@@ -32,6 +32,9 @@ struct PrepareOptions {
     bool all_tangents = false;
     /// Placements of one mesh go on sharing it, with the normals of the first, even where they touch different things.
     bool keep_instances = false;
+    /// Triangles turn clockwise as seen from their front: normals, tangents and texture coordinates are made for that
+    /// side. Goes with RenderSettings::front_face; render() and render_picture() set it by that.
+    bool clockwise_fronts = false;
 };
 
 /// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height

@@ -10,6 +10,7 @@
 #include "prepare/repair.h"
 #include "prepare/smooth_request.h"
 #include "prepare/tangent_report.h"
+#include "prepare/turn_triangles.h"
 #include "prepare/variants.h"
 #include "scene/scene_tools.h"
 #include "scene/validate_parts.h"
@@ -84,12 +85,8 @@ void warn_of_tangents(const Scene& scene, Report& report) {
     }
 }
 
-}  // namespace
-
-Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& context) {
-    if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi))
-        throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");
-    validate(scene);
+/// The stages, for triangles that turn counter-clockwise.
+Scene prepare_stages(const Scene& scene, const PrepareOptions& options, Context& context) {
     check_nodes(scene, context.report());
     const bool keep_normals = options.normals == NormalSource::automatic || options.normals == NormalSource::file;
     Scene out = repair_scene(scene, keep_normals, context);
@@ -104,6 +101,17 @@ Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& 
     if (options.measure_orthogonality) report_kept_tangents(out, context.report());
     out = smooth_meshes(out, request, context);
     return add_missing_tangents(out, request, context);
+}
+
+}  // namespace
+
+Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& context) {
+    if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi))
+        throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");
+    validate(scene);
+    if (!options.clockwise_fronts) return prepare_stages(scene, options, context);
+    TriangleTurner turner;
+    return turner.turned(prepare_stages(turner.turned(scene, context), options, context), context);
 }
 
 }  // namespace rakelight

@@ -27,7 +27,8 @@ Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Co
     check_drawable(scene);
     if (scene.lights.empty()) scene.lights = default_lights(camera.to_world);
     const std::unique_ptr<Engine> engine = make_engine("soft");
-    engine->prepare(prepare_scene(scene, {}, context), context);
+    const PrepareOptions prepare{.clockwise_fronts = settings.front_face == FrontFace::clockwise};
+    engine->prepare(prepare_scene(scene, prepare, context), context);
     Frame frame;
     engine->render(camera, settings, frame, context);
     return frame;

@@ -40,6 +40,13 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
     return scene;
 }
 
+PrepareOptions prepare_options(const PictureRequest& request) {
+    PrepareOptions prepare = request.prepare;
+    prepare.all_tangents |= (request.settings.channels & channel_tangent) != 0;
+    prepare.clockwise_fronts |= request.settings.front_face == FrontFace::clockwise;
+    return prepare;
+}
+
 Window whole_window(const RenderSettings& s) {
     return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
 }
@@ -84,9 +91,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     warn_of_unknown_names(scene, request.settings, context.report());
     const double aspect = double(request.settings.width) / double(request.settings.height);
     const Camera camera = choose_camera(scene, request.view, aspect, context);
-    PrepareOptions prepare = request.prepare;
-    prepare.all_tangents |= (request.settings.channels & channel_tangent) != 0;
-    scene = prepare_scene(with_lights(std::move(scene), request, camera), prepare, context);
+    scene = prepare_scene(with_lights(std::move(scene), request, camera), prepare_options(request), context);
     engine.prepare(scene, context);
     result.view_range = view_range(scene, camera);
     result.triangles = triangle_count(scene);

@@ -11,6 +11,9 @@ Window whole_window(const RenderSettings& settings);
 /// The scene with the lights that the picture is lit by.
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
 
+/// What is made ready, with what the settings ask for.
+PrepareOptions prepare_options(const PictureRequest& request);
+
 /// Warns of rules for shading that fit nothing in the scene.
 void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, Report& report);
 

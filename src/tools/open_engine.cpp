@@ -19,7 +19,7 @@ std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& requ
     warn_of_unknown_names(scene, settings, context.report());
     const double aspect = double(settings.width) / double(settings.height);
     const Camera camera = choose_camera(scene, request.view, aspect, context);
-    scene = prepare_scene(with_lights(std::move(scene), request, camera), request.prepare, context);
+    scene = prepare_scene(with_lights(std::move(scene), request, camera), prepare_options(request), context);
     return std::make_unique<const raster::Inspection>(scene, camera, settings, context);
 }
 

@@ -6,6 +6,7 @@
 import pathlib
 
 import program
+from models import TRIANGLE, triangle_gltf, write_glb
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "data/visibility"
 SIDE = 120
@@ -81,6 +82,23 @@ class Visibility(program.Case):
         closed = self.write("closed.obj", open_box.read_text() + "f 5 6 7 8\n")
         run = self.run_program("render", closed, *view, "--cull", "back")
         self.assertNotIn("boundary", run.err)
+
+    def test_a_model_that_turns_clockwise_is_drawn_as_one_that_does_not(self):
+        """A triangle without normals, of a single-sided material, and the same with two corners exchanged."""
+        turned = TRIANGLE[:12] + TRIANGLE[24:] + TRIANGLE[12:24]
+
+        def picture(corners, *words):
+            write_glb(self.folder / "a.glb", triangle_gltf([{"mesh": 0}]), corners)
+            run = self.run_program("render", "a.glb", "-o", "out.png", "--resolution", "64,48", "--view", "front", *words)
+            self.assertEqual(run.code, 0, run.err)
+            return (self.folder / "out.png").read_bytes()
+
+        right = picture(TRIANGLE)
+        self.assertNotEqual(picture(turned), right)
+        self.assertEqual(picture(turned, "--front-face", "cw"), right)
+        self.assertEqual(picture(turned, "--front-face", "cw", "--shading", "gouraud"), picture(TRIANGLE, "--shading", "gouraud"))
+        self.assertNotEqual(picture(TRIANGLE, "--front-face", "cw"), right)
+        self.check_refused(self.run_program("render", "a.glb", "-o", "b.png", "--front-face", "left"), 2, "--front-face", "ccw")
 
     def test_an_unknown_method_is_wrong_usage(self):
         run = self.run_program("render", "builtin:teapot", "-o", "out.png", "--visibility", "w-buffer")

@@ -2,6 +2,7 @@
 // Whose normals count, and who gets tangents.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include <rakelight/error.h>
@@ -364,6 +365,48 @@ TEST(PrepareScene, TangentsOfTheFileAreMeasuredAsTheyAre) {
     Context context;
     prepare_scene(scene, options, context);
     EXPECT_EQ(remarks(context, Remark::note, "at most 36.87 degrees (mean 9.22)"), 1u) << test::all_remarks(context);
+}
+
+TEST(PrepareScene, OfAModelWhoseFrontsTurnClockwiseIsWhatItIsOfTheSameModelTurnedRound) {
+    Mesh ball = test::ball_mesh(7, 5);
+    std::vector<vec2> uv;
+    for (const vec3& p : ball.positions) uv.push_back({p.x + 0.5f * p.z, p.y * p.y - p.z});
+    ball.texcoords = {Block<vec2>(std::move(uv))};
+    Mesh clockwise = ball;
+    std::vector<std::uint32_t> corners(ball.indices.begin(), ball.indices.end());
+    for (std::size_t t = 0; t < corners.size(); t += 3) std::swap(corners[t + 1], corners[t + 2]);
+    clockwise.indices = std::move(corners);
+    for (const bool has_normals : {false, true})
+        for (const NormalSource source : {NormalSource::automatic, NormalSource::flat, NormalSource::model})
+            for (const TangentMode mode : {TangentMode::averaged, TangentMode::mikktspace, TangentMode::published}) {
+                if (has_normals)
+                    ball.normals = clockwise.normals = std::vector<vec3>(ball.positions.begin(), ball.positions.end());
+                Scene scenes[2] = {scene_of({ball}), scene_of({clockwise})};
+                PrepareOptions options = by(source);
+                options.tangents = mode;
+                Mesh made[2];
+                for (int i = 0; i < 2; ++i) {
+                    test::give_texture(scenes[i], &Material::normal_texture);
+                    options.clockwise_fronts = i == 1;
+                    made[i] = prepared(scenes[i], options).meshes[0];
+                }
+                EXPECT_TRUE(std::ranges::equal(made[0].normals, made[1].normals));
+                EXPECT_TRUE(std::ranges::equal(made[0].tangents, made[1].tangents));
+                EXPECT_EQ(made[0].tangents.size(), made[0].positions.size());
+                ASSERT_EQ(made[0].indices.size(), made[1].indices.size());
+                for (std::size_t t = 0; t < made[0].indices.size(); t += 3)
+                    for (std::size_t k = 0; k < 3; ++k)
+                        EXPECT_EQ(made[0].indices[t + k], made[1].indices[t + (3 - k) % 3]);
+            }
+}
+
+TEST(PrepareScene, SharesEverythingWhenNothingNeedsDoingWhateverTurnItsFrontsHave) {
+    Mesh mesh = quad_mesh();
+    mesh.normals = std::vector<vec3>(4, {0, 0, 1});
+    PrepareOptions options;
+    options.clockwise_fronts = true;
+    const Scene after = prepared(scene_of({mesh, mesh}), options);
+    for (const Mesh& m : after.meshes) EXPECT_TRUE(m.indices.identity() == mesh.indices.identity());
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/turn_triangles.h"
+
+#include <utility>
+
+namespace rakelight {
+
+template <class T>
+void TriangleTurner::turn(Block<T>& block, Known<T>& known, Context& context) {
+    if (block.empty()) return;
+    if (const auto it = known.find(block.identity()); it != known.end()) {
+        block = it->second.second;
+        return;
+    }
+    context.memory().check(block.size() * sizeof(T), "triangles that turn clockwise");
+    std::vector<T> corners(block.begin(), block.end());
+    for (std::size_t t = 0; t + 2 < corners.size(); t += 3) std::swap(corners[t + 1], corners[t + 2]);
+    const Block<T> before = std::exchange(block, Block<T>(std::move(corners)));
+    known.emplace(before.identity(), std::pair(before, block));
+    known.emplace(block.identity(), std::pair(block, before));
+}
+
+Scene TriangleTurner::turned(Scene scene, Context& context) {
+    for (Mesh& mesh : scene.meshes) {
+        if (mesh.topology != Topology::triangles) continue;
+        turn(mesh.indices, indices_, context);
+        turn(mesh.smoothing_hint, hints_, context);
+    }
+    return scene;
+}
+
+}  // namespace rakelight
