@@ -21,6 +21,16 @@ void measure(const Mesh& mesh, vec3& low, vec3& high) {
     }
 }
 
+void extend(Bounds& bounds, const Draw& draw) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const vec3 p = {corner & 1 ? draw.high.x : draw.low.x, corner & 2 ? draw.high.y : draw.low.y,
+                        corner & 4 ? draw.high.z : draw.low.z};
+        const dvec3 at = transform_point(draw.to_world, cast<double>(p));
+        bounds.low = min(bounds.low, at);
+        bounds.high = max(bounds.high, at);
+    }
+}
+
 void add_draws(DrawList& list) {
     const Scene& scene = list.scene;
     std::map<const void*, std::pair<vec3, vec3>> bounds;  // by position block
@@ -38,8 +48,9 @@ void add_draws(DrawList& list) {
             if (is_new) measure(mesh, known->second.first, known->second.second);
             draw.low = known->second.first;
             draw.high = known->second.second;
-            if (draw.low.x <= draw.high.x)
-                (mesh.topology == Topology::triangles ? list.draws : list.line_draws).push_back(draw);
+            if (!(draw.low.x <= draw.high.x)) continue;
+            extend(list.bounds, draw);
+            (mesh.topology == Topology::triangles ? list.draws : list.line_draws).push_back(draw);
         }
 }
 

@@ -34,6 +34,7 @@ struct DrawList {
     std::vector<dmat4> node_to_world;
     std::vector<Draw> draws;       ///< of triangles
     std::vector<Draw> line_draws;  ///< of lines and points
+    Bounds bounds;                 ///< of the boxes of both in the world
     std::vector<DrawMaterial> materials;
     std::deque<TextureView> views;   ///< what the slots of the materials point to
 };

@@ -8,7 +8,7 @@ namespace rakelight::raster {
 Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context)
     : settings_(settings_for_method(settings)), list_(make_draw_list(scene, textures_, context)) {
     settings_.window = {};
-    view_ = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings_);
+    view_ = view_of(list_, camera, settings_);
     lights_ = make_lights(list_.scene, list_.node_to_world, view_.camera_to_world[3].xyz());
 }
 

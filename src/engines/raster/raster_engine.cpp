@@ -180,7 +180,7 @@ public:
 
     RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {
         const RenderSettings settings = settings_for_method(wanted);
-        const View view = make_view(camera, camera_to_world(list_.scene, camera, list_.node_to_world), settings);
+        const View view = view_of(list_, camera, settings);
         StageClock clock;
         const TileGrid grid(settings.width, settings.height, settings.window);
         FrontEnd front{list_,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/view.h"
 
+#include <algorithm>
 #include <limits>
 
+#include "engines/raster/draw_list.h"
 #include "math/functions.h"
 
 namespace rakelight::raster {
@@ -69,6 +71,35 @@ View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderS
     view.scale_x = view.scale_y / aspect;
     if (view.orthographic && camera.half_width) view.scale_x = 1.0 / *camera.half_width;
     if (!view.orthographic && camera.horizontal_fov_rad) view.scale_x = 1.0 / math::tan(*camera.horizontal_fov_rad * 0.5);
+    return view;
+}
+
+void narrow_depths(View& view, const Bounds& drawn) {
+    if (drawn.empty()) return;
+    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    for (int corner = 0; corner < 8; ++corner) {
+        const dvec3 p = {corner & 1 ? drawn.high.x : drawn.low.x, corner & 2 ? drawn.high.y : drawn.low.y,
+                         corner & 4 ? drawn.high.z : drawn.low.z};
+        const double distance = -transform_point(view.world_to_camera, p).z;
+        nearest = std::min(nearest, distance);
+        farthest = std::max(farthest, distance);
+    }
+    double near = view.near, far = view.far;
+    if (!view.orthographic) {
+        near = std::max(near, 1e-30 * farthest);  // keys are near / distance: they have to be normal floats
+    } else {
+        const double diagonal = drawn.diagonal();
+        if (!(diagonal > 0) || view.far - view.near <= 256 * diagonal) return;
+        const double margin = 0.5 * diagonal + 1e-6 * std::max(std::fabs(nearest), std::fabs(farthest));
+        near = std::max(near, nearest - margin);
+        far = std::min(far, farthest + margin);
+    }
+    if (near < far) view.near = near, view.far = far;  // else the scene lies outside of them
+}
+
+View view_of(const DrawList& list, const Camera& camera, const RenderSettings& settings) {
+    View view = make_view(camera, camera_to_world(list.scene, camera, list.node_to_world), settings);
+    if (settings.visibility == Visibility::z_reversed) narrow_depths(view, list.bounds);
     return view;
 }
 

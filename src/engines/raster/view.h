@@ -5,6 +5,7 @@
 #include <rakelight/engine.h>
 
 #include "math/linear.h"
+#include "scene/scene_tools.h"
 
 namespace rakelight::raster {
 
@@ -36,5 +37,16 @@ struct View {
 
 /// @throws Error usage: size out of 1..65536, near or far not in order, not finite, field of view out of (0, 180) degrees.
 View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings);
+
+/// Moves near and far in towards the scene where they stand so far apart that float depth keys could not tell its
+/// surfaces apart: near below 1e-30 of the farthest distance in perspective (what lies between is lost), a range above
+/// 256 times the scene's diagonal in parallel views (nothing is).
+/// @param drawn  of everything that is drawn, in the world
+void narrow_depths(View& view, const Bounds& drawn);
+
+struct DrawList;
+/// What both are for: the view of what is drawn. Formats of the textbook's depth keep the camera's own range, which
+/// they are there to show.
+View view_of(const DrawList& list, const Camera& camera, const RenderSettings& settings);
 
 }  // namespace rakelight::raster
