@@ -8,24 +8,34 @@
 namespace rakelight::raster {
 namespace {
 
-/// A node's own name counts, and those of all it hangs from.
-bool is_part_of(const Scene& scene, std::uint32_t node, const std::string& name) {
-    for (; node != none; node = scene.nodes[node].parent)
-        if (scene.nodes[node].name == name) return true;
-    return false;
+/// The last of the rules that is for this name, if it comes after rule `known`; else that one.
+std::ptrdiff_t last_rule(const RenderSettings& settings, ShadingRule::Of of, const std::string& name,
+                         std::ptrdiff_t known) {
+    const std::vector<ShadingRule>& rules = settings.shading_rules;
+    for (auto r = std::ptrdiff_t(rules.size()) - 1; r > known; --r)
+        if (rules[std::size_t(r)].of == of && rules[std::size_t(r)].name == name) return r;
+    return known;
 }
 
-Shading wanted(const FrontEnd& front, const Draw& draw) {
-    const Scene& scene = front.list.scene;
-    const std::uint32_t material = front.list.materials[draw.material].scene_material;
-    Shading shading = front.settings.shading;
-    for (const ShadingRule& rule : front.settings.shading_rules) {  // later ones win
-        const bool fits = rule.of == ShadingRule::Of::object
-                              ? is_part_of(scene, draw.node, rule.name)
-                              : material != none && scene.materials[material].name == rule.name;
-        if (fits) shading = rule.shading;
+/// [nodes] the last rule that fits, -1: none. A node's own name counts, and those of all it hangs from; parents come
+/// first.
+std::vector<std::ptrdiff_t> rules_of_nodes(const FrontEnd& front) {
+    const std::vector<Node>& nodes = front.list.scene.nodes;
+    std::vector<std::ptrdiff_t> rules(nodes.size());
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const std::ptrdiff_t inherited = nodes[n].parent == none ? -1 : rules[nodes[n].parent];
+        rules[n] = last_rule(front.settings, ShadingRule::Of::object, nodes[n].name, inherited);
     }
-    return shading;
+    return rules;
+}
+
+/// @param of_node  the last rule for the draw's object, -1: none
+Shading wanted(const FrontEnd& front, const Draw& draw, std::ptrdiff_t of_node) {
+    const std::uint32_t material = front.list.materials[draw.material].scene_material;
+    const std::ptrdiff_t rule = material == none ? of_node
+                                                 : last_rule(front.settings, ShadingRule::Of::material,
+                                                             front.list.scene.materials[material].name, of_node);
+    return rule < 0 ? front.settings.shading : front.settings.shading_rules[std::size_t(rule)].shading;
 }
 
 /// Gouraud shading has neither the bumps of a normal map nor a roughness that changes from pixel to pixel.
@@ -58,9 +68,10 @@ void choose_shading(FrontEnd& front, Context& context) {
     const Shading for_all = front.settings.shading;
     front.shading.assign(front.list.draws.size(), for_all);
     if (for_all != Shading::automatic && front.settings.shading_rules.empty()) return;
+    const std::vector<std::ptrdiff_t> rules = rules_of_nodes(front);
     context.parallel_for(front.list.draws.size(), [&](std::size_t d) {
         const Draw& draw = front.list.draws[d];
-        Shading shading = wanted(front, draw);
+        Shading shading = wanted(front, draw, rules[draw.node]);
         if (shading == Shading::automatic) {
             const bool is_fine = !front.clip[d].empty() &&
                                  !needs_pixels(front, front.list.materials[draw.material].view) &&

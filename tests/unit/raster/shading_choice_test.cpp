@@ -190,3 +190,25 @@ TEST(ShadingRules, ReachWhatHangsFromAnObjectAndTheLastOneThatFitsCounts) {
     s.shading_rules.push_back({ShadingRule::Of::material, "shiny", Shading::gouraud});
     EXPECT_TRUE(same_bits(draw(scene, s), draw(scene, settings(Shading::gouraud))));
 }
+
+TEST(ShadingRules, OfAnObjectAndOfWhatItHangsFromTheLaterCounts) {
+    Scene scene = sphere_scene(8);
+    for (const char* name : {"model", "part"}) {
+        Node above;
+        above.name = name;
+        scene.nodes.insert(scene.nodes.begin(), above);
+    }
+    for (std::uint32_t n = 1; n < 3; ++n) scene.nodes[n].parent = n - 1;
+    const ShadingRule model{ShadingRule::Of::object, "model", Shading::unlit},
+        part{ShadingRule::Of::object, "part", Shading::flat},
+        material{ShadingRule::Of::material, "shiny", Shading::gouraud};
+    RenderSettings s = settings(Shading::phong);
+    for (const auto& [rules, last] : {std::pair{std::vector{part, model}, Shading::unlit},
+                                      {std::vector{model, part}, Shading::flat},
+                                      {std::vector{material, model, part}, Shading::flat},
+                                      {std::vector{material, part, model}, Shading::unlit},
+                                      {std::vector{part, model, material}, Shading::gouraud}}) {
+        s.shading_rules = rules;
+        EXPECT_TRUE(same_bits(draw(scene, s), draw(scene, settings(last)))) << int(last);
+    }
+}
