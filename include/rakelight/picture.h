@@ -45,10 +45,9 @@ struct TextureOverrides {
     bool is_empty() const { return base_color.empty() && normal.empty() && !normal_scale; }
 };
 
-/// The scene with its materials so changed; meshes without a material get one. A mesh without texture coordinates cannot
-/// show a texture: said in the report, unless `later` will make some.
+/// The scene with its materials so changed; meshes without a material get one.
 /// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
-Scene override_textures(const Scene& scene, const TextureOverrides& overrides, UvProjection later, Context& context);
+Scene override_textures(const Scene& scene, const TextureOverrides& overrides, Context& context);
 
 /// How data channels are written, as bits.
 enum ChannelFiles : std::uint32_t {

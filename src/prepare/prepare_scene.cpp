@@ -85,6 +85,33 @@ void warn_of_tangents(const Scene& scene, Report& report) {
     }
 }
 
+bool has_coordinates(const Mesh& mesh, std::uint32_t set) {
+    return set < mesh.texcoords.size() && !mesh.texcoords[set].empty();
+}
+
+/// What warn_of_tangents() is for normal maps.
+void warn_of_textures(const Scene& scene, Report& report) {
+    std::vector<bool> seen(scene.meshes.size(), false);
+    for (const Instance& instance : drawn_instances(scene)) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        if (seen[instance.mesh] || mesh.material == none) continue;
+        seen[instance.mesh] = true;
+        const Material& m = scene.materials[mesh.material];
+        const bool is_unlit = m.model == MaterialModel::unlit;  // shows the first alone
+        const TextureUse& of_model =
+            m.model == MaterialModel::classical ? m.classical.specular_texture : m.metallic_roughness.texture;
+        for (const TextureUse* use : {&m.base_color_texture, &m.emission_texture, &m.occlusion_texture, &of_model}) {
+            if (!*use || has_coordinates(mesh, use->texcoord_set) || (is_unlit && use != &m.base_color_texture))
+                continue;
+            report.add(Remark::warning, scene.source, Place{"mesh", instance.mesh, mesh.name}.text(),
+                       mesh.texcoords.empty()
+                           ? "a texture shows one color: the mesh has no texture coordinates; --uv makes some"
+                           : "a texture shows one color: the mesh has no texture coordinates for it");
+            break;
+        }
+    }
+}
+
 /// The stages, for triangles that turn counter-clockwise.
 Scene prepare_stages(const Scene& scene, const PrepareOptions& options, Context& context) {
     check_nodes(scene, context.report());
@@ -92,6 +119,7 @@ Scene prepare_stages(const Scene& scene, const PrepareOptions& options, Context&
     Scene out = repair_scene(scene, keep_normals, context);
     if (options.uv != UvProjection::none) out = project_texcoords(out, options.uv, context);
     warn_of_tangents(out, context.report());
+    warn_of_textures(out, context.report());
     if (options.normals == NormalSource::automatic) note_flat_meshes(out, context.report());
     const SmoothRequest request = request_for(out, options);
     for (Mesh& mesh : out.meshes)

@@ -34,17 +34,9 @@ void name_default_material(Scene& scene) {
         if (has_none(mesh)) mesh.material = std::uint32_t(scene.materials.size() - 1);
 }
 
-void report_meshes_without_texcoords(const Scene& scene, Context& context) {
-    for (const Mesh& mesh : scene.meshes)
-        if (mesh.topology == Topology::triangles && (mesh.texcoords.empty() || mesh.texcoords[0].empty()))
-            context.report().add(Remark::warning, scene.source, mesh.name,
-                                 "has no texture coordinates to show the texture by; --uv makes some");
-}
-
 }  // namespace
 
-Scene override_textures(const Scene& scene, const TextureOverrides& overrides, UvProjection later,
-                        Context& context) {
+Scene override_textures(const Scene& scene, const TextureOverrides& overrides, Context& context) {
     if (overrides.is_empty()) return scene;
     Scene changed = scene;
     name_default_material(changed);
@@ -56,7 +48,6 @@ Scene override_textures(const Scene& scene, const TextureOverrides& overrides, U
         if (normal) m.normal_texture = normal;
         if (overrides.normal_scale) m.normal_scale = float(*overrides.normal_scale);
     }
-    if ((base_color || normal) && later == UvProjection::none) report_meshes_without_texcoords(changed, context);
     return changed;
 }
 

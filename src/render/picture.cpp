@@ -83,7 +83,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     Stopwatch watch;
     context.progress("load", 0);
     Scene scene = load(request.input, request.load, context);
-    scene = override_textures(scene, request.textures, request.prepare.uv, context);
+    scene = override_textures(scene, request.textures, context);
     result.load_ms = watch.lap_ms();
 
     context.progress("prepare", 0);

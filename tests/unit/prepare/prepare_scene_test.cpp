@@ -367,6 +367,32 @@ TEST(PrepareScene, TangentsOfTheFileAreMeasuredAsTheyAre) {
     EXPECT_EQ(remarks(context, Remark::note, "at most 36.87 degrees (mean 9.22)"), 1u) << test::all_remarks(context);
 }
 
+TEST(PrepareScene, ATextureThatAMeshHasNoCoordinatesForIsWarnedOf) {
+    constexpr const char* words = "a texture shows one color";
+    for (TextureUse Material::*const role :
+         {&Material::base_color_texture, &Material::emission_texture, &Material::occlusion_texture}) {
+        Context without, made, other_set;
+        Scene scene = scene_of({quad_mesh()});
+        TextureUse& use = test::give_texture(scene, role);
+        prepare_scene(scene, {}, without);
+        EXPECT_EQ(remarks(without, Remark::warning, words), 1u) << test::all_remarks(without);
+        EXPECT_EQ(remarks(without, Remark::warning, "--uv"), 1u);
+        prepare_scene(scene, {.uv = UvProjection::box}, made);
+        EXPECT_EQ(remarks(made, Remark::warning, words), 0u) << test::all_remarks(made);
+        scene.meshes[0].texcoords.emplace_back(std::vector<vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+        use.texcoord_set = 1;
+        prepare_scene(scene, {}, other_set);
+        EXPECT_EQ(remarks(other_set, Remark::warning, words), 1u);
+        EXPECT_EQ(remarks(other_set, Remark::warning, "--uv"), 0u) << "it makes none where there are some";
+    }
+    Scene unlit = scene_of({quad_mesh()});
+    test::give_texture(unlit, &Material::emission_texture);
+    unlit.materials[0].model = MaterialModel::unlit;
+    Context context;
+    prepare_scene(unlit, {}, context);
+    EXPECT_EQ(remarks(context, Remark::warning, words), 0u) << "it is not shown";
+}
+
 TEST(PrepareScene, OfAModelWhoseFrontsTurnClockwiseIsWhatItIsOfTheSameModelTurnedRound) {
     Mesh ball = test::ball_mesh(7, 5);
     std::vector<vec2> uv;

@@ -16,7 +16,7 @@ TEST(OverrideTextures, NothingAskedForSharesEverything) {
     Scene scene;
     add_object(scene, square_mesh());
     Context context;
-    const Scene same = override_textures(scene, {}, UvProjection::none, context);
+    const Scene same = override_textures(scene, {}, context);
     EXPECT_TRUE(same.materials.empty());
     EXPECT_EQ(same.meshes[0].positions, scene.meshes[0].positions);
 }
@@ -27,8 +27,8 @@ TEST(OverrideTextures, EveryMaterialGetsThePictureAlsoTheDefaultOne) {
     add_object(scene, square_mesh(0));
     add_object(scene, square_mesh());
     Context context;
-    const Scene changed = override_textures(scene, {.base_color = {}, .normal = bricks(), .normal_scale = 0.5},
-                                            UvProjection::none, context);
+    const Scene changed =
+        override_textures(scene, {.base_color = {}, .normal = bricks(), .normal_scale = 0.5}, context);
     ASSERT_EQ(changed.materials.size(), 2u);
     for (const Mesh& mesh : changed.meshes) {
         const Material& m = changed.materials[mesh.material];
@@ -40,25 +40,12 @@ TEST(OverrideTextures, EveryMaterialGetsThePictureAlsoTheDefaultOne) {
     EXPECT_TRUE(context.report().entries().empty());
 }
 
-TEST(OverrideTextures, AMeshWithoutTextureCoordinatesIsNamed) {
-    Scene scene;
-    add_object(scene, square_mesh());
-    scene.meshes[0].texcoords.clear();
-    Context context;
-    override_textures(scene, {.base_color = bricks()}, UvProjection::none, context);
-    ASSERT_EQ(context.report().entries().size(), 1u);
-    EXPECT_EQ(context.report().entries()[0].place, "square");
-    Context quiet;
-    override_textures(scene, {.base_color = bricks()}, UvProjection::box, quiet);
-    EXPECT_TRUE(quiet.report().entries().empty()) << "texture coordinates will be made";
-}
-
 TEST(OverrideTextures, AFolderAndAFileThatIsNoPictureAreErrors) {
     Context context;
     const std::string folder = source_dir().string(), text = (source_dir() / "README.md").string();
     for (const auto& [path, code] : {std::pair{folder, ErrorCode::not_found}, std::pair{text, ErrorCode::bad_file}}) {
         try {
-            override_textures(Scene{}, {.base_color = path}, UvProjection::none, context);
+            override_textures(Scene{}, {.base_color = path}, context);
             FAIL() << path;
         } catch (const Error& e) {
             EXPECT_EQ(e.code(), code);
@@ -71,7 +58,7 @@ TEST(OverrideTextures, AFolderAndAFileThatIsNoPictureAreErrors) {
 TEST(OverrideTextures, APictureThatIsNotThereIsAnError) {
     Context context;
     try {
-        override_textures(Scene{}, {.normal = "no/such.png"}, UvProjection::none, context);
+        override_textures(Scene{}, {.normal = "no/such.png"}, context);
         FAIL();
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), ErrorCode::not_found);
