@@ -2,6 +2,7 @@
 #include "engines/raster/mark_set_up.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -14,6 +15,27 @@ namespace {
 struct Place {
     double x, y, w, distance;
 };
+
+/// An end of a line with what is affine along it: in clip space x, y, w, distance, part; on the screen x, y (px), the
+/// depth key and part / w; part: 0 at the line's first end, 1 at its second.
+using ClipEnd = std::array<double, 5>;
+using ScreenEnd = std::array<double, 4>;
+
+/// Keeps what lies on one side of a border, `side` * (coordinate - border) >= 0. An end that is cut is found from the
+/// other one, so that it costs no digits however far away it was. False: nothing is left.
+template <class End>
+bool keep(End& a, End& b, std::size_t coordinate, double border, double side) {
+    const double at_a = side * (a[coordinate] - border), at_b = side * (b[coordinate] - border);
+    if (!(at_a >= 0) && !(at_b >= 0)) return false;
+    const auto move = [&](End& end, double at_end, const End& inside, double at_inside) {
+        const double part = at_inside / (at_inside - at_end);
+        for (std::size_t i = 0; i < end.size(); ++i) end[i] = inside[i] + (end[i] - inside[i]) * part;
+        end[coordinate] = border;
+    };
+    if (!(at_a >= 0)) move(a, at_a, b, at_b);
+    if (!(at_b >= 0)) move(b, at_b, a, at_a);
+    return true;
+}
 
 /// Pairs of vertices that are there already: an edge, in either direction, or a vertex with itself.
 class SeenEdges {
@@ -117,57 +139,38 @@ private:
         add(p, p, a, a);
     }
 
-    /// Keeps the part of a..b where a coordinate that runs linearly from `a` to `b` is at least 0.
-    static void cut(double a, double b, double& t0, double& t1) {
-        if (!(a >= 0) && !(b >= 0))
-            t1 = -1;  // NaN too
-        else if (a < 0)
-            t0 = std::max(t0, a / (a - b));
-        else if (b < 0)
-            t1 = std::min(t1, a / (a - b));
+    ScreenEnd project(const ClipEnd& c) const {
+        const auto [x, y, w, distance, part] = c;
+        const double key = reversed_depth(distance, {view_.near, view_.far, view_.orthographic});
+        return {(x / w * 0.5 + 0.5) * view_.width, (0.5 - y / w * 0.5) * view_.height, key, part * weight(key)};
     }
-
-    struct End {
-        double x, y, key, part;
-    };
-    End project(const Place& a, const Place& b, double t) const {
-        const auto mix = [t](double u, double v) { return u + (v - u) * t; };
-        const double w = mix(a.w, b.w);
-        return {(mix(a.x, b.x) / w * 0.5 + 0.5) * view_.width, (0.5 - mix(a.y, b.y) / w * 0.5) * view_.height,
-                reversed_depth(mix(a.distance, b.distance), {view_.near, view_.far, view_.orthographic}), t};
-    }
+    /// As 1 / w.
+    double weight(double key) const { return view_.orthographic || !(key > 0) ? 1 : key; }
 
     /// Near and far before the division, the sides of the whole picture, with room for the width, after it.
     void add(const Place& a, const Place& b, std::uint32_t vertex_a, std::uint32_t vertex_b) {
-        double t0 = 0, t1 = 1;
-        cut(a.distance - view_.near, b.distance - view_.near, t0, t1);
-        cut(view_.far - a.distance, view_.far - b.distance, t0, t1);
-        if (!(t0 <= t1)) return;
-        const End p = project(a, b, t0), q = project(a, b, t1);
-        double s0 = 0, s1 = 1;
-        cut(p.x + reach_, q.x + reach_, s0, s1);
-        cut(view_.width + reach_ - p.x, view_.width + reach_ - q.x, s0, s1);
-        cut(p.y + reach_, q.y + reach_, s0, s1);
-        cut(view_.height + reach_ - p.y, view_.height + reach_ - q.y, s0, s1);
-        if (!(s0 <= s1)) return;
+        ClipEnd from = {a.x, a.y, a.w, a.distance, 0}, to = {b.x, b.y, b.w, b.distance, 1};
+        if (!keep(from, to, 3, view_.near, 1) || !keep(from, to, 3, view_.far, -1)) return;
+        ScreenEnd p = project(from), q = project(to);
+        if (!keep(p, q, 0, -reach_, 1) || !keep(p, q, 0, view_.width + reach_, -1) || !keep(p, q, 1, -reach_, 1) ||
+            !keep(p, q, 1, view_.height + reach_, -1))
+            return;
         Mark m{};
         m.shape = shape_;
-        set_end(m, 0, p, q, s0);
-        set_end(m, 1, p, q, s1);
+        if (!set_end(m, 0, p) || !set_end(m, 1, q)) return;
         m.color[0] = chunk_.color != no_color ? chunk_.color : chunk_.first_color + vertex_a;
         m.color[1] = chunk_.color != no_color ? chunk_.color : chunk_.first_color + vertex_b;
         bin(m);
     }
 
-    void set_end(Mark& m, std::size_t end, const End& p, const End& q, double s) const {
-        const auto mix = [s](double u, double v) { return u + (v - u) * s; };
-        m.x[end] = float(mix(p.x, q.x));
-        m.y[end] = float(mix(p.y, q.y));
-        const double key = mix(p.key, q.key);
+    /// False where numbers of the file were beyond what doubles hold.
+    bool set_end(Mark& m, std::size_t end, const ScreenEnd& p) const {
+        const auto [x, y, key, weighted] = p;
+        m.x[end] = float(x);
+        m.y[end] = float(y);
         m.key[end] = float(key);
-        // On the screen part / w is affine, and the key is as 1 / w.
-        m.part[end] =
-            float(view_.orthographic || !(key > 0) ? mix(p.part, q.part) : mix(p.part * p.key, q.part * q.key) / key);
+        m.part[end] = float(weighted / weight(key));
+        return std::isfinite(x) && std::isfinite(y) && std::isfinite(key);
     }
 
     void bin(const Mark& m) {

@@ -107,6 +107,26 @@ TEST(Marks, ALineThroughTheEyePlaneIsCutAtTheNearPlaneAndDoesNotWrapRound) {
     EXPECT_GT(sum_of_red(f), 10);
     for (std::size_t i = 0; i < f.color.size(); ++i) EXPECT_NEAR(f.color[i].x, g.color[i].x, 2e-3f);
     EXPECT_EQ(sum_of_red(draw(one_line({0, 0, 3}, behind), camera, settings())), 0) << "all of it is behind the eye";
+    for (const float times : {1e6f, 1e15f, 1e30f}) {
+        const Frame h = draw(one_line(a, a + (behind - a) * times), camera, settings());
+        for (std::size_t i = 0; i < h.color.size(); ++i) ASSERT_NEAR(h.color[i].x, g.color[i].x, 2e-3f) << times;
+    }
+}
+
+TEST(Marks, LinesOfAnyLengthShowWhatLiesInThePicture) {
+    const auto row = [](vec3 a, vec3 b) {
+        const Frame f = draw(one_line(a, b), flat_camera(), settings());
+        double sum = 0;
+        for (int x = 0; x < side; ++x) sum += double(pixel(f, x, 20).x);
+        EXPECT_NEAR(sum, sum_of_red(f), 0.02) << "and nothing elsewhere, but for the round ends";
+        return sum;
+    };
+    const vec3 middle = place(32, 20.5);
+    for (const float far : {1e3f, 1e10f, 1e20f, 1e30f, 3e38f}) {
+        EXPECT_NEAR(row(middle, {far, middle.y, 0}), 32.5, 0.1) << far;
+        EXPECT_NEAR(row({-far, middle.y, 0}, middle), 32.5, 0.1) << far;
+        EXPECT_NEAR(row({-far, middle.y, 0}, {far, middle.y, 0}), 64, 0.1) << far;
+    }
 }
 
 TEST(Marks, EdgesOfASurfaceShowWholeOverIt) {
