@@ -83,7 +83,8 @@ SampleColors inspect_samples(const Inspection& of, const Inspection::Geometry& d
         if (window.x < area.x || window.x >= area.x + area.width || window.y < area.y ||
             window.y >= area.y + area.height)
             continue;
-        const TileJob job = tile_job(of, drawn);
+        TileJob job = tile_job(of, drawn);
+        job.marks = nullptr;  // they lie over means of samples but for those behind glass: surfaces alone are shown
         TileScratch s;
         draw(job, tile, s);
         for (int y = window.y - drawn.grid.origin_y(tile), y_end = y + window.height; y < y_end; ++y)

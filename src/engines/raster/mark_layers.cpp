@@ -35,15 +35,25 @@ void MarkLayers::take(const MarkFragment& f) {
 }
 
 void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count) {
+    lay_behind(t, count, 1, [this](std::size_t p) { return &s_.color[p]; });
+}
+
+void MarkLayers::lay_behind_samples(const ScreenTriangle& t, std::size_t count) {
+    const auto samples = std::size_t(job_.front.settings.samples);
+    lay_behind(t, count, samples,
+               [&](std::size_t p) { return &s_.samples->color[std::size_t(s_.samples->number[p]) * samples]; });
+}
+
+template <class ColorsOf>
+void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count, std::size_t samples,
+                            const ColorsOf& colors_of) {
     const SurfacePlane plane(t, ox_, oy_);
     const DepthTolerance tolerance = plane.tolerance();
-    const auto samples = std::size_t(job_.front.settings.samples);
     for (std::size_t i = 0; i < count; ++i) {
         const auto p = std::size_t(s_.pixel[i]);
         if (lists_[p].first == none) continue;
-        vec4* const to = samples > 1 ? &s_.samples->color[std::size_t(s_.samples->number[p]) * samples] : &s_.color[p];
         const double key = plane.key(p);
-        lay(p, to, samples,
+        lay(p, colors_of(p), samples,
             [&](const MarkFragment& f) { return double(f.key) + tolerance.of(double(f.key), double(f.reach)) < key; });
     }
 }

@@ -19,8 +19,10 @@ public:
     ~MarkLayers();
 
     /// Lays those that are behind a blended triangle, on the `count` pixels (`pixel` of the scratch) where it comes
-    /// next; in multisampled pictures on all samples of these. A mark on the triangle is not behind it.
+    /// next. A mark on the triangle is not behind it.
     void lay_behind(const ScreenTriangle& t, std::size_t count);
+    /// The same on all samples of these pixels (SampleScratch::color).
+    void lay_behind_samples(const ScreenTriangle& t, std::size_t count);
     /// The others over everything, on the pixels; and what data channels hold.
     void lay_rest();
 
@@ -34,6 +36,8 @@ private:
     };
 
     void take(const MarkFragment& f);
+    template <class ColorsOf>
+    void lay_behind(const ScreenTriangle& t, std::size_t count, std::size_t samples, const ColorsOf& colors_of);
     template <class Chosen>
     void lay(std::size_t pixel, vec4* to, std::size_t samples, const Chosen& is_chosen);
 

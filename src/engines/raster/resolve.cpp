@@ -42,7 +42,7 @@ void blend_triangle(const TileJob& job, std::size_t tile, const ScreenTriangle& 
     s.not_finite += std::uint64_t(job.kernels.shade(&batch));
     s.shaded += count;
     if (!batch.unlit && !batch.lit) s.lit_pixels += count;
-    if (marks) marks->lay_behind(t, count);
+    if (marks) marks->lay_behind_samples(t, count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto p = std::size_t(s.pixel[i]);
         const bool is_finite = s.alpha[i] - s.alpha[i] == 0;

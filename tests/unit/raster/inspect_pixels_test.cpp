@@ -80,6 +80,23 @@ TEST(InspectPixels, OverdrawIsThatOfTheChannel) {
     EXPECT_GT(laid_over, 100) << "which do not count";
 }
 
+TEST(InspectPixels, ThePictureIsTheEnginesAlsoWithLinesBehindGlass) {
+    Scene scene = busy_scene();
+    Mesh lines;
+    lines.topology = Topology::lines;
+    lines.positions = std::vector<vec3>{{-3, -1, -1}, {3, 1, 1}, {-3, 2, 1}, {3, -2, -1}};
+    lines.indices = std::vector<std::uint32_t>{0, 1, 2, 3};
+    lines.material = 4;
+    add_object(scene, std::move(lines));
+    for (const int samples : {1, 4}) {
+        RenderSettings s = settings(samples);
+        s.line_width = 4;
+        const Looked looked(scene, s);
+        EXPECT_TRUE(same_bits(looked.data.color, draw(scene, s))) << samples;
+        EXPECT_FALSE(same_bits(looked.data.color, draw(busy_scene(), s))) << samples;
+    }
+}
+
 TEST(InspectPixels, ALayerShowsByItsAlphaAndLetsThroughTheRest) {
     Scene scene;
     scene.materials = {matte({1, 0.5f, 0}), matte({0, 0, 1})};
