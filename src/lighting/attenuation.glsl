@@ -2,11 +2,9 @@
 // How light thins out. Classical: OpenGL 2.1 specification, section 2.14.1. Photometric: KHR_lights_punctual.
 
 // [1] 1 / (c + l d + q d^2); the denominator counts as at least 1e-12, so that d = 0 with c = 0 stays finite.
-RL_FN real classical_attenuation(real distance_squared, real constant_term, real linear_term, real quadratic_term)
+RL_FN real classical_attenuation(real d, real constant_term, real linear_term, real quadratic_term)
 {
-    real d2 = clamp(distance_squared, 1.17549435e-38f, 1e37f);
-    real d = d2 * inverse_sqrt(d2);
-    return reciprocal(max(constant_term + linear_term * d + quadratic_term * d2, 1e-12f));
+    return reciprocal(max(constant_term + d * (linear_term + quadratic_term * d), 1e-12f));
 }
 
 // [1] cos^exponent inside the cone, 0 outside. cos_angle between the spot's axis and the ray to the surface.

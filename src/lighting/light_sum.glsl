@@ -23,6 +23,7 @@ struct Surface {
     vec3 diffuse;   // k_d
     vec3 specular;  // k_s
     real exponent;  // >= 1
+    real lobe_scale;  // of the specular term: see lobe_scale()
 };
 
 // How the terms are formed; the same for all lanes.
@@ -30,11 +31,13 @@ struct Reflection {
     int model;    // RL_LAMBERT (no specular term), RL_PHONG, RL_BLINN_PHONG
     int form;     // RL_TEXTBOOK: k_s times the lobe, no cosine; RL_NORMALIZED: BRDF times pi n.l
     int horizon;  // 1: no specular where n.l <= 0; 0: the textbook's print. The normalized form has the cosine anyway
+    int whole_exponent;  // that of all surfaces if it is a whole number from 1 on, else 0
 };
 
-// One light as a surface point meets it: l unit to the light, colors already attenuated [irradiance / pi].
+// One light as a surface point meets it: l unit to the light; colors [irradiance / pi] times attenuation arrive.
 struct LightSample {
     vec3 l;
+    real attenuation;
     vec3 ambient;
     vec3 diffuse;
     vec3 specular;
@@ -73,93 +76,129 @@ struct LightTerms {
     vec3 specular;
 };
 
-// Colors of a sample, thinned.
-RL_FN LightSample scaled_sample(vec3 l, vec3 ambient, vec3 diffuse, vec3 specular, real factor)
+RL_FN LightSample make_sample(vec3 l, real attenuation, vec3 ambient, vec3 diffuse, vec3 specular)
 {
     LightSample light;
     light.l = l;
-    light.ambient = ambient * factor;
-    light.diffuse = diffuse * factor;
-    light.specular = specular * factor;
+    light.attenuation = attenuation;
+    light.ambient = ambient;
+    light.diffuse = diffuse;
+    light.specular = specular;
     return light;
 }
 
-RL_FN LightSample sample_classical(ClassicalLight light, vec3 position)
+// From a point to a light. At the light itself l is 0, so that nothing arrives but ambient light.
+struct LightRay {
+    vec3 l;         // unit
+    real distance;  // at least 2^-63
+    real squared;   // distance, in 2^-126..1e37
+};
+
+RL_FN LightRay ray_to(vec3 light_position, vec3 position)
 {
-    if (light.type == RL_AMBIENT_LIGHT) {
-        return scaled_sample(vec3(0.0f, 0.0f, 1.0f), light.ambient, vec3(0.0f), vec3(0.0f), 1.0f);
-    }
-    if (light.type == RL_DIRECTIONAL_LIGHT) {
-        return scaled_sample(-light.direction, light.ambient, light.diffuse, light.specular, 1.0f);
-    }
-    vec3 to_light = light.position - position;
-    vec3 l = safe_normalize(to_light);
-    real factor = classical_attenuation(dot(to_light, to_light), light.constant_term, light.linear_term, light.quadratic_term);
-    if (light.type == RL_SPOT_LIGHT) {
-        factor = factor * classical_spot(-dot(light.direction, l), light.cos_cutoff, light.exponent);
-    }
-    return scaled_sample(l, light.ambient, light.diffuse, light.specular, factor);
+    vec3 to_light = light_position - position;
+    LightRay ray;
+    ray.squared = clamp(dot(to_light, to_light), 1.17549435e-38f, 1e37f);
+    real inverse_distance = inverse_sqrt(ray.squared);
+    ray.l = to_light * inverse_distance;
+    ray.distance = ray.squared * inverse_distance;
+    return ray;
 }
 
-RL_FN LightSample sample_photometric(PhotometricLight light, vec3 position)
+RL_FN LightSample sample_classical(RL_IN(ClassicalLight) light, vec3 position)
+{
+    if (light.type == RL_AMBIENT_LIGHT) {
+        return make_sample(vec3(0.0f, 0.0f, 1.0f), 1.0f, light.ambient, vec3(0.0f), vec3(0.0f));
+    }
+    if (light.type == RL_DIRECTIONAL_LIGHT) {
+        return make_sample(-light.direction, 1.0f, light.ambient, light.diffuse, light.specular);
+    }
+    LightRay ray = ray_to(light.position, position);
+    real factor = classical_attenuation(ray.distance, light.constant_term, light.linear_term, light.quadratic_term);
+    if (light.type == RL_SPOT_LIGHT) {
+        factor = factor * classical_spot(-dot(light.direction, ray.l), light.cos_cutoff, light.exponent);
+    }
+    return make_sample(ray.l, factor, light.ambient, light.diffuse, light.specular);
+}
+
+RL_FN LightSample sample_photometric(RL_IN(PhotometricLight) light, vec3 position)
 {
     vec3 none = vec3(0.0f);
     vec3 color = light.intensity * RL_INVERSE_PI;
     if (light.type == RL_DIRECTIONAL_LIGHT) {
-        return scaled_sample(-light.direction, none, color, color, 1.0f);
+        return make_sample(-light.direction, 1.0f, none, color, color);
     }
-    vec3 to_light = light.position - position;
-    vec3 l = safe_normalize(to_light);
-    real factor = photometric_attenuation(dot(to_light, to_light), light.inverse_range);
+    LightRay ray = ray_to(light.position, position);
+    real factor = photometric_attenuation(ray.squared, light.inverse_range);
     if (light.type == RL_SPOT_LIGHT) {
-        factor = factor * photometric_spot(-dot(light.direction, l), light.cone_scale, light.cone_offset);
+        factor = factor * photometric_spot(-dot(light.direction, ray.l), light.cone_scale, light.cone_offset);
     }
-    return scaled_sample(l, none, color, color, factor);
+    return make_sample(ray.l, factor, none, color, color);
+}
+
+// Energy factor of the specular term, the same for all lights: pi times the lobe's normalization, or 1 in textbook form.
+RL_FN real lobe_scale(real exponent, RL_IN(Reflection) reflection)
+{
+    if (reflection.form == RL_NORMALIZED && reflection.model == RL_PHONG) {
+        return RL_PI * phong_normalization(exponent);
+    }
+    if (reflection.form == RL_NORMALIZED && reflection.model == RL_BLINN_PHONG) {
+        return RL_PI * blinn_phong_normalization(exponent);
+    }
+    return 1.0f;
+}
+
+// What the lobe is a power of: r.v or n.h.
+RL_FN real lobe_cosine(RL_IN(Surface) surface, vec3 l, RL_IN(Reflection) reflection)
+{
+    if (reflection.model == RL_PHONG) {
+        return phong_r_dot_v(surface.n, l, surface.v);
+    }
+    return blinn_phong_n_dot_h(surface.n, l, surface.v);
+}
+
+// c^exponent for c in 0..1, 0 outside of it below; a whole exponent takes a sixth of the operations.
+RL_FN real lobe(real c, real exponent, RL_IN(Reflection) reflection)
+{
+    if (reflection.whole_exponent > 0) {
+        return whole_power(clamp(c, 0.0f, 1.0f), reflection.whole_exponent);
+    }
+    return pow_positive(min(1.0f, c), exponent);
 }
 
 // What k_s and the light's color are multiplied by; cosine is max(0, n.l).
-RL_FN real specular_factor(vec3 n, vec3 l, vec3 v, real cosine, real exponent, Reflection reflection)
+RL_FN real specular_factor(RL_IN(Surface) surface, vec3 l, real cosine, RL_IN(Reflection) reflection)
 {
-    real response = 0.0f;
-    real normalization = 0.0f;
-    if (reflection.model == RL_PHONG) {
-        response = phong_lobe(phong_r_dot_v(n, l, v), exponent);
-        normalization = phong_normalization(exponent);
-    }
-    if (reflection.model == RL_BLINN_PHONG) {
-        response = blinn_phong_lobe(blinn_phong_n_dot_h(n, l, v), exponent);
-        normalization = blinn_phong_normalization(exponent);
-    }
+    real response = lobe(lobe_cosine(surface, l, reflection), surface.exponent, reflection);
     if (reflection.form == RL_NORMALIZED) {
-        response = response * (RL_PI * normalization * cosine);
+        return response * (surface.lobe_scale * cosine);
+    }
+    if (reflection.horizon != 0) {
+        return select(cosine > 0.0f, response, 0.0f);
     }
     return response;
 }
 
-RL_FN LightTerms light_terms(Surface surface, LightSample light, Reflection reflection)
+RL_FN LightTerms light_terms(RL_IN(Surface) surface, RL_IN(LightSample) light, RL_IN(Reflection) reflection)
 {
     LightTerms terms;
-    terms.ambient = surface.ambient * light.ambient;
+    real cosine = lambert_cosine(dot(surface.n, light.l));
+    terms.ambient = surface.ambient * (light.ambient * light.attenuation);
     terms.diffuse = vec3(0.0f);
     terms.specular = vec3(0.0f);
-    real n_dot_l = dot(surface.n, light.l);
-    mask is_lit = n_dot_l > 0.0f;
-    bool ends_at_horizon = reflection.horizon != 0 || reflection.form == RL_NORMALIZED;
-    if (ends_at_horizon && no_lane(is_lit)) {
+    if ((reflection.horizon != 0 || reflection.form == RL_NORMALIZED) && no_lane(cosine > 0.0f)) {
         return terms;
     }
-    real cosine = lambert_cosine(n_dot_l);
-    terms.diffuse = select(is_lit, surface.diffuse * light.diffuse * cosine, terms.diffuse);
+    terms.diffuse = surface.diffuse * (light.diffuse * (cosine * light.attenuation));
     if (reflection.model != RL_LAMBERT) {
-        real factor = specular_factor(surface.n, light.l, surface.v, cosine, surface.exponent, reflection);
-        vec3 specular = surface.specular * light.specular * factor;
-        terms.specular = select(is_lit || !ends_at_horizon, specular, terms.specular);
+        real factor = specular_factor(surface, light.l, cosine, reflection);
+        terms.specular = surface.specular * (light.specular * (factor * light.attenuation));
     }
     return terms;
 }
 
 // sum + what this light adds: the loop over lights is the caller's and runs in the scene's order.
-RL_FN vec3 add_light(vec3 sum, Surface surface, LightSample light, Reflection reflection)
+RL_FN vec3 add_light(vec3 sum, RL_IN(Surface) surface, RL_IN(LightSample) light, RL_IN(Reflection) reflection)
 {
     LightTerms terms = light_terms(surface, light, reflection);
     return sum + (terms.ambient + terms.diffuse + terms.specular);

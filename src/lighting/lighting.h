@@ -7,12 +7,13 @@
 //   decode_normal(texel, scale), decode_normal_centered     -> tangent-space normal, not unit (light_sum never sees it)
 //   orthogonal_tangent(n, t)                                -> unit tangent across n (Gram-Schmidt)
 //   perturb_normal(n, t, w, m)                              -> unit normal: t m.x + cross(n, t) w m.y + n m.z
-//   sample_light(parameters, position)                      -> LightSample: l and attenuated colors at that point
+//   sample_light(parameters, position)                      -> LightSample: l, attenuation and colors at that point
 //   add_light(sum, surface, sample, reflection)             -> sum + the light's ambient + diffuse + specular
 //   light_terms(surface, sample, reflection)                -> the three terms apart
+//   lobe_scale(exponent, reflection)                        -> a surface's energy factor, for all its lights
 //   lambert_brdf, phong_brdf, blinn_phong_brdf, ..._lobe    -> the models themselves [1/sr], [1]
 //
-// A pixel: Surface s {n, v, k_a, k_d, k_s, exponent}; Reflection r {RL_BLINN_PHONG, RL_TEXTBOOK, 1};
+// A pixel: Surface s {n, v, k_a, k_d, k_s, exponent, lobe_scale}; Reflection r {RL_BLINN_PHONG, RL_TEXTBOOK, 1};
 //          vec3 sum = emission; for each light in the scene's order: sum = add_light(sum, s, sample_light(light, p),
 //          r);
 // n, v unit and away from the surface, n on the viewer's side (the caller flips it for back faces of double-sided

@@ -2,6 +2,7 @@
 // The GLSL prelude (3.30 core and ES 3.00): the words of the lighting text that GLSL does not have, with the edge cases of
 // math/wide.h, which is the scalar and the wide C++ prelude. The loader puts #version (and for ES the precision) before it.
 #define RL_FN
+#define RL_IN(type) type
 #define real float
 #define mask bool
 

@@ -3,4 +3,5 @@
 // difference. Their GLSL brother is prelude.glsl. To be included inside the namespace that takes the words; no include
 // guard.
 #define RL_FN [[gnu::always_inline]] inline  // structs of wide vectors would travel through memory
+#define RL_IN(type) const type&                // a struct that is only read: GLSL's `in`, without a copy
 RL_USE_WIDE;

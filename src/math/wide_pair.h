@@ -153,10 +153,21 @@ inline integer gather_i(const int32_t* base, integer i) {
 inline integer gather_i(const uint32_t* base, integer i) {
     return integer(half::gather_i(base, i.a), half::gather_i(base, i.b));
 }
-/// Numbers 2 index and 2 index + 1.
+/// Numbers index and index + 1.
 inline void gather_pairs(const uint32_t* base, integer i, integer& first, integer& second) {
     half::gather_pairs(base, i.a, first.a, second.a);
     half::gather_pairs(base, i.b, first.b, second.b);
+}
+/// Numbers 2 index to 2 index + 3.
+inline void gather_quads(const uint32_t* base, integer i, integer (&out)[4]) {
+    half::integer a[4], b[4];
+    half::gather_quads(base, i.a, a);
+    half::gather_quads(base, i.b, b);
+    for (int k = 0; k < 4; ++k) out[k] = integer(a[k], b[k]);
+}
+/// One of 16 numbers; index in 0..15.
+inline integer look_up(const int32_t* table, integer i) {
+    return integer(half::look_up(table, i.a), half::look_up(table, i.b));
 }
 
 }  // namespace rakelight::wide::RL_ISA

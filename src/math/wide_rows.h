@@ -18,6 +18,7 @@ inline void store_columns4(float* rows, int, const real* v) { store_rows4(rows, 
 inline void load_rows4(const float* rows, real* v) {
     for (int k = 0; k < 4; ++k) v[k] = rows[k];
 }
+inline integer load_i_rows4(const int32_t* first, int) { return *first; }
 inline void load_rows8(const float* rows, real* v) {
     for (int k = 0; k < 8; ++k) v[k] = rows[k];
 }
@@ -68,6 +69,13 @@ inline real from_quads(const __m128* q) {
 #else
     return real(RealBatch(q[0]));
 #endif
+}
+
+/// Four numbers of one row, four of the next, ...: rows are `stride` numbers apart.
+inline integer load_i_rows4(const int32_t* first, int stride) {
+    __m128 row[quads];
+    for (int q = 0; q < quads; ++q) row[q] = _mm_loadu_ps(reinterpret_cast<const float*>(first + q * stride));
+    return bits_of(from_quads(row));
 }
 
 // Columns v[0..3] to floats 0..3 of rows that lie `stride` apart.

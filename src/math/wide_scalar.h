@@ -40,11 +40,17 @@ inline real gather(const float* base, integer index) { return base[index]; }
 inline integer gather_i(const int32_t* base, integer index) { return base[index]; }
 inline integer gather_i(const uint32_t* base, integer index) { return int32_t(base[index]); }
 
-/// Numbers 2 index and 2 index + 1.
+/// Numbers index and index + 1.
 inline void gather_pairs(const uint32_t* base, integer index, integer& first, integer& second) {
-    first = int32_t(base[2 * int64_t(index)]);
-    second = int32_t(base[2 * int64_t(index) + 1]);
+    first = int32_t(base[index]);
+    second = int32_t(base[int64_t(index) + 1]);
 }
+/// Numbers 2 index to 2 index + 3.
+inline void gather_quads(const uint32_t* base, integer index, integer (&out)[4]) {
+    for (int k = 0; k < 4; ++k) out[k] = int32_t(base[2 * int64_t(index) + k]);
+}
+/// One of 16 numbers; index in 0..15.
+inline integer look_up(const int32_t* table, integer index) { return table[index]; }
 
 // Two 16-bit numbers a lane. Sums wrap round.
 inline integer join16(int32_t low, int32_t high) { return int32_t((uint32_t(low) & 0xffffu) | (uint32_t(high) << 16)); }

@@ -13,13 +13,15 @@ namespace rakelight::raster {
 inline constexpr int batch_padding = 32;     ///< arrays of a batch may be read and written this far past their count
 inline constexpr int max_mip_levels = 16;    ///< 32768 texels a side
 
-/// One texture as the kernel reads it: all levels in one array, rows tightly packed, row 0 on top.
+/// One texture as the kernel reads it: all levels in one array, row 0 on top. Around each level stands a border of one
+/// texel that repeats its edges as the wrap modes say, so that a filter's four texels are always neighbors.
 struct TextureView {
     const uint32_t* rgba8;    ///< linear codes of 8 bits, R in the low byte; or null
     const uint32_t* rgba16;   ///< linear codes of 15 bits, two words a texel: R | B << 16, G | A << 16; or null
     const float* rgba32f;     ///< four linear floats a texel; or null
     int32_t levels;           ///< 1..max_mip_levels
-    int32_t offset[max_mip_levels], width[max_mip_levels], height[max_mip_levels];  ///< [texels] of each level
+    int32_t origin[max_mip_levels];                          ///< [texels] place of each level's texel 0, 0
+    int32_t width[max_mip_levels], height[max_mip_levels];   ///< [texels] of each level; a row takes width + 2
     int32_t wrap_u, wrap_v;   ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
     int32_t magnify_linear, minify_linear;
     int32_t mip;              ///< 0 none, 1 nearest, 2 linear
@@ -29,12 +31,14 @@ struct TextureView {
 struct TextureSlot {
     const TextureView* view;
     int32_t texcoord_set;                  ///< 0 or 1
+    int32_t is_transformed;                ///< 0: the matrix is the identity
     float uu, uv, vu, vv, u0, v0;          ///< u' = uu u + uv v + u0, v' = vu u + vv v + v0
 };
 
 struct MaterialView {
     int32_t unlit, metallic_roughness;     ///< both 0: classical
     float base_color[4], emission[3], ambient[3], specular[3], shininess;
+    int32_t whole_exponent;                ///< shininess of classical materials where it is a whole number, else 0
     float metallic, roughness, dielectric_f0[3];
     float normal_scale, occlusion_strength;
     float alpha_cutoff;                    ///< < 0: no mask

@@ -168,11 +168,14 @@ void remark_maps(const FrontEnd& front, const LightPoints& points, Context& cont
 float mean_roughness(const MaterialView& m) {
     const TextureView* const t = m.metallic_roughness_map.view;
     if (!t) return m.roughness;
-    const std::int32_t last = t->levels - 1, first = t->offset[last], count = t->width[last] * t->height[last];
+    const std::int32_t last = t->levels - 1, width = t->width[last], height = t->height[last];
     float sum = 0;
-    for (std::int32_t i = first; i < first + count; ++i)
-        sum += t->rgba32f ? t->rgba32f[4 * std::ptrdiff_t(i) + 1] : float(t->rgba8[i] >> 8 & 255u) * (1.0f / 255.0f);
-    return m.roughness * (sum / float(count));
+    for (std::int32_t y = 0; y < height; ++y)
+        for (std::int32_t x = 0; x < width; ++x) {
+            const std::ptrdiff_t i = t->origin[last] + std::ptrdiff_t(y) * (width + 2) + x;
+            sum += t->rgba32f ? t->rgba32f[4 * i + 1] : float(t->rgba8[i] >> 8 & 255u) * (1.0f / 255.0f);
+        }
+    return m.roughness * (sum / (float(width) * float(height)));
 }
 
 LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,

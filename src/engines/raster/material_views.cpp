@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene materials -> what the kernels read: factors, texture slots, color spaces by role.
+#include <cmath>
+
 #include "engines/raster/draw_list.h"
 #include "math/functions.h"
 #include "math/linear.h"
@@ -55,6 +57,8 @@ MaterialView factors(const Material& m) {
     copy(v.ambient, m.classical.ambient);
     copy(v.specular, m.classical.specular);
     v.shininess = m.classical.shininess < 1 ? 1 : m.classical.shininess;
+    if (m.model == MaterialModel::classical && v.shininess <= 1024 && v.shininess == std::floor(v.shininess))
+        v.whole_exponent = std::int32_t(v.shininess);
     v.metallic = m.metallic_roughness.metallic;
     v.roughness = m.metallic_roughness.roughness;
     copy(v.dielectric_f0, dielectric_f0(m.metallic_roughness));
@@ -69,8 +73,14 @@ MaterialView factors(const Material& m) {
 TextureSlot slot_for(const TextureUse& use, const TextureView& view) {
     const double c = math::cos(use.transform.rotation_rad), s = math::sin(use.transform.rotation_rad);
     const vec2 scale = use.transform.scale, offset = use.transform.offset;
-    return {&view, std::int32_t(use.texcoord_set), float(c * scale.x), float(s * scale.y), float(-s * scale.x), float(c * scale.y),
-            offset.x, offset.y};
+    TextureSlot slot = {&view, std::int32_t(use.texcoord_set), 0, float(c * scale.x), float(s * scale.y),
+                        float(-s * scale.x), float(c * scale.y), offset.x, offset.y};
+    slot.is_transformed = slot.uu != 1 || slot.uv != 0 || slot.vu != 0 || slot.vv != 1 || slot.u0 != 0 || slot.v0 != 0;
+    return slot;
+}
+
+TextureKey key_of(const Texture& texture, ColorSpace space) {
+    return {texture.image, space, texture.sampler.wrap_u, texture.sampler.wrap_v};
 }
 
 /// Whether two slots read the same texels of their textures at every pixel.
@@ -88,13 +98,13 @@ bool share_footprint(const TextureSlot& a, const TextureSlot& b) {
 void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
     std::vector<Material> materials = list.scene.materials;
     materials.emplace_back();  // the default one, for meshes without
-    std::vector<std::pair<ImageHandle, ColorSpace>> uses;
+    std::vector<TextureKey> uses;
     std::vector<bool> is_drawn(materials.size(), false);
     for (const Draw& d : list.draws) is_drawn[d.material] = true;
     for (std::size_t i = 0; i < materials.size(); ++i)
         if (is_drawn[i])
             for (const RoleUse& r : roles_of(materials[i]))
-                if (*r.use) uses.emplace_back(list.scene.textures[r.use->texture].image, r.space);
+                if (*r.use) uses.push_back(key_of(list.scene.textures[r.use->texture], r.space));
     textures.update(uses, context);
 
     for (std::size_t i = 0; i < materials.size(); ++i) {
@@ -112,9 +122,9 @@ void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
                     continue;
                 }
                 const Texture& texture = list.scene.textures[r.use->texture];
-                const TextureData* pixels = textures.find(texture.image, r.space);
+                const TextureData* pixels = textures.find(key_of(texture, r.space));
                 if (!pixels) continue;
-                list.views.push_back(with_sampler(*pixels, texture.sampler));
+                list.views.push_back(with_filters(*pixels, texture.sampler));
                 out.view.*r.slot = slot_for(*r.use, list.views.back());
             }
         out.view.shares_footprint = share_footprint(out.view.base_color_map, out.view.normal_map);

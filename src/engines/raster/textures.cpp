@@ -12,18 +12,38 @@ namespace rakelight::raster {
 namespace {
 
 /// sRGB codes -> TextureView::rgba16.
-void append_linear15(const std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& to) {
+void append_linear15(std::uint32_t codes, std::vector<std::uint32_t>& to) {
     static const std::array<std::uint32_t, 256> color = [] {
         std::array<std::uint32_t, 256> t{};
         for (std::size_t i = 0; i < 256; ++i)
             t[i] = std::uint32_t(linear_from_srgb8(std::uint8_t(i)) * 32767.0f + 0.5f);
         return t;
     }();
-    for (const std::uint32_t c : codes) {
-        const std::uint32_t alpha = ((c >> 24) * 32767u * 2 + 255) / 510;
-        to.push_back(color[c & 255u] | color[c >> 16 & 255u] << 16);
-        to.push_back(color[c >> 8 & 255u] | alpha << 16);
+    const std::uint32_t alpha = ((codes >> 24) * 32767u * 2 + 255) / 510;
+    to.push_back(color[codes & 255u] | color[codes >> 16 & 255u] << 16);
+    to.push_back(color[codes >> 8 & 255u] | alpha << 16);
+}
+
+/// Place of what stands at i, -1..size: in the border it is the opposite edge's, or the same edge's.
+int wrapped(int i, int size, Wrap wrap) {
+    return wrap == Wrap::repeat ? (i + size) % size : std::clamp(i, 0, size - 1);
+}
+
+/// Appends the texels of a level with its border, row by row.
+template <class Texel, class Append>
+void append_bordered(const std::vector<Texel>& texels, const MipLevel& level, const TextureKey& key,
+                     const Append& append) {
+    for (int y = -1; y <= level.height; ++y) {
+        const Texel* const row =
+            texels.data() + std::size_t(wrapped(y, level.height, key.wrap_v)) * std::size_t(level.width);
+        append(row[wrapped(-1, level.width, key.wrap_u)]);
+        std::for_each(row, row + level.width, append);
+        append(row[wrapped(level.width, level.width, key.wrap_u)]);
     }
+}
+
+std::size_t bordered_size(const MipLevel& level) {
+    return (std::size_t(level.width) + 2) * (std::size_t(level.height) + 2);
 }
 
 /// Kernels address texels, and the four floats of one, by int32_t.
@@ -31,34 +51,46 @@ bool fits_texel_index(std::size_t texels, bool is_float) {
     return texels <= std::size_t(std::numeric_limits<std::int32_t>::max()) / (is_float ? 4 : 1);
 }
 
-std::shared_ptr<const TextureData> pack(const MipChain& chain) {
+void append_level(const MipChain& chain, const MipLevel& level, const TextureKey& key, TextureData& to) {
+    if (chain.is_float)
+        append_bordered(level.rgba32f, level, key,
+                        [&](vec4 t) { to.rgba32f.insert(to.rgba32f.end(), {t.x, t.y, t.z, t.w}); });
+    else if (chain.is_srgb)
+        append_bordered(level.rgba8, level, key, [&](std::uint32_t t) { append_linear15(t, to.rgba16); });
+    else
+        append_bordered(level.rgba8, level, key, [&](std::uint32_t t) { to.rgba8.push_back(t); });
+}
+
+void reserve(const MipChain& chain, std::size_t texels, TextureData& data) {
+    if (!fits_texel_index(texels, chain.is_float))
+        throw Error(ErrorCode::bad_file, "the picture has too many texels for the soft engine");
+    if (chain.is_float)
+        data.rgba32f.reserve(texels * 4);
+    else if (chain.is_srgb)
+        data.rgba16.reserve(texels * 2);
+    else
+        data.rgba8.reserve(texels);
+}
+
+std::shared_ptr<const TextureData> pack(const MipChain& chain, const TextureKey& key) {
     if (chain.levels.empty()) throw Error(ErrorCode::bad_file, "the picture has no pixels");
     auto data = std::make_shared<TextureData>();
     TextureView& view = data->view;
     view = {};
     view.levels = int(std::min<std::size_t>(chain.levels.size(), max_mip_levels));
+    view.wrap_u = int(key.wrap_u);
+    view.wrap_v = int(key.wrap_v);
+    const std::span levels(chain.levels.data(), std::size_t(view.levels));
     std::size_t texels = 0;
-    for (int l = 0; l < view.levels; ++l) texels += std::size_t(chain.levels[std::size_t(l)].width) * std::size_t(chain.levels[std::size_t(l)].height);
-    if (!fits_texel_index(texels, chain.is_float)) throw Error(ErrorCode::bad_file, "the picture has too many texels for the soft engine");
-    if (chain.is_float)
-        data->rgba32f.reserve(texels * 4);
-    else if (chain.is_srgb)
-        data->rgba16.reserve(texels * 2);
-    else
-        data->rgba8.reserve(texels);
+    for (const MipLevel& level : levels) texels += bordered_size(level);
+    reserve(chain, texels, *data);
     std::size_t offset = 0;
-    for (int l = 0; l < max_mip_levels; ++l) {
-        const MipLevel& level = chain.levels[std::size_t(std::min(l, view.levels - 1))];
-        view.width[l] = level.width;
-        view.height[l] = level.height;
-        view.offset[l] = l < view.levels ? std::int32_t(offset) : view.offset[view.levels - 1];
-        if (l >= view.levels) continue;
-        offset += std::size_t(level.width) * std::size_t(level.height);
-        if (chain.is_srgb)
-            append_linear15(level.rgba8, data->rgba16);
-        else
-            data->rgba8.insert(data->rgba8.end(), level.rgba8.begin(), level.rgba8.end());
-        for (const vec4& t : level.rgba32f) data->rgba32f.insert(data->rgba32f.end(), {t.x, t.y, t.z, t.w});
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        view.width[l] = levels[l].width;
+        view.height[l] = levels[l].height;
+        view.origin[l] = std::int32_t(offset) + levels[l].width + 3;
+        offset += bordered_size(levels[l]);
+        append_level(chain, levels[l], key, *data);
     }
     if (chain.is_float)
         view.rgba32f = data->rgba32f.data();
@@ -71,17 +103,16 @@ std::shared_ptr<const TextureData> pack(const MipChain& chain) {
 
 /// A texture that is not there yet.
 struct Missing {
-    const ImageHandle* image;
-    ColorSpace space;
+    const TextureKey* key;
     std::shared_ptr<const TextureData>* data;
     std::string fault;  ///< why there is no data
 };
 
 void load(Missing& m, Context& context) {
-    const EncodedImage& image = **m.image;
+    const EncodedImage& image = *m.key->image;
     try {
         const Pixels pixels = image.decode(image, context);
-        *m.data = pack(make_mip_chain(pixels, m.space, context));
+        *m.data = pack(make_mip_chain(pixels, m.key->space, context), *m.key);
     } catch (const Error& error) {
         m.fault = error.reason();
     }
@@ -99,14 +130,14 @@ void release_temporaries(MemoryBudget& memory, std::uint64_t charged_before, std
 
 }  // namespace
 
-void TextureCache::update(const std::vector<std::pair<ImageHandle, ColorSpace>>& uses, Context& context) {
-    std::map<Key, std::shared_ptr<const TextureData>> kept;
+void TextureCache::update(const std::vector<TextureKey>& uses, Context& context) {
+    std::map<TextureKey, std::shared_ptr<const TextureData>> kept;
     std::vector<Missing> missing;  // in the order of use: that of the map is the order of addresses
-    for (const Key& key : uses) {
+    for (const TextureKey& key : uses) {
         const auto [entry, is_new] = kept.try_emplace(key);
         const auto known = textures_.find(key);
         if (known != textures_.end()) entry->second = known->second;
-        if (is_new && !entry->second) missing.push_back({&entry->first.first, entry->first.second, &entry->second, {}});
+        if (is_new && !entry->second) missing.push_back({&entry->first, &entry->second, {}});
     }
     MemoryBudget& memory = context.memory();
     const std::uint64_t before = memory.charged();
@@ -124,19 +155,17 @@ void TextureCache::update(const std::vector<std::pair<ImageHandle, ColorSpace>>&
         }
     }
     for (const Missing& m : missing)
-        if (!*m.data) context.report().add(Remark::warning, (*m.image)->file, (*m.image)->name, "texture left out: " + m.fault);
+        if (!*m.data) context.report().add(Remark::warning, m.key->image->file, m.key->image->name, "texture left out: " + m.fault);
     textures_ = std::move(kept);
 }
 
-const TextureData* TextureCache::find(const ImageHandle& image, ColorSpace space) const {
-    const auto it = textures_.find({image, space});
+const TextureData* TextureCache::find(const TextureKey& key) const {
+    const auto it = textures_.find(key);
     return it == textures_.end() ? nullptr : it->second.get();
 }
 
-TextureView with_sampler(const TextureData& data, const Sampler& sampler) {
+TextureView with_filters(const TextureData& data, const Sampler& sampler) {
     TextureView view = data.view;
-    view.wrap_u = int(sampler.wrap_u);
-    view.wrap_v = int(sampler.wrap_v);
     view.magnify_linear = sampler.magnify == Filter::linear;
     view.minify_linear = sampler.minify == Filter::linear;
     view.mip = int(sampler.mip);

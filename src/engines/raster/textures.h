@@ -3,7 +3,6 @@
 #pragma once
 #include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <rakelight/scene.h>
@@ -17,24 +16,32 @@ namespace rakelight::raster {
 struct TextureData {
     std::vector<std::uint32_t> rgba8, rgba16;  ///< data and colors: see TextureView
     std::vector<float> rgba32f;
-    TextureView view;  ///< without sampler state
+    TextureView view;  ///< without the sampler's filters
 };
 
-/// Decodes pictures once for each color space in which they are used, in parallel, and keeps them by identity.
+/// What a texture is made of. How it wraps is in its borders.
+struct TextureKey {
+    ImageHandle image;
+    ColorSpace space;
+    Wrap wrap_u, wrap_v;
+    auto operator<=>(const TextureKey&) const = default;
+};
+
+/// Decodes pictures once for each color space and wrapping in which they are used, in parallel, and keeps them by
+/// identity.
 class TextureCache {
 public:
     /// Forgets what this scene does not use, decodes what is new. A picture that cannot be decoded becomes a warning in the
-    /// report and is left out. `uses` are the (picture, color space) pairs that materials need.
-    void update(const std::vector<std::pair<ImageHandle, ColorSpace>>& uses, Context& context);
+    /// report and is left out. `uses` are what materials need.
+    void update(const std::vector<TextureKey>& uses, Context& context);
     /// Null when the picture could not be decoded.
-    const TextureData* find(const ImageHandle& image, ColorSpace space) const;
+    const TextureData* find(const TextureKey& key) const;
 
 private:
-    using Key = std::pair<ImageHandle, ColorSpace>;
-    std::map<Key, std::shared_ptr<const TextureData>> textures_;
+    std::map<TextureKey, std::shared_ptr<const TextureData>> textures_;
 };
 
-/// The view of a texture with its sampler's state filled in.
-TextureView with_sampler(const TextureData& data, const Sampler& sampler);
+/// The view of a texture with its sampler's filters filled in.
+TextureView with_filters(const TextureData& data, const Sampler& sampler);
 
 }  // namespace rakelight::raster

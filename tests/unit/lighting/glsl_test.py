@@ -54,7 +54,8 @@ def faults_of_words(name, text):
 def calls_of(text):
     """A statement for each RL_FN function: called with zeros of its parameters' types, so that nothing is left out."""
     statements, count = [], 0
-    for result, name, parameters in re.findall(r"RL_FN\s+(\w+)\s+(\w+)\s*\(([^)]*)\)", without_comments(text)):
+    plain = re.sub(r"RL_IN\((\w+)\)", r"\1", without_comments(text))
+    for result, name, parameters in re.findall(r"RL_FN\s+(\w+)\s+(\w+)\s*\(([^)]*)\)", plain):
         arguments = []
         for parameter in filter(None, (p.strip() for p in parameters.split(","))):
             kind = parameter.split()[0]

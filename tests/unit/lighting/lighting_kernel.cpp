@@ -43,7 +43,16 @@ static const Operation operations[] = {
 #include "lighting_operations.inc"
 };
 
-static Surface surface_of(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real e) {
+static Reflection reflection_of(Choice choice) {
+    Reflection reflection;
+    reflection.model = choice.model;
+    reflection.form = choice.form;
+    reflection.horizon = choice.horizon;
+    reflection.whole_exponent = choice.whole_exponent;
+    return reflection;
+}
+
+static Surface surface_of(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real e, Choice choice) {
     Surface surface;
     surface.n = n;
     surface.v = v;
@@ -51,21 +60,15 @@ static Surface surface_of(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real e) {
     surface.diffuse = kd;
     surface.specular = ks;
     surface.exponent = e;
+    surface.lobe_scale = lobe_scale(e, reflection_of(choice));
     return surface;
-}
-
-static Reflection reflection_of(Choice choice) {
-    Reflection reflection;
-    reflection.model = choice.model;
-    reflection.form = choice.form;
-    reflection.horizon = choice.horizon;
-    return reflection;
 }
 
 static void terms_of_step(const Surface& surface, vec3 l, vec3 p, const LightParameters* light, Choice choice,
                           float* const* out, int at) {
     LightSample met;
     met.l = l;
+    met.attenuation = 1.0f;
     met.ambient = met.diffuse = met.specular = vec3(1.0f);
     if (light != nullptr) met = sample_light(*light, p);
     const LightTerms terms = light_terms(surface, met, reflection_of(choice));
@@ -75,13 +78,13 @@ static void terms_of_step(const Surface& surface, vec3 l, vec3 p, const LightPar
 }
 
 static void terms(const Inputs& in, const LightParameters* light, Choice choice, float* const* out) {
-    RL_LOOP(terms_of_step(surface_of(n, v, ka, kd, ks, e), l, p, light, choice, out, at))
+    RL_LOOP(terms_of_step(surface_of(n, v, ka, kd, ks, e, choice), l, p, light, choice, out, at))
 }
 
 static void sum(const Inputs& in, const LightParameters* lights, int light_count, Choice choice, float* const* out) {
     RL_LOOP(vec3 total = vec3(0.0f);
             for (int i = 0; i < light_count; ++i) total =
-                add_light(total, surface_of(n, v, ka, kd, ks, e), sample_light(lights[i], p), reflection_of(choice));
+                add_light(total, surface_of(n, v, ka, kd, ks, e, choice), sample_light(lights[i], p), reflection_of(choice));
             store3(out, at, total))
 }
 

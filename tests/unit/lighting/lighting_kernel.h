@@ -20,7 +20,7 @@ struct Operation {
 };
 
 struct Choice {
-    int model, form, horizon;
+    int model, form, horizon, whole_exponent = 0;
 };
 
 struct Kernel {

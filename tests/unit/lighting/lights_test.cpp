@@ -47,15 +47,19 @@ const std::vector<Cone> cones = {
 
 float cos_degrees(double angle) { return float(math::cos(radians(angle))); }
 
-/// What one light gives to a white Lambert surface at the origin that faces it: its attenuated color.
-vec3 diffuse_of(const LightParameters& light, vec3 position = {0, 0, 0}) {
+/// The terms that one light gives to a white Lambert surface that faces it.
+Results all_terms(const LightParameters& light, vec3 position = {0, 0, 0}) {
     Items items;
     Item item;
     item.p = position;
     const vec3 to_light = vec3{light.position[0], light.position[1], light.position[2]} - position;
     item.n = normalize_or(to_light, vec3{0, 0, 1});
     items.push(item);
-    return terms(scalar::kernel, items, {lambert, textbook, 1}, &light).vector(3, 0);
+    return terms(scalar::kernel, items, {lambert, textbook, 1}, &light);
+}
+/// The light's attenuated color.
+vec3 diffuse_of(const LightParameters& light, vec3 position = {0, 0, 0}) {
+    return all_terms(light, position).vector(3, 0);
 }
 
 TEST(Lights, ClassicalAttenuationGivesTheValuesOfTheTable) {
@@ -64,8 +68,19 @@ TEST(Lights, ClassicalAttenuationGivesTheValuesOfTheTable) {
         LightParameters light;
         light.position[2] = row.distance;
         light.constant_term = row.constant, light.linear_term = row.linear, light.quadratic_term = row.quadratic;
-        EXPECT_FLOAT_EQ(diffuse_of(light).x, row.expected) << row.distance;
+        for (float& c : light.ambient) c = 1;
+        EXPECT_FLOAT_EQ(all_terms(light).vector(0, 0).x, row.expected) << row.distance;
+        EXPECT_FLOAT_EQ(diffuse_of(light).x, row.distance > 0 ? row.expected : 0) << row.distance;
     }
+}
+
+TEST(Lights, AtTheLightItselfOnlyAmbientLightArrives) {
+    LightParameters light;
+    light.ambient[0] = 0.5f;
+    const Results at_it = all_terms(light);
+    EXPECT_EQ(at_it.vector(0, 0), (vec3{0.5f, 0, 0}));
+    EXPECT_EQ(at_it.vector(3, 0), (vec3{0, 0, 0}));
+    EXPECT_EQ(at_it.vector(6, 0), (vec3{0, 0, 0}));
 }
 
 TEST(Lights, AttenuationOfAllZerosOrAtNoDistanceIsFinite) {

@@ -2,6 +2,7 @@
 // The models against their equations: a value table, energy, reciprocity, the horizon, known albedos.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "lighting_items.h"
@@ -53,6 +54,41 @@ TEST(Models, GiveTheValuesOfTheTable) {
                 EXPECT_NEAR(results[3][i], table[i].diffuse, 1e-6) << i;
                 EXPECT_EQ(results[0][i], 1.0f);
             }
+        }
+}
+
+TEST(Models, WholePowersAreThoseOfTheSameExponent) {
+    Items items;
+    for (int i = -8; i <= 4096; ++i) {
+        Item item;
+        item.s = float(i) / 4096;
+        items.push(item);
+    }
+    for (const auto& [operation, n] : {std::pair{"whole_power_1", 1}, {"whole_power_48", 48}, {"whole_power_1023", 1023}}) {
+        const Results results = run(scalar::kernel, operation, items);
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const double expected = i < 8 ? 0 : std::pow(double(int(i) - 8) / 4096, n);
+            const double smallest = double(std::numeric_limits<float>::min());
+            const double lost = expected < 1.01 * smallest ? smallest : 0;  // counts as 0
+            EXPECT_NEAR(results[0][i], expected, expected * n * 0x1p-24 + 1.01 * lost) << operation << " of item " << i;
+            EXPECT_TRUE(results[0][i] == 0 || results[0][i] >= float(smallest)) << operation << " of item " << i;
+        }
+    }
+}
+
+TEST(Models, AWholeExponentGivesTheLobeOfTheSameExponent) {
+    Items items;
+    for (const Row& row : rows()) {
+        Item item;
+        item.n = vector(row.n), item.l = vector(row.l), item.v = vector(row.v), item.e = 48;
+        items.push(item);
+    }
+    for (int model : {phong, blinn_phong})
+        for (int form : {textbook, normalized}) {
+            const Results any = terms(scalar::kernel, items, {model, form, 1}),
+                          whole = terms(scalar::kernel, items, {model, form, 1, 48});
+            for (std::size_t i = 0; i < items.size(); ++i)
+                EXPECT_NEAR(whole[6][i], any[6][i], 1e-30 + 9e-6 * double(any[6][i])) << model << " item " << i;
         }
 }
 

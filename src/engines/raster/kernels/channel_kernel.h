@@ -96,7 +96,8 @@ static void channels(const ChannelJob* given) {
         const vec3 own = rgb(base.color);
         put3(job, plane_base_color, i, where_finite(own, own));
         if (job.needs_terms == 0) continue;
-        lit::Surface surface = reflectance_of(*shade.material, p, base);
+        lit::Surface surface;
+        set_reflectance(shade, p, base, surface);
         surface.n = shading_normal(shade, p);
         surface.v = to_viewer(shade, p.position);
         const ColorTerms terms = finite_terms(color_terms(shade, p, base, surface));

@@ -2,20 +2,31 @@
 // Which pixels of a tile show one draw, and which of its triangles. Per instruction set.
 #pragma once
 #include "engines/raster/kernel_types.h"
-#include "math/wide.h"
+#include "math/wide_rows.h"
 
 namespace rakelight::raster::RL_ISA {
 RL_USE_WIDE;
+using rakelight::wide::RL_ISA::load_i_rows4;
 
-/// Positions in a tile's list are in the order of the scene: those of one draw follow one another.
+inline constexpr int32_t block_side = 4;  ///< [px] of the blocks in whose order pixels are shaded
+
+/// Positions in a tile's list are in the order of the scene: those of one draw follow one another. Pixels come block by
+/// block: neighbors in both directions share triangles, levels and texels.
 static int32_t collect(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel) {
+    constexpr int32_t columns = lanes < block_side ? lanes : block_side, rows = lanes / columns;
+    const integer lane = lane_indices();
+    const integer place = ((lane >> 2) << tile_bits) + (lane & integer(block_side - 1));
     int32_t count = 0;
-    for (int32_t p = 0; p < tile_size * tile_size; p += lanes) {
-        const integer position = load_i(visible + p);
-        const mask is_wanted = position >= integer(begin) && position < integer(end);
-        if (no_lane(is_wanted)) continue;
-        count += store_compressed(pixel + count, lane_indices() + integer(p), is_wanted);
-    }
+    for (int32_t y0 = 0; y0 < tile_size; y0 += block_side)
+        for (int32_t x0 = 0; x0 < tile_size; x0 += block_side)
+            for (int32_t y = y0; y < y0 + block_side; y += rows)
+                for (int32_t x = x0; x < x0 + block_side; x += columns) {
+                    const int32_t first = y * tile_size + x;
+                    const integer position = load_i_rows4(visible + first, tile_size);
+                    const mask is_wanted = position >= integer(begin) && position < integer(end);
+                    if (no_lane(is_wanted)) continue;
+                    count += store_compressed(pixel + count, place + integer(first), is_wanted);
+                }
     return count;
 }
 

@@ -16,6 +16,7 @@ inline lit::Reflection reflection_of(const ShadeJob& job) {
     reflection.model = job.reflection_model;
     reflection.form = job.reflection_form;
     reflection.horizon = job.specular_horizon;
+    reflection.whole_exponent = job.material->whole_exponent;
     return reflection;
 }
 
@@ -60,6 +61,7 @@ inline lit::Surface point_surface(const ShadeJob& job, float roughness, vec3 pos
     lit::Surface surface;
     surface.ambient = surface.diffuse = surface.specular = vec3(real(1.0f));
     surface.exponent = m.metallic_roughness != 0 ? exponent_of_roughness(real(roughness)) : real(m.shininess);
+    surface.lobe_scale = lit::lobe_scale(surface.exponent, reflection_of(job));
     surface.n = normal;
     surface.v = to_viewer(job, position);
     return surface;

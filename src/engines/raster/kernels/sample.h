@@ -2,7 +2,7 @@
 // Texture sampling: wrap modes, nearest / bilinear / trilinear filtering, level of detail from analytic derivatives.
 // Where to read (Footprint) is apart from what stands there, so that textures of one shape at one place find their
 // texels once. Texels are linear before they are filtered: 8-bit data and 15-bit colors two channels a lane, floats one
-// by one. Per instruction set.
+// by one. Two texels of a row are read at once. Per instruction set.
 #pragma once
 #include "engines/raster/kernels/interpolate.h"
 
@@ -12,7 +12,8 @@ inline constexpr int fraction_bits = 15;  ///< of a texel: its weight in a filte
 
 /// The texels of one level: the nearest, or the four around the point and its place between them.
 struct Taps {
-    integer texel[4];          ///< left and right of the upper row, then of the lower one
+    integer texel;             ///< upper left of the four, or the nearest
+    integer stride;            ///< to the texel below
     integer along_x, along_y;  ///< 0..32767: right's and lower's weight, in both halves of a lane
 };
 
@@ -25,13 +26,11 @@ struct Footprint {
 
 /// One level of a texture, which may differ from lane to lane.
 struct Level {
-    integer offset, width, height;
+    integer origin, width, height;
 };
 
 inline Level level_at(const TextureView& t, integer number) {
-    const int32_t first = lane(number, 0);  // lanes are mostly of one level
-    if (all_lanes(number == integer(first))) return {integer(t.offset[first]), integer(t.width[first]), integer(t.height[first])};
-    return {gather_i(t.offset, number), gather_i(t.width, number), gather_i(t.height, number)};
+    return {look_up(t.origin, number), look_up(t.width, number), look_up(t.height, number)};
 }
 
 /// Texture coordinate -> 0..1 by the wrap mode; not finite and huge values give something in range.
@@ -44,36 +43,29 @@ inline real wrap_coordinate(real u, int mode) {
     return clamp(u, real(0.0f), real(1.0f));
 }
 
-/// Two neighbors on one axis, and the second one's weight.
-struct Neighbors {
-    integer first, second, weight;
-};
-
 inline integer in_both_halves(integer weight) { return weight | (weight << 16); }
 
-inline Neighbors neighbors(real wrapped, integer size, int mode) {
+/// The first of two neighbors on one axis, -1..size - 1 or by rounding `size`, and the second one's weight.
+struct Neighbors {
+    integer first, weight;
+};
+
+inline Neighbors neighbors(real wrapped, integer size) {
     const integer fixed = to_int(wrapped * to_real(size << fraction_bits)) - integer(1 << (fraction_bits - 1));
-    const integer at = fixed >> fraction_bits, next = at + integer(1), last = size - integer(1);
-    const bool repeats = mode == 0;
-    return {select(at < integer(0), repeats ? last : integer(0), at),
-            select(next > last, repeats ? integer(0) : last, next),
-            in_both_halves(fixed & integer((1 << fraction_bits) - 1))};
+    return {fixed >> fraction_bits, in_both_halves(fixed & integer((1 << fraction_bits) - 1))};
 }
 
-inline Taps taps_of(const TextureView& t, const Level& level, real u, real v, bool linear) {
+inline Taps taps_of(const Level& level, real u, real v, bool linear) {
     Taps taps;
+    taps.stride = level.width + integer(2);
     if (!linear) {
         const integer x = min(to_int(u * to_real(level.width)), level.width - integer(1));
         const integer y = min(to_int(v * to_real(level.height)), level.height - integer(1));
-        taps.texel[0] = level.offset + y * level.width + x;
+        taps.texel = level.origin + y * taps.stride + x;
         return taps;
     }
-    const Neighbors x = neighbors(u, level.width, t.wrap_u), y = neighbors(v, level.height, t.wrap_v);
-    const integer upper = level.offset + y.first * level.width, lower = level.offset + y.second * level.width;
-    taps.texel[0] = upper + x.first;
-    taps.texel[1] = upper + x.second;
-    taps.texel[2] = lower + x.first;
-    taps.texel[3] = lower + x.second;
+    const Neighbors x = neighbors(u, level.width), y = neighbors(v, level.height);
+    taps.texel = level.origin + y.first * taps.stride + x.first;
     taps.along_x = x.weight;
     taps.along_y = y.weight;
     return taps;
@@ -90,28 +82,33 @@ inline real level_of_detail(const TextureView& t, const TexCoords& c) {
 
 /// The coordinates that a slot reads its texture at.
 inline TexCoords transformed(const TextureSlot& slot, const TexCoords& raw) {
+    if (slot.is_transformed == 0) return raw;
     const auto turn = [&slot](vec2 d) {
         return vec2(real(slot.uu) * d.x + real(slot.uv) * d.y, real(slot.vu) * d.x + real(slot.vv) * d.y);
     };
     return {turn(raw.uv) + vec2(real(slot.u0), real(slot.v0)), turn(raw.dx), turn(raw.dy)};
 }
 
-inline Footprint footprint_of(const TextureView& t, const TexCoords& c, real lod, bool linear) {
-    Footprint f;
+inline void find_footprint(const TextureView& t, const TexCoords& c, real lod, bool linear, Footprint& f) {
     const real u = wrap_coordinate(c.uv.x, t.wrap_u), v = wrap_coordinate(c.uv.y, t.wrap_v);
     f.linear = linear;
     f.has_two_levels = false;
     if (t.mip == 0 || t.levels == 1 || no_lane(lod > real(0.0f))) {
-        f.taps[0] = taps_of(t, level_at(t, integer(0)), u, v, linear);
-        return f;
+        f.taps[0] = taps_of({integer(t.origin[0]), integer(t.width[0]), integer(t.height[0])}, u, v, linear);
+        return;
     }
     const real level = clamp(lod, real(0.0f), real(float(t.levels - 1)));
     const integer lower = to_int(t.mip == 1 ? level + real(0.5f) : level);
-    f.taps[0] = taps_of(t, level_at(t, lower), u, v, linear);
-    if (t.mip == 1) return f;
+    f.taps[0] = taps_of(level_at(t, lower), u, v, linear);
+    if (t.mip == 1) return;
     f.has_two_levels = true;
     f.between = in_both_halves(to_int((level - to_real(lower)) * real(float(1 << fraction_bits))));
-    f.taps[1] = taps_of(t, level_at(t, min(lower + integer(1), integer(t.levels - 1))), u, v, linear);
+    f.taps[1] = taps_of(level_at(t, min(lower + integer(1), integer(t.levels - 1))), u, v, linear);
+}
+
+inline Footprint footprint_of(const TextureView& t, const TexCoords& c, real lod, bool linear) {
+    Footprint f;
+    find_footprint(t, c, lod, linear, f);
     return f;
 }
 
@@ -120,47 +117,70 @@ struct Texels {
     integer red_blue, green_alpha;
 };
 
-inline Texels fetch(const TextureView& t, integer texel) {
-    Texels out;
-    if (t.rgba16 != nullptr) {
-        gather_pairs(t.rgba16, texel, out.red_blue, out.green_alpha);
-    } else {
-        const integer rgba = gather_i(t.rgba8, texel), codes(0x7f807f80);  // times 128
-        out.red_blue = (rgba << 7) & codes;
-        out.green_alpha = shift_right_logical(rgba, 1) & codes;
-    }
-    return out;
-}
 inline integer mix16(integer a, integer b, integer weight) { return add16(a, scale16(sub16(b, a), weight)); }
 inline Texels mix(const Texels& a, const Texels& b, integer weight) {
     return {mix16(a.red_blue, b.red_blue, weight), mix16(a.green_alpha, b.green_alpha, weight)};
-}
-
-inline vec4 fetch_float(const TextureView& t, integer texel) {
-    const integer i = texel << 2;
-    return vec4(gather(t.rgba32f, i), gather(t.rgba32f + 1, i), gather(t.rgba32f + 2, i), gather(t.rgba32f + 3, i));
 }
 inline vec4 mix(const vec4& a, const vec4& b, integer weight) {
     return a + (b - a) * (to_real(weight & integer(0xffff)) * real(1.0f / float(1 << fraction_bits)));
 }
 
-/// A level, by either kind of texel.
-template <class Fetch>
-inline auto filtered_level(const Taps& taps, bool linear, const Fetch& fetch) {
-    if (!linear) return fetch(taps.texel[0]);
-    const auto upper = mix(fetch(taps.texel[0]), fetch(taps.texel[1]), taps.along_x);
-    const auto lower = mix(fetch(taps.texel[2]), fetch(taps.texel[3]), taps.along_x);
+/// Reads linear 15-bit colors; `mixed` reads a texel and its right neighbor.
+struct ColorTexels {
+    const uint32_t* base;
+    Texels at(integer texel) const {
+        integer words[4];
+        gather_quads(base, texel, words);
+        return {words[0], words[1]};
+    }
+    Texels mixed(integer texel, integer weight) const {
+        integer words[4];
+        gather_quads(base, texel, words);
+        return mix(Texels{words[0], words[1]}, Texels{words[2], words[3]}, weight);
+    }
+};
+
+/// Reads linear 8-bit codes, as 128 times them.
+struct DataTexels {
+    const uint32_t* base;
+    static Texels unpack(integer rgba) {
+        const integer codes(0x7f807f80);
+        return {(rgba << 7) & codes, shift_right_logical(rgba, 1) & codes};
+    }
+    Texels at(integer texel) const { return unpack(gather_i(base, texel)); }
+    Texels mixed(integer texel, integer weight) const {
+        integer left, right;
+        gather_pairs(base, texel, left, right);
+        return mix(unpack(left), unpack(right), weight);
+    }
+};
+
+struct FloatTexels {
+    const float* base;
+    vec4 at(integer texel) const {
+        const integer i = texel << 2;
+        return vec4(gather(base, i), gather(base + 1, i), gather(base + 2, i), gather(base + 3, i));
+    }
+    vec4 mixed(integer texel, integer weight) const { return mix(at(texel), at(texel + integer(1)), weight); }
+};
+
+/// A level, of any kind of texel.
+template <class Reader>
+inline auto filtered_level(const Reader& read, const Taps& taps, bool linear) {
+    if (!linear) return read.at(taps.texel);
+    const auto upper = read.mixed(taps.texel, taps.along_x);
+    const auto lower = read.mixed(taps.texel + taps.stride, taps.along_x);
     return mix(upper, lower, taps.along_y);
 }
-template <class Fetch>
-inline auto filtered(const Footprint& f, const Fetch& fetch) {
-    const auto first = filtered_level(f.taps[0], f.linear, fetch);
-    return f.has_two_levels ? mix(first, filtered_level(f.taps[1], f.linear, fetch), f.between) : first;
+template <class Reader>
+inline auto filtered(const Reader& read, const Footprint& f) {
+    const auto first = filtered_level(read, f.taps[0], f.linear);
+    return f.has_two_levels ? mix(first, filtered_level(read, f.taps[1], f.linear), f.between) : first;
 }
 
 inline vec4 sample(const TextureView& t, const Footprint& f) {
-    if (t.rgba32f != nullptr) return filtered(f, [&t](integer texel) { return fetch_float(t, texel); });
-    const Texels texels = filtered(f, [&t](integer texel) { return fetch(t, texel); });
+    if (t.rgba32f != nullptr) return filtered(FloatTexels{t.rgba32f}, f);
+    const Texels texels = t.rgba16 != nullptr ? filtered(ColorTexels{t.rgba16}, f) : filtered(DataTexels{t.rgba8}, f);
     const real scale(t.rgba16 != nullptr ? 1.0f / 32767.0f : 1.0f / (255.0f * 128.0f));
     const integer low(0xffff);
     return vec4(to_real(texels.red_blue & low) * scale, to_real(texels.green_alpha & low) * scale,

@@ -55,7 +55,7 @@ inline void find_texcoords(const MaterialView& m, Pixels& p) {
     if (!p.shares_footprint) return;
     const TextureView& t = *m.base_color_map.view;
     const TexCoords c = transformed(m.base_color_map, p.texcoords[m.base_color_map.texcoord_set == 0 ? 0 : 1]);
-    p.footprint = footprint_of(t, c, level_of_detail(t, c), t.minify_linear != 0);
+    find_footprint(t, c, level_of_detail(t, c), t.minify_linear != 0, p.footprint);
 }
 
 /// The normal map's texel, 0..1.
@@ -116,10 +116,9 @@ inline void set_metallic_roughness(const MaterialView& m, const Pixels& p, vec3 
     s.exponent = exponent_of_roughness(roughness);
 }
 
-/// What the material reflects at the pixel, without directions.
-inline lit::Surface reflectance_of(const MaterialView& m, const Pixels& p, const BaseColor& base) {
-    lit::Surface s;
-    s.n = s.v = vec3(real(0.0f));
+/// What the material reflects at the pixel: all of the surface but its directions.
+inline void set_reflectance(const ShadeJob& job, const Pixels& p, const BaseColor& base, lit::Surface& s) {
+    const MaterialView& m = *job.material;
     s.diffuse = rgb(base.color);
     if (m.metallic_roughness != 0)
         set_metallic_roughness(m, p, rgb(base.color), s);
@@ -127,7 +126,7 @@ inline lit::Surface reflectance_of(const MaterialView& m, const Pixels& p, const
         set_classical(m, p, rgb(base.paint), s);
     if (m.occlusion_map.view != nullptr)
         s.ambient = s.ambient * (real(1.0f) + real(m.occlusion_strength) * (texel(m.occlusion_map, p).x - real(1.0f)));
-    return s;
+    s.lobe_scale = lit::lobe_scale(s.exponent, reflection_of(job));
 }
 
 /// Flat and Gouraud shading: light that the corners have received, times what the pixel reflects.
@@ -176,7 +175,7 @@ inline void find_surfaces(const ShadeJob& job, int32_t first, Block& b) {
     for (int32_t k = 0; k < b.count; ++k) b.pixels[k].find(job, first + k * lanes);
     for (int32_t k = 0; k < b.count; ++k) find_texcoords(m, b.pixels[k]);
     for (int32_t k = 0; k < b.count; ++k) b.base[k] = base_color(m, b.pixels[k]);
-    for (int32_t k = 0; k < b.count; ++k) b.surface[k] = reflectance_of(m, b.pixels[k], b.base[k]);
+    for (int32_t k = 0; k < b.count; ++k) set_reflectance(job, b.pixels[k], b.base[k], b.surface[k]);
     if (!needs_normal) return;
     for (int32_t k = 0; k < b.count; ++k) b.surface[k].n = shading_normal(job, b.pixels[k]);
     for (int32_t k = 0; k < b.count; ++k) b.surface[k].v = to_viewer(job, b.pixels[k].position);

@@ -11,27 +11,34 @@ namespace {
 void put(float (&to)[3], vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 void put(float (&to)[4], vec4 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
 
+/// A texel of the border is one of the opposite edge, or of the same.
+int32_t wrapped(int32_t i, int32_t size, int32_t mode) {
+    return mode == 0 ? (i + size) % size : clamp(i, 0, size - 1);
+}
+
 void put_texel(const TextureView& t, int32_t texel, int32_t probe, float weight, TracedTexels& out) {
     if (!(weight > 0.0f) || out.count == most_texels) return;
     TracedTexel& to = out.texel[out.count++];
     to.probe = probe;
     to.level = 0;
-    while (to.level + 1 < t.levels && texel >= t.offset[to.level + 1]) ++to.level;
-    to.x = (texel - t.offset[to.level]) % t.width[to.level];
-    to.y = (texel - t.offset[to.level]) / t.width[to.level];
+    const auto begin = [&t](int32_t level) { return t.origin[level] - t.width[level] - 3; };  // of its border
+    while (to.level + 1 < t.levels && texel >= begin(to.level + 1)) ++to.level;
+    const int32_t place = texel - begin(to.level), stride = t.width[to.level] + 2;
+    to.x = wrapped(place % stride - 1, t.width[to.level], t.wrap_u);
+    to.y = wrapped(place / stride - 1, t.height[to.level], t.wrap_v);
     to.weight = weight;
     Footprint alone{};
-    alone.taps[0].texel[0] = texel;
+    alone.taps[0].texel = texel;
     put(to.value, sample(t, alone));
 }
 
 float weight_of(int32_t fixed) { return float(fixed & 0xffff) / float(1 << fraction_bits); }
 
 void trace_taps(const TextureView& t, const Taps& taps, bool linear, int32_t probe, float weight, TracedTexels& out) {
-    if (!linear) return put_texel(t, taps.texel[0], probe, weight, out);
+    if (!linear) return put_texel(t, taps.texel, probe, weight, out);
     const float right = weight_of(taps.along_x), lower = weight_of(taps.along_y);
     for (int32_t k = 0; k < 4; ++k)
-        put_texel(t, taps.texel[k], probe,
+        put_texel(t, taps.texel + k % 2 + k / 2 * taps.stride, probe,
                   weight * (k % 2 == 0 ? 1.0f - right : right) * (k / 2 == 0 ? 1.0f - lower : lower), out);
 }
 
@@ -122,15 +129,15 @@ void trace_reach(const lighting::LightParameters& p, vec3 position, TracedLight&
     out.attenuation = out.spot = 1;
     if (p.kind != lighting::LightKind::point && p.kind != lighting::LightKind::spot) return;
     const vec3 to_light = lit::broadcast3(p.position) - position;
-    const real squared = dot(to_light, to_light);
-    const real cos_angle = -dot(lit::broadcast3(p.direction), safe_normalize(to_light));
+    const lit::LightRay ray = lit::ray_to(lit::broadcast3(p.position), position);
+    const real cos_angle = -dot(lit::broadcast3(p.direction), ray.l);
     const bool is_spot = p.kind == lighting::LightKind::spot;
-    out.distance = sqrt(squared);
+    out.distance = sqrt(dot(to_light, to_light));
     if (p.is_photometric) {
-        out.attenuation = lit::photometric_attenuation(squared, p.inverse_range);
+        out.attenuation = lit::photometric_attenuation(ray.squared, p.inverse_range);
         if (is_spot) out.spot = lit::photometric_spot(cos_angle, p.cone_scale, p.cone_offset);
     } else {
-        out.attenuation = lit::classical_attenuation(squared, p.constant_term, p.linear_term, p.quadratic_term);
+        out.attenuation = lit::classical_attenuation(ray.distance, p.constant_term, p.linear_term, p.quadratic_term);
         if (is_spot) out.spot = lit::classical_spot(cos_angle, p.cos_cutoff, p.exponent);
     }
 }
@@ -138,15 +145,10 @@ void trace_reach(const lighting::LightParameters& p, vec3 position, TracedLight&
 void trace_lobe(const lit::Surface& s, const lit::LightSample& light, const lit::Reflection& r, TracedLight& out) {
     out.n_dot_l = dot(s.n, light.l);
     out.lobe_cosine = out.lobe = out.specular_factor = 0;
-    if (r.model == RL_PHONG) {
-        out.lobe_cosine = lit::phong_r_dot_v(s.n, light.l, s.v);
-        out.lobe = lit::phong_lobe(out.lobe_cosine, s.exponent);
-    }
-    if (r.model == RL_BLINN_PHONG) {
-        out.lobe_cosine = lit::blinn_phong_n_dot_h(s.n, light.l, s.v);
-        out.lobe = lit::blinn_phong_lobe(out.lobe_cosine, s.exponent);
-    }
-    out.specular_factor = lit::specular_factor(s.n, light.l, s.v, lit::lambert_cosine(out.n_dot_l), s.exponent, r);
+    if (r.model == RL_LAMBERT) return;
+    out.lobe_cosine = lit::lobe_cosine(s, light.l, r);
+    out.lobe = lit::lobe(out.lobe_cosine, s.exponent, r);
+    out.specular_factor = lit::specular_factor(s, light.l, lit::lambert_cosine(out.n_dot_l), r);
 }
 
 /// One light at a surface point; not its place in the sum.
@@ -157,9 +159,9 @@ lit::LightTerms trace_light(const ShadeJob& job, int32_t i, vec3 position, const
     trace_reach(job.lights[i], position, out);
     trace_lobe(surface, sample, reflection, out);
     put(out.to_light, sample.l);
-    put(out.ambient_color, sample.ambient);
-    put(out.diffuse_color, sample.diffuse);
-    put(out.specular_color, sample.specular);
+    put(out.ambient_color, sample.ambient * sample.attenuation);
+    put(out.diffuse_color, sample.diffuse * sample.attenuation);
+    put(out.specular_color, sample.specular * sample.attenuation);
     put(out.ambient, terms.ambient);
     put(out.diffuse, terms.diffuse);
     put(out.specular, terms.specular);
@@ -216,7 +218,8 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, Tr
     put(out.vertex_color, interpolate_color(p.records, p.b));
     put(out.paint, base.paint);
     put(out.base_color, base.color);
-    lit::Surface surface = reflectance_of(m, p, base);
+    lit::Surface surface;
+    set_reflectance(*job, p, base, surface);
     surface.n = shading_normal(*job, p);
     surface.v = to_viewer(*job, p.position);
     trace_normal(*job, p, out);
