@@ -105,6 +105,7 @@ inline bool no_lane(mask m) { return !any_lane(m); }
 inline bool all_lanes(mask m) { return half::all_lanes(m.a & m.b); }
 
 inline half::real& part_of(real& x, int i) { return i == 0 ? x.a : x.b; }
+inline const half::real& part_of(const real& x, int i) { return i == 0 ? x.a : x.b; }
 inline real broadcast(float s) { return real(s); }
 inline integer broadcast_i(int32_t s) { return integer(s); }
 inline integer lane_indices() {

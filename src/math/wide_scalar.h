@@ -11,6 +11,7 @@ using mask = bool;
 constexpr int lanes = 1;
 
 inline real& part_of(real& x, int) { return x; }  ///< wide_pair.h has two
+inline const real& part_of(const real& x, int) { return x; }
 inline real broadcast(float s) { return s; }
 inline integer broadcast_i(int32_t s) { return s; }
 inline integer lane_indices() { return 0; }  ///< 0, 1, 2, ...

@@ -153,6 +153,7 @@ inline mask select(mask m, mask a, mask b) { return (m && a) || (!m && b); }
 // --------------------------------------------------------------------------------------------------------------
 
 inline real& part_of(real& x, int) { return x; }  ///< wide_pair.h has two
+inline const real& part_of(const real& x, int) { return x; }
 inline real broadcast(float s) { return real(s); }
 inline integer broadcast_i(int32_t s) { return integer(s); }
 inline real load(const float* p) { return real(RealBatch::load_unaligned(p)); }

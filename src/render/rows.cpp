@@ -33,9 +33,14 @@ void pack_row(const std::uint32_t* srgb8, std::size_t count, int channels, std::
         std::memcpy(out, srgb8, 4 * count);
         return;
     }
-    for (std::size_t i = 0; i + 1 < count; ++i)
-        std::memcpy(out + 3 * i, srgb8 + i, 4);  // the next pixel covers the fourth
-    if (count > 0) std::memcpy(out + 3 * (count - 1), srgb8 + count - 1, 3);
+    std::size_t i = 0;
+    for (; i + 2 < count; i += 2) {  // the next pixel covers the last two bytes
+        std::uint64_t pair;
+        std::memcpy(&pair, srgb8 + i, 8);
+        pair = (pair & 0xffffffu) | (pair >> 8 & 0xffffff000000u);
+        std::memcpy(out + 3 * i, &pair, 8);
+    }
+    for (; i < count; ++i) std::memcpy(out + 3 * i, srgb8 + i, 3);
 }
 
 }  // namespace rakelight

@@ -44,6 +44,7 @@ struct MaterialView {
     float alpha_cutoff;                    ///< < 0: no mask
     int32_t blend;                         ///< 0: alpha is 1
     int32_t shares_footprint;              ///< the normal map is read where the base color map is, texel by texel
+    int32_t uses_texcoords[2];             ///< some map is read by the set
     int32_t vertex_colors;                 ///< 0: no mesh with this material has any, all corners are white
     TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map, metallic_roughness_map;
 };

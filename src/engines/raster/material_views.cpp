@@ -126,6 +126,7 @@ void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
                 if (!pixels) continue;
                 list.views.push_back(with_filters(*pixels, texture.sampler));
                 out.view.*r.slot = slot_for(*r.use, list.views.back());
+                out.view.uses_texcoords[r.use->texcoord_set] = 1;
             }
         out.view.shares_footprint = share_footprint(out.view.base_color_map, out.view.normal_map);
         list.materials.push_back(out);

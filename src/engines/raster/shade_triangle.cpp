@@ -152,13 +152,6 @@ void set_rows(float (&to)[3][3], const dmat3& m) {
         for (std::size_t r = 0; r < 3; ++r) to[r][c] = float(m[c][r] * scale);
 }
 
-bool uses_second_set(const MaterialView& m) {
-    const TextureSlot* const slots[] = {&m.base_color_map, &m.normal_map,   &m.emission_map,          &m.occlusion_map,
-                                        &m.opacity_map,    &m.specular_map, &m.metallic_roughness_map};
-    return std::any_of(std::begin(slots), std::end(slots),
-                       [](const TextureSlot* s) { return s->view && s->texcoord_set != 0; });
-}
-
 RecordJob record_job(const DrawRecords& d, std::uint32_t number, bool whole) {
     const Mesh& mesh = d.mesh;
     RecordJob job{};
@@ -175,7 +168,7 @@ RecordJob record_job(const DrawRecords& d, std::uint32_t number, bool whole) {
     set_rows(job.linear, d.linear);
     job.mirror = float(d.mirror);
     job.by_winding = !d.material.classical;
-    job.whole = whole || d.material.view.vertex_colors || uses_second_set(d.material.view);
+    job.whole = whole || d.material.view.vertex_colors || d.material.view.uses_texcoords[1];
     job.orthographic = d.front.view.orthographic;
     job.affine = is_affine(d.front);
     return job;

@@ -71,9 +71,10 @@ inline void put_places(const ChannelJob& job, int32_t first, const Pixels& p) {
     for (int32_t set = 0; set < 2; ++set) {
         const int32_t plane = plane_uv + 2 * set;
         if (job.out[plane] == nullptr) continue;
-        const vec2 uv = texcoords(p.records, p.b, set).uv;
-        store(job.out[plane] + first, uv.x);
-        store(job.out[plane + 1] + first, uv.y);
+        TexCoords c;
+        find_texcoords(p.records, p.b, set, c);
+        store(job.out[plane] + first, c.uv.x);
+        store(job.out[plane + 1] + first, c.uv.y);
     }
 }
 

@@ -29,15 +29,20 @@ struct Records {
         for (int p = 0; p < parts; ++p) find_part(records, floats, triangle + p * part::lanes, of[p]);
     }
 
-    /// `n` numbers that follow one another.
-    template <int n>
-    void get(size_t member_offset, real* out) const {
+    /// Calls use(part, a) with a[0] to a[n - 1], numbers that follow one another, of each part's triangles. What is made
+    /// of them while they are in registers need not travel through memory.
+    template <int n, class Use>
+    void each(size_t member_offset, const Use& use) const {
         const int32_t at = int32_t(member_offset / sizeof(float));
-        for (int p = 0; p < parts; ++p) get_part<n>(of[p], at, p, out);
+        for (int p = 0; p < parts; ++p) {
+            part::real a[n];
+            get(of[p], at, a);
+            use(p, a);
+        }
     }
     real operator()(size_t member_offset) const {
         real one;
-        get<1>(member_offset, &one);
+        each<1>(member_offset, [&](int p, const part::real(&a)[1]) { part_of(one, p) = a[0]; });
         return one;
     }
 
@@ -56,13 +61,11 @@ private:
         }
     }
     template <int n>
-    static void get_part(const Part& from, int32_t at, int p, real* out) {
-        part::real v[n];
-        for (int k = 0; k < n; ++k) v[k] = part::broadcast(from.base[0][at + k]);
+    static void get(const Part& from, int32_t at, part::real (&a)[n]) {
+        for (int k = 0; k < n; ++k) a[k] = part::broadcast(from.base[0][at + k]);
         for (int32_t i = 1; i < from.count; ++i)
             for (int k = 0; k < n; ++k)
-                v[k] = part::select(from.lanes_of[i], part::broadcast(from.base[i][at + k]), v[k]);
-        for (int k = 0; k < n; ++k) part_of(out[k], p) = v[k];
+                a[k] = part::select(from.lanes_of[i], part::broadcast(from.base[i][at + k]), a[k]);
     }
 };
 
@@ -79,44 +82,53 @@ struct Place {
 };
 
 inline Place place_of(const Records& r, real x, real y, bool affine, bool orthographic) {
-    real plane[9];
-    r.get<9>(offsetof(ShadeTriangle, b1), plane);
-    const auto at = [&](int k) { return plane[k] * x + plane[k + 1] * y + plane[k + 2]; };
-    Place p;
-    const real d = at(6);
-    p.depth = orthographic ? d : reciprocal(select(d > real(0.0f), d, real(1.0f)));
-    real b1 = at(0), b2 = at(3);
-    if (affine) {
-        p.b.b1_dx = plane[0], p.b.b1_dy = plane[1];
-        p.b.b2_dx = plane[3], p.b.b2_dy = plane[4];
-    } else {
-        const real w = p.depth;
-        b1 = b1 * w, b2 = b2 * w;
-        p.b.b1_dx = (plane[0] - b1 * plane[6]) * w;
-        p.b.b1_dy = (plane[1] - b1 * plane[7]) * w;
-        p.b.b2_dx = (plane[3] - b2 * plane[6]) * w;
-        p.b.b2_dy = (plane[4] - b2 * plane[7]) * w;
-    }
-    // A pixel of a sliver may by rounding lie outside of it, and that would throw its attributes far out: they stay
-    // inside.
-    p.b.b1 = clamp(b1, real(0.0f), real(1.0f));
-    p.b.b2 = clamp(b2, real(0.0f), real(1.0f) - p.b.b1);
-    return p;
+    Place place;
+    Barycentrics& b = place.b;
+    r.each<9>(offsetof(ShadeTriangle, b1), [&](int p, const part::real(&plane)[9]) {
+        using part::max, part::min;
+        const part::real zero(0.0f), one(1.0f);
+        const auto at = [&](int k) { return plane[k] * part_of(x, p) + plane[k + 1] * part_of(y, p) + plane[k + 2]; };
+        const part::real d = at(6), w = one / part::select(d > zero, d, one);
+        part_of(place.depth, p) = orthographic ? d : w;
+        part::real b1 = at(0), b2 = at(3);
+        if (affine) {
+            part_of(b.b1_dx, p) = plane[0], part_of(b.b1_dy, p) = plane[1];
+            part_of(b.b2_dx, p) = plane[3], part_of(b.b2_dy, p) = plane[4];
+        } else {
+            b1 = b1 * w, b2 = b2 * w;
+            part_of(b.b1_dx, p) = (plane[0] - b1 * plane[6]) * w;
+            part_of(b.b1_dy, p) = (plane[1] - b1 * plane[7]) * w;
+            part_of(b.b2_dx, p) = (plane[3] - b2 * plane[6]) * w;
+            part_of(b.b2_dy, p) = (plane[4] - b2 * plane[7]) * w;
+        }
+        // A pixel of a sliver may by rounding lie outside of it, and that would throw its attributes far out: they stay
+        // inside.
+        b1 = min(max(b1, zero), one);
+        part_of(b.b1, p) = b1;
+        part_of(b.b2, p) = min(max(b2, zero), one - b1);
+    });
+    return place;
 }
 
-/// a0, a1 - a0, a2 - a0 -> the value at the pixel.
-inline real interpolate(const real* a, const Barycentrics& b) { return a[0] + b.b1 * a[1] + b.b2 * a[2]; }
+/// a0, a1 - a0, a2 - a0 of n numbers -> their values at the pixel.
+template <int n>
+inline void interpolate(const Records& r, const Barycentrics& b, size_t member_offset, real (&to)[n]) {
+    r.each<3 * n>(member_offset, [&](int p, const part::real(&a)[3 * n]) {
+        const part::real b1 = part_of(b.b1, p), b2 = part_of(b.b2, p);
+        for (int k = 0; k < n; ++k) part_of(to[k], p) = a[3 * k] + b1 * a[3 * k + 1] + b2 * a[3 * k + 2];
+    });
+}
 
 inline vec3 interpolate3(const Records& r, const Barycentrics& b, size_t member_offset) {
-    real a[9];
-    r.get<9>(member_offset, a);
-    return vec3(interpolate(a, b), interpolate(a + 3, b), interpolate(a + 6, b));
+    real v[3];
+    interpolate(r, b, member_offset, v);
+    return vec3(v[0], v[1], v[2]);
 }
 
 inline vec4 interpolate_color(const Records& r, const Barycentrics& b) {
-    real a[12];
-    r.get<12>(offsetof(ShadeTriangle, color), a);
-    return vec4(interpolate(a, b), interpolate(a + 3, b), interpolate(a + 6, b), interpolate(a + 9, b));
+    real v[4];
+    interpolate(r, b, offsetof(ShadeTriangle, color), v);
+    return vec4(v[0], v[1], v[2], v[3]);
 }
 
 /// Texture coordinates with their change from pixel to pixel.
@@ -124,12 +136,20 @@ struct TexCoords {
     vec2 uv, dx, dy;
 };
 
-inline TexCoords texcoords(const Records& r, const Barycentrics& b, int set) {
-    real a[6];
-    r.get<6>(set == 0 ? offsetof(ShadeTriangle, texcoord0) : offsetof(ShadeTriangle, texcoord1), a);
-    return {vec2(interpolate(a, b), interpolate(a + 3, b)),
-            vec2(b.b1_dx * a[1] + b.b2_dx * a[2], b.b1_dx * a[4] + b.b2_dx * a[5]),
-            vec2(b.b1_dy * a[1] + b.b2_dy * a[2], b.b1_dy * a[4] + b.b2_dy * a[5])};
+inline void find_texcoords(const Records& r, const Barycentrics& b, int set, TexCoords& to) {
+    const size_t at = set == 0 ? offsetof(ShadeTriangle, texcoord0) : offsetof(ShadeTriangle, texcoord1);
+    r.each<6>(at, [&](int p, const part::real(&a)[6]) {
+        const auto mixed = [p](const real& along1, const real& along2, const part::real* to_corner) {
+            return part_of(along1, p) * to_corner[1] + part_of(along2, p) * to_corner[2];
+        };
+        const part::real b1 = part_of(b.b1, p), b2 = part_of(b.b2, p);
+        part_of(to.uv.x, p) = a[0] + b1 * a[1] + b2 * a[2];
+        part_of(to.uv.y, p) = a[3] + b1 * a[4] + b2 * a[5];
+        part_of(to.dx.x, p) = mixed(b.b1_dx, b.b2_dx, a);
+        part_of(to.dx.y, p) = mixed(b.b1_dx, b.b2_dx, a + 3);
+        part_of(to.dy.x, p) = mixed(b.b1_dy, b.b2_dy, a);
+        part_of(to.dy.y, p) = mixed(b.b1_dy, b.b2_dy, a + 3);
+    });
 }
 
 }  // namespace rakelight::raster::RL_ISA

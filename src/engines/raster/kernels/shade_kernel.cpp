@@ -44,13 +44,8 @@ inline vec4 texel(const TextureSlot& slot, const Pixels& p) {
 }
 
 inline void find_texcoords(const MaterialView& m, Pixels& p) {
-    bool used[2] = {false, false};
-    const TextureSlot* const slots[] = {&m.base_color_map, &m.normal_map,   &m.emission_map,          &m.occlusion_map,
-                                        &m.opacity_map,    &m.specular_map, &m.metallic_roughness_map};
-    for (const TextureSlot* slot : slots)
-        if (slot->view != nullptr) used[slot->texcoord_set == 0 ? 0 : 1] = true;
     for (int set = 0; set < 2; ++set)
-        if (used[set]) p.texcoords[set] = texcoords(p.records, p.b, set);
+        if (m.uses_texcoords[set] != 0) find_texcoords(p.records, p.b, set, p.texcoords[set]);
     p.shares_footprint = m.shares_footprint != 0 && p.anisotropy <= 1;
     if (!p.shares_footprint) return;
     const TextureView& t = *m.base_color_map.view;

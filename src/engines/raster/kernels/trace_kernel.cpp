@@ -210,7 +210,8 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, Tr
     out.barycentric[0] = 1.0f - p.b.b1 - p.b.b2, out.barycentric[1] = p.b.b1, out.barycentric[2] = p.b.b2;
     put(out.position, p.position);
     for (int set = 0; set < 2; ++set) {
-        const TexCoords c = texcoords(p.records, p.b, set);
+        TexCoords c;
+        find_texcoords(p.records, p.b, set, c);
         out.texcoord[set][0] = c.uv.x, out.texcoord[set][1] = c.uv.y;
     }
     trace_maps(*job, p, out, texels);
