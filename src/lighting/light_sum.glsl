@@ -179,21 +179,37 @@ RL_FN real specular_factor(RL_IN(Surface) surface, vec3 l, real cosine, RL_IN(Re
     return response;
 }
 
+// What the products of the surface's and the light's colors are multiplied by.
+struct LightWeights {
+    real ambient;
+    real diffuse;
+    real specular;
+};
+
+RL_FN LightWeights light_weights(RL_IN(Surface) surface, RL_IN(LightSample) light, RL_IN(Reflection) reflection)
+{
+    LightWeights weights;
+    weights.ambient = light.attenuation;
+    weights.diffuse = 0.0f;
+    weights.specular = 0.0f;
+    real cosine = lambert_cosine(dot(surface.n, light.l));
+    if ((reflection.horizon != 0 || reflection.form == RL_NORMALIZED) && no_lane(cosine > 0.0f)) {
+        return weights;
+    }
+    weights.diffuse = cosine * light.attenuation;
+    if (reflection.model != RL_LAMBERT) {
+        weights.specular = specular_factor(surface, light.l, cosine, reflection) * light.attenuation;
+    }
+    return weights;
+}
+
 RL_FN LightTerms light_terms(RL_IN(Surface) surface, RL_IN(LightSample) light, RL_IN(Reflection) reflection)
 {
+    LightWeights weights = light_weights(surface, light, reflection);
     LightTerms terms;
-    real cosine = lambert_cosine(dot(surface.n, light.l));
-    terms.ambient = surface.ambient * (light.ambient * light.attenuation);
-    terms.diffuse = vec3(0.0f);
-    terms.specular = vec3(0.0f);
-    if ((reflection.horizon != 0 || reflection.form == RL_NORMALIZED) && no_lane(cosine > 0.0f)) {
-        return terms;
-    }
-    terms.diffuse = surface.diffuse * (light.diffuse * (cosine * light.attenuation));
-    if (reflection.model != RL_LAMBERT) {
-        real factor = specular_factor(surface, light.l, cosine, reflection);
-        terms.specular = surface.specular * (light.specular * (factor * light.attenuation));
-    }
+    terms.ambient = surface.ambient * (light.ambient * weights.ambient);
+    terms.diffuse = surface.diffuse * (light.diffuse * weights.diffuse);
+    terms.specular = surface.specular * (light.specular * weights.specular);
     return terms;
 }
 

@@ -33,12 +33,15 @@ void pack_row(const std::uint32_t* srgb8, std::size_t count, int channels, std::
         std::memcpy(out, srgb8, 4 * count);
         return;
     }
+    using Pairs [[gnu::vector_size(16)]] = std::uint64_t;
     std::size_t i = 0;
-    for (; i + 2 < count; i += 2) {  // the next pixel covers the last two bytes
-        std::uint64_t pair;
-        std::memcpy(&pair, srgb8 + i, 8);
-        pair = (pair & 0xffffffu) | (pair >> 8 & 0xffffff000000u);
-        std::memcpy(out + 3 * i, &pair, 8);
+    for (; i + 4 < count; i += 4) {  // what is written too far the next pixels cover
+        Pairs pixels;
+        std::memcpy(&pixels, srgb8 + i, 16);
+        pixels = (pixels & 0xffffffu) | (pixels >> 8 & 0xffffff000000u);
+        const std::uint64_t first = pixels[0], second = pixels[1];
+        std::memcpy(out + 3 * i, &first, 8);
+        std::memcpy(out + 3 * i + 6, &second, 8);
     }
     for (; i < count; ++i) std::memcpy(out + 3 * i, srgb8 + i, 3);
 }

@@ -8,6 +8,7 @@ namespace rakelight::raster {
 
 inline constexpr int tile_size = 64;     ///< [px] side of a tile; tiles lie on the picture's own grid, not the window's
 inline constexpr int tile_bits = 6;          ///< log2 of it
+inline constexpr int block_side = 4;         ///< [px] of the blocks in whose order pixels are shaded
 inline constexpr int subpixel_bits = 8;  ///< screen coordinates are integers of 1/256 pixel
 inline constexpr int row_padding = 15;   ///< arrays that kernels load whole vectors from reach this far past their end
 inline constexpr int small_extent =
@@ -117,7 +118,8 @@ struct GeometryKernels {
     float (*farthest)(const float* depth, int32_t left, int32_t top, int32_t right, int32_t bottom);
     int32_t (*nearest)(const NearestJob* job);  ///< returns how many pixels were written
     int32_t (*cover)(const CoverJob* job);      ///< the same
-    /// Lists the pixels [tile_size * tile_size] whose `visible` is in begin..end-1, in order; returns their number.
+    /// Lists the pixels [tile_size * tile_size] whose `visible` is in begin..end-1, block by block (block_side), row by
+    /// row in each; returns their number.
     /// Writes up to batch_padding past it.
     int32_t (*collect)(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel);
     /// Numbers what `count` pixels show, each triangle once, in the order of their first pixels: position in the tile's

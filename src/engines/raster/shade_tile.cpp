@@ -28,6 +28,22 @@ void blend_batch(std::size_t count, TileScratch& s) {
     }
 }
 
+/// Values of pixels in the order of GeometryKernels::collect to their places: whole blocks row by row.
+void put(const std::uint32_t* values, const std::int32_t* pixels, std::size_t count, std::uint32_t* tile) {
+    constexpr std::int32_t side = block_side, last = (side - 1) * (tile_size + 1);  // its bits are places in a block
+    constexpr std::size_t whole = side * side;
+    for (std::size_t i = 0; i < count;) {
+        const std::int32_t first = pixels[i];
+        if ((first & last) == 0 && i + whole <= count && pixels[i + whole - 1] == first + last) {
+            for (std::int32_t row = 0; row < side; ++row)
+                std::memcpy(tile + first + row * tile_size, values + i + std::size_t(row * side), side * sizeof(*tile));
+            i += whole;
+        } else {
+            tile[first] = values[i++];
+        }
+    }
+}
+
 /// Shades `count` pixels of the batch arrays, all of one draw, into the tile.
 void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::size_t count, bool to_srgb8,
                  TileScratch& s) {
@@ -39,7 +55,7 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
     s.not_finite += std::uint64_t(job.kernels.shade(&batch));
     s.shaded += count;
     if (is_lit_at_pixels(batch)) s.lit_pixels += count;
-    for (std::size_t i = 0; i < count && to_srgb8; ++i) s.srgb8[std::size_t(s.pixel[i])] = s.codes[i];
+    if (to_srgb8) put(s.codes.data(), s.pixel.data(), count, s.srgb8.data());
     for (std::size_t i = 0; i < count && !to_srgb8; ++i)
         s.color[std::size_t(s.pixel[i])] = {s.red[i], s.green[i], s.blue[i], 1.0f};
     for (std::size_t i = 0; i < count && with_normal; ++i)
@@ -106,7 +122,7 @@ void set_background(const RenderSettings& settings, bool to_srgb8, TileScratch& 
         rakelight::to_srgb8({&settings.background, 1}, 4, code);
         std::uint32_t packed;
         std::memcpy(&packed, code, sizeof packed);
-        std::fill(s.srgb8.begin(), s.srgb8.end(), packed);
+        std::fill_n(s.srgb8.data(), tile_pixels, packed);
     } else {
         std::fill(s.color.begin(), s.color.end(), settings.background);
     }

@@ -8,8 +8,6 @@ namespace rakelight::raster::RL_ISA {
 RL_USE_WIDE;
 using rakelight::wide::RL_ISA::load_i_rows4;
 
-inline constexpr int32_t block_side = 4;  ///< [px] of the blocks in whose order pixels are shaded
-
 /// Positions in a tile's list are in the order of the scene: those of one draw follow one another. Pixels come block by
 /// block: neighbors in both directions share triangles, levels and texels.
 static int32_t collect(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel) {

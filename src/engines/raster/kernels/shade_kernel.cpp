@@ -209,9 +209,12 @@ inline int32_t store_block(const ShadeJob& job, int32_t first, Block& b) {
     for (int32_t k = 0; k < b.count; ++k) {
         const int32_t at = first + k * lanes, alive = job.count - at < lanes ? job.count - at : lanes;
         vec3& radiance = b.radiance[k];
-        radiance.x = only_finite(radiance.x, alive, not_finite);
-        radiance.y = only_finite(radiance.y, alive, not_finite);
-        radiance.z = only_finite(radiance.z, alive, not_finite);
+        const real sum = radiance.x + radiance.y + radiance.z;
+        if (!all_lanes(sum - sum == real(0.0f))) {
+            radiance.x = only_finite(radiance.x, alive, not_finite);
+            radiance.y = only_finite(radiance.y, alive, not_finite);
+            radiance.z = only_finite(radiance.z, alive, not_finite);
+        }
         store_colors(job, at, radiance, b.base[k].color.w);
         if (job.normal_x == nullptr) continue;
         store(job.normal_x + at, b.surface[k].n.x);
