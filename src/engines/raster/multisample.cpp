@@ -133,11 +133,12 @@ private:
         const std::size_t begin = m_.first[std::size_t(run.begin)], end = m_.first[std::size_t(run.end)];
         const bool has_whole = m_.open_pixels.size() < tile_pixels;
         const auto count =
-            has_whole ? std::size_t(job_.front.kernels.collect(m_.whole.data(), run.begin, run.end, s_.pixel.data()))
+            has_whole ? std::size_t(job_.front.kernels.collect(m_.whole.data(), run.begin, run.end, s_.pixel.data(),
+                                                               s_.shown.data()))
                       : 0;
         if (count == 0 && begin == end) return;
         s_.wanted.clear();
-        for (std::size_t i = 0; i < count; ++i) s_.batch_triangle[i] = record_of(m_.whole[std::size_t(s_.pixel[i])]);
+        if (count > 0) find_wanted(job_, tile_, count, s_);
         for (std::size_t i = begin; i < end; ++i) record_of(m_.fragments[i].position);
         make_records(job_, run.draw, s_.wanted, job_.grid.origin_x(tile_), job_.grid.origin_y(tile_), s_);
         if (count > 0) shade_whole(run.draw, count);
@@ -165,7 +166,7 @@ private:
         ShadeJob batch = batch_of(draw, count);
         if (is_direct_) batch.srgb8 = s_.codes.data(), batch.srgb_table = SrgbEncoder::instance().table();
         s_.not_finite += std::uint64_t(job_.kernels.shade(&batch));
-        for (std::size_t i = 0; i < count && is_direct_; ++i) s_.srgb8[std::size_t(s_.pixel[i])] = s_.codes[i];
+        if (is_direct_) put_blocks(s_.codes.data(), s_.pixel.data(), count, s_.srgb8.data());
         for (std::size_t i = 0; i < count && !is_direct_; ++i)
             s_.color[std::size_t(s_.pixel[i])] = {s_.red[i], s_.green[i], s_.blue[i], 1.0f};
     }

@@ -14,22 +14,19 @@
 #include "math/linear.h"
 
 namespace rakelight::raster {
-namespace {
-
-bool is_lit_at_pixels(const ShadeJob& job) { return !job.unlit && !job.lit; }
-
-/// Colors of a finished batch over what is there.
-void blend_batch(std::size_t count, TileScratch& s) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool is_finite = s.alpha[i] - s.alpha[i] == 0;
-        if (!is_finite) ++s.not_finite;
-        const vec4 c = {s.red[i], s.green[i], s.blue[i], is_finite ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f};
-        lay_over(c, s.color[std::size_t(s.pixel[i])]);
+void find_wanted(const TileJob& job, std::size_t tile, std::size_t count, TileScratch& s) {
+    const ScreenTriangle* const* const items = job.binned.items.data() + job.binned.offsets[tile];
+    std::fill_n(s.shown.begin() + std::ptrdiff_t(count), batch_padding, s.shown[count - 1]);
+    const std::int32_t wanted = job.front.kernels.number(s.shown.data(), std::int32_t(count), s.record.data(),
+                                                         s.batch_triangle.data(), s.numbers.data());
+    s.wanted.resize(std::size_t(wanted));
+    for (std::size_t i = 0; i < s.wanted.size(); ++i) {
+        s.wanted[i] = items[s.numbers[i]];
+        __builtin_prefetch(s.wanted[i]);
     }
 }
 
-/// Values of pixels in the order of GeometryKernels::collect to their places: whole blocks row by row.
-void put(const std::uint32_t* values, const std::int32_t* pixels, std::size_t count, std::uint32_t* tile) {
+void put_blocks(const std::uint32_t* values, const std::int32_t* pixels, std::size_t count, std::uint32_t* tile) {
     constexpr std::int32_t side = block_side, last = (side - 1) * (tile_size + 1);  // its bits are places in a block
     constexpr std::size_t whole = side * side;
     for (std::size_t i = 0; i < count;) {
@@ -44,6 +41,20 @@ void put(const std::uint32_t* values, const std::int32_t* pixels, std::size_t co
     }
 }
 
+namespace {
+
+bool is_lit_at_pixels(const ShadeJob& job) { return !job.unlit && !job.lit; }
+
+/// Colors of a finished batch over what is there.
+void blend_batch(std::size_t count, TileScratch& s) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool is_finite = s.alpha[i] - s.alpha[i] == 0;
+        if (!is_finite) ++s.not_finite;
+        const vec4 c = {s.red[i], s.green[i], s.blue[i], is_finite ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f};
+        lay_over(c, s.color[std::size_t(s.pixel[i])]);
+    }
+}
+
 /// Shades `count` pixels of the batch arrays, all of one draw, into the tile.
 void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::size_t count, bool to_srgb8,
                  TileScratch& s) {
@@ -55,7 +66,7 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
     s.not_finite += std::uint64_t(job.kernels.shade(&batch));
     s.shaded += count;
     if (is_lit_at_pixels(batch)) s.lit_pixels += count;
-    if (to_srgb8) put(s.codes.data(), s.pixel.data(), count, s.srgb8.data());
+    if (to_srgb8) put_blocks(s.codes.data(), s.pixel.data(), count, s.srgb8.data());
     for (std::size_t i = 0; i < count && !to_srgb8; ++i)
         s.color[std::size_t(s.pixel[i])] = {s.red[i], s.green[i], s.blue[i], 1.0f};
     for (std::size_t i = 0; i < count && with_normal; ++i)
@@ -63,26 +74,13 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
     if (job.front.settings.channels & further_channels) fill_channels(job, batch, draw, s);
 }
 
-/// The records of what `count` pixels of the batch arrays show, each once, in the order of their first pixels.
-void find_records(const TileJob& job, std::size_t tile, std::uint32_t draw, std::size_t count, TileScratch& s) {
-    const ScreenTriangle* const* const items = job.binned.items.data() + job.binned.offsets[tile];
-    std::fill_n(s.pixel.begin() + std::ptrdiff_t(count), batch_padding, s.pixel[count - 1]);
-    const std::int32_t wanted = job.front.kernels.number(s.visible.data(), s.pixel.data(), std::int32_t(count),
-                                                         s.record.data(), s.batch_triangle.data(), s.numbers.data());
-    s.wanted.resize(std::size_t(wanted));
-    for (std::size_t i = 0; i < s.wanted.size(); ++i) {
-        s.wanted[i] = items[s.numbers[i]];
-        __builtin_prefetch(s.wanted[i]);
-    }
-    make_records(job, draw, s.wanted, job.grid.origin_x(tile), job.grid.origin_y(tile), s);
-}
-
 void shade_draw(const TileJob& job, std::size_t tile, std::uint32_t draw, std::size_t count, bool to_srgb8,
                 TileScratch& s) {
     if (count == 0) return;
     s.covered += count;
     s.samples_covered += count;
-    find_records(job, tile, draw, count, s);
+    find_wanted(job, tile, count, s);
+    make_records(job, draw, s.wanted, job.grid.origin_x(tile), job.grid.origin_y(tile), s);
     shade_batch(job, draw, tile, count, to_srgb8, s);
     const std::uint32_t channels = job.front.settings.channels;
     const Draw& d = job.front.list.draws[draw];
@@ -99,7 +97,7 @@ constexpr std::size_t most_passes =
 void shade_sorted(const TileJob& job, std::size_t tile, const std::vector<DrawRun>& runs, bool to_srgb8,
                   TileScratch& s) {
     s.sorted.resize(tile_pixels + batch_padding);
-    const auto count = std::size_t(job.front.kernels.collect(s.visible.data(), 0, runs.back().end, s.sorted.data()));
+    const auto count = std::size_t(job.front.kernels.collect(s.visible.data(), 0, runs.back().end, s.sorted.data(), s.shown.data()));
     const auto run_of = [&](std::int32_t pixel) {
         return std::partition_point(runs.begin(), runs.end(),
                                     [&](const DrawRun& r) { return r.end <= s.visible[std::size_t(pixel)]; });
@@ -111,6 +109,7 @@ void shade_sorted(const TileJob& job, std::size_t tile, const std::vector<DrawRu
         const auto next =
             std::partition_point(at, end, [&](std::int32_t pixel) { return s.visible[std::size_t(pixel)] < run->end; });
         std::copy(at, next, s.pixel.begin());
+        std::transform(at, next, s.shown.begin(), [&](std::int32_t pixel) { return s.visible[std::size_t(pixel)]; });
         shade_draw(job, tile, run->draw, std::size_t(next - at), to_srgb8, s);
         at = next;
     }
@@ -193,7 +192,8 @@ bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     else
         for (const DrawRun& run : runs)
             shade_draw(job, tile, run.draw,
-                       std::size_t(job.front.kernels.collect(s.visible.data(), run.begin, run.end, s.pixel.data())),
+                       std::size_t(job.front.kernels.collect(s.visible.data(), run.begin, run.end, s.pixel.data(),
+                                                                 s.shown.data())),
                        direct, s);
     return blends;
 }

@@ -56,6 +56,7 @@ public:
     std::vector<LitTriangle> lit;        ///< beside `triangles` in flat and Gouraud pictures
     std::vector<const TriangleRow*> rows;       ///< of the records that are made, padded
     std::vector<std::int32_t> record;           ///< [list] position in the list -> in `triangles`, -1: not wanted
+    std::vector<std::int32_t> shown = batch<std::int32_t>();    ///< position in the list that each pixel shows
     std::vector<std::int32_t> numbers = batch<std::int32_t>();  ///< number of a record -> position in the list
     std::vector<const ScreenTriangle*> wanted;                  ///< whose records are to be made
     std::vector<std::int32_t> sorted;  ///< covered pixels of tiles with very many draws, those of one draw together
@@ -101,6 +102,11 @@ void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs)
 bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs);
 /// The blended triangles of a tile, into Binned::items, in the order in which they are laid: far to near.
 std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile);
+
+/// `wanted`: what the first `count` of `shown` are, each once; `batch_triangle`: which of them.
+void find_wanted(const TileJob& job, std::size_t tile, std::size_t count, TileScratch& scratch);
+/// Values of pixels in the order of GeometryKernels::collect to their places in a tile: whole blocks row by row.
+void put_blocks(const std::uint32_t* values, const std::int32_t* pixels, std::size_t count, std::uint32_t* tile);
 
 /// The kernel's records of triangles of one draw, about the tile's first pixel center, into `triangles` of the scratch;
 /// where lighting is not evaluated at the pixels, the light of their corners into `lit`.

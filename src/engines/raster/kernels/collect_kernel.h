@@ -10,7 +10,7 @@ using rakelight::wide::RL_ISA::load_i_rows4;
 
 /// Positions in a tile's list are in the order of the scene: those of one draw follow one another. Pixels come block by
 /// block: neighbors in both directions share triangles, levels and texels.
-static int32_t collect(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel) {
+static int32_t collect(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel, int32_t* shown) {
     constexpr int32_t columns = lanes < block_side ? lanes : block_side, rows = lanes / columns;
     const integer lane = lane_indices();
     const integer place = ((lane >> 2) << tile_bits) + (lane & integer(block_side - 1));
@@ -23,19 +23,19 @@ static int32_t collect(const int32_t* visible, int32_t begin, int32_t end, int32
                     const integer position = load_i_rows4(visible + first, tile_size);
                     const mask is_wanted = position >= integer(begin) && position < integer(end);
                     if (no_lane(is_wanted)) continue;
+                    store_compressed(shown + count, position, is_wanted);
                     count += store_compressed(pixel + count, place + integer(first), is_wanted);
                 }
     return count;
 }
 
-static int32_t number(const int32_t* visible, const int32_t* pixel, int32_t count, int32_t* record, int32_t* triangle,
-                      int32_t* wanted) {
+static int32_t number(const int32_t* shown, int32_t count, int32_t* record, int32_t* triangle, int32_t* wanted) {
     int32_t numbered = 0;
     for (int32_t i = 0; i < count; i += lanes) {
-        const integer position = gather_i(visible, load_i(pixel + i));
+        const integer position = load_i(shown + i);
         integer known = gather_i(record, position);
         for (uint32_t unknown = lane_bits(known < integer(0)); unknown != 0; unknown = lane_bits(known < integer(0))) {
-            const int32_t next = visible[pixel[i + __builtin_ctz(unknown)]];
+            const int32_t next = shown[i + __builtin_ctz(unknown)];
             known = select(position == integer(next), integer(numbered), known);
             record[next] = numbered;
             wanted[numbered++] = next;
