@@ -12,6 +12,7 @@ std::string stats_text(const PictureResult& result) {
         std::uint64_t count;
     } rows[] = {{"lighting evaluations", s.lighting_evaluations},
                 {"vertices lit twice", s.vertices_lit_twice},
+                {"objects outside", s.objects_outside},
                 {"triangles in", s.triangles_in},
                 {"culled by side", s.culled_back},
                 {"culled outside", s.culled_outside},

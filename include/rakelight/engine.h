@@ -195,6 +195,7 @@ struct StageTimes {
 struct RenderStats {
     /// Culled ones are counted once, by the first reason that applies. `clipped`: those that were cut; each of their pieces counts as
     /// drawn or culled.
+    std::uint64_t objects_outside = 0;  ///< dropped whole, because their boxes lie outside of the picture
     std::uint64_t triangles_in = 0, culled_back = 0, culled_degenerate = 0, culled_outside = 0, clipped = 0, drawn = 0;
     /// Covered: by something opaque, at one sample or more. Shaded: those, once for each triangle that its samples
     /// show, and each blended surface over each pixel.

@@ -11,6 +11,7 @@ Json stats_json(const RenderStats& s) {
             {"culled_back", s.culled_back},
             {"culled_degenerate", s.culled_degenerate},
             {"culled_outside", s.culled_outside},
+            {"objects_outside", s.objects_outside},
             {"clipped", s.clipped},
             {"drawn", s.drawn},
             {"pixels_covered", s.pixels_covered},

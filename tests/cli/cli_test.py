@@ -249,6 +249,7 @@ class Cli(program.Case):
             self.assertEqual(text.code, 0, text.err)
             self.assertRegex(text.out, rf"a\.png: lighting evaluations +{where[shading]}\b")
             self.assertRegex(text.out, rf"a\.png: pixels covered +{stats['pixels_covered']}\b")
+            self.assertRegex(text.out, rf"a\.png: objects outside +{stats['objects_outside']}\b")
             self.assertEqual(self.run_program(*arguments).out, "")
             self.assertGreaterEqual(stats["overdraw"], 1)
         self.assertEqual(where, {"unlit": 0, "flat": 4, "gouraud": 8, "phong": stats["pixels_covered"]})

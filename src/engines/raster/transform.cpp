@@ -66,6 +66,19 @@ bool is_outside(const Draw& draw, const ToClip& to_clip, const ClipVolume& volum
     return common != 0;
 }
 
+/// Objects of which no mesh may be seen; the draws of one follow each other.
+std::uint64_t count_objects_outside(const FrontEnd& front) {
+    const std::vector<Draw>& draws = front.list.draws;
+    std::uint64_t count = 0;
+    for (std::size_t d = 0, end = 0; d < draws.size(); d = end) {
+        bool all_outside = true;
+        for (end = d; end < draws.size() && draws[end].node == draws[d].node; ++end)
+            all_outside = all_outside && front.clip[end].empty();
+        count += all_outside;
+    }
+    return count;
+}
+
 }  // namespace
 
 void transform_draws(FrontEnd& front, Context& context) {
@@ -94,6 +107,7 @@ void transform_draws(FrontEnd& front, Context& context) {
         front.screen[d].resize(mesh.positions.size() + row_padding);
         for (std::size_t v = 0; v < mesh.positions.size(); v += vertices_per_task) tasks.push_back({d, v});
     }
+    front.stats.objects_outside = count_objects_outside(front);
     context.parallel_for(tasks.size(), [&](std::size_t t) {
         const FlushDenormals guard;
         const auto [d, first] = tasks[t];

@@ -306,11 +306,30 @@ TEST(SoftEngine, CountsWhatHappensToTriangles) {
     EXPECT_EQ(stats.triangles_in, 2u);
     EXPECT_EQ(stats.drawn, 2u);
     EXPECT_EQ(stats.pixels_covered, 64u * 64u);
+    EXPECT_EQ(stats.objects_outside, 0u);
     Camera away = flat_camera();
     away.to_world = translation(dvec3{100, 0, 5});
     render(lit_square(), away, small, 1, &stats);
     EXPECT_EQ(stats.culled_outside, 2u);
     EXPECT_EQ(stats.drawn, 0u);
+    EXPECT_EQ(stats.objects_outside, 1u);
+}
+
+TEST(SoftEngine, CountsObjectsOfWhichNoMeshMayBeSeen) {
+    Scene scene = lit_square();
+    const dmat4 aside = translation(dvec3{50, 0, 0});
+    add_object(scene, square_mesh(0), aside);
+    scene.nodes.back().meshes.push_back(0);  // two meshes of one object
+    Mesh wide = square_mesh(0);
+    wide.positions = std::vector<vec3>{{-60, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-60, 1, 0}};
+    scene.meshes.push_back(wide);
+    add_object(scene, square_mesh(0), aside);
+    scene.nodes.back().meshes.push_back(
+        std::uint32_t(scene.meshes.size() - 2));  // `wide`, that reaches into the picture
+    RenderStats stats;
+    render(scene, flat_camera(), small, 1, &stats);
+    EXPECT_EQ(stats.objects_outside, 1u);
+    EXPECT_EQ(stats.triangles_in, 10u);
 }
 
 TEST(SoftEngine, ImpossibleCamerasAndSettingsAreRefused) {
