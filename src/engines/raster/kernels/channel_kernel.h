@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data channels of a run of pixels, from the same functions as their color. Runs only where somebody asked. Part of
-// shade_kernel.cpp, whose functions it calls. Per instruction set.
+// Data channels of a run of pixels, from the same functions as their color. Runs only where somebody asked. Per
+// instruction set.
 #pragma once
+#include "engines/raster/kernels/surface.h"
 
 namespace rakelight::raster::RL_ISA {
 
-/// The terms whose sum is lit_color().
+/// The terms whose sum is the color.
 struct ColorTerms {
     vec3 ambient, diffuse, specular, emission;
 };

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run of pixels shows: where each lies, what its material reflects there, its normal and emission. Per
+// instruction set.
+#pragma once
+#include <stddef.h>
+
+#include "engines/raster/kernels/light_kernel.h"
+#include "engines/raster/kernels/sample.h"
+
+namespace rakelight::raster::RL_ISA {
+
+/// One vector of pixels on its way.
+struct Pixels {
+    Records records;
+    Barycentrics b;
+    TexCoords texcoords[2];
+    Footprint footprint;  ///< of base color and normal map where they share it
+    int32_t anisotropy;
+    bool shares_footprint;
+    vec3 position;        ///< relative to the eye
+    const int32_t* triangle;
+
+    Pixels() = default;
+    Pixels(const ShadeJob& job, int32_t first) { find(job, first); }
+
+    void find(const ShadeJob& job, int32_t first) {
+        triangle = job.triangle + first;
+        anisotropy = job.anisotropy;
+        records.find(reinterpret_cast<const float*>(job.triangles), shade_triangle_floats, triangle);
+        const integer pixel = load_i(job.pixel + first);
+        real x = to_real(pixel & integer(tile_size - 1)), y = to_real(shift_right_logical(pixel, tile_bits));
+        if (job.offset_x != nullptr) x = x + load(job.offset_x + first), y = y + load(job.offset_y + first);
+        const Place place = place_of(records, x, y, job.affine != 0, job.orthographic != 0);
+        b = place.b;
+        const auto ray = [&](int c) { return real(job.ray[c][0]) * x + real(job.ray[c][1]) * y + real(job.ray[c][2]); };
+        position = vec3(ray(0), ray(1), ray(2));
+        position = job.orthographic != 0 ? position - splat(job.view_direction) * place.depth : position * place.depth;
+    }
+};
+
+inline vec3 rgb(vec4 v) { return vec3(v.x, v.y, v.z); }
+inline vec4 texel(const TextureSlot& slot, const Pixels& p) {
+    const TexCoords& at = p.texcoords[slot.texcoord_set == 0 ? 0 : 1];
+    return p.anisotropy > 1 ? sample_anisotropic(slot, at, p.anisotropy) : sample(slot, at);
+}
+
+inline void find_texcoords(const MaterialView& m, Pixels& p) {
+    for (int set = 0; set < 2; ++set)
+        if (m.uses_texcoords[set] != 0) find_texcoords(p.records, p.b, set, p.texcoords[set]);
+    p.shares_footprint = m.shares_footprint != 0 && p.anisotropy <= 1;
+    if (!p.shares_footprint) return;
+    const TextureView& t = *m.base_color_map.view;
+    const TexCoords c = transformed(m.base_color_map, p.texcoords[m.base_color_map.texcoord_set == 0 ? 0 : 1]);
+    find_footprint(t, c, level_of_detail(t, c), t.minify_linear != 0, p.footprint);
+}
+
+/// The normal map's texel, 0..1.
+inline vec3 normal_texel(const MaterialView& m, const Pixels& p) {
+    return rgb(p.shares_footprint ? sample(*m.normal_map.view, p.footprint) : texel(m.normal_map, p));
+}
+
+/// What the surface is painted with, vertex color times texture, and that times the material's factor; alpha with the opacity map.
+struct BaseColor {
+    vec4 paint, color;
+};
+
+inline BaseColor base_color(const MaterialView& m, const Pixels& p) {
+    BaseColor base;
+    const real one(1.0f);
+    base.paint = m.vertex_colors != 0 ? interpolate_color(p.records, p.b) : vec4(one, one, one, one);
+    if (p.shares_footprint)
+        base.paint = base.paint * sample(*m.base_color_map.view, p.footprint);
+    else if (m.base_color_map.view != nullptr)
+        base.paint = base.paint * texel(m.base_color_map, p);
+    base.color = vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * base.paint;
+    if (m.opacity_map.view != nullptr) base.color.w = base.color.w * texel(m.opacity_map, p).x;
+    return base;
+}
+
+/// Interpolated normal, bumped by the map, on the side that is lit.
+inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
+    const MaterialView& m = *job.material;
+    vec3 n = safe_normalize(interpolate3(p.records, p.b, offsetof(ShadeTriangle, normal)));
+    if (job.bump != 0 && m.normal_map.view != nullptr) {
+        const vec3 along = interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent));
+        const vec3 across = lit::orthogonal_tangent(n, along);
+        const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(along, across);
+        const vec3 mapped = lit::decode_normal(normal_texel(m, p), real(m.normal_scale));
+        n = lit::perturb_normal(n, t, p.records(offsetof(ShadeTriangle, handedness)), mapped);
+    }
+    return n * p.records(offsetof(ShadeTriangle, facing));
+}
+
+inline void set_classical(const MaterialView& m, const Pixels& p, vec3 paint, lit::Surface& s) {
+    s.ambient = splat(m.ambient) * paint;
+    s.specular = splat(m.specular);
+    if (m.specular_map.view != nullptr) s.specular = s.specular * rgb(texel(m.specular_map, p));
+    s.exponent = real(m.shininess);
+}
+
+/// Metallic-roughness as the parameters of a normalized lobe: what classical_from_metallic_roughness() says, per pixel.
+inline void set_metallic_roughness(const MaterialView& m, const Pixels& p, vec3 base, lit::Surface& s) {
+    real metallic = real(m.metallic), roughness = real(m.roughness);
+    if (m.metallic_roughness_map.view != nullptr) {
+        const vec4 t = texel(m.metallic_roughness_map, p);
+        roughness = roughness * t.y;
+        metallic = metallic * t.z;
+    }
+    s.ambient = base;
+    s.diffuse = base * (real(1.0f) - metallic);
+    s.specular = mix(splat(m.dielectric_f0), base, metallic);
+    s.exponent = exponent_of_roughness(roughness);
+}
+
+/// What the material reflects at the pixel: all of the surface but its directions.
+inline void set_reflectance(const ShadeJob& job, const Pixels& p, const BaseColor& base, lit::Surface& s) {
+    const MaterialView& m = *job.material;
+    s.diffuse = rgb(base.color);
+    if (m.metallic_roughness != 0)
+        set_metallic_roughness(m, p, rgb(base.color), s);
+    else
+        set_classical(m, p, rgb(base.paint), s);
+    if (m.occlusion_map.view != nullptr)
+        s.ambient = s.ambient * (real(1.0f) + real(m.occlusion_strength) * (texel(m.occlusion_map, p).x - real(1.0f)));
+    s.lobe_scale = lit::lobe_scale(s.exponent, reflection_of(job));
+}
+
+/// First term of the sum.
+inline vec3 emission_of(const MaterialView& m, const Pixels& p) {
+    const vec3 emission = splat(m.emission);
+    return m.emission_map.view != nullptr ? emission * rgb(texel(m.emission_map, p)) : emission;
+}
+
+}  // namespace rakelight::raster::RL_ISA
