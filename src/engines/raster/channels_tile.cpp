@@ -118,7 +118,7 @@ void fill_channels(const TileJob& job, const ShadeJob& batch, std::uint32_t draw
 void count_overdraw(const TileJob& job, std::size_t tile, TileScratch& s) {
     const Window area = job.grid.pixels(tile);
     const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
-    for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1]; ++i) {
+    for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1] && !job.is_cancelled(); ++i) {
         const ScreenTriangle& t = *job.binned.items[i];
         const MaterialView& material = job.front.list.materials[job.front.list.draws[t.draw].material].view;
         if (material.blend) continue;

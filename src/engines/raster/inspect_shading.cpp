@@ -12,7 +12,8 @@ ShadedPicture draw_shaded(const Inspection& of, Shading shading, Context& contex
     Context quiet({.threads = context.threads(), .max_memory = context.memory().limit()});
     const Inspection::Geometry geometry(of, {}, false, quiet, shading);
     const TileJob job{geometry.front, geometry.binned, geometry.grid, of.lights(), *scalar::kernels(),
-                      true,           geometry.points};
+                      true,           geometry.points, false,         false,       nullptr,
+                      &context};
     ShadedPicture picture{{}, geometry.front.stats};
     picture.color.resize(std::size_t(of.settings().width) * std::size_t(of.settings().height));
     std::vector<std::uint64_t> lit(geometry.grid.count(), 0);

@@ -130,24 +130,25 @@ private:
 
 void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink& sink) {
     StageClock clock;
-    if (job.front.settings.samples > 1) {
+    const bool is_sampled = job.front.settings.samples > 1;
+    if (is_sampled)
         find_visible_samples(job, tile, scratch);
-        scratch.times.visibility += clock.lap();
-        shade_samples(job, tile, scratch);
-        scratch.times.shading += clock.lap();
-        finish_samples(job, tile, scratch);
-        scratch.times.blending += clock.lap();
-        deliver(job, tile, scratch, sink);
-        scratch.times.delivery += clock.lap();
-        return;
-    }
-    find_visible(job, tile, scratch);
+    else
+        find_visible(job, tile, scratch);
     scratch.times.visibility += clock.lap();
-    const bool blends = shade_opaque(job, tile, scratch);
-    if (job.front.settings.channels & channel_overdraw) count_overdraw(job, tile, scratch);
+    if (job.is_cancelled()) return;
+    bool blends = false;
+    if (is_sampled) {
+        shade_samples(job, tile, scratch);
+    } else {
+        blends = shade_opaque(job, tile, scratch);
+        if (job.front.settings.channels & channel_overdraw) count_overdraw(job, tile, scratch);
+    }
     scratch.times.shading += clock.lap();
+    if (is_sampled) finish_samples(job, tile, scratch);
     if (blends) blend_transparent(job, tile, scratch);
     scratch.times.blending += clock.lap();
+    if (job.is_cancelled()) return;  // cut short
     deliver(job, tile, scratch, sink);
     scratch.times.delivery += clock.lap();
 }
@@ -202,7 +203,7 @@ public:
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
         const double waited = draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points,
-                                          sink.takes_srgb8(), (settings.channels & channel_uv1) != 0, &marks},
+                                          sink.takes_srgb8(), (settings.channels & channel_uv1) != 0, &marks, &context},
                                          sink, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;

@@ -87,8 +87,10 @@ void finish_samples(const TileJob& job, std::size_t tile, TileScratch& s) {
     if (s.samples->blends) {
         if (has_any_marks) marks.emplace(job, tile, s);
         std::vector<std::uint16_t> shown(tile_pixels, 0);
-        for (const std::uint32_t item : blending_order(job, tile))
+        for (const std::uint32_t item : blending_order(job, tile)) {
+            if (job.is_cancelled()) return;
             blend_triangle(job, tile, *job.binned.items[item], marks ? &*marks : nullptr, shown, s);
+        }
     }
     resolve(job.to_srgb8 && !has_any_marks, std::size_t(job.front.settings.samples), s);
     if (!has_any_marks) return;

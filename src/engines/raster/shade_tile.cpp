@@ -223,6 +223,7 @@ void blend_layers(const TileJob& job, std::size_t tile, const std::vector<std::u
     const Window area = job.grid.pixels(tile);
     const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
     for (const std::uint32_t item : order) {
+        if (job.is_cancelled()) return;
         const ScreenTriangle& t = *job.binned.items[item];
         std::size_t count = 0;
         const BlendTest is_before(job.front, t, std::int32_t(item - job.binned.offsets[tile]));

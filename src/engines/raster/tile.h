@@ -26,6 +26,10 @@ struct TileJob {
     bool to_srgb8 = false;       ///< the sink takes display values
     bool whole_records = false;  ///< records have what no texture of their material needs, too: for inspection
     const Marks* marks = nullptr;  ///< lines and points; null: none
+    const Context* context = nullptr;  ///< null: nobody cancels
+
+    /// Asked every few triangles; a tile that was cut short is not to be shown.
+    bool is_cancelled() const { return context && context->cancelled(); }
 };
 
 struct SampleScratch;  // multisample.h

@@ -51,6 +51,7 @@ public:
     template <class Take>
     void for_each_fragment(const Take& take) {
         for (const std::uint64_t item : items_) {
+            if (job_.is_cancelled()) return;
             const Mark& m = marks_.at(item);
             const float size =
                 m.shape == Mark::Shape::line ? job_.front.settings.line_width : job_.front.settings.point_size;

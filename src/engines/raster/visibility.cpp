@@ -126,7 +126,7 @@ public:
         if (material.blend) return;
         if (material.alpha_cutoff >= 0) return draw_masked(list, position);
         if (!has_large) return draw_small(list, position);
-        for (std::size_t i = 0; i < list.size();) {
+        for (std::size_t i = 0; i < list.size() && !job_.is_cancelled();) {
             std::size_t end = i;
             while (end < list.size() && !list[end]->is_large) ++end;
             draw_small(list.subspan(i, end - i), position + std::int32_t(i));
@@ -137,7 +137,7 @@ public:
 
 private:
     void draw_masked(std::span<const ScreenTriangle* const> list, std::int32_t position) {
-        for (std::size_t i = 0; i < list.size(); ++i)
+        for (std::size_t i = 0; i < list.size() && !job_.is_cancelled(); ++i)
             if (!farthest_.hides(*list[i]))
                 cover_masked(job_, *list[i], position + std::int32_t(i), area_, ox_, oy_, plane_, s_);
     }
@@ -151,7 +151,7 @@ private:
         job.right = job.left + area_.width - 1, job.bottom = job.top + area_.height - 1;
         job.depth = plane_.depth;
         job.visible = plane_.visible;
-        for (std::size_t i = 0; i < list.size(); i += triangles_per_job) {
+        for (std::size_t i = 0; i < list.size() && !job_.is_cancelled(); i += triangles_per_job) {
             job.rows = reinterpret_cast<const TriangleRow* const*>(list.data() + i);
             job.count = std::int32_t(std::min(triangles_per_job, list.size() - i));
             job.total = std::int32_t(std::min<std::ptrdiff_t>(end_of_items - (list.data() + i), 1 << 16));
@@ -191,7 +191,8 @@ void find_visible_at(const SamplePlane& plane, const TileJob& job, std::size_t t
     job.front.kernels.clear_tile(plane.depth, plane.visible);
     TileVisibility visibility(job, tile, plane, scratch);
     std::int32_t position = 0;
-    for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1]; ++r) {
+    for (std::uint32_t r = job.binned.run_offsets[tile]; r < job.binned.run_offsets[tile + 1] && !job.is_cancelled();
+         ++r) {
         const TileRun& run = job.binned.runs[r];
         visibility.draw(run.draw, run.has_large, {job.binned.items.data() + run.first, run.count}, position);
         position += std::int32_t(run.count);

@@ -109,7 +109,8 @@ void find_visible_by_method(const TileJob& job, std::size_t tile, TileScratch& s
     std::fill(scratch.visible.begin(), scratch.visible.end(), -1);
     MethodTile method(job, tile, scratch);
     const std::uint32_t first = job.binned.offsets[tile], end = job.binned.offsets[tile + 1];
-    for (std::uint32_t i = first; i < end; ++i) method.add(*job.binned.items[i], std::int32_t(i - first));
+    for (std::uint32_t i = first; i < end && !job.is_cancelled(); ++i)
+        method.add(*job.binned.items[i], std::int32_t(i - first));
 }
 
 RenderSettings settings_for_method(RenderSettings settings) {
