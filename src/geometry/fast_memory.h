@@ -8,9 +8,7 @@
 #include <new>
 #include <utility>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+#include "base/huge_pages.h"
 
 namespace rakelight::geometry {
 
@@ -30,13 +28,11 @@ public:
         if (count <= capacity_) return;
         std::free(std::exchange(data_, nullptr));
         capacity_ = 0;
-        const std::size_t step = count * sizeof(T) < huge ? 4096 : huge;
+        const std::size_t step = count * sizeof(T) < huge_page ? 4096 : huge_page;
         const std::size_t bytes = (count * sizeof(T) + step - 1) / step * step;
         data_ = static_cast<T*>(std::aligned_alloc(step, bytes));
         if (data_ == nullptr) throw std::bad_alloc();
-#if defined(__linux__)
-        if (step == huge) (void)madvise(data_, bytes, MADV_HUGEPAGE);  // a wish; without it all works, more slowly
-#endif
+        wish_huge_pages(data_, bytes);
         capacity_ = bytes / sizeof(T);
     }
     T* data() { return data_; }
@@ -46,7 +42,6 @@ public:
     std::size_t bytes() const { return capacity_ * sizeof(T); }
 
 private:
-    static constexpr std::size_t huge = std::size_t(1) << 21;
     void swap(LargeArray& other) {
         std::swap(data_, other.data_);
         std::swap(capacity_, other.capacity_);

@@ -18,9 +18,10 @@ RL_FN vec3 decode_normal_centered(vec3 texel, real scale)
 // most across n takes its place (x, unless n leans on it by more than 0.7; then y).
 RL_FN vec3 orthogonal_tangent(vec3 n, vec3 t)
 {
-    vec3 across = t - n * dot(n, t);
-    real squared = dot(across, across);
-    mask has_direction = squared > 1e-12f * dot(t, t) && squared >= 1.17549435e-38f && squared <= 3.40282347e38f;
+    real along = dot(n, t);
+    vec3 across = t - n * along;
+    real squared = dot(across, across);  // |t|^2 is this and the square of `along`
+    mask has_direction = squared > 1e-12f * along * along && squared >= 1.17549435e-38f && squared <= 3.40282347e38f;
     vec3 unit = across * inverse_sqrt(squared);
     if (all_lanes(has_direction)) {
         return unit;
@@ -32,6 +33,6 @@ RL_FN vec3 orthogonal_tangent(vec3 n, vec3 t)
 // The frame's normal: m in (tangent t, bitangent, normal n), bitangent = cross(n, t) * w. Unit; n where the sum vanishes.
 RL_FN vec3 perturb_normal(vec3 n, vec3 t, real w, vec3 m)
 {
-    vec3 b = cross(n, t) * w;
-    return safe_normalize_or(t * m.x + b * m.y + n * m.z, n);
+    vec3 b = cross(n, t);
+    return safe_normalize_or(t * m.x + b * (w * m.y) + n * m.z, n);
 }

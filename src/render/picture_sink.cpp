@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/assert.h"
+#include "base/huge_pages.h"
 #include "engines/channel_arrays.h"
 #include "render/channel_info.h"
 
@@ -39,6 +40,10 @@ void PictureSink::begin(int width, int height, Window window, std::uint32_t chan
     rows_ = strip_done_ ? rows_that_fit(pixel_bytes * std::size_t(window_.width), window_.height) : window_.height;
     if (strip_done_ && rows_ < strip_granularity) rows_ = strip_granularity;  // what rows_at_once() may say
     const std::size_t pixels = std::size_t(window_.width) * std::size_t(std::min(rows_, window_.height));
+    if (color_.capacity() < pixels * format_.bytes()) {
+        color_.reserve(pixels * format_.bytes());
+        wish_huge_pages(color_.data(), pixels * format_.bytes());
+    }
     color_.resize(pixels * format_.bytes());  // every pixel belongs to a tile
     if (keeps_linear_) linear_.resize(pixels * std::size_t(format_.channels));
     for (ChannelPlane& plane : planes_) plane.words.resize(pixels * std::size_t(plane.components));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "base/huge_pages.h"
 #include "math/color.h"
 
 namespace rakelight::raster {
@@ -64,12 +65,16 @@ void append_level(const MipChain& chain, const MipLevel& level, const TextureKey
 void reserve(const MipChain& chain, std::size_t texels, TextureData& data) {
     if (!fits_texel_index(texels, chain.is_float))
         throw Error(ErrorCode::bad_file, "the picture has too many texels for the soft engine");
+    const auto reserve = [](auto& values, std::size_t count) {
+        values.reserve(count);
+        wish_huge_pages(values.data(), count * sizeof(values[0]));
+    };
     if (chain.is_float)
-        data.rgba32f.reserve(texels * 4);
+        reserve(data.rgba32f, texels * 4);
     else if (chain.is_srgb)
-        data.rgba16.reserve(texels * 2);
+        reserve(data.rgba16, texels * 2);
     else
-        data.rgba8.reserve(texels);
+        reserve(data.rgba8, texels);
 }
 
 std::shared_ptr<const TextureData> pack(const MipChain& chain, const TextureKey& key) {

@@ -80,13 +80,14 @@ inline real level_of_detail(const TextureView& t, const TexCoords& c) {
     return real(0.5f) * log2_coarse(squared);
 }
 
-/// The coordinates that a slot reads its texture at.
-inline TexCoords transformed(const TextureSlot& slot, const TexCoords& raw) {
+/// The coordinates that a slot reads its texture at: `raw` itself, or `room` filled with what its matrix makes of them.
+inline const TexCoords& transformed(const TextureSlot& slot, const TexCoords& raw, TexCoords& room) {
     if (slot.is_transformed == 0) return raw;
     const auto turn = [&slot](vec2 d) {
         return vec2(real(slot.uu) * d.x + real(slot.uv) * d.y, real(slot.vu) * d.x + real(slot.vv) * d.y);
     };
-    return {turn(raw.uv) + vec2(real(slot.u0), real(slot.v0)), turn(raw.dx), turn(raw.dy)};
+    room = {turn(raw.uv) + vec2(real(slot.u0), real(slot.v0)), turn(raw.dx), turn(raw.dy)};
+    return room;
 }
 
 inline void find_footprint(const TextureView& t, const TexCoords& c, real lod, bool linear, Footprint& f) {
@@ -191,7 +192,8 @@ inline vec4 sample(const TextureView& t, const Footprint& f) {
 /// A slot's texture.
 inline vec4 sample(const TextureSlot& slot, const TexCoords& raw) {
     const TextureView& t = *slot.view;
-    const TexCoords c = transformed(slot, raw);
+    TexCoords room;
+    const TexCoords& c = transformed(slot, raw, room);
     const real lod = level_of_detail(t, c);
     const vec4 result = sample(t, footprint_of(t, c, lod, t.minify_linear != 0));
     const mask is_minified = lod > real(0.0f);
@@ -229,7 +231,8 @@ inline Probes probes_of(const TextureView& t, const TexCoords& c, int32_t most) 
 /// A slot's texture by up to `most` probes.
 inline vec4 sample_anisotropic(const TextureSlot& slot, const TexCoords& raw, int32_t most) {
     const TextureView& t = *slot.view;
-    const TexCoords c = transformed(slot, raw);
+    TexCoords room;
+    const TexCoords& c = transformed(slot, raw, room);
     if (t.mip == 0 || t.levels == 1) return sample(slot, raw);
     const Probes p = probes_of(t, c, most);
     if (no_lane(p.is_stretched)) return sample(slot, raw);

@@ -50,7 +50,9 @@ inline void find_texcoords(const MaterialView& m, Pixels& p) {
     p.shares_footprint = m.shares_footprint != 0 && p.anisotropy <= 1;
     if (!p.shares_footprint) return;
     const TextureView& t = *m.base_color_map.view;
-    const TexCoords c = transformed(m.base_color_map, p.texcoords[m.base_color_map.texcoord_set == 0 ? 0 : 1]);
+    TexCoords room;
+    const TexCoords& c =
+        transformed(m.base_color_map, p.texcoords[m.base_color_map.texcoord_set == 0 ? 0 : 1], room);
     find_footprint(t, c, level_of_detail(t, c), t.minify_linear != 0, p.footprint);
 }
 

@@ -66,7 +66,8 @@ Probes trace_probes(const TextureView& t, const TexCoords& c, int32_t most, Trac
 void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out, TracedTexels* texels) {
     if (slot.view == nullptr) return;
     const TextureView& t = *slot.view;
-    const TexCoords c = transformed(slot, p.texcoords[slot.texcoord_set == 0 ? 0 : 1]);
+    TexCoords room;
+    const TexCoords& c = transformed(slot, p.texcoords[slot.texcoord_set == 0 ? 0 : 1], room);
     out.is_used = 1;
     out.u = c.uv.x;
     out.v = c.uv.y;
