@@ -58,12 +58,13 @@ struct alignas(64) ShadeTriangle {
     float depth[3];         ///< perspective: 1 / w [1/m]; orthographic: distance along the view axis [m]
     float handedness;       ///< +1 or -1 of the tangent frame in the world
     float texcoord0[2][3];  ///< u, then v: a0, a1 - a0, a2 - a0
+    float slope0[2][2];     ///< change per pixel in x and y of (u - a0) / w, then of v; affine: not divided by w
     float normal[3][3];     ///< x, y, z likewise, world axes
     float tangent[3][3];
     float facing;  ///< -1: the shading normal is to be turned round
-    float texcoord1[2][3];
+    float texcoord1[2][3], slope1[2][2];
     float color[4][3];
-    float unused[11];
+    float unused[3];
 };
 inline constexpr int shade_triangle_floats = int(sizeof(ShadeTriangle) / sizeof(float));
 

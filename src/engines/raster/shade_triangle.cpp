@@ -86,12 +86,16 @@ void set_deltas(float (&to)[3][3], const dvec3 (&a)[3]) {
     }
 }
 
-void set_texcoords(float (&to)[2][3], const vec2* uv, const std::uint32_t (&index)[3]) {
+/// A set of texture coordinates and its slopes, by the record's planes.
+void set_texcoords(float (&to)[2][3], float (&slope)[2][2], const vec2* uv, const std::uint32_t (&index)[3],
+                   const ShadeTriangle& planes) {
     if (!uv) return;
     for (std::size_t c = 0; c < 2; ++c) {
         to[c][0] = uv[index[0]][c];
         to[c][1] = uv[index[1]][c] - to[c][0];
         to[c][2] = uv[index[2]][c] - to[c][0];
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            slope[c][axis] = planes.b1[axis] * to[c][1] + planes.b2[axis] * to[c][2];
     }
 }
 
@@ -136,8 +140,8 @@ void make_piece_record(const DrawRecords& d, const ScreenTriangle& s, int tile_x
     if (!mesh.tangents.empty()) out.handedness *= mesh.tangents[index[0]].w;
     set_deltas(out.normal, normal);
     set_deltas(out.tangent, tangent);
-    set_texcoords(out.texcoord0, d.texcoords(0), index);
-    set_texcoords(out.texcoord1, d.texcoords(1), index);
+    set_texcoords(out.texcoord0, out.slope0, d.texcoords(0), index, out);
+    set_texcoords(out.texcoord1, out.slope1, d.texcoords(1), index, out);
     set_colors(out.color, mesh, index);
     out.facing = facing(d, s, position, normal);
 }

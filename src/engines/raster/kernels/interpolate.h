@@ -69,10 +69,11 @@ private:
     }
 };
 
-/// Where a pixel lies in its triangle, and how that changes from pixel to pixel: b0 = 1 - b1 - b2.
+/// Where a pixel lies in its triangle: b0 = 1 - b1 - b2. And what turns the slopes of its record into those at the
+/// pixel: w, and the change of 1 / w per pixel in x and y; affine: 1, 0, 0.
 struct Barycentrics {
     real b1, b2;
-    real b1_dx, b1_dy, b2_dx, b2_dy;
+    real w, per_w_dx, per_w_dy;
 };
 
 /// Barycentrics and depth of pixels.
@@ -91,16 +92,10 @@ inline Place place_of(const Records& r, real x, real y, bool affine, bool orthog
         const part::real d = at(6), w = one / part::select(d > zero, d, one);
         part_of(place.depth, p) = orthographic ? d : w;
         part::real b1 = at(0), b2 = at(3);
-        if (affine) {
-            part_of(b.b1_dx, p) = plane[0], part_of(b.b1_dy, p) = plane[1];
-            part_of(b.b2_dx, p) = plane[3], part_of(b.b2_dy, p) = plane[4];
-        } else {
-            b1 = b1 * w, b2 = b2 * w;
-            part_of(b.b1_dx, p) = (plane[0] - b1 * plane[6]) * w;
-            part_of(b.b1_dy, p) = (plane[1] - b1 * plane[7]) * w;
-            part_of(b.b2_dx, p) = (plane[3] - b2 * plane[6]) * w;
-            part_of(b.b2_dy, p) = (plane[4] - b2 * plane[7]) * w;
-        }
+        if (!affine) b1 = b1 * w, b2 = b2 * w;
+        part_of(b.w, p) = affine ? one : w;
+        part_of(b.per_w_dx, p) = affine ? zero : plane[6];
+        part_of(b.per_w_dy, p) = affine ? zero : plane[7];
         // A pixel of a sliver may by rounding lie outside of it, and that would throw its attributes far out: they stay
         // inside.
         b1 = min(max(b1, zero), one);
@@ -137,18 +132,19 @@ struct TexCoords {
 };
 
 inline void find_texcoords(const Records& r, const Barycentrics& b, int set, TexCoords& to) {
+    static_assert(offsetof(ShadeTriangle, slope0) == offsetof(ShadeTriangle, texcoord0) + 6 * sizeof(float));
+    static_assert(offsetof(ShadeTriangle, slope1) == offsetof(ShadeTriangle, texcoord1) + 6 * sizeof(float));
     const size_t at = set == 0 ? offsetof(ShadeTriangle, texcoord0) : offsetof(ShadeTriangle, texcoord1);
-    r.each<6>(at, [&](int p, const part::real(&a)[6]) {
-        const auto mixed = [p](const real& along1, const real& along2, const part::real* to_corner) {
-            return part_of(along1, p) * to_corner[1] + part_of(along2, p) * to_corner[2];
-        };
-        const part::real b1 = part_of(b.b1, p), b2 = part_of(b.b2, p);
-        part_of(to.uv.x, p) = a[0] + b1 * a[1] + b2 * a[2];
-        part_of(to.uv.y, p) = a[3] + b1 * a[4] + b2 * a[5];
-        part_of(to.dx.x, p) = mixed(b.b1_dx, b.b2_dx, a);
-        part_of(to.dx.y, p) = mixed(b.b1_dx, b.b2_dx, a + 3);
-        part_of(to.dy.x, p) = mixed(b.b1_dy, b.b2_dy, a);
-        part_of(to.dy.y, p) = mixed(b.b1_dy, b.b2_dy, a + 3);
+    r.each<10>(at, [&](int p, const part::real(&a)[10]) {
+        const part::real b1 = part_of(b.b1, p), b2 = part_of(b.b2, p), w = part_of(b.w, p);
+        const part::real per_w_dx = part_of(b.per_w_dx, p), per_w_dy = part_of(b.per_w_dy, p);
+        const part::real u = b1 * a[1] + b2 * a[2], v = b1 * a[4] + b2 * a[5];  // about corner 0
+        part_of(to.uv.x, p) = a[0] + u;
+        part_of(to.uv.y, p) = a[3] + v;
+        part_of(to.dx.x, p) = (a[6] - u * per_w_dx) * w;
+        part_of(to.dx.y, p) = (a[8] - v * per_w_dx) * w;
+        part_of(to.dy.x, p) = (a[7] - u * per_w_dy) * w;
+        part_of(to.dy.y, p) = (a[9] - v * per_w_dy) * w;
     });
 }
 

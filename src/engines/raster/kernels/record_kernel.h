@@ -83,8 +83,13 @@ inline void affine_planes(const Corners& c, real (&b1)[3], real (&b2)[3]) {
     b2[2] = (x0 * dy1 - y0 * dx1) * inverse;
 }
 
+/// Changes per pixel of the record's b1 and b2.
+struct Slopes {
+    real b1[2], b2[2];
+};
+
 /// b1, b2 and depth of the record, and the handedness, which follows them.
-inline void put_planes(const RecordJob& job, const Corners& c, real handedness, const RecordWriter& to) {
+inline Slopes put_planes(const RecordJob& job, const Corners& c, real handedness, const RecordWriter& to) {
     real v[12], b1[3], b2[3], key[3];
     affine_planes(c, b1, b2);
     for (int32_t k = 0; k < 3; ++k) {
@@ -101,6 +106,7 @@ inline void put_planes(const RecordJob& job, const Corners& c, real handedness, 
     v[9] = handedness;
     v[10] = v[11] = real(0.0f);  // texcoord0, written after
     to.put<12>(offsetof(ShadeTriangle, b1), v);
+    return {{v[0], v[1]}, {v[3], v[4]}};
 }
 
 /// a0, a1 - a0, a2 - a0 of a vector attribute.
@@ -135,48 +141,52 @@ inline real facing_of(const RecordJob& job, const Corners& c, const vec3 (&norma
     return select(is_turned, real(-1.0f), real(1.0f));
 }
 
-inline void put_texcoords(const float* base, const Corners& c, real* v) {
+/// A set of texture coordinates and its slopes.
+inline void put_texcoords(const float* base, const Corners& c, const Slopes& slopes, real* v) {
     real at[3][2];
     for (int32_t k = 0; k < 3; ++k) load_corner<2>(base, c, k, at[k]);
-    for (int j = 0; j < 2; ++j)
-        v[3 * j] = at[0][j], v[3 * j + 1] = at[1][j] - at[0][j], v[3 * j + 2] = at[2][j] - at[0][j];
+    for (int j = 0; j < 2; ++j) {
+        const real to_1 = at[1][j] - at[0][j], to_2 = at[2][j] - at[0][j];
+        v[3 * j] = at[0][j], v[3 * j + 1] = to_1, v[3 * j + 2] = to_2;
+        for (int axis = 0; axis < 2; ++axis) v[6 + 2 * j + axis] = slopes.b1[axis] * to_1 + slopes.b2[axis] * to_2;
+    }
 }
 
 /// Texture coordinates, normal, tangent, facing.
-inline void put_surface(const RecordJob& job, const Corners& c, const RecordWriter& to) {
-    real v[28];
+inline void put_surface(const RecordJob& job, const Corners& c, const Slopes& slopes, const RecordWriter& to) {
+    real v[32];
     for (real& x : v) x = real(0.0f);
-    if (job.texcoords[0] != nullptr) put_texcoords(job.texcoords[0], c, v);
+    if (job.texcoords[0] != nullptr) put_texcoords(job.texcoords[0], c, slopes, v);
     vec3 normal[3], tangent[3];
     if (job.normals == nullptr) normal[0] = normal[1] = normal[2] = safe_normalize(face_normal(job, c));
     for (int32_t k = 0; k < 3 && job.normals != nullptr; ++k)
         normal[k] = safe_normalize(transformed(job.to_normal, load_corner3(job.normals, c, k)));
-    set_deltas(normal, v + 6);
+    set_deltas(normal, v + 10);
     for (int32_t k = 0; k < 3 && job.tangents != nullptr; ++k) {
         real t[4];
         load_corner<4>(job.tangents, c, k, t);
         tangent[k] = safe_normalize_or(transformed(job.linear, vec3(t[0], t[1], t[2])), vec3(real(0.0f)));
     }
-    if (job.tangents != nullptr) set_deltas(tangent, v + 15);
-    v[24] = facing_of(job, c, normal);
-    to.put<28>(offsetof(ShadeTriangle, texcoord0), v);
+    if (job.tangents != nullptr) set_deltas(tangent, v + 19);
+    v[28] = facing_of(job, c, normal);
+    to.put<32>(offsetof(ShadeTriangle, texcoord0), v);
 }
 
 /// The second set of texture coordinates and the vertex colors, which few meshes have.
-inline void put_rest(const RecordJob& job, const Corners& c, const RecordWriter& to) {
+inline void put_rest(const RecordJob& job, const Corners& c, const Slopes& slopes, const RecordWriter& to) {
     if (job.whole == 0) return;
-    real v[20];
+    real v[24];
     for (real& x : v) x = real(0.0f);
-    if (job.texcoords[1] != nullptr) put_texcoords(job.texcoords[1], c, v);
+    if (job.texcoords[1] != nullptr) put_texcoords(job.texcoords[1], c, slopes, v);
     if (job.colors == nullptr) {
-        for (int j = 0; j < 4; ++j) v[6 + 3 * j] = real(1.0f);
+        for (int j = 0; j < 4; ++j) v[10 + 3 * j] = real(1.0f);
     } else {
         real at[3][4];
         for (int32_t k = 0; k < 3; ++k) load_corner<4>(job.colors, c, k, at[k]);
         for (int j = 0; j < 4; ++j)
-            v[6 + 3 * j] = at[0][j], v[7 + 3 * j] = at[1][j] - at[0][j], v[8 + 3 * j] = at[2][j] - at[0][j];
+            v[10 + 3 * j] = at[0][j], v[11 + 3 * j] = at[1][j] - at[0][j], v[12 + 3 * j] = at[2][j] - at[0][j];
     }
-    to.put<20>(offsetof(ShadeTriangle, texcoord1), v);
+    to.put<24>(offsetof(ShadeTriangle, texcoord1), v);
 }
 
 static int32_t record(const RecordJob* given) {
@@ -192,9 +202,9 @@ static int32_t record(const RecordJob* given) {
             load_corner<4>(job.tangents, c, 0, t);
             handedness = handedness * t[3];
         }
-        put_planes(job, c, handedness, to);
-        put_surface(job, c, to);
-        put_rest(job, c, to);
+        const Slopes slopes = put_planes(job, c, handedness, to);
+        put_surface(job, c, slopes, to);
+        put_rest(job, c, slopes, to);
     }
     return has_piece ? 1 : 0;
 }

@@ -51,8 +51,7 @@ inline void find_texcoords(const MaterialView& m, Pixels& p) {
     if (!p.shares_footprint) return;
     const TextureView& t = *m.base_color_map.view;
     TexCoords room;
-    const TexCoords& c =
-        transformed(m.base_color_map, p.texcoords[m.base_color_map.texcoord_set == 0 ? 0 : 1], room);
+    const TexCoords& c = transformed(m.base_color_map, p.texcoords[m.base_color_map.texcoord_set == 0 ? 0 : 1], room);
     find_footprint(t, c, level_of_detail(t, c), t.minify_linear != 0, p.footprint);
 }
 
