@@ -56,12 +56,12 @@ struct MaterialView {
 struct alignas(64) ShadeTriangle {
     float b1[3], b2[3];     ///< perspective: b1 / w, b2 / w; affine: b1, b2
     float depth[3];         ///< perspective: 1 / w [1/m]; orthographic: distance along the view axis [m]
-    float handedness;       ///< +1 or -1 of the tangent frame in the world
     float texcoord0[2][3];  ///< u, then v: a0, a1 - a0, a2 - a0
     float slope0[2][2];     ///< change per pixel in x and y of (u - a0) / w, then of v; affine: not divided by w
     float normal[3][3];     ///< x, y, z likewise, world axes
+    float facing;           ///< -1: the shading normal is to be turned round
     float tangent[3][3];
-    float facing;  ///< -1: the shading normal is to be turned round
+    float handedness;  ///< +1 or -1 of the tangent frame in the world
     float texcoord1[2][3], slope1[2][2];
     float color[4][3];
     float unused[3];

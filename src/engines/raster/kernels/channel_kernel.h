@@ -48,12 +48,11 @@ inline ColorTerms finite_terms(const ColorTerms& t) {
 /// Tangent as normal maps use it, and the sign that makes bitangent = cross(normal on the side that is lit, tangent) w.
 /// 0 where the mesh has none.
 inline vec4 tangent_of(const ShadeJob& job, const Pixels& p) {
-    const vec3 n = safe_normalize(interpolate3(p.records, p.b, offsetof(ShadeTriangle, normal)));
-    const vec3 along = interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent));
-    const vec3 across = lit::orthogonal_tangent(n, along);
-    const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(along, across);
-    const real w = p.records(offsetof(ShadeTriangle, handedness)) * p.records(offsetof(ShadeTriangle, facing));
-    const mask has_tangent = dot(along, along) > real(0.0f);
+    const SignedVector normal = normal_at(p.records, p.b), tangent = tangent_at(p.records, p.b);
+    const vec3 across = lit::orthogonal_tangent(safe_normalize(normal.v), tangent.v);
+    const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across);
+    const real w = tangent.sign * normal.sign;
+    const mask has_tangent = dot(tangent.v, tangent.v) > real(0.0f);
     const real zero(0.0f);
     return vec4(select(has_tangent, t.x, zero), select(has_tangent, t.y, zero), select(has_tangent, t.z, zero),
                 select(has_tangent, w, zero));

@@ -40,11 +40,6 @@ struct Records {
             use(p, a);
         }
     }
-    real operator()(size_t member_offset) const {
-        real one;
-        each<1>(member_offset, [&](int p, const part::real(&a)[1]) { part_of(one, p) = a[0]; });
-        return one;
-    }
 
 private:
     static void find_part(const float* records, int32_t floats, const int32_t* triangle, Part& to) {
@@ -118,6 +113,33 @@ inline vec3 interpolate3(const Records& r, const Barycentrics& b, size_t member_
     real v[3];
     interpolate(r, b, member_offset, v);
     return vec3(v[0], v[1], v[2]);
+}
+
+/// A vector, and the sign that follows it in the record.
+struct SignedVector {
+    vec3 v;
+    real sign;
+};
+
+inline SignedVector interpolate_signed(const Records& r, const Barycentrics& b, size_t member_offset) {
+    SignedVector to;
+    r.each<10>(member_offset, [&](int p, const part::real(&a)[10]) {
+        const part::real b1 = part_of(b.b1, p), b2 = part_of(b.b2, p);
+        part_of(to.v.x, p) = a[0] + b1 * a[1] + b2 * a[2];
+        part_of(to.v.y, p) = a[3] + b1 * a[4] + b2 * a[5];
+        part_of(to.v.z, p) = a[6] + b1 * a[7] + b2 * a[8];
+        part_of(to.sign, p) = a[9];
+    });
+    return to;
+}
+/// With ShadeTriangle::facing and ::handedness.
+inline SignedVector normal_at(const Records& r, const Barycentrics& b) {
+    static_assert(offsetof(ShadeTriangle, facing) == offsetof(ShadeTriangle, normal) + 9 * sizeof(float));
+    return interpolate_signed(r, b, offsetof(ShadeTriangle, normal));
+}
+inline SignedVector tangent_at(const Records& r, const Barycentrics& b) {
+    static_assert(offsetof(ShadeTriangle, handedness) == offsetof(ShadeTriangle, tangent) + 9 * sizeof(float));
+    return interpolate_signed(r, b, offsetof(ShadeTriangle, tangent));
 }
 
 inline vec4 interpolate_color(const Records& r, const Barycentrics& b) {

@@ -88,8 +88,8 @@ struct Slopes {
     real b1[2], b2[2];
 };
 
-/// b1, b2 and depth of the record, and the handedness, which follows them.
-inline Slopes put_planes(const RecordJob& job, const Corners& c, real handedness, const RecordWriter& to) {
+/// b1, b2 and depth of the record.
+inline Slopes put_planes(const RecordJob& job, const Corners& c, const RecordWriter& to) {
     real v[12], b1[3], b2[3], key[3];
     affine_planes(c, b1, b2);
     for (int32_t k = 0; k < 3; ++k) {
@@ -103,8 +103,7 @@ inline Slopes put_planes(const RecordJob& job, const Corners& c, real handedness
         v[6 + i] = b1[i] * (key[1] - key[0]) + b2[i] * (key[2] - key[0]);
     }
     v[8] = v[8] + key[0];
-    v[9] = handedness;
-    v[10] = v[11] = real(0.0f);  // texcoord0, written after
+    v[9] = v[10] = v[11] = real(0.0f);  // texcoord0, written after
     to.put<12>(offsetof(ShadeTriangle, b1), v);
     return {{v[0], v[1]}, {v[3], v[4]}};
 }
@@ -152,7 +151,7 @@ inline void put_texcoords(const float* base, const Corners& c, const Slopes& slo
     }
 }
 
-/// Texture coordinates, normal, tangent, facing.
+/// Texture coordinates, normal, facing, tangent, handedness.
 inline void put_surface(const RecordJob& job, const Corners& c, const Slopes& slopes, const RecordWriter& to) {
     real v[32];
     for (real& x : v) x = real(0.0f);
@@ -162,13 +161,15 @@ inline void put_surface(const RecordJob& job, const Corners& c, const Slopes& sl
     for (int32_t k = 0; k < 3 && job.normals != nullptr; ++k)
         normal[k] = safe_normalize(transformed(job.to_normal, load_corner3(job.normals, c, k)));
     set_deltas(normal, v + 10);
+    v[19] = facing_of(job, c, normal);
+    v[29] = real(job.mirror);
     for (int32_t k = 0; k < 3 && job.tangents != nullptr; ++k) {
         real t[4];
         load_corner<4>(job.tangents, c, k, t);
         tangent[k] = safe_normalize_or(transformed(job.linear, vec3(t[0], t[1], t[2])), vec3(real(0.0f)));
+        if (k == 0) v[29] = v[29] * t[3];
     }
-    if (job.tangents != nullptr) set_deltas(tangent, v + 19);
-    v[28] = facing_of(job, c, normal);
+    if (job.tangents != nullptr) set_deltas(tangent, v + 20);
     to.put<32>(offsetof(ShadeTriangle, texcoord0), v);
 }
 
@@ -196,13 +197,7 @@ static int32_t record(const RecordJob* given) {
         const Corners c(job, i);
         has_piece |= c.has_piece;
         const RecordWriter to{reinterpret_cast<float*>(job.out + i)};
-        real handedness(job.mirror);
-        if (job.tangents != nullptr) {
-            real t[4];
-            load_corner<4>(job.tangents, c, 0, t);
-            handedness = handedness * t[3];
-        }
-        const Slopes slopes = put_planes(job, c, handedness, to);
+        const Slopes slopes = put_planes(job, c, to);
         put_surface(job, c, slopes, to);
         put_rest(job, c, slopes, to);
     }

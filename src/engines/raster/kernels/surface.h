@@ -81,15 +81,16 @@ inline BaseColor base_color(const MaterialView& m, const Pixels& p) {
 /// Interpolated normal, bumped by the map, on the side that is lit.
 inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
     const MaterialView& m = *job.material;
-    vec3 n = safe_normalize(interpolate3(p.records, p.b, offsetof(ShadeTriangle, normal)));
+    const SignedVector normal = normal_at(p.records, p.b);
+    vec3 n = safe_normalize(normal.v);
     if (job.bump != 0 && m.normal_map.view != nullptr) {
-        const vec3 along = interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent));
-        const vec3 across = lit::orthogonal_tangent(n, along);
-        const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(along, across);
+        const SignedVector tangent = tangent_at(p.records, p.b);
+        const vec3 across = lit::orthogonal_tangent(n, tangent.v);
+        const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across);
         const vec3 mapped = lit::decode_normal(normal_texel(m, p), real(m.normal_scale));
-        n = lit::perturb_normal(n, t, p.records(offsetof(ShadeTriangle, handedness)), mapped);
+        n = lit::perturb_normal(n, t, tangent.sign, mapped);
     }
-    return n * p.records(offsetof(ShadeTriangle, facing));
+    return n * normal.sign;
 }
 
 inline void set_classical(const MaterialView& m, const Pixels& p, vec3 paint, lit::Surface& s) {

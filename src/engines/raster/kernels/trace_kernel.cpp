@@ -101,15 +101,15 @@ void trace_maps(const ShadeJob& job, const Pixels& p, PixelTrace& out, TracedTex
 
 void trace_normal(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
     const MaterialView& m = *job.material;
-    const vec3 n = safe_normalize(interpolate3(p.records, p.b, offsetof(ShadeTriangle, normal)));
+    const SignedVector normal = normal_at(p.records, p.b), tangent = tangent_at(p.records, p.b);
+    const vec3 n = safe_normalize(normal.v);
     put(out.interpolated, n);
     put(out.mapped, vec3(0.0f, 0.0f, 1.0f));
-    out.handedness = p.records(offsetof(ShadeTriangle, handedness));
-    out.facing = p.records(offsetof(ShadeTriangle, facing));
+    out.handedness = tangent.sign;
+    out.facing = normal.sign;
     if (job.bump == 0 || m.normal_map.view == nullptr) return;
-    const vec3 along = interpolate3(p.records, p.b, offsetof(ShadeTriangle, tangent));
-    const vec3 across = lit::orthogonal_tangent(n, along);
-    put(out.tangent, job.orthogonalize != 0 ? across : safe_normalize_or(along, across));
+    const vec3 across = lit::orthogonal_tangent(n, tangent.v);
+    put(out.tangent, job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across));
     put(out.mapped, lit::decode_normal(rgb(texel(m.normal_map, p)), m.normal_scale));
 }
 
