@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""8-bit RGB PNG in and out with the standard library alone, for the small tools beside."""
+"""8-bit RGB and RGBA PNG in and out with the standard library alone, for the small tools beside."""
 import struct
 import zlib
 
@@ -61,13 +61,18 @@ def unfilter(kind, row, previous, step):
 
 
 def write_rgb(path, width, height, pixels):
+    write_pixels(path, width, height, 3, pixels)
+
+
+def write_pixels(path, width, height, channels, pixels):
+    """channels: 3 RGB or 4 RGBA."""
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-    rows, previous = [], bytes(width * 3)
+    rows, previous, stride = [], bytes(width * channels), width * channels
     for y in range(height):
-        row = pixels[y * width * 3:(y + 1) * width * 3]
+        row = pixels[y * stride:(y + 1) * stride]
         rows.append(b"\2" + bytes((a - b) & 255 for a, b in zip(row, previous)))
         previous = row
     with open(path, "wb") as out:
-        out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+        out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2 if channels == 3 else 6, 0, 0, 0)) +
                   chunk(b"IDAT", zlib.compress(b"".join(rows), 9)) + chunk(b"IEND", b""))

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Puts pictures of equal height side by side:  side_by_side.py [--halve] OUT.png A.png B.png ...
+"""Puts pictures of equal height side by side:  side_by_side.py [--halve | --enlarge] OUT.png A.png B.png ...
 
---halve averages 2 x 2 pixels first, in linear light: smooth borders from pictures rendered at twice the size."""
+--enlarge shows every pixel as 4 x 4. --halve averages 2 x 2 pixels first, in linear light: smooth borders from pictures rendered at twice the size."""
 import sys
 
 from png8 import read_rgb, write_rgb
@@ -31,15 +31,19 @@ def halve(width, height, pixels):
     return width // 2, height // 2, bytes(out)
 
 
+def enlarge(width, height, pixels):
+    rows = [b"".join(pixels[i:i + 3] * 4 for i in range(3 * width * y, 3 * width * (y + 1), 3)) for y in range(height)]
+    return width * 4, height * 4, b"".join(row for row in rows for _ in range(4))
+
+
 def main():
-    arguments = sys.argv[1:]
-    is_halved = arguments[:1] == ["--halve"]
-    arguments = arguments[is_halved:]
+    change = {"--halve": halve, "--enlarge": enlarge}.get(sys.argv[1]) if len(sys.argv) > 1 else None
+    arguments = sys.argv[2 if change else 1:]
     if len(arguments) < 2:
         sys.exit(__doc__)
     pictures = [read_rgb(path) for path in arguments[1:]]
-    if is_halved:
-        pictures = [halve(*p) for p in pictures]
+    if change:
+        pictures = [change(*p) for p in pictures]
     height = pictures[0][1]
     if any(p[1] != height for p in pictures):
         sys.exit("the pictures differ in height")
