@@ -18,7 +18,7 @@ struct DrawRecords {
     const DrawMaterial& material;
     const dmat4& to_eye;
     dmat3 linear, to_normal;  ///< object -> world axes; for normals the cofactor matrix, mirrored back
-    double mirror;
+    double mirror;  ///< -1: the placement mirrors; faces that stand in for missing normals turn with clockwise fronts, too
 
     DrawRecords(const FrontEnd& f, std::uint32_t number)
         : front(f),
@@ -28,7 +28,7 @@ struct DrawRecords {
           to_eye(f.to_eye[number]),
           linear(upper_left(to_eye)),
           to_normal(cofactor(linear)),
-          mirror(draw.mirrored ? -1 : 1) {
+          mirror(draw.mirrored != (mesh.normals.empty() && f.settings.front_face == FrontFace::clockwise) ? -1 : 1) {
         for (std::size_t c = 0; c < 3; ++c) to_normal[c] = to_normal[c] * mirror;
     }
     const vec2* texcoords(std::size_t set) const {

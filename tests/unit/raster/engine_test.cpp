@@ -426,6 +426,26 @@ TEST(SoftEngine, InstancesAndLargeTrianglesWithoutNumberAreRefusedBeforeTheyFill
         }
 }
 
+TEST(SoftEngine, MeshesWithoutNormalsAreLitFromOutsideWhicheverWayFrontsTurn) {
+    for (const MaterialModel model : {MaterialModel::classical, MaterialModel::metallic_roughness}) {
+        Scene scene = busy_scene();  // seen from both sides, mirrored ones and cut ones among them
+        for (Material& m : scene.materials) {
+            m.model = model;
+            m.double_sided = true;
+        }
+        for (Mesh& mesh : scene.meshes) {
+            mesh.normals = {};
+            mesh.tangents = {};
+        }
+        RenderSettings clockwise = small;
+        clockwise.front_face = FrontFace::clockwise;
+        RenderStats stats;
+        const Frame reference = render(scene, inside_camera(), small, 1, &stats);
+        EXPECT_GT(stats.clipped, 0u);
+        EXPECT_TRUE(same_bits(render(scene, inside_camera(), clockwise), reference)) << int(model);
+    }
+}
+
 namespace {
 
 /// Fails, or cancels the run, in the middle of the picture.
