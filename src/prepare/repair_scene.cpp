@@ -30,6 +30,21 @@ bool flattens(const dmat4& m) {
     return std::fabs(dot(a, cross(b, c))) <= 1e-12;
 }
 
+/// What to warn of where squares of lengths do not fit a float; null: nothing.
+const char* extreme_scale(const dmat4& m) {
+    constexpr double largest = 1e18;  // as for positions: repair_positions.cpp
+    for (std::size_t c = 0; c < 3; ++c) {
+        const dvec3 v = m[c].xyz();
+        const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+        if (size > largest)
+            return "the matrix or scale is so large (more than 1e18) that products of lengths leave the range of float";
+        if (size > 0 && size < 1 / largest)
+            return "the matrix or scale is so small (less than 1e-18) that products of lengths leave the range of "
+                   "float";
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 void check_nodes(const Scene& scene, Report& report) {
@@ -44,6 +59,8 @@ void check_nodes(const Scene& scene, Report& report) {
         if (draws[i] && flattens(world[i]))
             report.add(Remark::warning, scene.source, Place{"node", i, node.name}.text(),
                        "the matrix or scale flattens the object: it has no volume and perhaps no area");
+        const char* const extreme = draws[i] ? extreme_scale(world[i]) : nullptr;
+        if (extreme) report.add(Remark::warning, scene.source, Place{"node", i, node.name}.text(), extreme);
     }
 }
 

@@ -206,18 +206,25 @@ TEST(Repair, WarnsOfNodesThatFlattenAndRotationsOfNoLength) {
         prepare_scene(scene, {}, context);
         return all_remarks(context);
     };
-    Transform zero_scale, flat, sheared_flat, no_rotation, tiny, mirrored;
+    Transform zero_scale, flat, sheared_flat, no_rotation, small, large, tiny, huge, mirrored;
     zero_scale.scale = {0, 0, 0};
     flat.matrix = scaling(dvec3{1, 1, 0});
     sheared_flat.matrix = dmat4{{{1, 2, 3, 0}, {2, 4, 6.0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
     no_rotation.rotation = {0, 0, 0, 0};
-    tiny.scale = {1e-30, 1e-30, 1e-30};
+    small.scale = {1e-17, 1e-17, 1e-17};
+    large.scale = {1e17, 1e17, 1e17};
+    tiny.scale = {1, 1, 1e-22};
+    huge.matrix = scaling(dvec3{1, -1e19, 1});
     mirrored.scale = {-1, 1, 1};
     EXPECT_NE(warnings(zero_scale).find("warning: node 0: the matrix or scale flattens"), std::string::npos) << warnings(zero_scale);
     EXPECT_NE(warnings(flat).find("flattens"), std::string::npos);
     EXPECT_NE(warnings(sheared_flat).find("flattens"), std::string::npos);
     EXPECT_NE(warnings(no_rotation).find("the rotation is zero"), std::string::npos);
-    EXPECT_EQ(warnings(tiny), "");
+    EXPECT_NE(warnings(tiny).find("the matrix or scale is so small (less than 1e-18)"), std::string::npos);
+    EXPECT_NE(warnings(huge).find("warning: node 0: the matrix or scale is so large (more than 1e18)"),
+              std::string::npos);
+    EXPECT_EQ(warnings(small), "");
+    EXPECT_EQ(warnings(large), "");
     EXPECT_EQ(warnings(mirrored), "");
 }
 
