@@ -173,7 +173,7 @@ struct ChannelArrays {
 /// The sink that keeps everything of a window. Pixel (x, y) of the picture is at (y - window.y) * window.width + x - window.x.
 class Frame final : public Sink, public ChannelArrays {
 public:
-    void begin(int width, int height, Window window, std::uint32_t channels) override;
+    void begin(int width, int height, Window window, std::uint32_t channels) override;  ///< @throws Error: too large
     void tile(const Tile& tile) override;
     void end_pass(int pass) override;
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frame: the sink that keeps everything of a window.
 #include <rakelight/engine.h>
+#include <rakelight/error.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <limits>
+#include <new>
+#include <string>
 
 #include "base/assert.h"
 #include "engines/channel_arrays.h"
@@ -23,6 +28,31 @@ void copy_rows(std::span<const T> from, const Window& area, std::vector<T>& to, 
     }
 }
 
+/// What the arrays take [bytes]; double, since sizes from anywhere may be multiplied.
+double size_of(const Window& window, std::uint32_t channels) {
+    double per_pixel = sizeof(vec4);
+    const ChannelArrays arrays;
+    for_each_channel(
+        [&]<class T>(std::uint32_t bit, const std::vector<T>&) { per_pixel += channels & bit ? sizeof(T) : 0; },
+        arrays);
+    return double(window.width) * double(window.height) * per_pixel;
+}
+
+/// [bytes] All of it; infinite where the system does not say.
+double memory_of_machine() {
+    const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGE_SIZE);
+    return pages > 0 && size > 0 ? double(pages) * double(size) : std::numeric_limits<double>::infinity();
+}
+
+Error too_large(const Window& window, double bytes) {
+    constexpr double mib = 1 << 20;
+    return Error(ErrorCode::failed,
+                 "a frame of " + std::to_string(window.width) + " x " + std::to_string(window.height) +
+                     " pixels needs " + std::to_string(std::uint64_t(std::min(bytes / mib, 1e18))) +
+                     " MiB, more than there is",
+                 {}, "render a smaller window, fewer channels, or into a sink that takes rows");
+}
+
 }  // namespace
 
 void Frame::begin(int picture_width, int picture_height, Window picture_window, std::uint32_t channels) {
@@ -30,8 +60,14 @@ void Frame::begin(int picture_width, int picture_height, Window picture_window, 
     height = picture_height;
     window = picture_window.width == 0 ? Window{0, 0, width, height} : picture_window;
     const std::size_t pixels = std::size_t(window.width) * std::size_t(window.height);
-    color.assign(pixels, vec4{0, 0, 0, 0});
-    clear(*this, channels, pixels);
+    const double bytes = size_of(window, channels);
+    if (bytes > memory_of_machine()) throw too_large(window, bytes);  // first: what is promised may not be there
+    try {
+        color.assign(pixels, vec4{0, 0, 0, 0});
+        clear(*this, channels, pixels);
+    } catch (const std::bad_alloc&) {
+        throw too_large(window, bytes);
+    }
 }
 
 void Frame::tile(const Tile& tile) {

@@ -18,7 +18,8 @@ struct DrawRecords {
     const DrawMaterial& material;
     const dmat4& to_eye;
     dmat3 linear, to_normal;  ///< object -> world axes; for normals the cofactor matrix, mirrored back
-    double mirror;  ///< -1: the placement mirrors; faces that stand in for missing normals turn with clockwise fronts, too
+    double
+        mirror;  ///< -1: the placement mirrors; faces that stand in for missing normals turn with clockwise fronts, too
 
     DrawRecords(const FrontEnd& f, std::uint32_t number)
         : front(f),
