@@ -8,9 +8,10 @@
    functions of one name the linker keeps one body, whatever instructions it has.
 
 Usage: check_symbols.py [--nm NM] LIST     LIST has lines "module FILE" and "isa FLAVOUR FILE"
-Exit code 1 and one line for each fault.
+Exit code 1 and one line for each fault, or one line where files of the list are not built.
 """
 import argparse
+import os
 import re
 import subprocess
 import sys
@@ -57,6 +58,12 @@ def run_nm(nm, options, path):
     return done.stdout
 
 
+def not_built(lines):
+    """The files of a list that are not there: of targets that were not built."""
+    return [path for path in (line.split(" ", 1 if line.startswith("module ") else 2)[-1] for line in lines)
+            if not os.path.exists(path)]
+
+
 def check_line(nm, line):
     kind, _, rest = line.partition(" ")
     if kind == "module":
@@ -75,6 +82,10 @@ def main():
     arguments = parser.parse_args()
     with open(arguments.list, encoding="utf-8") as file:
         lines = [line.strip() for line in file if line.strip()]
+    missing = not_built(lines)
+    if missing:
+        sys.exit(f"check_symbols: nothing is checked: {len(missing)} of {len(lines)} files are not built yet, the first is "
+                 f"{missing[0]}; build all targets, then run this again")
     faults = [fault for line in lines for fault in check_line(arguments.nm, line)]
     for fault in faults:
         print(f"check_symbols: {fault}", file=sys.stderr)

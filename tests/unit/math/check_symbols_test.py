@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """The symbol check finds what it is there for, and nothing else. Usage: check_symbols_test.py TOOLS_FOLDER"""
+import os
+import subprocess
 import sys
+import tempfile
 import unittest
 
 sys.path.insert(0, sys.argv.pop())
@@ -36,6 +39,21 @@ class CheckSymbols(unittest.TestCase):
                 "                 U memcpy\n"
                 "0000000000000000 B __odr_asan.table\n")
         self.assertEqual(check_symbols.nameless_symbols(text, "sse2"), [])
+
+    def test_what_is_not_built_is_no_symbol_fault(self):
+        with tempfile.TemporaryDirectory() as folder:
+            built, names = os.path.join(folder, "built here.o"), os.path.join(folder, "list.txt")
+            with open(built, "wb"):
+                pass
+            lines = [f"module {built}", f"isa avx2 {built}", f"isa sse2 {folder}/not here.o"]
+            self.assertEqual(check_symbols.not_built(lines), [f"{folder}/not here.o"])
+            with open(names, "w", encoding="utf-8") as file:
+                file.write("\n".join(lines))
+            done = subprocess.run([sys.executable, check_symbols.__file__, names], capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertIn("1 of 3 files are not built yet", done.stderr)
+            self.assertIn("build all targets", done.stderr)
 
 
 if __name__ == "__main__":
