@@ -29,7 +29,8 @@ void read_perspective(const Value& source, Camera& camera) {
 void read_orthographic(const Value& source, Camera& camera) {
     camera.projection = Projection::orthographic;
     const double x = std::fabs(source.number("xmag", 0)), y = std::fabs(source.number("ymag", 0));
-    if (!(x > 0) || !(y > 0) || x > 1e30 || y > 1e30) source.fail("xmag and ymag must not be zero");
+    if (!(x > 0) || !(y > 0)) source.fail("xmag and ymag must not be zero");
+    if (x > 1e30 || y > 1e30) source.fail("xmag and ymag must be at most 1e30");
     camera.half_height = y;
     camera.aspect = x / y;
     if (!(*camera.aspect > 0) || !std::isfinite(*camera.aspect)) source.fail("xmag and ymag are too different");

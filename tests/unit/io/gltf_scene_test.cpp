@@ -147,6 +147,20 @@ TEST(GltfCameras, BrokenOnesAreLeftOut) {
     }
 }
 
+TEST(GltfCameras, SizesOutOfRangeAreNamedByTheirEnd) {
+    for (const auto& [xmag, message] : {std::pair("0", "must not be zero"), {"1e300", "must be at most 1e30"}}) {
+        GltfFile file;
+        file.triangle();
+        file.root["cameras"] = {
+            Json::parse(R"({"type": "orthographic", "orthographic": {"ymag": 1, "znear": 0, "zfar": 5, "xmag": )" +
+                        std::string(xmag) + "}}")};
+        file.root["nodes"][0]["camera"] = 0;
+        Context context({.threads = 1});
+        file.load(context);
+        EXPECT_TRUE(is_said(context, Remark::dropped, std::string("xmag and ymag ") + message)) << xmag;
+    }
+}
+
 TEST(GltfLights, PunctualLightsStandAtTheirNodes) {
     GltfFile file;
     file.triangle();
