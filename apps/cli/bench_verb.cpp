@@ -63,7 +63,8 @@ void apply_smooth(const BenchWords& w, SmoothBenchOptions& o) {
                       {"--export", w.export_file}});
     o.triangles =
         w.triangles.empty() ? 1'000'000 : std::uint64_t(count("--triangles", w.triangles, 100, 1'000'000'000));
-    if (!w.objects.empty()) o.objects = std::uint32_t(count("--objects", w.objects, 1, 100'000));
+    o.objects = w.objects.empty() ? std::uint32_t(std::min<std::uint64_t>(o.objects, o.triangles / 32))
+                                  : std::uint32_t(count("--objects", w.objects, 1, 100'000));
     if (!w.order.empty()) o.shuffled = word<bool>("--order", w.order, {{"coherent", false}, {"shuffled", true}});
     if (!w.weight.empty())
         o.weight = word<CornerWeight>("--weight", w.weight,
@@ -89,7 +90,8 @@ void apply_render(const BenchWords& w, RenderBenchOptions& o) {
     o.output = w.output;
     o.export_file = w.export_file;
     if (!w.triangles.empty()) o.triangles = std::uint64_t(count("--triangles", w.triangles, 100, 100'000'000));
-    if (!w.objects.empty()) o.objects = std::uint32_t(count("--objects", w.objects, 1, 100'000));
+    o.objects = w.objects.empty() ? std::uint32_t(std::min<std::uint64_t>(o.objects, o.triangles / 20))
+                                  : std::uint32_t(count("--objects", w.objects, 1, 100'000));
     if (!w.lights.empty()) o.lights = std::uint32_t(count("--lights", w.lights, 0, 8));
     if (!w.frames.empty()) o.frames = std::uint32_t(count("--frames", w.frames, 1, 10'000));
     if (!w.engines.empty()) {
@@ -103,7 +105,11 @@ void apply_render(const BenchWords& w, RenderBenchOptions& o) {
     if (!w.samples.empty()) o.settings.samples = word<int>("--samples", w.samples, {{"1", 1}, {"4", 4}, {"8", 8}});
     if (!w.shading.empty())
         o.settings.shading = word<Shading>("--shading", w.shading,
-                                           {{"unlit", Shading::unlit}, {"flat", Shading::flat}, {"gouraud", Shading::gouraud}, {"phong", Shading::phong}});
+                                           {{"unlit", Shading::unlit},
+                                            {"flat", Shading::flat},
+                                            {"gouraud", Shading::gouraud},
+                                            {"phong", Shading::phong},
+                                            {"auto", Shading::automatic}});
     if (!w.bump.empty()) o.settings.bump = word<Bump>("--bump", w.bump, {{"none", Bump::none}, {"normal", Bump::normal}});
 }
 
@@ -118,7 +124,8 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     app.add_option("WHAT", w.what, "What to measure: smooth (normals and tangents) or render (pictures)")->type_name("")->required();
     app.add_option("SCENE", w.scene, "For render: a model file, or builtin:teapot (default: a scene made by formulas)")->type_name("");
     add("Measurement", "--triangles", w.triangles, "N", "Size of the model that is made; 100k, 10M (default: smooth 1M, render 100k)");
-    add("Measurement", "--objects", w.objects, "N", "Objects that it has (default: smooth 16, render 100)");
+    add("Measurement", "--objects", w.objects, "N",
+        "Objects that it has (default: smooth 16, render 100; fewer where triangles are few)");
     add(smooth, "--order", w.order, "ORDER", "coherent (default) or shuffled triangles and vertices");
     add(smooth, "--weight", w.weight, "HOW", "uniform (default), area, angle, angle-area");
     add(smooth, "--crease-angle,--crease", w.crease_angle, "DEG", "Edges bent more than this stay sharp (default 180)");
@@ -133,7 +140,7 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     add(render, "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1920,1080)");
     add(render, "--frames", w.frames, "N", "Counted pictures of each engine, after one that is not counted (default 15)");
     add(render, "--samples", w.samples, "N", "Samples a pixel: 1 (default), 4 or 8");
-    add(render, "--shading", w.shading, "HOW", "phong (default), gouraud, flat or unlit");
+    add(render, "--shading", w.shading, "HOW", "phong (default), gouraud, flat, unlit or auto");
     add(render, "--bump", w.bump, "HOW", "normal (default: use normal maps) or none");
     add(render, "-o,--output", w.output, "FILE", "Also write the picture of the first engine");
     add(render, "--export", w.export_file, "FILE", "Also write the scene as .glb, for other programs to be measured with");

@@ -8,6 +8,7 @@
 
 #include "help_texts.h"
 #include "render_options.h"
+#include "usage_error.h"
 #include "values.h"
 
 namespace rakelight::cli {
@@ -296,19 +297,6 @@ void check_words(int argc, const char* const* argv) {
     }
 }
 
-/// CLI11's message as one line that says where help is.
-Error usage_error(const CLI::ParseError& fault, const CLI::App& app) {
-    std::string verb;
-    for (const CLI::App* sub : app.get_subcommands()) verb += " " + sub->get_name();
-    std::string text = fault.what();
-    for (const std::string& word : app.remaining(true))
-        if (word.starts_with('-') && word.find('.') != word.npos)
-            return Error(ErrorCode::usage, "'" + one_line(word, 60) + "' looks like an option", {},
-                         "for a file write ./" + one_line(word, 60));
-    for (char& c : text) c = c == '\n' ? ' ' : c;
-    return Error(ErrorCode::usage, text, {}, "see rakelight" + verb + " --help");
-}
-
 std::string help_of(const CLI::App& app) {
     const std::vector<CLI::App*> subs = app.get_subcommands();
     return subs.empty() ? app.help() : subs.front()->help(app.get_name());
@@ -336,6 +324,7 @@ Options parse(int argc, const char* const* argv) {
     app.require_subcommand(1);
     app.footer(main_footer);
     add_verbs(app, words, common, options.inputs);
+    refuse_values_of_flags(app, argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {

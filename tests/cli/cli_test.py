@@ -175,7 +175,7 @@ class Cli(program.Case):
         self.check_refused(self.run_program("rendr", "a.obj"), 2, "unknown command 'rendr'")
         self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", "--light", "sun"), 2, "ambient, default")
         self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", "--light", "default:1,1,1"), 2, "without numbers")
-        self.check_refused(self.run_program("bench", "render", "--triangles", "1k"), 2, "1000 triangles are too few for 100 objects", "--objects")
+        self.check_refused(self.run_program("bench", "render", "--triangles", "1k", "--objects", "100"), 2, "1000 triangles are too few for 100 objects", "--objects")
         self.check_refused(self.run_program("render", "-lead.glb", "-o", "a.png"), 2, "./-lead.glb")
         self.check_refused(self.run_program("render", "a.obj", "-o", "{name}.png"), 2, "{model}")
         for arguments in ((), ("paint",), ("render",), ("render", "a.obj"), ("render", "-o", "a.png"), ("inspect",), ("--what",)):
@@ -183,6 +183,38 @@ class Cli(program.Case):
                 self.check_refused(self.run_program(*arguments), 2, "--help")
         self.check_refused(self.run_program("render", "a.obj", "-o", "a.gif"), 2, "a.gif")
         self.assertEqual(self.files(), ["a.obj"])
+
+    def test_a_misspelt_option_is_said_with_the_nearest_that_there_is(self):
+        self.write("a.obj")
+        render = ("render", "a.obj", "-o", "a.png")
+        for given, meant in (("--resolutoin", "--resolution"), ("--resolutoin=1.5,4", "--resolution"), ("--thread", "--threads"),
+                             ("--camera-view", "--camera-view-up"), ("--backgruond", "--background")):
+            with self.subTest(given=given):
+                self.check_refused(self.run_program(*render, given, "4,4"), 2, "unknown option '" + given.split("=")[0] + "'",
+                                   "did you mean " + meant + "?", "see rakelight render --help")
+        self.check_refused(self.run_program("explain", "a.obj", "--pixle", "3,4"), 2, "'--pixle'", "did you mean --pixel?")
+        result = self.run_program(*render, "--elephant")
+        self.check_refused(result, 2, "unknown option '--elephant'; see rakelight render --help")
+        self.check_refused(self.run_program(*render, "-x"), 2, "unknown option '-x'")
+        self.assertEqual(self.files(), ["a.obj"])
+
+    def test_an_option_given_twice_and_a_flag_with_a_value_are_wrong_usage(self):
+        self.write("a.obj")
+        render = ("render", "a.obj", "-o", "a.png")
+        self.check_refused(self.run_program(*render, "--resolution", "8,8", "--resolution=9,9"), 2, "--resolution is given more than once")
+        self.check_refused(self.run_program(*render, "-o", "b.png"), 2, "--output is given more than once")
+        for flag in ("--edges=5", "--edges=true", "--json=x", "--wireframe=0"):
+            with self.subTest(flag=flag):
+                name, value = flag.split("=")
+                self.check_refused(self.run_program(*render, flag), 2, f"{name} takes no value, but is given '{value}'")
+        self.assertEqual(self.files(), ["a.obj"])
+
+    def test_a_small_measurement_has_as_many_objects_as_its_triangles_allow(self):
+        small = ("bench", "render", "--triangles", "100", "--resolution", "16,16", "--frames", "1", "--json")
+        self.assertEqual(json.loads(self.run_program(*small).out)["objects"], 5)
+        self.assertEqual(json.loads(self.run_program(*small, "--shading", "auto").out)["objects"], 5)
+        self.check_refused(self.run_program(*small, "--objects", "6"), 2, "too few for 6 objects")
+        self.assertEqual(self.run_program("bench", "smooth", "--triangles", "100", "--repetitions", "1").code, 0)
 
     def test_an_empty_value_is_wrong_usage_for_every_option(self):
         self.write("a.obj")
