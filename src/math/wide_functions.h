@@ -81,16 +81,15 @@ inline real log2(real x) {
     return select(is_normal, to_real(e) + f * q, real(-127.0f));
 }
 
-/// log2(x) for levels of detail: error under 4e-4, exact and without a step at powers of two, growing everywhere. As
-/// log2 outside of the normal range. x = m 2^e with m in 1..2: log2 m = f + f (1 - f) q(f), f = m - 1, q at the 3
-/// Chebyshev nodes.
+/// log2(x) for levels of detail, x >= 0: error under 4e-4, exact and without a step at powers of two, growing
+/// everywhere; below 2^-126 something under -126, for infinity and NaN something over 127. x = m 2^e with m in 1..2:
+/// log2 m = f + f (1 - f) q(f), f = m - 1, q at the 3 Chebyshev nodes.
 inline real log2_coarse(real x) {
-    const mask is_normal = x >= real(1.17549435e-38f);
-    const integer bits = bits_of(min(select(is_normal, x, real(1.0f)), real(3.40282347e38f)));
+    const integer bits = bits_of(x);
     const real e = to_real((bits >> 23) - integer(127));
     const real f = real_from_bits((bits & integer(0x007fffff)) | integer(0x3f800000)) - real(1.0f);
     const real q = (real(0.0816157439f) * f - real(0.242669458f)) * f + real(0.440780796f);
-    return select(is_normal, e + (f + f * (real(1.0f) - f) * q), real(-127.0f));
+    return e + (f + f * (real(1.0f) - f) * q);
 }
 
 /// x^y for x > 0; 0 for x <= 0 and NaN, whatever y (so pow_positive(0, 0) is 0); 1 for x = 1 and finite y.

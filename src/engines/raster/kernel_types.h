@@ -21,7 +21,9 @@ struct TextureView {
     const float* rgba32f;     ///< four linear floats a texel; or null
     int32_t levels;           ///< 1..max_mip_levels
     int32_t origin[max_mip_levels];                          ///< [texels] place of each level's texel 0, 0
-    int32_t width[max_mip_levels], height[max_mip_levels];   ///< [texels] of each level; a row takes width + 2
+    int32_t width[max_mip_levels], height[max_mip_levels];   ///< [texels] of each level
+    int32_t stride[max_mip_levels];                          ///< [texels] from row to row: width + 2
+    float fixed_width[max_mip_levels], fixed_height[max_mip_levels];  ///< [2^-15 texels] of each level
     int32_t wrap_u, wrap_v;   ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
     int32_t magnify_linear, minify_linear;
     int32_t mip;              ///< 0 none, 1 nearest, 2 linear

@@ -93,6 +93,9 @@ std::shared_ptr<const TextureData> pack(const MipChain& chain, const TextureKey&
     for (std::size_t l = 0; l < levels.size(); ++l) {
         view.width[l] = levels[l].width;
         view.height[l] = levels[l].height;
+        view.stride[l] = levels[l].width + 2;
+        view.fixed_width[l] = float(levels[l].width) * 32768.0f;
+        view.fixed_height[l] = float(levels[l].height) * 32768.0f;
         view.origin[l] = std::int32_t(offset) + levels[l].width + 3;
         offset += bordered_size(levels[l]);
         append_level(chain, levels[l], key, *data);

@@ -21,7 +21,7 @@ inline lit::Reflection reflection_of(const ShadeJob& job) {
 }
 
 inline vec3 to_viewer(const ShadeJob& job, vec3 position) {
-    return job.orthographic != 0 ? splat(job.view_direction) : safe_normalize(-position);
+    return job.orthographic != 0 ? splat(job.view_direction) : -safe_normalize(position);
 }
 
 /// Exponent of the Blinn-Phong lobe that is as wide as a GGX lobe of this roughness.

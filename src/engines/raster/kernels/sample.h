@@ -26,16 +26,24 @@ struct Footprint {
 
 /// One level of a texture, which may differ from lane to lane.
 struct Level {
-    integer origin, width, height;
+    integer origin, stride;
+    real width, height;  ///< [2^-15 texels]
 };
 
 inline Level level_at(const TextureView& t, integer number) {
-    return {look_up(t.origin, number), look_up(t.width, number), look_up(t.height, number)};
+    const auto look_up_real = [number](const float* table) {
+        return real_from_bits(look_up(reinterpret_cast<const int32_t*>(table), number));
+    };
+    return {look_up(t.origin, number), look_up(t.stride, number), look_up_real(t.fixed_width),
+            look_up_real(t.fixed_height)};
+}
+inline Level largest_level(const TextureView& t) {
+    return {integer(t.origin[0]), integer(t.stride[0]), real(t.fixed_width[0]), real(t.fixed_height[0])};
 }
 
 /// Texture coordinate -> 0..1 by the wrap mode; not finite and huge values give something in range.
 inline real wrap_coordinate(real u, int mode) {
-    if (mode == 0) return clamp(fract(u), real(0.0f), real(1.0f));
+    if (mode == 0) return max(fract(u), real(0.0f));  // only NaN is not in 0..1
     if (mode == 1) {
         const real folded = abs(u - real(2.0f) * floor(u * real(0.5f) + real(0.5f)));  // triangle wave, period 2
         return clamp(folded, real(0.0f), real(1.0f));
@@ -50,22 +58,26 @@ struct Neighbors {
     integer first, weight;
 };
 
-inline Neighbors neighbors(real wrapped, integer size) {
-    const integer fixed = to_int(wrapped * to_real(size << fraction_bits)) - integer(1 << (fraction_bits - 1));
+inline Neighbors neighbors(real wrapped, real fixed_size) {
+    const integer fixed = to_int(wrapped * fixed_size) - integer(1 << (fraction_bits - 1));
     return {fixed >> fraction_bits, in_both_halves(fixed & integer((1 << fraction_bits) - 1))};
+}
+
+/// The texel that holds the point.
+inline integer nearest(real wrapped, real fixed_size) {
+    const integer fixed = min(to_int(wrapped * fixed_size), to_int(fixed_size) - integer(1));
+    return fixed >> fraction_bits;
 }
 
 inline Taps taps_of(const Level& level, real u, real v, bool linear) {
     Taps taps;
-    taps.stride = level.width + integer(2);
+    taps.stride = level.stride;
     if (!linear) {
-        const integer x = min(to_int(u * to_real(level.width)), level.width - integer(1));
-        const integer y = min(to_int(v * to_real(level.height)), level.height - integer(1));
-        taps.texel = level.origin + y * taps.stride + x;
+        taps.texel = level.origin + nearest(v, level.height) * level.stride + nearest(u, level.width);
         return taps;
     }
     const Neighbors x = neighbors(u, level.width), y = neighbors(v, level.height);
-    taps.texel = level.origin + y.first * taps.stride + x.first;
+    taps.texel = level.origin + y.first * level.stride + x.first;
     taps.along_x = x.weight;
     taps.along_y = y.weight;
     return taps;
@@ -95,7 +107,7 @@ inline void find_footprint(const TextureView& t, const TexCoords& c, real lod, b
     f.linear = linear;
     f.has_two_levels = false;
     if (t.mip == 0 || t.levels == 1 || no_lane(lod > real(0.0f))) {
-        f.taps[0] = taps_of({integer(t.origin[0]), integer(t.width[0]), integer(t.height[0])}, u, v, linear);
+        f.taps[0] = taps_of(largest_level(t), u, v, linear);
         return;
     }
     const real level = clamp(lod, real(0.0f), real(float(t.levels - 1)));
