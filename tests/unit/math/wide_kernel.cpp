@@ -20,6 +20,18 @@ RL_USE_WIDE;
         step;                                                                         \
     }
 
+/// Of the numbers that gather_pairs() and gather_quads() read for each lane, one.
+static integer one_of_pair(const uint32_t* base, integer index, int which) {
+    integer out[2];
+    gather_pairs(base, index, out[0], out[1]);
+    return out[which];
+}
+static integer one_of_quad(const uint32_t* base, integer index, int which) {
+    integer out[4];
+    gather_quads(base, index, out);
+    return out[which];
+}
+
 #define RL_REAL(name, result) \
     static void run_##name(const Inputs& in, float* out) { RL_LOOP(store(out + at, result)) }
 #define RL_TRUTH(name, result) \

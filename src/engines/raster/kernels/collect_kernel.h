@@ -23,6 +23,12 @@ static int32_t collect(const int32_t* visible, int32_t begin, int32_t end, int32
                     const integer position = load_i_rows4(visible + first, tile_size);
                     const mask is_wanted = position >= integer(begin) && position < integer(end);
                     if (no_lane(is_wanted)) continue;
+                    if (all_lanes(is_wanted)) {
+                        store(shown + count, position);
+                        store(pixel + count, place + integer(first));
+                        count += lanes;
+                        continue;
+                    }
                     store_compressed(shown + count, position, is_wanted);
                     count += store_compressed(pixel + count, place + integer(first), is_wanted);
                 }
