@@ -74,6 +74,7 @@ inline Taps taps_of(const Level& level, real u, real v, bool linear) {
     taps.stride = level.stride;
     if (!linear) {
         taps.texel = level.origin + nearest(v, level.height) * level.stride + nearest(u, level.width);
+        taps.along_x = taps.along_y = integer(0);
         return taps;
     }
     const Neighbors x = neighbors(u, level.width), y = neighbors(v, level.height);
