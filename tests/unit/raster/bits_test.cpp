@@ -48,7 +48,7 @@ std::uint64_t hash_of(const Scene& scene, const RenderSettings& settings, int th
     const auto engine = raster::make_engine();
     engine->prepare(scene, context);
     Frame frame;
-    engine->render(eye(), settings, frame, context);
+    engine->render(busy_view(), settings, frame, context);
     return hash(frame);
 }
 
@@ -139,13 +139,13 @@ TEST(Bits, OfWindowsInAnyOrderAreThoseOfTheWhole) {
         RenderSettings settings = settings_for(shading);
         settings.samples = samples;
         Frame whole;
-        engine->render(eye(), settings, whole, context);
+        engine->render(busy_view(), settings, whole, context);
         for (int round = 0; round < 8; ++round) {
             Frame pieces;
             for (const Window& window : random_windows(random)) {
                 settings.window = window;
                 Frame part;
-                engine->render(eye(), settings, part, context);
+                engine->render(busy_view(), settings, part, context);
                 put(pieces.color, part.color, window);
                 put(pieces.depth, part.depth, window);
                 put(pieces.normal, part.normal, window);

@@ -62,7 +62,7 @@ inline Scene busy_scene() {
 }
 
 /// Stands within it: some squares lie behind the eye.
-inline Camera eye() {
+inline Camera busy_view() {
     Camera camera;
     camera.vertical_fov_rad = 1;
     camera.near = 0.5;

@@ -56,7 +56,7 @@ TEST(ExplainPixel, SumsAreThePicturesBitsInEveryInstructionSet) {
         if (!is_available(isa)) continue;
         const UseIsa use(name(isa));
         SCOPED_TRACE(name(isa));
-        expect_all_explained(scene, settings(), eye());
+        expect_all_explained(scene, settings(), busy_view());
     }
 }
 
@@ -70,11 +70,11 @@ TEST(ExplainPixel, SumsAreThePicturesBitsUnderEverySetting) {
             s.specular_horizon = form == SpecularForm::normalized;
             s.orthogonalize = lighting != Lighting::phong;
             s.cull = lighting == Lighting::phong ? Cull::back : lighting == Lighting::lambert ? Cull::front : Cull::automatic;
-            expect_all_explained(scene, s, eye(), 5);
+            expect_all_explained(scene, s, busy_view(), 5);
         }
     RenderSettings s = settings();
     s.shading = Shading::unlit;
-    expect_all_explained(scene, s, eye(), 5);
+    expect_all_explained(scene, s, busy_view(), 5);
     s = settings();
     s.bump = Bump::none;
     expect_all_explained(scene, s, flat_camera(), 5);
@@ -88,7 +88,7 @@ TEST(ExplainPixel, SumsAreThePicturesBitsWithSeveralSamplesAPixelAndAnisotropicF
             s.samples = samples;
             s.anisotropy = anisotropy;
             SCOPED_TRACE(std::to_string(samples) + " samples, anisotropy " + std::to_string(anisotropy));
-            expect_all_explained(scene, s, eye(), 5);
+            expect_all_explained(scene, s, busy_view(), 5);
             s.shading = Shading::gouraud;
             expect_all_explained(scene, s, flat_camera(), 9);
         }
@@ -104,9 +104,9 @@ TEST(ExplainPixel, TransformedTexturesOfEveryRoleAreReadWhereThePictureReadsThem
     for (const int anisotropy : {1, 8}) {
         RenderSettings s = settings();
         s.anisotropy = anisotropy;
-        expect_all_explained(scene, s, eye(), 5);
+        expect_all_explained(scene, s, busy_view(), 5);
         Context context({.threads = 1});
-        const raster::Inspection inspection(scene, eye(), s, context);
+        const raster::Inspection inspection(scene, busy_view(), s, context);
         int used[raster::traced_maps] = {};
         for (int pixel = 0; pixel < width * height; pixel += 7)
             for (const raster::ShadedLayer& layer : inspection.explain(pixel % width, pixel / width, context).layers)
@@ -162,9 +162,9 @@ TEST(ExplainPixel, LightOfTheCornersTimesWhatThePixelReflectsIsItsColor) {
     for (const Shading shading : {Shading::flat, Shading::gouraud}) {
         RenderSettings s = settings();
         s.shading = shading;
-        expect_all_explained(scene, s, eye(), 5);
+        expect_all_explained(scene, s, busy_view(), 5);
         Context context({.threads = 1});
-        const raster::Inspection inspection(scene, eye(), s, context);
+        const raster::Inspection inspection(scene, busy_view(), s, context);
         int lit = 0;
         for (int x = 0; x < width; x += 3)
             for (const raster::ShadedLayer& layer : inspection.explain(x, height / 2, context).layers) {
@@ -186,7 +186,7 @@ TEST(ExplainPixel, AFilteredValueIsItsTexelsTimesTheirWeights) {
         RenderSettings s = settings();
         s.anisotropy = anisotropy;
         Context context({.threads = 1});
-        const raster::Inspection inspection(scene, eye(), s, context);
+        const raster::Inspection inspection(scene, busy_view(), s, context);
         int used = 0, most = 0, most_probes = 0;
         for (int y = 0; y < height; y += 3)
             for (int x = 0; x < width; x += 3)
@@ -234,7 +234,7 @@ TEST(ExplainPixel, CornersAreThoseThatTheEngineLitAndTheirTermsAddUpToTheirLight
         RenderSettings s = settings();
         s.shading = shading;
         Context context({.threads = 1});
-        const raster::Inspection inspection(scene, eye(), s, context);
+        const raster::Inspection inspection(scene, busy_view(), s, context);
         int corners = 0;
         for (int y = 0; y < height; y += 4)
             for (int x = 0; x < width; x += 4)
@@ -274,7 +274,7 @@ TEST(ExplainPixel, CornersAreThoseThatTheEngineLitAndTheirTermsAddUpToTheirLight
 TEST(ExplainPixel, TermsOfALightAddUpFromTheEmissionOn) {
     const Scene scene = busy_scene();
     Context context({.threads = 1});
-    const raster::Inspection inspection(scene, eye(), settings(), context);
+    const raster::Inspection inspection(scene, busy_view(), settings(), context);
     int lit = 0;
     for (int x = 0; x < width; ++x)
         for (const raster::ShadedLayer& layer : inspection.explain(x, height / 2, context).layers) {

@@ -23,7 +23,7 @@ RenderSettings settings(int samples) {
     return {.width = width, .height = height, .samples = samples, .background = {0, 0, 0, 1}};
 }
 
-std::vector<vec4> draw(const Scene& scene, const RenderSettings& s) { return test::draw(scene, eye(), s).color; }
+std::vector<vec4> draw(const Scene& scene, const RenderSettings& s) { return test::draw(scene, busy_view(), s).color; }
 
 struct Looked {
     Context context{{.threads = 1}};
@@ -31,7 +31,7 @@ struct Looked {
     raster::Inspection::Geometry open, drawn;
     raster::PixelStageData data;
     Looked(const Scene& scene, const RenderSettings& s)
-        : inspection(scene, eye(), s, context),
+        : inspection(scene, busy_view(), s, context),
           open(inspection, {}, true, context),
           drawn(inspection, {}, false, context),
           data(inspect_pixels(inspection, open, drawn, 8, context)) {}
@@ -70,7 +70,7 @@ TEST(InspectPixels, OverdrawIsThatOfTheChannel) {
     RenderSettings s = settings(1);
     const Looked looked(scene, s);
     s.channels = channel_overdraw;
-    const Frame frame = draw(scene, eye(), s);
+    const Frame frame = draw(scene, busy_view(), s);
     int laid_over = 0;
     for (std::size_t p = 0; p < frame.overdraw.size(); ++p) {
         ASSERT_EQ(looked.data.overdraw[p], frame.overdraw[p]) << p;
