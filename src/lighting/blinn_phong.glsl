@@ -8,7 +8,7 @@ RL_FN real blinn_phong_n_dot_h(vec3 n, vec3 l, vec3 v)
     vec3 twice_h = l + v;
     real squared = dot(twice_h, twice_h);
     mask has_direction = squared >= 1e-12f;
-    real n_dot_h = dot(n, twice_h) * inverse_sqrt(squared);
+    real n_dot_h = dot(n, twice_h) * reciprocal(sqrt(squared));
     return select(has_direction, clamp(n_dot_h, -1.0f, 1.0f), 0.0f);
 }
 

@@ -99,7 +99,7 @@ RL_FN LightRay ray_to(vec3 light_position, vec3 position)
     vec3 to_light = light_position - position;
     LightRay ray;
     ray.squared = clamp(dot(to_light, to_light), 1.17549435e-38f, 1e37f);
-    real inverse_distance = inverse_sqrt(ray.squared);
+    real inverse_distance = reciprocal(sqrt(ray.squared));
     ray.l = to_light * inverse_distance;
     ray.distance = ray.squared * inverse_distance;
     return ray;

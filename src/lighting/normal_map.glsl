@@ -22,7 +22,7 @@ RL_FN vec3 orthogonal_tangent(vec3 n, vec3 t)
     vec3 across = t - n * along;
     real squared = dot(across, across);  // |t|^2 is this and the square of `along`
     mask has_direction = squared > 1e-12f * along * along && squared >= 1.17549435e-38f && squared <= 3.40282347e38f;
-    vec3 unit = across * inverse_sqrt(squared);
+    vec3 unit = across * reciprocal(sqrt(squared));
     if (all_lanes(has_direction)) {
         return unit;
     }

@@ -15,7 +15,6 @@ vec3 select(bool m, vec3 a, vec3 b) { return m ? a : b; }
 vec4 select(bool m, vec4 a, vec4 b) { return m ? a : b; }
 
 float reciprocal(float x) { return 1.0f / x; }
-float inverse_sqrt(float x) { return inversesqrt(x); }  // for x in 2^-126..FLT_MAX
 float safe_sqrt(float x) { return x > 0.0f ? sqrt(x) : 0.0f; }  // 0 for negative x and NaN
 
 // x^y for x > 0; 0 for x <= 0 and NaN, whatever y.

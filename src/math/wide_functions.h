@@ -15,17 +15,6 @@ inline real clamp(real x, real lo, real hi) { return min(max(x, lo), hi); }
 inline integer clamp(integer x, integer lo, integer hi) { return min(max(x, lo), hi); }
 inline real mix(real a, real b, real t) { return a + (b - a) * t; }
 inline real reciprocal(real x) { return real(1.0f) / x; }           ///< by true division
-/// 1 / sqrt(x) for x in 2^-126..FLT_MAX, else something finite or NaN. Relative error under 3e-7. In plain operations:
-/// cheaper than a root and a division, and unlike the processors' own estimates the same everywhere. The first guess is
-/// off by up to 3.5 % (halved exponent: Lomont 2003, "Fast Inverse Square Root"); Newton's step leaves 0.18 %, Halley's
-/// the cube of that.
-inline real inverse_sqrt(real x) {
-    const integer halved = shift_right_logical(bits_of(x), 1);
-    const real guess = real_from_bits(integer(0x5f375a86) - halved);
-    const real y = guess * (real(1.5f) - (x * guess) * (real(0.5f) * guess));  // 0.5 x may be denormal
-    const real h = x * y * y;                                                  // 1 but for the error
-    return y * (real(1.875f) - h * (real(1.25f) - real(0.375f) * h));
-}
 inline real safe_sqrt(real x) { return sqrt(max(x, real(0.0f))); }  ///< 0 for negative x and NaN
 
 #if !defined(RL_WIDE_NATIVE_ROUNDING)

