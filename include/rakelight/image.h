@@ -42,4 +42,14 @@ struct EncodedImage {
 };
 using ImageHandle = std::shared_ptr<const EncodedImage>;
 
+/// Linear light -> 0..1 of a display. none: clamp; Reinhard et al. 2002, "Photographic Tone Reproduction for Digital
+/// Images", eq. 3, on the luminance; Khronos PBR Neutral; the fit of ACES by Hill; AgX.
+enum class ToneMapping : std::uint8_t { none, reinhard, neutral, aces, agx };
+
+struct ToneSettings {
+    ToneMapping mapping = ToneMapping::none;
+    double exposure_ev = 0;  ///< light is multiplied by 2^exposure_ev first
+    bool operator==(const ToneSettings&) const = default;
+};
+
 }  // namespace rakelight

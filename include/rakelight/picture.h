@@ -79,6 +79,10 @@ struct PictureRequest {
     ViewRequest view;
     std::optional<std::vector<Light>> lights;  ///< replace all lights; else the file's, else the default rig
     bool default_lights = false;               ///< the default rig although the file has lights; `lights` goes first
+    ToneSettings tone;                         ///< of 8-bit pictures; EXR and HDR stay linear
+    std::string hdri_file;      ///< equirectangular picture, takes the place of the scene's environment; empty: none
+    bool hdri_ambient = false;  ///< the environment (without a file: the built-in studio) gives light
+    bool hdri_skybox = false;   ///< it is the background
     RenderSettings settings;  ///< channels go into files by `channel_files`; a window makes the picture as large as the
                               ///< window; alpha is written when background.w < 1
     std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits

@@ -34,6 +34,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/normal_map.glsl"
 #include "lighting/attenuation.glsl"
 #include "lighting/light_sum.glsl"
+#include "lighting/surface_terms.glsl"
 // clang-format on
 
 /// Three floats for all lanes.

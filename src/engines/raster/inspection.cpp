@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/inspection.h"
 
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/visibility_methods.h"
 
 namespace rakelight::raster {
@@ -41,6 +42,7 @@ Inspection::Geometry::Geometry(const Inspection& of, Window window, bool with_cu
             .memory = PictureMemory(context.memory())} {
     transform_draws(front, context);
     binned = set_up_and_bin(front, grid, {}, context);
+    make_full_jobs(front, {});
     points = light_points(front, binned, of.lights(), *scalar::kernels(), {}, context);
     marks = make_marks(front, grid, context);
 }

@@ -4,6 +4,7 @@
 #pragma once
 #include <stdint.h>
 
+#include "engines/raster/full_types.h"
 #include "engines/raster/geometry_types.h"
 #include "image/srgb_table.h"
 #include "lighting/light_parameters.h"
@@ -133,6 +134,7 @@ struct ShadeJob {
     float* normal_x;                       ///< [count] out, shading normal in the world; null: not wanted
     float* normal_y;
     float* normal_z;
+    const FullJob* full;  ///< null: the plain kernel, which this job is no more than
 };
 
 /// Points of one material where lighting is evaluated before there are pixels: centroids for flat, vertices for Gouraud shading.

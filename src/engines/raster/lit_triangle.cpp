@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/light_points.h"
 #include "math/linear.h"
 
@@ -137,14 +138,15 @@ ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParame
     out.material = &view;
     out.lights = lights.data();
     out.light_count = std::int32_t(lights.size());
-    out.reflection_model = settings.lighting == Lighting::lambert ? 0 : settings.lighting == Lighting::phong ? 1 : 2;
-    out.reflection_form = settings.specular_form == SpecularForm::automatic
-                              ? view.metallic_roughness
-                              : settings.specular_form == SpecularForm::normalized;
+    const SpecularForm own = material_of(front, draw).specular_form;
+    const SpecularForm form = own == SpecularForm::automatic ? settings.specular_form : own;
+    out.reflection_model = std::int32_t(lighting_of(front, draw)) - std::int32_t(Lighting::lambert);
+    out.reflection_form = form == SpecularForm::automatic ? view.metallic_roughness : form == SpecularForm::normalized;
+    if (!front.full.empty() && front.needs_full[draw]) out.full = &front.full[draw];
     out.specular_horizon = settings.specular_horizon;
     out.orthogonalize = settings.orthogonalize;
     out.anisotropy = settings.anisotropy;
-    out.bump = settings.bump != Bump::none && !is_lit_at_corners(front, draw);
+    out.bump = bump_of(front, draw) != Bump::none && !is_lit_at_corners(front, draw);
     out.unlit = view.unlit || front.shading[draw] == Shading::unlit;
     out.orthographic = front.view.orthographic;
     out.affine = is_affine(front);

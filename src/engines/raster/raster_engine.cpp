@@ -9,6 +9,7 @@
 
 #include "engines/channel_arrays.h"
 #include "engines/raster/channels_tile.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/open_surfaces.h"
 #include "engines/raster/tile.h"
@@ -196,6 +197,7 @@ public:
         transform_draws(front, context);
         Binned binned = settings.surfaces ? set_up_and_bin(front, grid, std::move(binned_), context) : nothing(grid);
         const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
+        make_full_jobs(front, {});
         LightPoints points = light_points(front, binned, lights, *kernels_, std::move(points_), context);
         const Marks marks = make_marks(front, grid, context);
         front.stats.times.front_end = clock.lap();

@@ -67,7 +67,7 @@ inline lit::Surface point_surface(const ShadeJob& job, float roughness, vec3 pos
     return surface;
 }
 
-static void light(const LightJob* job) {
+inline void light(const LightJob* job) {
     for (int32_t i = 0; i < job->count; i += lanes) {
         const vec3 position = load3(job->position, i);
         const lit::Surface surface = point_surface(*job->shade, job->roughness, position, load3(job->normal, i));

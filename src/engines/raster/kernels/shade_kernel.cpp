@@ -2,6 +2,7 @@
 // Shading of a run of pixels of one material, `lanes` at a time. Compiled once per instruction set: includes only plain data,
 // math/wide.h and what stands on it.
 #include "engines/raster/kernels/channel_kernel.h"
+#include "engines/raster/kernels/store.h"
 #include "engines/raster/kernels/surface.h"
 
 namespace rakelight::raster::RL_ISA {
@@ -10,23 +11,6 @@ namespace rakelight::raster::RL_ISA {
 inline vec3 add_interpolated(vec3 sum, const ShadeJob& job, const Pixels& p, const lit::Surface& surface) {
     const ReceivedLight received = interpolate_light(job.lit, p.triangle, p.b);
     return sum + (surface.ambient * received.ambient + surface.diffuse * received.diffuse + surface.specular * received.specular);
-}
-
-/// What is not finite becomes 0 and is counted, in the first `alive` lanes.
-inline real only_finite(real v, int32_t alive, int32_t& not_finite) {
-    const mask is_finite = v - v == real(0.0f);
-    if (all_lanes(is_finite)) return v;
-    not_finite += __builtin_popcount(lane_bits(!is_finite) & ((uint32_t(2) << (alive - 1)) - 1));
-    return select(is_finite, v, real(0.0f));
-}
-
-/// Linear -> correctly rounded sRGB codes: SrgbEncoder (image/srgb_encoder.h) for a vector.
-inline integer srgb8(const uint32_t* table, real linear) {
-    const real clamped = min(max(linear, real(srgb_lowest)), real(srgb_highest));
-    const integer above = bits_of(clamped) - bits_of(real(srgb_lowest));
-    const integer entry = gather_i(table, shift_right_logical(above, srgb_bucket_bits));
-    const mask is_over = (above & integer(0xffff)) >= (entry & integer(0x1ffff));
-    return shift_right_logical(entry, 24) + select(is_over, integer(1), integer(0));
 }
 
 /// Vectors of pixels that go through the stages side by side: what one waits for another one fills (a pixel's own
@@ -67,40 +51,21 @@ inline void light_surfaces(const ShadeJob& job, Block& b) {
                                            lit::sample_light(job.lights[i], b.pixels[k].position), reflection);
 }
 
-inline void store_colors(const ShadeJob& job, int32_t first, vec3 radiance, real alpha) {
-    if (job.srgb8 == nullptr) {
-        store(job.red + first, radiance.x);
-        store(job.green + first, radiance.y);
-        store(job.blue + first, radiance.z);
-        store(job.alpha + first, alpha);
-        return;
-    }
-    const integer codes = srgb8(job.srgb_table, radiance.x) | (srgb8(job.srgb_table, radiance.y) << 8) |
-                          (srgb8(job.srgb_table, radiance.z) << 16) | integer(int32_t(0xff000000u));
-    store(reinterpret_cast<int32_t*>(job.srgb8 + first), codes);
-}
-
 inline int32_t store_block(const ShadeJob& job, int32_t first, Block& b) {
     int32_t not_finite = 0;
     for (int32_t k = 0; k < b.count; ++k) {
-        const int32_t at = first + k * lanes, alive = job.count - at < lanes ? job.count - at : lanes;
-        vec3& radiance = b.radiance[k];
-        const real sum = radiance.x + radiance.y + radiance.z;
-        if (!all_lanes(sum - sum == real(0.0f))) {
-            radiance.x = only_finite(radiance.x, alive, not_finite);
-            radiance.y = only_finite(radiance.y, alive, not_finite);
-            radiance.z = only_finite(radiance.z, alive, not_finite);
-        }
-        store_colors(job, at, radiance, b.base[k].color.w);
-        if (job.normal_x == nullptr) continue;
-        store(job.normal_x + at, b.surface[k].n.x);
-        store(job.normal_y + at, b.surface[k].n.y);
-        store(job.normal_z + at, b.surface[k].n.z);
+        const int32_t at = first + k * lanes;
+        not_finite += store_finite(job, at, b.radiance[k], b.base[k].color.w);
+        if (job.normal_x != nullptr) store_normal(job, at, b.surface[k].n);
     }
     return not_finite;
 }
 
+int32_t shade_full(const ShadeJob* job);  // full_kernel.cpp
+void alpha_full(const ShadeJob* job);
+
 static int32_t shade(const ShadeJob* job) {
+    if (job->full != nullptr) return shade_full(job);
     int32_t not_finite = 0;
     Block b;
     for (int32_t i = 0; i < job->count; i += lanes * Block::most) {
@@ -114,6 +79,7 @@ static int32_t shade(const ShadeJob* job) {
 }
 
 static void alpha(const ShadeJob* job) {
+    if (job->full != nullptr) return alpha_full(job);
     for (int32_t i = 0; i < job->count; i += lanes) {
         Pixels p(*job, i);
         find_texcoords(*job->material, p);

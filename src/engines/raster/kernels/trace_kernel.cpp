@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shading kernel once more, in scalar words in a namespace of its own (RL_ISA is `trace`), with a recorder: the functions
 // are those of the kernel because they are its text.
+#include "engines/raster/kernels/full_kernel.cpp"
 #include "engines/raster/kernels/shade_kernel.cpp"
 
 #include "engines/raster/kernels/trace_types.h"
@@ -185,6 +186,20 @@ void trace_received(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
     put(out.received[2], light.specular);
 }
 
+/// As the engine's own kernel has it.
+vec3 color_of(const ShadeJob& job) {
+    if (job.full != nullptr) {
+        FullPixels f;
+        find_full(job, 0, f);
+        return full_radiance(job, f);
+    }
+    Block b;
+    b.count = 1;
+    find_surfaces(job, 0, b);
+    light_surfaces(job, b);
+    return b.radiance[0];
+}
+
 }  // namespace
 
 void trace_point(const ShadeJob* job, float roughness, const float (&position)[3], const float (&normal)[3],
@@ -231,11 +246,7 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, Tr
     out.is_lit_at_corners = job->unlit == 0 && job->lit != nullptr;
     if (out.is_lit_at_corners) trace_received(*job, p, out);
     if (job->unlit == 0 && job->lit == nullptr) trace_lights(*job, p, surface, emission, lights);
-    Block b;
-    b.count = 1;
-    find_surfaces(*job, 0, b);
-    light_surfaces(*job, b);
-    put(out.color, b.radiance[0]);
+    put(out.color, color_of(*job));
     out.alpha = base.color.w;
 }
 

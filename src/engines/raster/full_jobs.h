@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which draws of a picture need the full kernel, and what it has to know of them.
+#pragma once
+#include "engines/raster/front_end.h"
+
+namespace rakelight::raster {
+
+/// What is made once for a picture and read by all its draws.
+struct PictureEffects {
+    std::vector<ShadowView> shadows;  ///< [lights]; empty: none
+    const EnvironmentView* environment = nullptr;
+};
+
+/// Fills FrontEnd::full and needs_full.
+void make_full_jobs(FrontEnd& front, const PictureEffects& effects);
+
+/// The material of a draw; the default one where its mesh has none.
+const Material& material_of(const FrontEnd& front, std::uint32_t draw);
+/// What draws are lit by: the material's own, else the settings'; never automatic.
+Lighting lighting_of(const FrontEnd& front, std::uint32_t draw);
+/// Likewise; never automatic: the map that there is decides.
+Bump bump_of(const FrontEnd& front, std::uint32_t draw);
+
+}  // namespace rakelight::raster

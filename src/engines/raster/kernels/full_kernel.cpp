@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The full kernel's entries. Compiled once per instruction set.
+#include "engines/raster/kernels/full_kernel.h"
+
+#include "engines/raster/kernels/store.h"
+
+namespace rakelight::raster::RL_ISA {
+
+int32_t shade_full(const ShadeJob* job) {
+    int32_t not_finite = 0;
+    for (int32_t i = 0; i < job->count; i += lanes) {
+        FullPixels f;
+        find_full(*job, i, f);
+        not_finite += store_finite(*job, i, full_radiance(*job, f), f.base.color.w);
+        if (job->normal_x != nullptr) store_normal(*job, i, f.surface.base.n);
+    }
+    return not_finite;
+}
+
+void alpha_full(const ShadeJob* job) {
+    for (int32_t i = 0; i < job->count; i += lanes) {
+        Pixels p(*job, i);
+        find_relief_texcoords(*job, p);
+        store(job->alpha + i, base_color(*job->material, p).color.w);
+    }
+}
+
+}  // namespace rakelight::raster::RL_ISA
