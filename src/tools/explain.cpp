@@ -101,7 +101,7 @@ const char* material_model(const ExplainedPixel& e, const ShadedLayer& layer) {
 }
 
 const char* reflection_model(const ShadedLayer& layer) {
-    static constexpr const char* names[] = {"lambert", "phong", "blinn_phong"};
+    static constexpr const char* names[] = {"lambert", "phong", "blinn_phong", "oren_nayar", "ward", "pbr"};
     return names[layer.reflection_model];
 }
 

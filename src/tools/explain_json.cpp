@@ -96,6 +96,7 @@ Json light_json(const Light& light, std::size_t index, int reflection_model, con
     out["ambient"] = list(t.ambient);
     out["diffuse"] = list(t.diffuse);
     out["specular"] = list(t.specular);
+    out["seen"] = double(t.seen);
     out["sum"] = list(t.sum);
     return out;
 }
@@ -131,6 +132,16 @@ Json surface_json(const ShadedLayer& layer) {
             {"roughness", double(t.roughness)}};
 }
 
+/// What only the full kernel has.
+void add_extras(Json& out, const raster::PixelTrace& t) {
+    if (t.has_relief) out["texcoords_relief"] = {list(t.relief_texcoord[0]), list(t.relief_texcoord[1])};
+    if (t.has_environment)
+        out["environment"] = {{"ambient", list(t.environment[0])},
+                              {"diffuse", list(t.environment[1])},
+                              {"specular", list(t.environment[2])}};
+    if (t.has_fog) out["before_fog"] = list(t.before_fog);
+}
+
 Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
     const raster::PixelTrace& t = layer.trace;
     Json out = {{"triangle", layer.triangle},
@@ -158,6 +169,7 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
         out["lights"].push_back(
             light_json(e.engine->list().scene.lights[i], i, layer.reflection_model, layer.lights[i]));
     add_corners(out, e, layer);
+    add_extras(out, t);
     out["color"] = list(t.color);
     out["alpha"] = double(t.alpha);
     out["place"] = {double(layer.place.x), double(layer.place.y)};

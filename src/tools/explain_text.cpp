@@ -114,6 +114,8 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     const std::size_t sets = list.scene.meshes[list.draws[e.pixel.triangles[layer.triangle].draw].mesh].texcoords.size();
     if (sets > 0) values.add("texture coordinates 0", t.texcoord[0]);
     if (sets > 1) values.add("texture coordinates 1", t.texcoord[1]);
+    if (t.has_relief && sets > 0) values.add("0 in the relief", t.relief_texcoord[0], "where the ray meets it");
+    if (t.has_relief && sets > 1) values.add("1 in the relief", t.relief_texcoord[1]);
     values.add("normal, interpolated", t.interpolated);
     if (t.map[raster::traced_normal].is_used) {
         values.add("tangent", t.tangent, t.handedness < 0 ? "handedness -1" : "handedness +1");
@@ -168,7 +170,8 @@ std::string light_text(const ExplainedPixel& e, const ShadedLayer& layer, const 
     if (e.engine->list().scene.lights[i].type == LightType::spot) values.add("spot", l.spot);
     if (!is_ambient) {
         values.add("n.l", l.n_dot_l, l.n_dot_l > 0 ? "" : "the light is below the surface");
-        if (layer.reflection_model != 0) {
+        if (l.seen < 1) values.add("not in shadow", l.seen, "share of its diffuse and specular light");
+        if (layer.reflection_model == 1 || layer.reflection_model == 2) {
             values.add(layer.reflection_model == 1 ? "r.v" : "n.h", l.lobe_cosine);
             values.add("to the exponent", l.lobe);
             values.add("specular factor", l.specular_factor, layer.reflection_form ? "normalized: times energy factor and n.l" : "");
@@ -228,8 +231,20 @@ std::string sum_text(const ShadedLayer& layer) {
         add("  after " + light, layer.lights[i].sum);
     }
     if (t.is_lit_at_corners) add_received(table, t);
+    if (t.has_environment) {
+        add("+ environment ambient", t.environment[0]);
+        add("+ environment diffuse", t.environment[1]);
+        add("+ environment specular", t.environment[2]);
+    }
+    if (t.has_fog) add("  before the fog", t.before_fog);
     add("= color of the surface", t.color);
     return table.text("  ");
+}
+
+/// Of the models that have two.
+std::string form_text(const ShadedLayer& layer) {
+    if (layer.reflection_model != 1 && layer.reflection_model != 2) return {};
+    return layer.reflection_form ? ", normalized" : ", textbook form";
 }
 
 std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::size_t number) {
@@ -238,8 +253,7 @@ std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::s
     std::string text = "\nLayer " + digits(number) + ": triangle " + digits(t.triangle) + " of mesh " + shown(n.mesh, n.mesh_index) + ", object " +
                        shown(n.object, n.node) + ", vertices " + digits(t.vertex[0]) + " " + digits(t.vertex[1]) + " " + digits(t.vertex[2]) + "\n";
     text += "  material " + shown(n.material, n.material_index) + " (" + material_model(e, layer) + ")";
-    if (!layer.is_unlit)
-        text += std::string(", ") + reflection_model(layer) + (layer.reflection_form ? ", normalized" : ", textbook form");
+    if (!layer.is_unlit) text += std::string(", ") + reflection_model(layer) + form_text(layer);
     text += "\n";
     if (e.pixel.samples.size() > 1) text += shaded_at_text(layer);
     text += place_text(e, layer) + maps_text(e, layer) + surface_text(e, layer);

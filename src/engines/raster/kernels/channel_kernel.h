@@ -2,7 +2,7 @@
 // Data channels of a run of pixels, from the same functions as their color. Runs only where somebody asked. Per
 // instruction set.
 #pragma once
-#include "engines/raster/kernels/surface.h"
+#include "engines/raster/kernels/full_kernel.h"
 
 namespace rakelight::raster::RL_ISA {
 
@@ -29,6 +29,20 @@ inline ColorTerms color_terms(const ShadeJob& job, const Pixels& p, const BaseCo
         sum.specular = reflected.specular;
     }
     return sum;
+}
+
+/// The same of the full kernel. Fog dims each term; its own light counts as emission.
+inline ColorTerms full_color_terms(const ShadeJob& job, const FullPixels& f) {
+    const vec3 zero(real(0.0f));
+    ColorTerms sum = {zero, zero, zero, own_radiance(job, f)};
+    each_light(job, f, [&sum](const lit::LightTerms& t) {
+        sum.ambient = sum.ambient + t.ambient;
+        sum.diffuse = sum.diffuse + t.diffuse;
+        sum.specular = sum.specular + t.specular;
+    });
+    const vec3 fog = add_fog(job, f.p, zero);
+    const auto dimmed = [&](vec3 v) { return add_fog(job, f.p, v) - fog; };
+    return {dimmed(sum.ambient), dimmed(sum.diffuse), dimmed(sum.specular), add_fog(job, f.p, sum.emission)};
 }
 
 /// `v` where `sum` is finite, component by component, else 0: a color that is not finite is shown black, and none of
@@ -78,34 +92,58 @@ inline void put_places(const ChannelJob& job, int32_t first, const Pixels& p) {
     }
 }
 
-static void channels(const ChannelJob* given) {
-    const ChannelJob& job = *given;
+inline void put_tangent(const ChannelJob& job, int32_t first, const Pixels& p) {
+    if (job.out[plane_tangent] == nullptr) return;
+    const vec4 t = tangent_of(*job.shade, p);
+    put3(job, plane_tangent, first, vec3(t.x, t.y, t.z));
+    store(job.out[plane_tangent + 3] + first, t.w);
+}
+
+inline void put_terms(const ChannelJob& job, int32_t first, const ColorTerms& sum) {
+    const ColorTerms terms = finite_terms(sum);
+    put3(job, plane_ambient, first, terms.ambient);
+    put3(job, plane_diffuse, first, terms.diffuse);
+    put3(job, plane_specular, first, terms.specular);
+    put3(job, plane_emission, first, terms.emission);
+}
+
+inline void put_own_color(const ChannelJob& job, int32_t first, const BaseColor& base) {
+    const vec3 own = rgb(base.color);
+    put3(job, plane_base_color, first, where_finite(own, own));
+}
+
+inline void put_full_colors(const ChannelJob& job, int32_t first) {
+    FullPixels f;
+    find_full(*job.shade, first, f);
+    put_own_color(job, first, f.base);
+    if (job.needs_terms != 0) put_terms(job, first, full_color_terms(*job.shade, f));
+}
+
+inline void put_colors(const ChannelJob& job, int32_t first, Pixels& p) {
     const ShadeJob& shade = *job.shade;
+    find_texcoords(*shade.material, p);
+    const BaseColor base = base_color(*shade.material, p);
+    put_own_color(job, first, base);
+    if (job.needs_terms == 0) return;
+    lit::Surface surface;
+    set_reflectance(shade, p, base, surface);
+    surface.n = shading_normal(shade, p);
+    surface.v = to_viewer(shade, p.position);
+    put_terms(job, first, color_terms(shade, p, base, surface));
+}
+
+inline void find_channels(const ChannelJob& job) {
     const bool needs_color = job.out[plane_base_color] != nullptr || job.needs_terms != 0;
-    for (int32_t i = 0; i < shade.count; i += lanes) {
+    for (int32_t i = 0; i < job.shade->count; i += lanes) {
         Pixels p;
-        p.find(shade, i);
+        p.find(*job.shade, i);
         put_places(job, i, p);
-        if (job.out[plane_tangent] != nullptr) {
-            const vec4 t = tangent_of(shade, p);
-            put3(job, plane_tangent, i, vec3(t.x, t.y, t.z));
-            store(job.out[plane_tangent + 3] + i, t.w);
-        }
+        put_tangent(job, i, p);
         if (!needs_color) continue;
-        find_texcoords(*shade.material, p);
-        const BaseColor base = base_color(*shade.material, p);
-        const vec3 own = rgb(base.color);
-        put3(job, plane_base_color, i, where_finite(own, own));
-        if (job.needs_terms == 0) continue;
-        lit::Surface surface;
-        set_reflectance(shade, p, base, surface);
-        surface.n = shading_normal(shade, p);
-        surface.v = to_viewer(shade, p.position);
-        const ColorTerms terms = finite_terms(color_terms(shade, p, base, surface));
-        put3(job, plane_ambient, i, terms.ambient);
-        put3(job, plane_diffuse, i, terms.diffuse);
-        put3(job, plane_specular, i, terms.specular);
-        put3(job, plane_emission, i, terms.emission);
+        if (job.shade->full != nullptr)
+            put_full_colors(job, i);
+        else
+            put_colors(job, i, p);
     }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The full kernel's entries. Compiled once per instruction set.
+// The entries of the full kernel and of the data channels. Compiled once per instruction set.
 #include "engines/raster/kernels/full_kernel.h"
 
+#include "engines/raster/kernels/channel_kernel.h"
 #include "engines/raster/kernels/store.h"
 
 namespace rakelight::raster::RL_ISA {
@@ -24,5 +25,7 @@ void alpha_full(const ShadeJob* job) {
         store(job->alpha + i, base_color(*job->material, p).color.w);
     }
 }
+
+void channels(const ChannelJob* job) { find_channels(*job); }
 
 }  // namespace rakelight::raster::RL_ISA

@@ -29,29 +29,52 @@ inline void find_full(const ShadeJob& job, int32_t first, FullPixels& f) {
     f.emission = emission_of(m, f.p);
 }
 
+/// 0..1: how much of light i is not in shadow.
+inline real seen_of(const ShadeJob& job, int32_t i, const FullPixels& f, const lit::LightSample& light) {
+    return shadow_factor(job, i, f.p, light) * relief_shadow(job, f.p, f.surface, light);
+}
+
 /// What light i adds at the pixel.
 inline lit::LightTerms full_light(const ShadeJob& job, int32_t i, const FullPixels& f) {
     const lit::LightSample light = sample_in_frame(job, i, f.p, f.surface);
-    const real seen = shadow_factor(job, i, f.p, light) * relief_shadow(job, f.p, f.surface, light);
-    return lit::surface_terms(f.surface, light, seen, reflection_of(job));
+    return lit::surface_terms(f.surface, light, seen_of(job, i, f, light), reflection_of(job));
 }
 
 inline vec3 add_terms(vec3 sum, const lit::LightTerms& t) { return sum + (t.ambient + t.diffuse + t.specular); }
 
-/// The color, in the order of the plain kernel's sum.
+/// Flat and Gouraud: what the corners received, times what the pixel reflects.
+inline lit::LightTerms corner_terms(const ShadeJob& job, const FullPixels& f) {
+    const ReceivedLight received = interpolate_light(job.lit, f.p.triangle, f.p.b);
+    lit::LightTerms terms;
+    terms.ambient = f.surface.base.ambient * received.ambient;
+    terms.diffuse = f.surface.base.diffuse * received.diffuse;
+    terms.specular = f.surface.base.specular * received.specular;
+    return terms;
+}
+
+/// Calls add(terms) for all that falls on the surface, in the order of the plain kernel's sum.
+template <class Add>
+inline void each_light(const ShadeJob& job, const FullPixels& f, const Add& add) {
+    if (job.unlit != 0) return;
+    if (job.lit != nullptr) return add(corner_terms(job, f));
+    for (int32_t i = 0; i < job.light_count; ++i) add(full_light(job, i, f));
+    if (job.full->environment != nullptr) add(environment_terms(job, f.surface));
+}
+
+/// What shines without light.
+inline vec3 own_radiance(const ShadeJob& job, const FullPixels& f) {
+    return job.unlit != 0 ? lit::unlit(rgb(f.base.color), f.emission) : f.emission;
+}
+
+inline vec3 radiance_before_fog(const ShadeJob& job, const FullPixels& f) {
+    vec3 sum = own_radiance(job, f);
+    each_light(job, f, [&](const lit::LightTerms& t) { sum = add_terms(sum, t); });
+    return sum;
+}
+
+/// The color.
 inline vec3 full_radiance(const ShadeJob& job, const FullPixels& f) {
-    vec3 sum = f.emission;
-    if (job.unlit != 0) {
-        sum = lit::unlit(rgb(f.base.color), sum);
-    } else if (job.lit != nullptr) {
-        const ReceivedLight received = interpolate_light(job.lit, f.p.triangle, f.p.b);
-        const lit::Surface& s = f.surface.base;
-        sum = sum + (s.ambient * received.ambient + s.diffuse * received.diffuse + s.specular * received.specular);
-    } else {
-        for (int32_t i = 0; i < job.light_count; ++i) sum = add_terms(sum, full_light(job, i, f));
-        if (job.full->environment != nullptr) sum = add_terms(sum, environment_terms(job, f.surface));
-    }
-    return add_fog(job, f.p, sum);
+    return add_fog(job, f.p, radiance_before_fog(job, f));
 }
 
 }  // namespace rakelight::raster::RL_ISA

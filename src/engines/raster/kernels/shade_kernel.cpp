@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shading of a run of pixels of one material, `lanes` at a time. Compiled once per instruction set: includes only plain data,
-// math/wide.h and what stands on it.
-#include "engines/raster/kernels/channel_kernel.h"
+// Shading of a run of pixels of one material, `lanes` at a time. Compiled once per instruction set: includes only plain
+// data, math/wide.h and what stands on it.
 #include "engines/raster/kernels/store.h"
 #include "engines/raster/kernels/surface.h"
 
@@ -63,6 +62,7 @@ inline int32_t store_block(const ShadeJob& job, int32_t first, Block& b) {
 
 int32_t shade_full(const ShadeJob* job);  // full_kernel.cpp
 void alpha_full(const ShadeJob* job);
+void channels(const ChannelJob* job);
 
 static int32_t shade(const ShadeJob* job) {
     if (job->full != nullptr) return shade_full(job);

@@ -167,6 +167,7 @@ lit::LightTerms trace_light(const ShadeJob& job, int32_t i, vec3 position, const
     put(out.ambient, terms.ambient);
     put(out.diffuse, terms.diffuse);
     put(out.specular, terms.specular);
+    out.seen = 1;
     return terms;
 }
 
@@ -179,11 +180,63 @@ void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surf
     }
 }
 
+/// What the full kernel has beside the plain one.
+void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
+    put(out.diffuse_normal, f.surface.diffuse_n);
+    for (int set = 0; set < 2; ++set)
+        out.relief_texcoord[set][0] = f.p.texcoords[set].uv.x, out.relief_texcoord[set][1] = f.p.texcoords[set].uv.y;
+    out.has_relief = job.full->relief.technique != 0;
+    out.has_fog = job.full->fog.kind != 0;
+    out.has_environment = job.full->environment != nullptr && job.unlit == 0 && job.lit == nullptr;
+    put(out.before_fog, radiance_before_fog(job, f));
+    if (!out.has_environment) return;
+    const lit::LightTerms terms = environment_terms(job, f.surface);
+    put(out.environment[0], terms.ambient);
+    put(out.environment[1], terms.diffuse);
+    put(out.environment[2], terms.specular);
+}
+
+void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* lights) {
+    vec3 sum = f.emission;
+    for (int32_t i = 0; i < job.light_count; ++i) {
+        const lit::LightSample sample = sample_in_frame(job, i, f.p, f.surface);
+        trace_light(job, i, f.p.position, f.surface.base, sample, lights[i]);
+        lights[i].seen = seen_of(job, i, f, sample);
+        const lit::LightTerms terms = full_light(job, i, f);
+        put(lights[i].ambient, terms.ambient);
+        put(lights[i].diffuse, terms.diffuse);
+        put(lights[i].specular, terms.specular);
+        sum = add_terms(sum, terms);
+        put(lights[i].sum, sum);
+    }
+}
+
 void trace_received(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
     const ReceivedLight light = interpolate_light(job.lit, p.triangle, p.b);
     put(out.received[0], light.ambient);
     put(out.received[1], light.diffuse);
     put(out.received[2], light.specular);
+}
+
+/// What find_full() finds, by the plain kernel's functions.
+void find_plain(const ShadeJob& job, FullPixels& f) {
+    f.p.find(job, 0);
+    find_texcoords(*job.material, f.p);
+    f.base = base_color(*job.material, f.p);
+    set_reflectance(job, f.p, f.base, f.surface.base);
+    f.surface.base.n = shading_normal(job, f.p);
+    f.surface.base.v = to_viewer(job, f.p.position);
+    f.emission = emission_of(*job.material, f.p);
+}
+
+void trace_place(const Pixels& p, PixelTrace& out) {
+    out.barycentric[0] = 1.0f - p.b.b1 - p.b.b2, out.barycentric[1] = p.b.b1, out.barycentric[2] = p.b.b2;
+    put(out.position, p.position);
+    for (int set = 0; set < 2; ++set) {
+        TexCoords c;
+        find_texcoords(p.records, p.b, set, c);
+        out.texcoord[set][0] = c.uv.x, out.texcoord[set][1] = c.uv.y;
+    }
 }
 
 /// As the engine's own kernel has it.
@@ -218,36 +271,33 @@ void trace_point(const ShadeJob* job, float roughness, const float (&position)[3
 }
 
 void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, TracedTexels* texels) {
-    const MaterialView& m = *job->material;
     PixelTrace& out = *pixel;
     out = PixelTrace{};
-    Pixels p(*job, 0);
-    find_texcoords(m, p);
-    out.barycentric[0] = 1.0f - p.b.b1 - p.b.b2, out.barycentric[1] = p.b.b1, out.barycentric[2] = p.b.b2;
-    put(out.position, p.position);
-    for (int set = 0; set < 2; ++set) {
-        TexCoords c;
-        find_texcoords(p.records, p.b, set, c);
-        out.texcoord[set][0] = c.uv.x, out.texcoord[set][1] = c.uv.y;
-    }
+    FullPixels f;
+    if (job->full != nullptr)
+        find_full(*job, 0, f);
+    else
+        find_plain(*job, f);
+    const Pixels& p = f.p;
+    trace_place(p, out);
     trace_maps(*job, p, out, texels);
-    const BaseColor base = base_color(m, p);
     put(out.vertex_color, interpolate_color(p.records, p.b));
-    put(out.paint, base.paint);
-    put(out.base_color, base.color);
-    lit::Surface surface;
-    set_reflectance(*job, p, base, surface);
-    surface.n = shading_normal(*job, p);
-    surface.v = to_viewer(*job, p.position);
+    put(out.paint, f.base.paint);
+    put(out.base_color, f.base.color);
     trace_normal(*job, p, out);
-    trace_surface(m, surface, out);
-    const vec3 emission = emission_of(m, p);
-    put(out.emission, emission);
+    trace_surface(*job->material, f.surface.base, out);
+    put(out.emission, f.emission);
+    if (job->full != nullptr) trace_full(*job, f, out);
     out.is_lit_at_corners = job->unlit == 0 && job->lit != nullptr;
     if (out.is_lit_at_corners) trace_received(*job, p, out);
-    if (job->unlit == 0 && job->lit == nullptr) trace_lights(*job, p, surface, emission, lights);
+    if (job->unlit == 0 && job->lit == nullptr) {
+        if (job->full != nullptr)
+            trace_full_lights(*job, f, lights);
+        else
+            trace_lights(*job, p, f.surface.base, f.emission, lights);
+    }
     put(out.color, color_of(*job));
-    out.alpha = base.color.w;
+    out.alpha = f.base.color.w;
 }
 
 }  // namespace rakelight::raster::RL_ISA

@@ -52,6 +52,7 @@ struct TracedLight {
     float ambient_color[3], diffuse_color[3], specular_color[3];  ///< of the light, attenuated
     float ambient[3], diffuse[3], specular[3];                    ///< what is added to the sum
     float sum[3];          ///< after this light
+    float seen;            ///< 0..1: how much of its diffuse and specular light is not in shadow
 };
 
 struct PixelTrace {
@@ -72,6 +73,11 @@ struct PixelTrace {
     float emission[3];        ///< first term of the sum
     int32_t is_lit_at_corners;  ///< flat and Gouraud: the sum is emission + k_a received[0] + k_d received[1] + k_s received[2]
     float received[3][3];     ///< ambient, diffuse, specular light at the pixel, interpolated; 0 where it is lit at the pixel
+    float diffuse_normal[3];  ///< that the diffuse term is lit with: `normal` unless bumps act on one term alone
+    float relief_texcoord[2][2];  ///< both sets where the ray meets the relief
+    int32_t has_environment, has_fog, has_relief;
+    float environment[3][3];  ///< ambient, diffuse and specular term of the light from all around
+    float before_fog[3];      ///< the sum
     TracedTexture map[traced_maps];
     float color[3], alpha;    ///< the kernel's own result
 };
