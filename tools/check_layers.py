@@ -37,7 +37,7 @@ PUBLIC = {
     "vector": "math",
     "block": "image", "image": "image",
     "attributes": "geometry",
-    "scene": "scene",
+    "scene": "scene", "words": "scene",
     "prepare": "prepare",
     "engine": "engines",
     "render": "render",

@@ -58,9 +58,10 @@ void apply_smooth(const BenchWords& w, SmoothBenchOptions& o) {
                       {"--frames", w.frames},
                       {"--samples", w.samples},
                       {"--shading", w.shading},
-                      {"--bump", w.bump},
                       {"--output", w.output},
                       {"--export", w.export_file}});
+    if (const char* const option = first_given(w.surface))
+        throw Error(ErrorCode::usage, std::string(option) + " is not for bench smooth");
     o.triangles =
         w.triangles.empty() ? 1'000'000 : std::uint64_t(count("--triangles", w.triangles, 100, 1'000'000'000));
     o.objects = w.objects.empty() ? std::uint32_t(std::min<std::uint64_t>(o.objects, o.triangles / 32))
@@ -110,7 +111,7 @@ void apply_render(const BenchWords& w, RenderBenchOptions& o) {
                                             {"gouraud", Shading::gouraud},
                                             {"phong", Shading::phong},
                                             {"auto", Shading::automatic}});
-    if (!w.bump.empty()) o.settings.bump = word<Bump>("--bump", w.bump, {{"none", Bump::none}, {"normal", Bump::normal}});
+    apply(w.surface, o.settings);
 }
 
 }  // namespace
@@ -141,9 +142,9 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     add(render, "--frames", w.frames, "N", "Counted pictures of each engine, after one that is not counted (default 15)");
     add(render, "--samples", w.samples, "N", "Samples a pixel: 1 (default), 4 or 8");
     add(render, "--shading", w.shading, "HOW", "phong (default), gouraud, flat, unlit or auto");
-    add(render, "--bump", w.bump, "HOW", "normal (default: use normal maps) or none");
     add(render, "-o,--output", w.output, "FILE", "Also write the picture of the first engine");
     add(render, "--export", w.export_file, "FILE", "Also write the scene as .glb, for other programs to be measured with");
+    add_surface_options(app, w.surface, "Surfaces: bench render");
 }
 
 void apply(const BenchWords& w, BenchRequest& request) {

@@ -5,6 +5,8 @@
 
 #include <rakelight/bench.h>
 
+#include "surface_options.h"
+
 namespace CLI {
 class App;
 }
@@ -19,7 +21,8 @@ struct BenchWords {
     std::string order, weight, crease_angle, tolerance, repetitions, with;
     bool brute_force = false;
     // bench render
-    std::string lights, engines, resolution, frames, samples, shading, bump, output, export_file;
+    std::string lights, engines, resolution, frames, samples, shading, output, export_file;
+    SurfaceWords surface;
 };
 
 void add_bench_options(CLI::App& app, BenchWords& words);

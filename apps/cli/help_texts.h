@@ -20,13 +20,19 @@ inline constexpr const char* render_footer = R"(Lights:
     point:X,Y,Z         a lamp at a place; then any of
       :color=R,G,B      its color (default 1,1,1)
       :specular=R,G,B   the color of its highlights (default: as color)
+      :ambient=R,G,B    what it adds on every side (default 0,0,0)
       :attenuation=C,L,Q  1 / (C + L d + Q d^2) at d metres (default 1,0,0)
     spot:X,Y,Z          like point, and
       :direction=X,Y,Z  the way its light goes (default 0,0,-1)
       :cutoff=DEG       half angle of its cone, up to 90
       :exponent=E       falls off as cos^E from the axis (default 0)
-    directional:X,Y,Z   the way the light goes; :color= :specular=
+    directional:X,Y,Z   the way the light goes; :color= :specular= :ambient=
     ambient:R,G,B       light from everywhere
+    photometric-point:X,Y,Z, photometric-spot:X,Y,Z, photometric-directional:X,Y,Z
+                        as glTF has them: inverse square of the distance
+      :intensity=I      candela, of directional ones lux (default 1); :color=
+      :direction=X,Y,Z :inner=DEG :outer=DEG   spot: half angles of its cone
+    of all but ambient: :shadow=off throws none; placed: :range=M ends at M meters
     default             the default lights although the model has its own
 
 Examples:

@@ -8,6 +8,7 @@
 
 #include "help_texts.h"
 #include "render_options.h"
+#include "switches.h"
 #include "usage_error.h"
 #include "values.h"
 
@@ -20,6 +21,10 @@ constexpr std::size_t column_width = 32, page_width = 100;
 class HelpLayout final : public CLI::Formatter {
 public:
     HelpLayout() { column_width(cli::column_width); }
+
+    std::string make_option_opts(const CLI::Option* option) const override {
+        return is_switch(*option) ? std::string(" ") + switch_type : Formatter::make_option_opts(option);
+    }
 
     std::string make_option_desc(const CLI::Option* option) const override {
         std::string text = Formatter::make_option_desc(option), out;
@@ -162,14 +167,7 @@ void add_render_options(CLI::App& app, RenderWords& w) {
         ->group("Shading")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    add(app, "Shading", "--lighting", w.lighting, "MODEL", "auto (default: blinn-phong), lambert, phong, blinn-phong");
-    add(app, "Shading", "--specular", w.specular, "FORM", "auto (default), textbook, normalized (conserves energy)");
-    add(app, "Shading", "--specular-horizon", w.specular_horizon, "on|off",
-        "No highlight where the light is below the surface (default on)");
-    add(app, "Shading", "--bump", w.bump, "HOW", "normal (default: use normal maps) or none");
-    add(app, "Shading", "--texture-base-color", w.texture_base_color, "FILE", "Picture for the color of all materials");
-    add(app, "Shading", "--texture-normal", w.texture_normal, "FILE", "Normal map for all materials (green up)");
-    add(app, "Shading", "--normal-scale", w.normal_scale, "S", "How strongly normal maps bump (default: the material's, 1)");
+    add_surface_options(app, w.surface);
     add(app, "Shading", "--front-face", w.front_face, "ccw|cw",
         "How the model's triangles turn, seen from their front: counter-clockwise (default) or clockwise");
     add(app, "Shading", "--cull", w.cull, "WHICH",
@@ -193,11 +191,7 @@ void add_render_options(CLI::App& app, RenderWords& w) {
         "Texture coordinates for models without: box, sphere, cylinder (default none)");
 
     add_view_options(app, "Camera", w);
-    app.add_option("--light", w.lights, "A light instead of the model's; may be repeated, see below")
-        ->type_name("SPEC")
-        ->group("Light")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_scene_options(app, w.scene);
 }
 
 namespace {
@@ -326,7 +320,9 @@ Options parse(int argc, const char* const* argv) {
     add_verbs(app, words, common, options.inputs);
     refuse_values_of_flags(app, argc, argv);
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> arguments = join_switches(app, argc, argv);
+        std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+        app.parse(arguments);
     } catch (const CLI::CallForHelp&) {
         options.help = help_of(app);
         return options;

@@ -2,21 +2,12 @@
 // What the words of `rakelight render` mean.
 #include "render_options.h"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "values.h"
 
 namespace rakelight::cli {
 namespace {
-
-void not_yet(const std::string& option, const std::string& word, std::initializer_list<const char*> later,
-             const char* advice) {
-    for (const char* name : later)
-        if (word == name)
-            throw Error(ErrorCode::usage, option + " " + word + " is not there yet in this version", {}, advice);
-}
 
 void apply_size(const RenderWords& w, RenderSettings& s) {
     if (!w.resolution.empty()) {
@@ -95,25 +86,8 @@ void apply_shading(const RenderWords& w, RenderSettings& s) {
     }
 }
 
-void apply_lighting(const RenderWords& w, RenderSettings& s) {
-    not_yet("--lighting", w.lighting, {"oren-nayar", "ward", "pbr"}, "use lambert, phong or blinn-phong");
-    not_yet("--bump", w.bump, {"height", "parallax", "parallax-limited", "steep", "occlusion", "displacement"},
-            "use none or normal");
+void apply_visibility(const RenderWords& w, RenderSettings& s) {
     apply_shading(w, s);
-    if (!w.lighting.empty())
-        s.lighting = word<Lighting>("--lighting", w.lighting,
-                                    {{"auto", Lighting::automatic},
-                                     {"lambert", Lighting::lambert},
-                                     {"phong", Lighting::phong},
-                                     {"blinn-phong", Lighting::blinn_phong}});
-    if (!w.specular.empty())
-        s.specular_form = word<SpecularForm>("--specular", w.specular,
-                                             {{"auto", SpecularForm::automatic},
-                                              {"textbook", SpecularForm::textbook},
-                                              {"normalized", SpecularForm::normalized}});
-    if (!w.specular_horizon.empty())
-        s.specular_horizon = word<bool>("--specular-horizon", w.specular_horizon, {{"on", true}, {"off", false}});
-    if (!w.bump.empty()) s.bump = word<Bump>("--bump", w.bump, {{"none", Bump::none}, {"normal", Bump::normal}});
     if (!w.front_face.empty())
         s.front_face = word<FrontFace>("--front-face", w.front_face,
                                        {{"ccw", FrontFace::counter_clockwise}, {"cw", FrontFace::clockwise}});
@@ -234,14 +208,6 @@ void apply_view(const RenderWords& w, ViewRequest& v) {
     if (!w.horizontal_angle.empty()) v.horizontal_fov_rad = angle("--camera-horizontal-angle", w.horizontal_angle);
 }
 
-void apply_textures(const RenderWords& w, TextureOverrides& t) {
-    t.base_color = w.texture_base_color;
-    t.normal = w.texture_normal;
-    if (w.normal_scale.empty()) return;
-    t.normal_scale = number("--normal-scale", w.normal_scale);
-    if (!(std::fabs(*t.normal_scale) <= 100)) throw Error(ErrorCode::usage, "--normal-scale: must be -100 to 100");
-}
-
 }  // namespace
 
 void apply(const RenderWords& words, PictureRequest& request) {
@@ -249,20 +215,12 @@ void apply(const RenderWords& words, PictureRequest& request) {
     request.engine = words.engine;
     apply_size(words, request.settings);
     apply_channels(words, request);
-    apply_lighting(words, request.settings);
+    apply(words.surface, request.settings);
+    apply_visibility(words, request.settings);
     apply_lines(words, request.settings);
     apply_normals(words, request.prepare);
-    apply_textures(words, request.textures);
+    apply(words.scene, request);
     apply_view(words, request.view);
-    if (words.lights.empty()) return;
-    if (words.lights.size() == 1 && words.lights[0] == "default") {
-        request.default_lights = true;
-        return;
-    }
-    if (std::find(words.lights.begin(), words.lights.end(), "default") != words.lights.end())
-        throw Error(ErrorCode::usage, "--light default stands alone");
-    request.lights.emplace();
-    for (const std::string& text : words.lights) request.lights->push_back(light("--light", text));
 }
 
 }  // namespace rakelight::cli

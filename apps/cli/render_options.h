@@ -6,6 +6,9 @@
 
 #include <rakelight/picture.h>
 
+#include "scene_options.h"
+#include "surface_options.h"
+
 namespace CLI {
 class App;
 }
@@ -16,15 +19,14 @@ namespace rakelight::cli {
 struct RenderWords {
     std::string output, engine = "soft", resolution, window, background, channels, channel_files, exr_colors;
     std::vector<std::string> shading;
-    std::string lighting, specular, specular_horizon, bump, front_face, cull, visibility, interpolation, samples,
-        anisotropy;
+    SurfaceWords surface;
+    SceneWords scene;
+    std::string front_face, cull, visibility, interpolation, samples, anisotropy;
     std::string line_width, line_color, points, point_size;
     std::string normals, crease_angle, weight, uv, tangents, orthogonalize;
-    std::string texture_base_color, texture_normal, normal_scale;
     std::string view, camera, position, focal_point, up, view_angle, horizontal_angle;
     bool orthographic = false, keep_instances = false, stats = false, edges = false, wireframe = false,
          point_sprites = false;
-    std::vector<std::string> lights;
 };
 
 /// Declares the options with their help. `words` must live until the command line is read.

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "switches.h"
+
 namespace rakelight::cli {
 namespace {
 
@@ -68,7 +70,7 @@ void refuse_values_of_flags(const CLI::App& app, int argc, const char* const* ar
         const std::string word = argv[i], name = word.substr(0, word.find('='));
         if (!word.starts_with("--") || name == word) continue;
         const CLI::Option* const option = verbs.front()->get_option_no_throw(name);
-        if (option && option->get_items_expected_max() == 0)
+        if (option && option->get_items_expected_max() == 0 && !is_switch(*option))
             throw Error(ErrorCode::usage,
                         name + " takes no value, but is given '" + one_line(word.substr(name.size() + 1), 40) + "'");
     }

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace rakelight::cli {
 namespace {
@@ -41,6 +42,19 @@ std::vector<double> numbers(const std::string& option, std::string_view text, st
 }
 
 double number(const std::string& option, std::string_view text) { return numbers(option, text, 1)[0]; }
+
+double number(const std::string& option, std::string_view text, double low, double high) {
+    const double value = number(option, text);
+    if (value >= low && value <= high) return value;
+    char limits[80];
+    std::snprintf(limits, sizeof limits, ": must be %.9g to %.9g", low, high);
+    throw Error(ErrorCode::usage, option + limits);
+}
+
+bool switched(const std::string& option, std::string_view text) {
+    if (text == "true" || text == "false") return text == "true";
+    return word<bool>(option, text, {{"on", true}, {"off", false}});
+}
 
 dvec3 vector3(const std::string& option, std::string_view text) {
     const std::vector<double> v = numbers(option, text, 3);

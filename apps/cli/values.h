@@ -3,19 +3,21 @@
 // expected; numbers go by std::from_chars, so no locale changes them.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <rakelight/error.h>
-#include <rakelight/scene.h>
+#include <rakelight/words.h>
 
 namespace rakelight::cli {
 
 /// Finite numbers separated by commas, exactly `count` of them. `option` is for the message.
 std::vector<double> numbers(const std::string& option, std::string_view text, std::size_t count);
 double number(const std::string& option, std::string_view text);
+/// One in low..high.
+double number(const std::string& option, std::string_view text, double low, double high);
 dvec3 vector3(const std::string& option, std::string_view text);
 
 /// An integer in low..high.
@@ -32,12 +34,24 @@ vec4 background(const std::string& option, std::string_view text);
 vec4 display_color(const std::string& option, std::string_view text,
                    const char* advice = "write r,g,b from 0 to 1 or '#rrggbb'");
 
-/// "point:0,2,3:color=1,0.9,0.8:attenuation=1,0,0.1", "directional:0,-1,-1", "spot:...", "ambient:0.1,0.1,0.1".
+/// Linear light "1,0.9,0.8", none of it negative.
+vec3 light_color(const std::string& option, std::string_view text);
+/// A direction of length 1.
+dvec3 unit(const std::string& option, dvec3 direction);
+
+/// "point:0,2,3:color=1,0.9,0.8:attenuation=1,0,0.1", "directional:0,-1,-1", "spot:...", "ambient:0.1,0.1,0.1";
+/// "photometric-point:0,2,3:intensity=100" and the like.
 Light light(const std::string& option, std::string_view text);
+
+/// "none", "linear:2,30:color=#c0c8d0", "exp:0.1", "exp2:0.1".
+Fog fog(const std::string& option, std::string_view text);
+
+/// "on", "off"; as F3D has it also "true", "false".
+bool switched(const std::string& option, std::string_view text);
 
 /// The value of a word out of a fixed list.
 template <class T>
-T word(const std::string& option, std::string_view text, std::initializer_list<std::pair<const char*, T>> words) {
+T word(const std::string& option, std::string_view text, std::span<const Word<T>> words) {
     std::string all;
     for (const auto& [name, value] : words) {
         if (text == name) return value;
@@ -45,6 +59,14 @@ T word(const std::string& option, std::string_view text, std::initializer_list<s
     }
     throw Error(ErrorCode::usage, option + ": unknown word '" + one_line(std::string(text), 40) + "'", {},
                 "use one of: " + all);
+}
+template <class T, std::size_t n>
+T word(const std::string& option, std::string_view text, const Word<T> (&words)[n]) {
+    return word<T>(option, text, std::span(words));
+}
+template <class T>
+T word(const std::string& option, std::string_view text, std::initializer_list<Word<T>> words) {
+    return word<T>(option, text, std::span(words.begin(), words.size()));
 }
 
 /// Parts between separators; "a,,b" has an empty one.

@@ -37,17 +37,23 @@ struct ViewRequest {
 /// @throws Error usage: no such side or camera, impossible angle or position; bad_file "nothing to draw".
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
 
-/// Pictures that take the place of those of all materials, on the first texture coordinate set.
-struct TextureOverrides {
-    std::string base_color, normal;       ///< picture files, as the caller names them; empty: the model's own
-    std::optional<double> normal_scale;   ///< of all normal maps
+/// What takes the place of all materials' own; texture pictures lie on the first texture coordinate set.
+struct MaterialOverrides {
+    std::string base_color, normal, height;  ///< picture files, as the caller names them; empty: the model's own
+    std::optional<double> normal_scale;      ///< of all normal maps
+    std::optional<bool> green_down;          ///< Material::green_down
+    std::optional<bool> centered_normals;    ///< Material::centered_normals
+    std::optional<vec3> color;               ///< linear; the factor that base color textures are multiplied by
+    std::optional<double> opacity;           ///< 0..1, the factor of alpha; below 1 surfaces are blended
+    /// 0..1, factors of metallic-roughness materials; classical ones are converted to such first.
+    std::optional<double> roughness, metallic;
 
-    bool is_empty() const { return base_color.empty() && normal.empty() && !normal_scale; }
+    bool operator==(const MaterialOverrides&) const = default;
 };
 
 /// The scene with its materials so changed; meshes without a material get one.
 /// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
-Scene override_textures(const Scene& scene, const TextureOverrides& overrides, Context& context);
+Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
 
 /// How data channels are written, as bits.
 enum ChannelFiles : std::uint32_t {
@@ -74,11 +80,13 @@ struct PictureRequest {
     std::string output;  ///< ending .png, .jpg, .webp (sRGB, 8 bit), .exr or .hdr (linear)
     std::string engine = "soft";
     LoadOptions load;
-    TextureOverrides textures;
+    MaterialOverrides materials;
     PrepareOptions prepare;
     ViewRequest view;
     std::optional<std::vector<Light>> lights;  ///< replace all lights; else the file's, else the default rig
     bool default_lights = false;               ///< the default rig although the file has lights; `lights` goes first
+    double light_intensity = 1;                ///< >= 0; multiplies every light
+    std::optional<Fog> fog;                    ///< in place of the scene's
     ToneSettings tone;                         ///< of 8-bit pictures; EXR and HDR stay linear
     std::string hdri_file;      ///< equirectangular picture, takes the place of the scene's environment; empty: none
     bool hdri_ambient = false;  ///< the environment (without a file: the built-in studio) gives light

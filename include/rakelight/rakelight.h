@@ -20,3 +20,4 @@
 #include <rakelight/stages.h>
 #include <rakelight/vector.h>
 #include <rakelight/version.h>
+#include <rakelight/words.h>

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <new>
 
+#include "math/linear.h"
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/picture_files.h"
@@ -18,6 +19,13 @@ namespace {
 std::uint64_t count_objects(const Scene& scene) {
     return std::uint64_t(
         std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
+}
+
+void strengthen(Light& light, float factor) {
+    light.ambient = light.ambient * factor;
+    light.diffuse = light.diffuse * factor;
+    light.specular = light.specular * factor;
+    light.intensity *= factor;
 }
 
 /// What the scales of PNG channels mean.
@@ -37,6 +45,9 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
         scene.lights = *request.lights;
     else if (request.default_lights || scene.lights.empty())
         scene.lights = default_lights(camera.to_world);
+    if (request.light_intensity != 1)
+        for (Light& light : scene.lights) strengthen(light, float(request.light_intensity));
+    if (request.fog) scene.fog = *request.fog;
     return scene;
 }
 
@@ -83,7 +94,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     Stopwatch watch;
     context.progress("load", 0);
     Scene scene = load(request.input, request.load, context);
-    scene = override_textures(scene, request.textures, context);
+    scene = override_materials(scene, request.materials, context);
     result.load_ms = watch.lap_ms();
 
     context.progress("prepare", 0);

@@ -8,7 +8,7 @@ namespace rakelight {
 /// The window that is rendered: the whole picture where none is asked for.
 Window whole_window(const RenderSettings& settings);
 
-/// The scene with the lights that the picture is lit by.
+/// The scene with the lights that the picture is lit by, and the fog.
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
 
 /// What is made ready, with what the settings ask for.

@@ -13,7 +13,7 @@ std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& requ
                     "only surfaces can be looked into: leave --edges, --wireframe, --points and --point-sprites out");
     context.progress("load", 0);
     Scene scene = load(request.input, request.load, context);
-    scene = override_textures(scene, request.textures, context);
+    scene = override_materials(scene, request.materials, context);
     context.progress("prepare", 0);
     check_drawable(scene);
     warn_of_unknown_names(scene, settings, context.report());

@@ -160,7 +160,7 @@ class Cli(program.Case):
                  ("--light", "default", "--light", "ambient:1,1,1"), ("--light", "spot:0,0,1:exponent=-1"), ("--normal-scale", "101"),
                  ("--camera-position", "1e30,0,0"), ("--max-memory", "1.5X"), ("--resolution", "12"), ("--resolution", "0,5"), ("--resolution", "99999999999,5"), ("--resolution", "1e3,5"),
                  ("--window", "0,0,9999,1"), ("--window", "0,0,0,0"), ("--window", "-1,0,5,5"), ("--engine", "hard"), ("--engine", "gl"),
-                 ("--shading", "x"), ("--lighting", "pbr"), ("--bump", "steep"),
+                 ("--shading", "x"), ("--lighting", "ggx"), ("--bump", "deep"),
                  ("--normals", "none"), ("--crease-angle", "181"), ("--crease-angle", "nan"), ("--crease-angle", "60deg"),
                  ("--camera-position", "1,2"), ("--camera-position", "1,2,inf"), ("--camera-view-angle", "180"), ("--view", "behind"),
                  ("--view", "front", "--camera-index", "0"), ("--light", "sun"), ("--light", "point"), ("--light", "point:0,0"),
@@ -173,7 +173,7 @@ class Cli(program.Case):
             with self.subTest(arguments=arguments):
                 self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", *arguments), 2)
         self.check_refused(self.run_program("rendr", "a.obj"), 2, "unknown command 'rendr'")
-        self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", "--light", "sun"), 2, "ambient, default")
+        self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", "--light", "sun"), 2, "photometric-spot, default")
         self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", "--light", "default:1,1,1"), 2, "without numbers")
         self.check_refused(self.run_program("bench", "render", "--triangles", "1k", "--objects", "100"), 2, "1000 triangles are too few for 100 objects", "--objects")
         self.check_refused(self.run_program("render", "-lead.glb", "-o", "a.png"), 2, "./-lead.glb")

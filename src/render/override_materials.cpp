@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures from the command line in the place of the materials' own.
+// Pictures and factors from the command line in the place of the materials' own.
 #include <algorithm>
 
 #include <rakelight/picture.h>
 
 #include "io/file.h"
 #include "io/image_io.h"
+#include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
@@ -34,19 +35,38 @@ void name_default_material(Scene& scene) {
         if (has_none(mesh)) mesh.material = std::uint32_t(scene.materials.size() - 1);
 }
 
+/// The factors of metallic-roughness materials, and those of every kind.
+void set_factors(Material& m, const MaterialOverrides& o) {
+    if (o.roughness || o.metallic) m = metallic_roughness_from_classical(m);
+    if (o.roughness) m.metallic_roughness.roughness = float(*o.roughness);
+    if (o.metallic) m.metallic_roughness.metallic = float(*o.metallic);
+    if (o.color) {
+        m.base_color = {o.color->x, o.color->y, o.color->z, m.base_color.w};
+        m.classical.ambient = *o.color;  // as loaders have it where a file gives no k_a
+    }
+    if (!o.opacity) return;
+    m.base_color.w = float(*o.opacity);
+    if (*o.opacity < 1) m.alpha_mode = AlphaMode::blend;
+}
+
 }  // namespace
 
-Scene override_textures(const Scene& scene, const TextureOverrides& overrides, Context& context) {
-    if (overrides.is_empty()) return scene;
+Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context) {
+    if (overrides == MaterialOverrides{}) return scene;
     Scene changed = scene;
     name_default_material(changed);
-    TextureUse base_color, normal;
+    TextureUse base_color, normal, height;
     if (!overrides.base_color.empty()) base_color = add_texture(changed, overrides.base_color, context);
     if (!overrides.normal.empty()) normal = add_texture(changed, overrides.normal, context);
+    if (!overrides.height.empty()) height = add_texture(changed, overrides.height, context);
     for (Material& m : changed.materials) {
         if (base_color) m.base_color_texture = base_color;
         if (normal) m.normal_texture = normal;
+        if (height) m.height_texture = height, m.height_scale = 1;
         if (overrides.normal_scale) m.normal_scale = float(*overrides.normal_scale);
+        if (overrides.green_down) m.green_down = *overrides.green_down;
+        if (overrides.centered_normals) m.centered_normals = *overrides.centered_normals;
+        set_factors(m, overrides);
     }
     return changed;
 }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options that change what is drawn: materials, lights, fog, environment; and how light becomes display values.
+#pragma once
+#include <string>
+#include <vector>
+
+#include <rakelight/picture.h>
+
+namespace CLI {
+class App;
+}
+
+namespace rakelight::cli {
+
+/// The words as given; empty where not given.
+struct SceneWords {
+    std::string texture_base_color, texture_normal, height_map, normal_scale, normal_map_green, normal_map_zero;
+    std::string color, opacity, roughness, metallic;
+    std::string light_intensity, fog, hdri_file, hdri_ambient, hdri_skybox, tone_mapping, exposure;
+    std::vector<std::string> lights;
+};
+
+/// Declares the options with their help. `words` must live until the command line is read.
+void add_scene_options(CLI::App& app, SceneWords& words);
+
+/// @throws Error usage
+void apply(const SceneWords& words, PictureRequest& request);
+
+}  // namespace rakelight::cli
