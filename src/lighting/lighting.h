@@ -7,6 +7,8 @@
 //   decode_normal(texel, scale), decode_normal_centered     -> tangent-space normal, not unit (light_sum never sees it)
 //   orthogonal_tangent(n, t)                                -> unit tangent across n (Gram-Schmidt)
 //   perturb_normal(n, t, w, m)                              -> unit normal: t m.x + cross(n, t) w m.y + n m.z
+//   height_slope, bumped_normal(slope_t, slope_b)           -> tangent-space normal of a height map, not unit
+//   relief_run, first_layer, refined_height, relief_light   -> where rays meet a height map: parallax.glsl
 //   sample_light(parameters, position)                      -> LightSample: l, attenuation and colors at that point
 //   add_light(sum, surface, sample, reflection)             -> sum + the light's ambient + diffuse + specular
 //   light_terms(surface, sample, reflection)                -> the three terms apart
@@ -32,6 +34,8 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/blinn_phong.glsl"
 #include "lighting/unlit.glsl"
 #include "lighting/normal_map.glsl"
+#include "lighting/height_bump.glsl"
+#include "lighting/parallax.glsl"
 #include "lighting/attenuation.glsl"
 #include "lighting/light_sum.glsl"
 #include "lighting/surface_terms.glsl"

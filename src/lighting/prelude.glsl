@@ -5,6 +5,8 @@
 #define RL_IN(type) type
 #define real float
 #define mask bool
+#define RL_MAP_FN
+#define HeightMap sampler2D
 
 bool any_lane(bool m) { return m; }
 bool all_lanes(bool m) { return m; }
@@ -13,6 +15,9 @@ float select(bool m, float a, float b) { return m ? a : b; }
 vec2 select(bool m, vec2 a, vec2 b) { return m ? a : b; }
 vec3 select(bool m, vec3 a, vec3 b) { return m ? a : b; }
 vec4 select(bool m, vec4 a, vec4 b) { return m ? a : b; }
+
+// Height in 0..1 at a level of detail.
+float sample_height(sampler2D map, vec2 uv, float lod) { return textureLod(map, uv, lod).x; }
 
 float reciprocal(float x) { return 1.0f / x; }
 float safe_sqrt(float x) { return x > 0.0f ? sqrt(x) : 0.0f; }  // 0 for negative x and NaN

@@ -10,7 +10,8 @@ struct MaterialSurface {
 RL_FN LightTerms surface_terms(RL_IN(MaterialSurface) surface, RL_IN(LightSample) light, real seen, RL_IN(Reflection) reflection)
 {
     LightTerms terms = light_terms(surface.base, light, reflection);
-    terms.diffuse = terms.diffuse * seen;
+    real cosine = lambert_cosine(dot(surface.diffuse_n, light.l));
+    terms.diffuse = surface.base.diffuse * (light.diffuse * (cosine * light.attenuation)) * seen;
     terms.specular = terms.specular * seen;
     return terms;
 }

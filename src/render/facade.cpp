@@ -7,6 +7,7 @@
 #include "math/linear.h"
 #include "prepare/prepare.h"
 #include "render/drawable.h"
+#include "render/height_maps.h"
 #include "render/picture_files.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
@@ -28,6 +29,7 @@ Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Co
     if (scene.lights.empty()) scene.lights = default_lights(camera.to_world);
     const std::unique_ptr<Engine> engine = make_engine("soft");
     const PrepareOptions prepare{.clockwise_fronts = settings.front_face == FrontFace::clockwise};
+    scene = with_height_maps(std::move(scene), settings, context);
     engine->prepare(prepare_scene(scene, prepare, context), context);
     Frame frame;
     engine->render(camera, settings, frame, context);

@@ -7,6 +7,7 @@
 #include "math/linear.h"
 #include "render/drawable.h"
 #include "render/engines.h"
+#include "render/height_maps.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
 #include "render/stopwatch.h"
@@ -95,6 +96,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     context.progress("load", 0);
     Scene scene = load(request.input, request.load, context);
     scene = override_materials(scene, request.materials, context);
+    scene = with_height_maps(std::move(scene), request.settings, context);
     result.load_ms = watch.lap_ms();
 
     context.progress("prepare", 0);

@@ -2,6 +2,7 @@
 #include "tools/open_engine.h"
 
 #include "render/drawable.h"
+#include "render/height_maps.h"
 #include "render/picture_steps.h"
 
 namespace rakelight {
@@ -14,6 +15,7 @@ std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& requ
     context.progress("load", 0);
     Scene scene = load(request.input, request.load, context);
     scene = override_materials(scene, request.materials, context);
+    scene = with_height_maps(std::move(scene), request.settings, context);
     context.progress("prepare", 0);
     check_drawable(scene);
     warn_of_unknown_names(scene, settings, context.report());

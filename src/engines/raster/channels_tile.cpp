@@ -6,6 +6,7 @@
 #include "engines/channel_arrays.h"
 #include "engines/raster/channels_tile.h"
 #include "engines/raster/coverage.h"
+#include "engines/raster/full_jobs.h"
 #include "math/linear.h"
 
 namespace rakelight::raster {
@@ -94,8 +95,8 @@ void count_masked(const TileJob& job, const ScreenTriangle& t, std::size_t count
     make_records(job, t.draw, {&only, 1}, ox, oy, s);
     const ShadeJob batch = make_job(job, t.draw, ox, oy, count, s);
     job.kernels.alpha(&batch);
-    for (std::size_t i = 0; i < count; ++i)
-        s.overdraw[std::size_t(s.pixel[i])] += s.alpha[i] >= batch.material->alpha_cutoff;
+    const float cutoff = mask_cutoff(job.front, t.draw);
+    for (std::size_t i = 0; i < count; ++i) s.overdraw[std::size_t(s.pixel[i])] += s.alpha[i] >= cutoff;
 }
 
 }  // namespace
@@ -122,7 +123,7 @@ void count_overdraw(const TileJob& job, std::size_t tile, TileScratch& s) {
         const ScreenTriangle& t = *job.binned.items[i];
         const MaterialView& material = job.front.list.materials[job.front.list.draws[t.draw].material].view;
         if (material.blend) continue;
-        const bool is_masked = material.alpha_cutoff >= 0;
+        const bool is_masked = mask_cutoff(job.front, t.draw) >= 0;
         std::size_t count = 0;
         cover(t, area, ox, oy, [&](int x, int y, float) {
             const std::int32_t pixel = y * tile_size + x;

@@ -6,6 +6,7 @@
 
 #include "engines/raster/blend.h"
 #include "engines/raster/coverage.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/inspection.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/tile.h"
@@ -88,7 +89,7 @@ private:
         std::vector<double>& seen = seen_order_.emplace_back();
         for (CoveredSample& c : covered) {
             seen.push_back(order.at(x_, y_, c.depth_key));
-            if (m.blend || m.alpha_cutoff >= 0) c.alpha = trace(s, place_of(c.sample), nullptr).alpha;
+            if (m.blend || mask_cutoff(open_.front, s.draw) >= 0) c.alpha = trace(s, place_of(c.sample), nullptr).alpha;
         }
         t.samples = std::move(covered);
         screen_.push_back(&s);
@@ -128,12 +129,13 @@ private:
         for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
             CoveringTriangle& t = out_.triangles[i];
             const MaterialView& m = material_of(t);
+            const float cutoff = mask_cutoff(open_.front, t.draw);
             for (std::size_t k = 0; k < t.samples.size(); ++k) {
                 CoveredSample& c = t.samples[k];
                 const auto sample = std::size_t(c.sample);
                 if (of_.is_culled(t.draw, t.is_back)) {
                     c.fate = t.is_back ? Fate::culled_back : Fate::culled_front;
-                } else if (!m.blend && m.alpha_cutoff >= 0 && !(c.alpha >= m.alpha_cutoff)) {
+                } else if (!m.blend && cutoff >= 0 && !(c.alpha >= cutoff)) {
                     c.fate = Fate::masked_out;
                 } else if (!m.blend &&
                            is_seen_before(of_.settings().visibility, seen_order_[i][k], standing[sample], true)) {

@@ -2,24 +2,48 @@
 #include "engines/raster/full_jobs.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rakelight::raster {
 namespace {
 
 void copy(float (&to)[3], vec3 from) { to[0] = from.x, to[1] = from.y, to[2] = from.z; }
 
+static_assert(relief_height == std::int32_t(Bump::height) && relief_parallax == std::int32_t(Bump::parallax) &&
+              relief_limited == std::int32_t(Bump::parallax_limited) && relief_steep == std::int32_t(Bump::steep) &&
+              relief_occlusion == std::int32_t(Bump::occlusion));
+
 bool reads_heights(Bump bump) { return bump != Bump::none && bump != Bump::normal && bump != Bump::displacement; }
 
-ReliefView relief_view(const Relief& r, Bump bump) {
-    return {reads_heights(bump) ? std::int32_t(bump) : 0,
-            r.depth,
-            r.bias,
-            r.holds_depth,
-            r.min_steps,
-            r.max_steps,
-            r.refinement_steps,
-            r.self_shadow,
-            r.limit_silhouette};
+/// Steps of a march: what a file says, within what a picture can be waited for.
+std::int32_t steps(int wanted, int least) { return std::clamp(wanted, least, 1024); }
+
+/// What one width of the texture along tangent and bitangent is in texture coordinates. Texels are taken as square on
+/// the surface, as normal maps take them. v counts down, the bitangent points up.
+void set_scales(const TextureSlot& map, ReliefView& out) {
+    const double along_u = std::sqrt(double(map.uu) * map.uu + double(map.vu) * map.vu);
+    const double along_v = std::sqrt(double(map.uv) * map.uv + double(map.vv) * map.vv);
+    const double aspect = double(map.view->width[0]) / map.view->height[0];
+    out.to_uv[0] = along_u > 0 ? float(1 / along_u) : 0;
+    out.to_uv[1] = along_v > 0 ? float(-aspect / along_v) : 0;
+    out.to_map[0][0] = map.uu * out.to_uv[0], out.to_map[0][1] = map.uv * out.to_uv[1];
+    out.to_map[1][0] = map.vu * out.to_uv[0], out.to_map[1][1] = map.vv * out.to_uv[1];
+}
+
+ReliefView relief_view(const Relief& r, Bump bump, float scale, const TextureSlot& map) {
+    if (!reads_heights(bump) || !map.view) return {};
+    ReliefView out{};
+    out.technique = std::int32_t(bump);
+    out.depth = r.depth * scale;
+    out.level = 1 - r.bias;
+    out.holds_depth = r.holds_depth;
+    out.max_steps = steps(r.max_steps, 1);
+    out.min_steps = std::min(steps(r.min_steps, 1), out.max_steps);
+    out.refinement_steps = std::min(steps(r.refinement_steps, 0), 32);
+    out.self_shadow = r.self_shadow && bump != Bump::height;
+    out.limit_silhouette = r.limit_silhouette && bump != Bump::height;
+    set_scales(map, out);
+    return out;
 }
 
 FogView fog_view(const Fog& fog) {
@@ -33,16 +57,20 @@ FogView fog_view(const Fog& fog) {
 FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects& effects) {
     const RenderSettings& s = front.settings;
     const Material& m = material_of(front, draw);
+    const MaterialView& view = front.list.materials[front.list.draws[draw].material].view;
     const BumpTerms terms = m.bump_terms == BumpTerms::automatic ? s.bump_terms : m.bump_terms;
     FullJob out{};
     out.ward_form = std::int32_t(m.ward_form.value_or(s.ward_form));
     out.multiple_scattering = s.multiple_scattering;
     out.viewer_at_infinity = s.viewer_at_infinity;
-    out.bump_terms = terms == BumpTerms::diffuse ? 1 : terms == BumpTerms::specular ? 2 : 0;
+    out.bump_terms = terms == BumpTerms::diffuse    ? bump_diffuse
+                     : terms == BumpTerms::specular ? bump_specular
+                                                    : bump_both;
     out.tangent_space = std::int32_t(s.tangent_space);
+    out.has_bumps = bump_of(front, draw) != Bump::none && (view.normal_map.view || view.height_map.view);
     out.normalize_frames = s.normalize_frames;
     out.green_down = m.green_down, out.centered_normals = m.centered_normals;
-    out.relief = relief_view(m.relief.value_or(s.relief), bump_of(front, draw));
+    out.relief = relief_view(m.relief.value_or(s.relief), bump_of(front, draw), m.height_scale, view.height_map);
     if (!effects.shadows.empty()) out.shadows = effects.shadows.data();
     out.environment = effects.environment;
     out.fog = fog_view(front.list.scene.fog);
@@ -50,11 +78,10 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
 }
 
 bool needs_full(const FrontEnd& front, std::uint32_t draw, const FullJob& job) {
-    const bool bumps = bump_of(front, draw) != Bump::none;
     return lighting_of(front, draw) > Lighting::blinn_phong || job.viewer_at_infinity || job.relief.technique != 0 ||
            job.shadows || job.environment || job.fog.kind != 0 ||
-           (bumps && (job.bump_terms != 0 || job.tangent_space != 0 || !job.normalize_frames || job.green_down ||
-                      job.centered_normals));
+           (job.has_bumps && (job.bump_terms != 0 || job.tangent_space != 0 || !job.normalize_frames ||
+                              job.green_down || job.centered_normals));
 }
 
 }  // namespace
@@ -89,6 +116,17 @@ void make_full_jobs(FrontEnd& front, const PictureEffects& effects) {
     const bool any =
         std::any_of(front.needs_full.begin(), front.needs_full.end(), [](std::uint8_t n) { return n != 0; });
     front.full = any ? std::move(jobs) : std::vector<FullJob>();
+}
+
+bool wants_corner_frames(const FrontEnd& front, std::uint32_t draw) {
+    return !front.full.empty() && front.full[draw].tangent_space >= std::int32_t(TangentSpace::vertex) &&
+           front.full[draw].has_bumps;
+}
+
+float mask_cutoff(const FrontEnd& front, std::uint32_t draw) {
+    const MaterialView& view = front.list.materials[front.list.draws[draw].material].view;
+    const bool is_limited = !front.full.empty() && front.full[draw].relief.limit_silhouette;
+    return view.alpha_cutoff >= 0 || !is_limited ? view.alpha_cutoff : 0.5f;
 }
 
 }  // namespace rakelight::raster

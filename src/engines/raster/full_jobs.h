@@ -20,5 +20,10 @@ const Material& material_of(const FrontEnd& front, std::uint32_t draw);
 Lighting lighting_of(const FrontEnd& front, std::uint32_t draw);
 /// Likewise; never automatic: the map that there is decides.
 Bump bump_of(const FrontEnd& front, std::uint32_t draw);
+/// Lighting in the tangent space of the vertices: their frames are wanted beside the records.
+bool wants_corner_frames(const FrontEnd& front, std::uint32_t draw);
+/// Alpha below which a pixel of a draw is not there, of masked materials and of reliefs that end at their texture's
+/// edge; < 0: all are there.
+float mask_cutoff(const FrontEnd& front, std::uint32_t draw);
 
 }  // namespace rakelight::raster

@@ -7,11 +7,24 @@
 namespace rakelight::raster {
 struct TextureView;
 
+/// What a draw's height map is read for: the numbers of Bump that read one.
+enum ReliefTechnique : int32_t {
+    relief_none = 0,
+    relief_height = 2,
+    relief_parallax = 4,
+    relief_limited = 5,
+    relief_steep = 6,
+    relief_occlusion = 7,
+};
+
 /// How a draw's height map acts.
 struct ReliefView {
-    int32_t technique;  ///< 0 none, else a number of Bump that reads the height map
-    float depth, bias;  ///< [widths of the texture], [1]
+    int32_t technique;  ///< ReliefTechnique
+    float depth;        ///< [widths of the texture] from height 0 to 1
+    float level;        ///< 0..1: the height that lies in the polygon
     int32_t holds_depth, min_steps, max_steps, refinement_steps, self_shadow, limit_silhouette;
+    float to_uv[2];      ///< change of u and v for one width along the tangent and along the bitangent
+    float to_map[2][2];  ///< rows: the same of the map's own coordinates, behind the slot's transform
 };
 
 /// One light's shadow map: distances from the light, row 0 on top.
@@ -37,18 +50,24 @@ struct FogView {
     float color[3], start, end, density;
 };
 
+enum BumpTermsNumber : int32_t { bump_both, bump_diffuse, bump_specular };
+/// The numbers of TangentSpace.
+enum TangentSpaceNumber : int32_t { space_world, space_pixel, space_vertex, space_transposed };
+
 /// Frames at the corners of a triangle, beside ShadeTriangle: for lighting in the tangent space of the vertices.
 struct CornerFrame {
     float position[3][3], normal[3][3], tangent[3][3];  ///< [corner][x, y, z], about the eye, world axes
     float handedness;
 };
+inline constexpr int corner_frame_floats = int(sizeof(CornerFrame) / sizeof(float));
 
 struct FullJob {
     int32_t ward_form;  ///< WardForm
     int32_t multiple_scattering;
     int32_t viewer_at_infinity;
-    int32_t bump_terms;     ///< 0 both, 1 diffuse, 2 specular
-    int32_t tangent_space;  ///< TangentSpace
+    int32_t bump_terms;     ///< BumpTermsNumber
+    int32_t has_bumps;      ///< a normal or height map acts
+    int32_t tangent_space;  ///< TangentSpaceNumber
     int32_t normalize_frames;
     int32_t green_down, centered_normals;
     ReliefView relief;

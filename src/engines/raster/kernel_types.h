@@ -50,6 +50,7 @@ struct MaterialView {
     int32_t uses_texcoords[2];             ///< some map is read by the set
     int32_t vertex_colors;                 ///< 0: no mesh with this material has any, all corners are white
     TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map, metallic_roughness_map;
+    TextureSlot height_map;  ///< read by the full kernel alone
 };
 
 /// What a pixel needs of its triangle. Planes over the screen: change per pixel in x and y, value at the tile's first

@@ -24,6 +24,7 @@ std::vector<RoleUse> roles_of(const Material& m) {
     if (m.alpha_mode != AlphaMode::opaque) roles.push_back({&m.opacity_texture, data, &MaterialView::opacity_map});
     if (m.model == MaterialModel::unlit) return roles;
     roles.push_back({&m.normal_texture, data, &MaterialView::normal_map});
+    roles.push_back({&m.height_texture, data, &MaterialView::height_map});
     roles.push_back({&m.emission_texture, color, &MaterialView::emission_map});
     roles.push_back({&m.occlusion_texture, data, &MaterialView::occlusion_map});
     if (m.model == MaterialModel::classical)

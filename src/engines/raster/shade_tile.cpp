@@ -7,6 +7,7 @@
 #include "engines/raster/blend.h"
 #include "engines/raster/channels_tile.h"
 #include "engines/raster/coverage.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/mark_layers.h"
 #include "engines/raster/visibility_methods.h"
 #include "image/srgb_encoder.h"
@@ -174,6 +175,11 @@ ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y
     out.triangle = s.batch_triangle.data();
     out.triangles = s.triangles.data();
     if (is_lit_at_corners(job.front, draw)) out.lit = s.lit.data();
+    if (out.full && wants_corner_frames(job.front, draw)) {
+        s.full = *out.full;
+        s.full.frames = s.frames.data();
+        out.full = &s.full;
+    }
     out.red = s.red.data();
     out.green = s.green.data();
     out.blue = s.blue.data();

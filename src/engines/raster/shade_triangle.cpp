@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/tile.h"
 #include "math/linear.h"
 
@@ -179,6 +180,31 @@ RecordJob record_job(const DrawRecords& d, std::uint32_t number, bool whole) {
     return job;
 }
 
+void set3(float (&to)[3], dvec3 v) { to[0] = float(v.x), to[1] = float(v.y), to[2] = float(v.z); }
+
+/// The frames that the vertices have in the world, as a vertex stage would see them.
+CornerFrame corner_frame(const DrawRecords& d, const ScreenTriangle& s) {
+    const Mesh& mesh = d.mesh;
+    CornerFrame out{};
+    out.handedness = float(d.mirror);
+    dvec3 position[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t i = mesh.indices[3 * std::size_t(s.triangle) + k];
+        position[k] = transform_point(d.to_eye, cast<double>(mesh.positions[i]));
+        set3(out.position[k], position[k]);
+        if (!mesh.normals.empty())
+            set3(out.normal[k], normalize_or(d.to_normal * cast<double>(mesh.normals[i]), dvec3{0, 0, 1}));
+        if (mesh.tangents.empty()) continue;
+        set3(out.tangent[k], normalize_or(d.linear * cast<double>(mesh.tangents[i].xyz()), dvec3{}));
+        if (k == 0) out.handedness *= mesh.tangents[i].w;
+    }
+    if (!mesh.normals.empty()) return out;
+    const dvec3 face =
+        normalize_or(cross(position[1] - position[0], position[2] - position[0]) * d.mirror, dvec3{0, 0, 1});
+    for (auto& normal : out.normal) set3(normal, face);
+    return out;
+}
+
 }  // namespace
 
 void make_records(const TileJob& job, std::uint32_t draw, std::span<const ScreenTriangle* const> triangles, int tile_x,
@@ -195,6 +221,10 @@ void make_records(const TileJob& job, std::uint32_t draw, std::span<const Screen
     const bool has_piece = job.front.kernels.record(&kernel_job) != 0;
     for (std::size_t i = 0; i < triangles.size() && has_piece; ++i)
         if (triangles[i]->is_piece) make_piece_record(d, *triangles[i], tile_x, tile_y, s.triangles[i]);
+    if (wants_corner_frames(job.front, draw)) {
+        s.frames.resize(triangles.size());
+        for (std::size_t i = 0; i < triangles.size(); ++i) s.frames[i] = corner_frame(d, *triangles[i]);
+    }
     if (!is_lit_at_corners(job.front, draw)) return;
     s.lit.resize(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i)

@@ -40,7 +40,8 @@ Shading wanted(const FrontEnd& front, const Draw& draw, std::ptrdiff_t of_node) 
 
 /// Gouraud shading has neither the bumps of a normal map nor a roughness that changes from pixel to pixel.
 bool needs_pixels(const FrontEnd& front, const MaterialView& m) {
-    return m.metallic_roughness_map.view || (front.settings.bump != Bump::none && m.normal_map.view);
+    return m.metallic_roughness_map.view ||
+           (front.settings.bump != Bump::none && (m.normal_map.view || m.height_map.view));
 }
 
 /// Whether no edge of a triangle that the whole picture (not only its window) may show is longer than this.

@@ -58,6 +58,8 @@ public:
     std::vector<float> channel_values;  ///< [channel_planes][tile_pixels + batch_padding] where channels need them
     std::vector<ShadeTriangle> triangles;
     std::vector<LitTriangle> lit;        ///< beside `triangles` in flat and Gouraud pictures
+    std::vector<CornerFrame> frames;     ///< beside `triangles` where lighting is in the vertices' tangent space
+    FullJob full;                        ///< of the batch, where it has frames
     std::vector<const TriangleRow*> rows;       ///< of the records that are made, padded
     std::vector<std::int32_t> record;           ///< [list] position in the list -> in `triangles`, -1: not wanted
     std::vector<std::int32_t> shown = batch<std::int32_t>();    ///< position in the list that each pixel shows

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engines/raster/coverage.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
@@ -27,7 +28,7 @@ void cover_masked(const TileJob& job, const ScreenTriangle& s, std::int32_t posi
     ShadeJob batch = make_job(job, s.draw, ox, oy, count, scratch);
     if (plane.at.x != 0 || plane.at.y != 0) move_to(plane.at, count, batch, scratch);
     job.kernels.alpha(&batch);
-    const float cutoff = batch.material->alpha_cutoff;
+    const float cutoff = mask_cutoff(job.front, s.draw);
     for (std::size_t i = 0; i < count; ++i) {
         if (!(scratch.alpha[i] >= cutoff)) continue;
         const auto p = std::size_t(scratch.pixel[i]);
@@ -124,7 +125,7 @@ public:
     void draw(std::uint32_t draw, bool has_large, std::span<const ScreenTriangle* const> list, std::int32_t position) {
         const MaterialView& material = job_.front.list.materials[job_.front.list.draws[draw].material].view;
         if (material.blend) return;
-        if (material.alpha_cutoff >= 0) return draw_masked(list, position);
+        if (mask_cutoff(job_.front, draw) >= 0) return draw_masked(list, position);
         if (!has_large) return draw_small(list, position);
         for (std::size_t i = 0; i < list.size() && !job_.is_cancelled();) {
             std::size_t end = i;

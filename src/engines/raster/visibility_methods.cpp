@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engines/raster/coverage.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/tile.h"
 
 namespace rakelight::raster {
@@ -23,7 +24,8 @@ public:
         const std::uint32_t material = job_.front.list.draws[t.draw].material;
         const MaterialView& view = job_.front.list.materials[material].view;
         if (view.blend) return;
-        if (view.alpha_cutoff >= 0) return add_masked(t, position, view.alpha_cutoff);
+        const float cutoff = mask_cutoff(job_.front, t.draw);
+        if (cutoff >= 0) return add_masked(t, position, cutoff);
         for_each_seen(t, [&](int x, int y, float depth, double order) { keep(std::size_t(y * tile_size + x), position, depth, order); });
     }
 

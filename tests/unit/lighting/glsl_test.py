@@ -55,10 +55,13 @@ def calls_of(text):
     """A statement for each RL_FN function: called with zeros of its parameters' types, so that nothing is left out."""
     statements, count = [], 0
     plain = re.sub(r"RL_IN\((\w+)\)", r"\1", without_comments(text))
-    for result, name, parameters in re.findall(r"RL_FN\s+(\w+)\s+(\w+)\s*\(([^)]*)\)", plain):
+    for result, name, parameters in re.findall(r"RL_(?:MAP_)?FN\s+(\w+)\s+(\w+)\s*\(([^)]*)\)", plain):
         arguments = []
         for parameter in filter(None, (p.strip() for p in parameters.split(","))):
             kind = parameter.split()[0]
+            if kind == "HeightMap":
+                arguments.append("any_map")
+                continue
             statements.append(f"    {kind} a{count};")
             if kind == "real":
                 statements.append(f"    a{count} = seed;")
@@ -74,7 +77,7 @@ def calls_of(text):
 
 
 def compile_as(version, header, text, statements):
-    main = "\n".join(["uniform float seed;", "out vec4 color;", "void main()", "{", "    float total = 0.0f;", *statements,
+    main = "\n".join(["uniform float seed;", "uniform sampler2D any_map;", "out vec4 color;", "void main()", "{", "    float total = 0.0f;", *statements,
                       "    color = vec4(total);", "}"])
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "all.frag"

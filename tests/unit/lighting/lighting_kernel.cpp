@@ -88,6 +88,42 @@ static void sum(const Inputs& in, const LightParameters* lights, int light_count
             store3(out, at, total))
 }
 
-const Kernel kernel = {lanes, operations, int(sizeof operations / sizeof operations[0]), terms, sum};
+struct TestMap {
+    int field;
+};
+
+static real sample_height(const TestMap& map, vec2 uv, real) {
+    if (map.field == field_constant) return real(0.4f);
+    if (map.field == field_ramp) return real(0.2f) + real(0.6f) * uv.x;
+    if (map.field == field_step) return select(uv.x < real(0.5f), real(0.2f), real(0.8f));
+    const vec2 from = uv - vec2(real(0.5f), real(0.5f));
+    const real up = safe_sqrt(real(0.25f) - (from.x * from.x + from.y * from.y)) - real(0.3f);
+    return real(0.25f) + real(3.0f) * max(up, real(0.0f));
+}
+
+static real met_height(const TestMap& map, vec2 uv, vec2 along, real cosine, const ReliefCase& c) {
+    const real level(c.level), lod(0.0f);
+    if (c.march < march_steep) return parallax_height(map, uv, lod);
+    const real layers = relief_layers(cosine, c.min_steps, c.max_steps);
+    const ReliefHit hit = first_layer(map, uv, along, level, layers, c.max_steps, lod);
+    return c.march == march_steep ? hit.height : refined_height(map, uv, along, level, hit, c.refinements, lod);
+}
+
+static void relief_of_step(vec3 p, vec3 v, vec3 l, const ReliefCase& c, float* const* out, int at) {
+    const TestMap map = {c.field};
+    const vec2 uv(p.x, p.y), along = (c.march == march_limited ? relief_run_limited(v) : relief_run(v)) * real(c.depth);
+    const real height = met_height(map, uv, along, v.z, c);
+    const vec2 there = uv + along * (height - real(c.level));
+    const real ground = max(height, sample_height(map, there, real(0.0f)));
+    store(out[0] + at, there.x);
+    store(out[1] + at, there.y);
+    store(out[2] + at, height);
+    store(out[3] + at, relief_light(map, there, ground, relief_run(l) * real(c.depth),
+                                    relief_layers(l.z, c.min_steps, c.max_steps), c.max_steps, real(0.0f)));
+}
+
+static void relief(const Inputs& in, ReliefCase c, float* const* out) { RL_LOOP(relief_of_step(p, v, l, c, out, at)) }
+
+const Kernel kernel = {lanes, operations, int(sizeof operations / sizeof operations[0]), terms, sum, relief};
 
 }  // namespace rakelight::lighting_test::RL_ISA

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "lighting/light_parameters.h"
+#include "relief_fields.h"
 
 namespace rakelight::lighting_test {
 
@@ -33,6 +34,9 @@ struct Kernel {
     /// add_light over all lights, from 0: out[0..2].
     void (*sum)(const Inputs& in, const lighting::LightParameters* lights, int light_count, Choice choice,
                 float* const* out);
+    /// A ray at p.x, p.y towards v into a relief of one width, and from where it is met towards l: the place u, v, its
+    /// height, and 1 where it is lit, in out[0..3].
+    void (*relief)(const Inputs& in, ReliefCase relief, float* const* out);
 };
 
 namespace scalar {

@@ -12,7 +12,7 @@ int32_t shade_full(const ShadeJob* job) {
     for (int32_t i = 0; i < job->count; i += lanes) {
         FullPixels f;
         find_full(*job, i, f);
-        not_finite += store_finite(*job, i, full_radiance(*job, f), f.base.color.w);
+        not_finite += store_finite(*job, i, full_radiance(*job, f), shown_alpha(*job, f.bumps, f.base.color.w));
         if (job->normal_x != nullptr) store_normal(*job, i, f.surface.base.n);
     }
     return not_finite;
@@ -21,8 +21,9 @@ int32_t shade_full(const ShadeJob* job) {
 void alpha_full(const ShadeJob* job) {
     for (int32_t i = 0; i < job->count; i += lanes) {
         Pixels p(*job, i);
-        find_relief_texcoords(*job, p);
-        store(job->alpha + i, base_color(*job->material, p).color.w);
+        Bumps bumps;
+        find_relief_texcoords(*job, p, bumps);
+        store(job->alpha + i, shown_alpha(*job, bumps, base_color(*job->material, p).color.w));
     }
 }
 

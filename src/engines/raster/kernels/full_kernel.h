@@ -14,6 +14,7 @@ namespace rakelight::raster::RL_ISA {
 /// What is known of a vector of pixels before light falls on it.
 struct FullPixels {
     Pixels p;
+    Bumps bumps;
     BaseColor base;
     lit::MaterialSurface surface;
     vec3 emission;
@@ -22,21 +23,21 @@ struct FullPixels {
 inline void find_full(const ShadeJob& job, int32_t first, FullPixels& f) {
     const MaterialView& m = *job.material;
     f.p.find(job, first);
-    find_relief_texcoords(job, f.p);
+    find_relief_texcoords(job, f.p, f.bumps);
     f.base = base_color(m, f.p);
     set_material(job, f.p, f.base, f.surface);
-    set_frame(job, f.p, f.surface);
+    set_frame(job, f.p, f.bumps, f.surface);
     f.emission = emission_of(m, f.p);
 }
 
 /// 0..1: how much of light i is not in shadow.
 inline real seen_of(const ShadeJob& job, int32_t i, const FullPixels& f, const lit::LightSample& light) {
-    return shadow_factor(job, i, f.p, light) * relief_shadow(job, f.p, f.surface, light);
+    return shadow_factor(job, i, f.p, light) * relief_shadow(job, f.bumps, light);
 }
 
 /// What light i adds at the pixel.
 inline lit::LightTerms full_light(const ShadeJob& job, int32_t i, const FullPixels& f) {
-    const lit::LightSample light = sample_in_frame(job, i, f.p, f.surface);
+    const lit::LightSample light = sample_in_frame(job, i, f.p, f.bumps);
     return lit::surface_terms(f.surface, light, seen_of(job, i, f, light), reflection_of(job));
 }
 

@@ -111,7 +111,8 @@ void trace_normal(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
     if (job.bump == 0 || m.normal_map.view == nullptr) return;
     const vec3 across = lit::orthogonal_tangent(n, tangent.v);
     put(out.tangent, job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across));
-    put(out.mapped, lit::decode_normal(rgb(texel(m.normal_map, p)), m.normal_scale));
+    put(out.mapped,
+        job.full != nullptr ? mapped_normal(job, p) : lit::decode_normal(rgb(texel(m.normal_map, p)), m.normal_scale));
 }
 
 void trace_surface(const MaterialView& m, const lit::Surface& s, PixelTrace& out) {
@@ -199,7 +200,7 @@ void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
 void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* lights) {
     vec3 sum = f.emission;
     for (int32_t i = 0; i < job.light_count; ++i) {
-        const lit::LightSample sample = sample_in_frame(job, i, f.p, f.surface);
+        const lit::LightSample sample = sample_in_frame(job, i, f.p, f.bumps);
         trace_light(job, i, f.p.position, f.surface.base, sample, lights[i]);
         lights[i].seen = seen_of(job, i, f, sample);
         const lit::LightTerms terms = full_light(job, i, f);
@@ -297,7 +298,7 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, Tr
             trace_lights(*job, p, f.surface.base, f.emission, lights);
     }
     put(out.color, color_of(*job));
-    out.alpha = f.base.color.w;
+    out.alpha = job->full != nullptr ? shown_alpha(*job, f.bumps, f.base.color.w) : f.base.color.w;
 }
 
 }  // namespace rakelight::raster::RL_ISA

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/normal_map_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "math/color.h"
+
+namespace rakelight {
+namespace {
+
+constexpr std::size_t texels_wanted = 300'000;
+
+struct Normal {
+    double x, y, z;
+};
+
+Normal decode(std::uint32_t t) {
+    const auto at = [t](int shift) { return 2.0 * double(t >> shift & 255u) / 255 - 1; };
+    return {at(0), at(8), at(16)};
+}
+
+double length_error(Normal n) { return std::fabs(std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1); }
+
+/// The vector with its codes made linear first.
+Normal decode_srgb(std::uint32_t t) {
+    const auto at = [t](int shift) { return 2.0 * double(linear_from_srgb8(std::uint8_t(t >> shift & 255u))) - 1; };
+    return {at(0), at(8), at(16)};
+}
+
+/// Slopes of the height along u and upwards.
+struct Slope {
+    double p, q;
+};
+Slope slope(std::uint32_t t) {
+    const Normal n = decode(t);
+    const double z = std::max(n.z, 0.1);
+    return {-n.x / z, -n.y / z};
+}
+
+struct Sums {
+    double products = 0, p_squares = 0, q_squares = 0, errors = 0, srgb_errors = 0;
+    std::size_t count = 0;
+};
+
+void add_row(const std::uint32_t* row, int width, int stride, Sums& s) {
+    for (int x = 1; x + 1 < width; ++x) {
+        const double p_up = slope(row[x - stride]).p - slope(row[x + stride]).p;
+        const double q_right = slope(row[x + 1]).q - slope(row[x - 1]).q;
+        s.products += p_up * q_right;
+        s.p_squares += p_up * p_up;
+        s.q_squares += q_right * q_right;
+        s.errors += length_error(decode(row[x]));
+        s.srgb_errors += length_error(decode_srgb(row[x]));
+        ++s.count;
+    }
+}
+
+}  // namespace
+
+NormalMapCheck check_normal_map(std::span<const std::uint32_t> texels, int width, int height, int stride) {
+    NormalMapCheck out;
+    if (width < 3 || height < 3) return out;
+    out.texels = std::uint64_t(width) * std::uint64_t(height);
+    for (int y = 0; y < height; ++y) {
+        const std::uint32_t* const row = texels.data() + std::size_t(y) * std::size_t(stride);
+        out.below +=
+            std::uint64_t(std::count_if(row, row + width, [](std::uint32_t t) { return (t & 0x00800000u) == 0; }));
+    }
+    const int rows = height - 2, wanted = std::clamp(int(texels_wanted / std::size_t(width)), 1, rows);
+    Sums s;
+    for (int i = 0; i < wanted; ++i) {
+        const auto y = 1 + std::size_t(i) * std::size_t(rows) / std::size_t(wanted);
+        add_row(texels.data() + y * std::size_t(stride), width, stride, s);
+    }
+    const double squares = std::sqrt(s.p_squares * s.q_squares), count = double(s.count);
+    // Differences of a code or so are rounding, not relief.
+    if (squares > 2e-4 * count) out.green_agreement = s.products / squares;
+    out.length_error = s.errors / count;
+    out.srgb_length_error = s.srgb_errors / count;
+    return out;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is suspicious about a tangent-space normal map, from its numbers alone.
+#pragma once
+#include <cstdint>
+#include <span>
+
+namespace rakelight {
+
+struct NormalMapCheck {
+    std::uint64_t texels = 0;
+    std::uint64_t below = 0;  ///< point into the surface: blue under 128
+    /// -1..1: correlation of dp/dy with dq/dx, p and q the slopes along u and upwards. Both are the mixed derivative of
+    /// one height field where green points up; with green down one has the other's sign. 0 where there is nothing to
+    /// compare.
+    double green_agreement = 0;
+    double length_error = 0;       ///< mean of | |2 rgb - 1| - 1 |
+    double srgb_length_error = 0;  ///< the same with the codes taken for sRGB and made linear
+
+    bool looks_green_down() const { return green_agreement < -0.3; }
+    /// As numbers the vectors are far from unit, as sRGB codes near.
+    bool looks_srgb() const { return length_error > 0.1 && srgb_length_error < length_error / 3; }
+};
+
+/// `below` counts all texels; the rest looks at rows spread over the map, some 300,000 texels.
+/// @param texels  [height][stride], R in the low byte; a row's first `width` are looked at
+NormalMapCheck check_normal_map(std::span<const std::uint32_t> texels, int width, int height, int stride);
+
+}  // namespace rakelight

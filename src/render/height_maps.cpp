@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/height_maps.h"
+
+#include <cstdio>
+#include <map>
+
+#include "image/height_from_normals.h"
+
+namespace rakelight {
+namespace {
+
+bool wants_heights(const Material& m, const RenderSettings& settings) {
+    const Bump bump = m.bump == Bump::automatic ? settings.bump : m.bump;
+    return bump != Bump::automatic && bump != Bump::none && bump != Bump::normal && m.normal_texture &&
+           !m.height_texture;
+}
+
+ImageHandle as_image(Pixels pixels, const EncodedImage& from) {
+    auto image = std::make_shared<EncodedImage>();
+    image->name = from.name + " (heights)";
+    image->file = from.file;
+    image->decode = [pixels = std::move(pixels)](const EncodedImage&, Context&) { return pixels; };
+    return image;
+}
+
+std::string said(double depth) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "height map made from the normal map, whose slopes make it %.3g of the texture's width deep", depth);
+    return text;
+}
+
+/// One height map for each picture, whichever materials use it.
+class Maker {
+public:
+    Maker(Scene& scene, Context& context) : scene_(scene), context_(context) {}
+
+    void give(Material& m) {
+        const Texture normal = scene_.textures[m.normal_texture.texture];
+        const auto [made, is_new] = made_.try_emplace({m.normal_texture.texture, m.green_down}, none);
+        if (is_new) made->second = make(normal, m);
+        if (made->second == none) return;
+        m.height_texture = m.normal_texture;
+        m.height_texture.texture = made->second;
+    }
+
+private:
+    std::uint32_t make(const Texture& normal, const Material& m) {
+        try {
+            const HeightsFromNormals made =
+                heights_from_normals(normal.image->decode(*normal.image, context_), m.green_down, context_);
+            context_.report().add(Remark::guessed, scene_.source, m.name, said(made.depth));
+            scene_.textures.push_back(
+                {normal.name + " (heights)", as_image(made.heights, *normal.image), normal.sampler});
+            return std::uint32_t(scene_.textures.size() - 1);
+        } catch (const Error& error) {
+            context_.report().add(Remark::dropped, scene_.source, m.name,
+                                  "no height map made from the normal map: " + error.reason());
+            return none;
+        }
+    }
+
+    Scene& scene_;
+    Context& context_;
+    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> made_;
+};
+
+}  // namespace
+
+Scene with_height_maps(Scene scene, const RenderSettings& settings, Context& context) {
+    Maker maker(scene, context);
+    for (Material& m : scene.materials)
+        if (wants_heights(m, settings)) maker.give(m);
+    return scene;
+}
+
+}  // namespace rakelight

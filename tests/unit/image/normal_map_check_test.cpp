@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/normal_map_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <rakelight/vector.h>
+
+#include "math/color.h"
+
+using namespace rakelight;
+
+namespace {
+
+constexpr int size = 64;
+
+struct Codes {
+    std::vector<std::uint32_t> texels;
+    NormalMapCheck check() const { return check_normal_map(texels, size, size, size); }
+};
+
+/// The map of round bumps, eight on a side.
+Codes bumps(bool green_down) {
+    Codes c;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const double a = 2 * pi * 8 * (x + 0.5) / size, b = 2 * pi * 8 * (y + 0.5) / size;
+            const double p = 0.4 * std::cos(a) * std::sin(b), q = -0.4 * std::sin(a) * std::cos(b);  // q upwards
+            const double n[3] = {-p, green_down ? q : -q, 1}, length = std::sqrt(p * p + q * q + 1);
+            std::uint32_t t = 0xff000000u;
+            for (int k = 0; k < 3; ++k) t |= std::uint32_t(std::lround((n[k] / length * 0.5 + 0.5) * 255)) << (8 * k);
+            c.texels.push_back(t);
+        }
+    return c;
+}
+
+}  // namespace
+
+TEST(NormalMapCheck, GreenUpAndGreenDownAreToldApart) {
+    EXPECT_GT(bumps(false).check().green_agreement, 0.95);
+    EXPECT_LT(bumps(true).check().green_agreement, -0.95);
+    EXPECT_TRUE(bumps(true).check().looks_green_down());
+    EXPECT_FALSE(bumps(false).check().looks_green_down());
+}
+
+TEST(NormalMapCheck, FlatAndRandomMapsAreNotCalledGreenDown) {
+    Codes flat, noise;
+    std::mt19937 random(1);
+    for (int i = 0; i < size * size; ++i) {
+        flat.texels.push_back(0xffff8080u + random() % 2);
+        noise.texels.push_back(0xffc00000u | (100 + random() % 50) | (100 + random() % 50) << 8);
+    }
+    EXPECT_EQ(flat.check().green_agreement, 0);
+    EXPECT_FALSE(noise.check().looks_green_down());
+}
+
+TEST(NormalMapCheck, TexelsThatPointIntoTheSurfaceAreCounted) {
+    Codes c = bumps(false);
+    for (const std::size_t i : {0u, 70u, 4095u}) c.texels[i] = (c.texels[i] & 0xff00ffffu) | 127u << 16;
+    c.texels[5] = (c.texels[5] & 0xff00ffffu) | 128u << 16;  // barely out of it
+    EXPECT_EQ(c.check().below, 3u);
+    EXPECT_EQ(c.check().texels, 4096u);
+}
+
+TEST(NormalMapCheck, CodesThatWereSavedAsSrgbAreSeen) {
+    Codes c = bumps(false);
+    EXPECT_FALSE(c.check().looks_srgb());
+    for (std::uint32_t& t : c.texels) {
+        std::uint32_t to = 0xff000000u;
+        for (int k = 0; k < 3; ++k)
+            to |= std::uint32_t(srgb8_from_linear(float(t >> (8 * k) & 255u) / 255.0f)) << (8 * k);
+        t = to;
+    }
+    EXPECT_TRUE(c.check().looks_srgb());
+}
+
+TEST(NormalMapCheck, MapsTooSmallToSayAnythingSayNothing) {
+    const std::vector<std::uint32_t> one{0xff8080ffu};
+    EXPECT_EQ(check_normal_map(one, 1, 1, 1).texels, 0u);
+}
