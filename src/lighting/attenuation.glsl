@@ -24,6 +24,13 @@ RL_FN real photometric_attenuation(real distance_squared, real inverse_range)
     return window / d2;
 }
 
+// [1] that window alone, for classical lights that end.
+RL_FN real range_window(real distance_squared, real inverse_range)
+{
+    real ratio = min(distance_squared, 1e37f) * inverse_range * inverse_range;
+    return clamp(1.0f - ratio * ratio, 0.0f, 1.0f);
+}
+
 // [1] cone_scale = 1 / max(0.001, cos inner - cos outer), cone_offset = -cos outer * cone_scale; squared as the extension's note.
 RL_FN real photometric_spot(real cos_angle, real cone_scale, real cone_offset)
 {

@@ -24,8 +24,9 @@ struct LightParameters {
     float cos_cutoff = 0, exponent = 0;
     // photometric
     float intensity[3] = {1, 1, 1};  ///< color times lux (directional) or candela (point, spot)
-    float inverse_range = 0;         ///< [1/m]; 0: no range
+    float inverse_range = 0;         ///< [1/m] of both kinds (classical: range_of(), lighting.h); 0: no range
     float cone_scale = 0, cone_offset = 1;
+    int32_t shadow = -1;  ///< the caller's number of its shadow map; -1: none
 };
 
 /// KHR_lights_punctual's cone from the cosines of its half angles; inner <= outer, so cos_inner >= cos_outer.

@@ -10,9 +10,11 @@
 //   height_slope, bumped_normal(slope_t, slope_b)           -> tangent-space normal of a height map, not unit
 //   relief_run, first_layer, refined_height, relief_light   -> where rays meet a height map: parallax.glsl
 //   sample_light(parameters, position)                      -> LightSample: l, attenuation and colors at that point
+//   range_of(parameters, position)                          -> 0..1 for classical lights with a range
 //   add_light(sum, surface, sample, reflection)             -> sum + the light's ambient + diffuse + specular
 //   light_terms(surface, sample, reflection)                -> the three terms apart
 //   lobe_scale(exponent, reflection)                        -> a surface's energy factor, for all its lights
+//   fog_factor(kind, distance, start, end, density)         -> what is left of a color behind fog
 //   lambert_brdf, phong_brdf, blinn_phong_brdf, ..._lobe    -> the models themselves [1/sr], [1]
 //
 // A pixel: Surface s {n, v, k_a, k_d, k_s, exponent, lobe_scale}; Reflection r {RL_BLINN_PHONG, RL_TEXTBOOK, 1};
@@ -39,6 +41,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/attenuation.glsl"
 #include "lighting/light_sum.glsl"
 #include "lighting/surface_terms.glsl"
+#include "lighting/fog.glsl"
 // clang-format on
 
 /// Three floats for all lanes.
@@ -76,6 +79,16 @@ RL_FN PhotometricLight photometric_light(const LightParameters& p) {
 RL_FN LightSample sample_light(const LightParameters& p, vec3 position) {
     if (p.is_photometric) return sample_photometric(photometric_light(p), position);
     return sample_classical(classical_light(p), position);
+}
+
+RL_FN bool has_classical_range(const LightParameters& p) {
+    return !p.is_photometric && p.inverse_range > 0.0f && (p.kind == LightKind::point || p.kind == LightKind::spot);
+}
+
+/// What the attenuation of sample_light() is to be multiplied by, where a classical light has a range.
+RL_FN real range_of(const LightParameters& p, vec3 position) {
+    const vec3 to_light = broadcast3(p.position) - position;
+    return range_window(dot(to_light, to_light), broadcast(p.inverse_range));
 }
 
 }  // namespace rakelight::lighting::RL_ISA

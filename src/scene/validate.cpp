@@ -76,6 +76,14 @@ void check_light(const Scene& scene, std::size_t i) {
     if (!(light.range >= 0)) place.fail("the range is not a number >= 0");
 }
 
+void check_fog(const Fog& fog) {
+    static const std::string no_name;
+    const Place place{"fog", 0, no_name};
+    place.finite("the color", cast<double>(fog.color));
+    for (const float number : {fog.start, fog.end, fog.density}) place.finite("a parameter", number);
+    if (fog.density < 0) place.fail("the density is negative");
+}
+
 void check_camera(const Scene& scene, std::size_t i) {
     const Camera& camera = scene.cameras[i];
     const Place place{"camera", i, camera.name};
@@ -136,6 +144,7 @@ void validate(const Scene& scene) {
         if (!scene.textures[i].image) Place{"texture", i, scene.textures[i].name}.fail("it has no image");
     for (std::size_t i = 0; i < scene.lights.size(); ++i) check_light(scene, i);
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) check_camera(scene, i);
+    check_fog(scene.fog);
     for (std::size_t i = 0; i < scene.skins.size(); ++i) check_skin(scene, i);
     check_influences(scene, joints_needed);
     check_animations(scene);

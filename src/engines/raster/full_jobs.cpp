@@ -71,15 +71,24 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
     out.normalize_frames = s.normalize_frames;
     out.green_down = m.green_down, out.centered_normals = m.centered_normals;
     out.relief = relief_view(m.relief.value_or(s.relief), bump_of(front, draw), m.height_scale, view.height_map);
-    if (!effects.shadows.empty()) out.shadows = effects.shadows.data();
+    out.shadows = effects.shadows;
     out.environment = effects.environment;
     out.fog = fog_view(front.list.scene.fog);
     return out;
 }
 
+/// The plain kernel's classical lights have no end.
+bool has_classical_range(const FrontEnd& front) {
+    const std::vector<Light>& lights = front.list.scene.lights;
+    return std::any_of(lights.begin(), lights.end(), [](const Light& light) {
+        return light.units == LightUnits::classical && std::isfinite(light.range) && light.range > 0 &&
+               (light.type == LightType::point || light.type == LightType::spot);
+    });
+}
+
 bool needs_full(const FrontEnd& front, std::uint32_t draw, const FullJob& job) {
     return lighting_of(front, draw) > Lighting::blinn_phong || job.viewer_at_infinity || job.relief.technique != 0 ||
-           job.shadows || job.environment || job.fog.kind != 0 ||
+           job.shadows || job.environment || job.fog.kind != 0 || has_classical_range(front) ||
            (job.has_bumps && (job.bump_terms != 0 || job.tangent_space != 0 || !job.normalize_frames ||
                               job.green_down || job.centered_normals));
 }

@@ -7,7 +7,7 @@ namespace rakelight::raster {
 
 /// What is made once for a picture and read by all its draws.
 struct PictureEffects {
-    std::vector<ShadowView> shadows;  ///< [lights]; empty: none
+    const ShadowView* shadows = nullptr;  ///< [maps]; null: none
     const EnvironmentView* environment = nullptr;
 };
 

@@ -27,15 +27,23 @@ struct ReliefView {
     float to_map[2][2];  ///< rows: the same of the map's own coordinates, behind the slot's transform
 };
 
-/// One light's shadow map: distances from the light, row 0 on top.
+/// Change of depth along x (low 16 bits) and down y (high ones) of a map per width of a texel, as
+/// (slope + steepest_slope_on_map) * slope_codes.
+inline constexpr float steepest_slope_on_map = 8, slope_codes = 4095;
+
+/// One light's shadow map, row 0 on top: how near to the light the nearest surface is. Parallel: minus the distance
+/// along the way it shines; else 1 / the distance along the axis of the map, 0: nothing. Linear over the map for a
+/// plane.
 struct ShadowView {
-    const float* depth;   ///< [faces][size * size]; null: no shadow
-    int32_t size, faces;  ///< [texels] of a side; 1, or 6 about a point light
+    const float* nearness;  ///< [faces][size * size]
+    const int32_t* slopes;  ///< the same: how steep the surface is, steepest_slope_on_map
+    int32_t size, faces;    ///< [texels] of a side; 1, or 6 about +x, -x, +y, -y, +z, -z of the world
     int32_t is_orthographic;
-    float to_map[6][3][4];  ///< rows: position about the eye -> x, y on the map (perspective: times depth), depth
-    float texel;            ///< [m] (perspective: per metre of depth) a texel
-    float bias;
-    int32_t filter;  ///< [texels] radius
+    float to_light[3]
+                  [4];  ///< rows: position about the eye -> x to the right, y up, z ahead of the map, about the light
+    float texels;       ///< a metre (perspective: a metre at a distance of one) has
+    float bias;         ///< of the half texel that surfaces are pushed out by
+    int32_t filter;     ///< [texels] radius
 };
 
 /// Light from all around.
@@ -71,7 +79,7 @@ struct FullJob {
     int32_t normalize_frames;
     int32_t green_down, centered_normals;
     ReliefView relief;
-    const ShadowView* shadows;           ///< [lights]; null: none
+    const ShadowView* shadows;           ///< [maps] LightParameters::shadow says which; null: none
     const EnvironmentView* environment;  ///< null: none
     FogView fog;
     const CornerFrame* frames;  ///< beside ShadeJob::triangles; null: not wanted

@@ -10,7 +10,9 @@ Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSet
     : settings_(settings_for_method(settings)), list_(make_draw_list(scene, textures_, context)) {
     settings_.window = {};
     view_ = view_of(list_, camera, settings_);
-    lights_ = make_lights(list_.scene, list_.node_to_world, view_.camera_to_world[3].xyz());
+    const dvec3 eye = view_.camera_to_world[3].xyz();
+    lights_ = make_lights(list_.scene, list_.node_to_world, eye);
+    shadows_ = ShadowMaps(list_, settings_, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights_, context);
 }
 
 bool Inspection::is_culled(std::uint32_t draw, bool is_back) const {
@@ -42,7 +44,7 @@ Inspection::Geometry::Geometry(const Inspection& of, Window window, bool with_cu
             .memory = PictureMemory(context.memory())} {
     transform_draws(front, context);
     binned = set_up_and_bin(front, grid, {}, context);
-    make_full_jobs(front, {});
+    make_full_jobs(front, of.effects());
     points = light_points(front, binned, of.lights(), *scalar::kernels(), {}, context);
     marks = make_marks(front, grid, context);
 }

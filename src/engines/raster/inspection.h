@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "engines/raster/front_end.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/kernels/trace_types.h"
 #include "engines/raster/light_points.h"
 #include "engines/raster/marks.h"
 #include "engines/raster/sample_positions.h"
+#include "engines/raster/shadow_maps.h"
 
 namespace rakelight::raster {
 
@@ -108,6 +110,7 @@ public:
     const View& view() const { return view_; }
     const RenderSettings& settings() const { return settings_; }
     const std::vector<lighting::LightParameters>& lights() const { return lights_; }
+    PictureEffects effects() const { return {.shadows = shadows_.data()}; }
     /// [m] distance along the view axis of a depth key.
     float distance_of(float key) const { return float(view_.distance_of(double(key))); }
     /// Whether culling drops what is seen from behind (or from the front) of a draw.
@@ -136,6 +139,7 @@ private:
     DrawList list_;
     View view_;
     std::vector<lighting::LightParameters> lights_;
+    ShadowMaps shadows_;
 };
 
 }  // namespace rakelight::raster

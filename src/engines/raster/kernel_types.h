@@ -173,6 +173,11 @@ struct ChannelJob {
     float* out[channel_planes];  ///< [count] each; null: not wanted. Positions are about the eye
 };
 
+/// A box about the eye, world axes.
+struct LightBox {
+    float low[3], high[3];
+};
+
 /// The functions that exist once per instruction set.
 struct Kernels {
     int32_t lanes;
@@ -180,6 +185,7 @@ struct Kernels {
     void (*alpha)(const ShadeJob* job);    ///< only `alpha` is written: for masks
     void (*light)(const LightJob* job);
     void (*channels)(const ChannelJob* job);
+    void (*bounds)(const ShadeJob* job, LightBox* box);  ///< of the pixels' positions
 };
 
 namespace scalar { const Kernels* kernels(); }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "engines/raster/tile_lights.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {
@@ -127,6 +128,17 @@ void run_kernel(const ShadeJob& shade, const Kernels& kernels, Batch& batch) {
     kernels.light(&job);
 }
 
+/// Of many lights those that may reach a point of the batch.
+void list_lights(const LightReach& reach, const Batch& batch, std::vector<lighting::LightParameters>& to) {
+    LightBox box;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto begin = batch.position[c].begin(), end = begin + std::ptrdiff_t(batch.count);
+        box.low[c] = *std::min_element(begin, end);
+        box.high[c] = *std::max_element(begin, end);
+    }
+    reach.in_box(box, nullptr, to);
+}
+
 void scatter(const Batch& batch, std::vector<LitPoint>& to) {
     for (std::size_t i = 0; i < batch.count; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
@@ -193,6 +205,7 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
         mark(front, run.draw, {binned.items.data() + run.first, run.count}, points);
     });
     const std::vector<Task> tasks = plan(front, points);
+    const LightReach reach(lights);
     std::atomic<std::uint64_t> evaluations{0}, twice{0};
     context.parallel_for(tasks.size(), [&](std::size_t t) {
         const FlushDenormals guard;
@@ -201,7 +214,9 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
         Batch batch;
         gather(front, task, light, batch);
         if (context.cancelled() || batch.count == 0) return;
-        run_kernel(draw_job(front, lights, task.draw), kernels, batch);
+        std::vector<lighting::LightParameters> listed;
+        if (reach.is_worth_it()) list_lights(reach, batch, listed);
+        run_kernel(draw_job(front, reach.is_worth_it() ? listed : lights, task.draw), kernels, batch);
         scatter(batch, light.side[task.side]);
         evaluations += batch.count;
         if (task.side == 1) twice += batch.count_marked(light.marks, 3);

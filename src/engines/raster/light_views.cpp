@@ -42,7 +42,6 @@ void set_classical(LightParameters& p, const Light& light) {
 void set_photometric(LightParameters& p, const Light& light) {
     p.is_photometric = true;
     copy(p.intensity, light.color * light.intensity);
-    p.inverse_range = std::isfinite(light.range) && light.range > 0 ? 1.0f / light.range : 0.0f;
     lighting::set_cone(p, float(math::cos(light.inner_cone_rad)), float(math::cos(light.outer_cone_rad)));
 }
 
@@ -61,6 +60,7 @@ std::vector<LightParameters> make_lights(const Scene& scene, const std::vector<d
         p.kind = kind_of(light.type);
         copy(p.position, cast<float>(position - eye));
         copy(p.direction, cast<float>(normalize_or(direction, {0, 0, -1})));
+        p.inverse_range = std::isfinite(light.range) && light.range > 0 ? 1.0f / light.range : 0.0f;
         if (light.units == LightUnits::photometric)
             set_photometric(p, light);
         else

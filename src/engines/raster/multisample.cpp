@@ -165,7 +165,7 @@ private:
     void shade_whole(std::uint32_t draw, std::size_t count) {
         ShadeJob batch = batch_of(draw, count);
         if (is_direct_) batch.srgb8 = s_.codes.data(), batch.srgb_table = SrgbEncoder::instance().table();
-        s_.not_finite += std::uint64_t(job_.kernels.shade(&batch));
+        s_.not_finite += std::uint64_t(shade_with_lists(job_.kernels, job_.reach, batch, s_));
         if (is_direct_) put_blocks(s_.codes.data(), s_.pixel.data(), count, s_.srgb8.data());
         for (std::size_t i = 0; i < count && !is_direct_; ++i)
             s_.color[std::size_t(s_.pixel[i])] = {s_.red[i], s_.green[i], s_.blue[i], 1.0f};
@@ -180,7 +180,7 @@ private:
         }
         ShadeJob batch = batch_of(draw, count);
         use_offsets(batch, s_);
-        s_.not_finite += std::uint64_t(job_.kernels.shade(&batch));
+        s_.not_finite += std::uint64_t(shade_with_lists(job_.kernels, job_.reach, batch, s_));
         for (std::size_t i = 0; i < count; ++i)
             put(std::size_t(m_.number[std::size_t(s_.pixel[i])]), m_.fragments[first + i].samples,
                 {s_.red[i], s_.green[i], s_.blue[i], 1.0f});

@@ -12,6 +12,7 @@
 #include "engines/raster/full_jobs.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/open_surfaces.h"
+#include "engines/raster/shadow_maps.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
@@ -132,6 +133,8 @@ private:
 void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink& sink) {
     StageClock clock;
     const bool is_sampled = job.front.settings.samples > 1;
+    if (job.reach)
+        job.reach->in_tile(job.front.view, job.grid.origin_x(tile), job.grid.origin_y(tile), scratch.tile_lights);
     if (is_sampled)
         find_visible_samples(job, tile, scratch);
     else
@@ -196,17 +199,21 @@ public:
                        PictureMemory(context.memory())};
         transform_draws(front, context);
         Binned binned = settings.surfaces ? set_up_and_bin(front, grid, std::move(binned_), context) : nothing(grid);
-        const std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, view.camera_to_world[3].xyz());
-        make_full_jobs(front, {});
+        const dvec3 eye = view.camera_to_world[3].xyz();
+        std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, eye);
+        const ShadowMaps shadows(list_, settings, *kernels_, *geometry_kernels_, eye, lights, context);
+        const LightReach reach(lights);
+        make_full_jobs(front, {.shadows = shadows.data()});
         LightPoints points = light_points(front, binned, lights, *kernels_, std::move(points_), context);
         const Marks marks = make_marks(front, grid, context);
         front.stats.times.front_end = clock.lap();
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
-        const double waited = draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points,
-                                          sink.takes_srgb8(), (settings.channels & channel_uv1) != 0, &marks, &context},
-                                         sink, context, front.stats);
+        const double waited = draw_tiles(
+            {front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8(),
+             (settings.channels & channel_uv1) != 0, &marks, &context, reach.is_worth_it() ? &reach : nullptr},
+            sink, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;
         open_surfaces_.remark(front, wanted.cull == Cull::back, context);

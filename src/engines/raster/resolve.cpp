@@ -39,7 +39,7 @@ void blend_triangle(const TileJob& job, std::size_t tile, const ScreenTriangle& 
     make_records(job, t.draw, {&only, 1}, ox, oy, s);
     ShadeJob batch = make_job(job, t.draw, ox, oy, count, s);
     use_offsets(batch, s);
-    s.not_finite += std::uint64_t(job.kernels.shade(&batch));
+    s.not_finite += std::uint64_t(shade_with_lists(job.kernels, job.reach, batch, s));
     s.shaded += count;
     if (!batch.unlit && !batch.lit) s.lit_pixels += count;
     if (marks) marks->lay_behind_samples(t, count);

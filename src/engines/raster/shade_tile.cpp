@@ -64,7 +64,7 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
     if (with_normal)
         batch.normal_x = s.normal_x.data(), batch.normal_y = s.normal_y.data(), batch.normal_z = s.normal_z.data();
     if (to_srgb8) batch.srgb8 = s.codes.data(), batch.srgb_table = SrgbEncoder::instance().table();
-    s.not_finite += std::uint64_t(job.kernels.shade(&batch));
+    s.not_finite += std::uint64_t(shade_with_lists(job.kernels, job.reach, batch, s));
     s.shaded += count;
     if (is_lit_at_pixels(batch)) s.lit_pixels += count;
     if (to_srgb8) put_blocks(s.codes.data(), s.pixel.data(), count, s.srgb8.data());
@@ -242,7 +242,7 @@ void blend_layers(const TileJob& job, std::size_t tile, const std::vector<std::u
         const ScreenTriangle* const only = &t;
         make_records(job, t.draw, {&only, 1}, ox, oy, s);
         const ShadeJob batch = make_job(job, t.draw, ox, oy, count, s);
-        s.not_finite += std::uint64_t(job.kernels.shade(&batch));
+        s.not_finite += std::uint64_t(shade_with_lists(job.kernels, job.reach, batch, s));
         s.shaded += count;
         if (is_lit_at_pixels(batch)) s.lit_pixels += count;
         if (marks) marks->lay_behind(t, count);

@@ -38,9 +38,10 @@ Shading wanted(const FrontEnd& front, const Draw& draw, std::ptrdiff_t of_node) 
     return rule < 0 ? front.settings.shading : front.settings.shading_rules[std::size_t(rule)].shading;
 }
 
-/// Gouraud shading has neither the bumps of a normal map nor a roughness that changes from pixel to pixel.
+/// Gouraud shading has neither shadows, nor the bumps of a normal map, nor a roughness that changes from pixel to
+/// pixel.
 bool needs_pixels(const FrontEnd& front, const MaterialView& m) {
-    return m.metallic_roughness_map.view ||
+    return front.settings.shadows || m.metallic_roughness_map.view ||
            (front.settings.bump != Bump::none && (m.normal_map.view || m.height_map.view));
 }
 

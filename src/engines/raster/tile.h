@@ -9,6 +9,7 @@
 #include "engines/raster/front_end.h"
 #include "engines/raster/light_points.h"
 #include "engines/raster/marks.h"
+#include "engines/raster/tile_lights.h"
 
 namespace rakelight::raster {
 
@@ -27,6 +28,7 @@ struct TileJob {
     bool whole_records = false;  ///< records have what no texture of their material needs, too: for inspection
     const Marks* marks = nullptr;  ///< lines and points; null: none
     const Context* context = nullptr;  ///< null: nobody cancels
+    const LightReach* reach = nullptr;  ///< null: every pixel is lit by all lights; else `tile_lights` holds the tile's
 
     /// Asked every few triangles; a tile that was cut short is not to be shown.
     bool is_cancelled() const { return context && context->cancelled(); }
@@ -72,6 +74,8 @@ public:
     std::vector<std::uint32_t> srgb8 =
         std::vector<std::uint32_t>(tile_pixels);  ///< in place of `color` where the sink takes display values
     std::vector<PendingMark> pending;  ///< [tile_pixels] in pictures with lines or points; between tiles nothing waits
+    std::vector<std::uint32_t> tile_lights;         ///< of many lights, those that may reach the tile
+    std::vector<lighting::LightParameters> lights;  ///< those that may reach the run of pixels that is shaded
     std::uint64_t covered = 0, shaded = 0, not_finite = 0, marked = 0;
     std::uint64_t samples_covered = 0;       ///< by something opaque
     std::shared_ptr<SampleScratch> samples;  ///< of multisampled pictures

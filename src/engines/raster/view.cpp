@@ -15,6 +15,9 @@ namespace {
 void check_settings(const RenderSettings& s) {
     if (s.width < 1 || s.height < 1 || s.width > 65536 || s.height > 65536) refuse("the resolution must be 1 to 65536 pixels a side");
     if (s.samples != 1 && s.samples != 4 && s.samples != 8) refuse("the samples of a pixel must be 1, 4 or 8");
+    if (s.shadow_size < 16 || s.shadow_size > 8192) refuse("the size of a shadow map must be 16 to 8192 texels");
+    if (s.shadow_filter < 0 || s.shadow_filter > 4) refuse("the radius of the shadow filter must be 0 to 4 texels");
+    if (!(s.shadow_bias >= 0 && s.shadow_bias <= 100)) refuse("the shadow bias must be 0 to 100");
     if (s.anisotropy < 1 || s.anisotropy > 16) refuse("anisotropy must be 1 to 16");
     if (s.samples != 1 && s.visibility != Visibility::z_reversed)
         refuse("more than one sample a pixel needs the default visibility, z-reversed");

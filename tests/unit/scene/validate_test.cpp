@@ -103,6 +103,9 @@ TEST(Validate, RefusesNumbersThatAreNotFinite) {
     expect_fault("a texture transform", [](Scene& s) { s.materials[0].base_color_texture.transform.rotation_rad = nan_f; });
     expect_fault("light 0: a color", [](Scene& s) { s.lights[0].diffuse.z = nan_f; });
     expect_fault("light 0: the range", [](Scene& s) { s.lights[0].range = nan_f; });
+    expect_fault("the color", [](Scene& s) { s.fog.color.x = nan_f; });
+    expect_fault("a parameter", [](Scene& s) { s.fog.end = std::numeric_limits<float>::infinity(); });
+    expect_fault("the density is negative", [](Scene& s) { s.fog.density = -1; });
     expect_fault("camera 0: the matrix", [](Scene& s) { s.cameras[0].to_world[1].x = nan_f; });
     EXPECT_EQ(fault([](Scene& s) { s.lights[0].range = std::numeric_limits<float>::infinity(); }), "");
 }

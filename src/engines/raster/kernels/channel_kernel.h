@@ -40,9 +40,9 @@ inline ColorTerms full_color_terms(const ShadeJob& job, const FullPixels& f) {
         sum.diffuse = sum.diffuse + t.diffuse;
         sum.specular = sum.specular + t.specular;
     });
-    const vec3 fog = add_fog(job, f.p, zero);
-    const auto dimmed = [&](vec3 v) { return add_fog(job, f.p, v) - fog; };
-    return {dimmed(sum.ambient), dimmed(sum.diffuse), dimmed(sum.specular), add_fog(job, f.p, sum.emission)};
+    if (job.full->fog.kind == 0) return sum;
+    const real seen = fog_of(job, f.p);
+    return {sum.ambient * seen, sum.diffuse * seen, sum.specular * seen, add_fog(job, f.p, sum.emission)};
 }
 
 /// `v` where `sum` is finite, component by component, else 0: a color that is not finite is shown black, and none of

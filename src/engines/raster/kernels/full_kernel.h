@@ -30,6 +30,20 @@ inline void find_full(const ShadeJob& job, int32_t first, FullPixels& f) {
     f.emission = emission_of(m, f.p);
 }
 
+/// Light i as it falls on the surface, ended by its range.
+inline lit::LightSample light_of(const ShadeJob& job, int32_t i, const FullPixels& f) {
+    lit::LightSample light = sample_in_frame(job, i, f.p, f.bumps);
+    if (lit::has_classical_range(job.lights[i]))
+        light.attenuation = light.attenuation * lit::range_of(job.lights[i], f.p.position);
+    return light;
+}
+
+inline lit::LightTerms no_light() {
+    lit::LightTerms terms;
+    terms.ambient = terms.diffuse = terms.specular = vec3(real(0.0f));
+    return terms;
+}
+
 /// 0..1: how much of light i is not in shadow.
 inline real seen_of(const ShadeJob& job, int32_t i, const FullPixels& f, const lit::LightSample& light) {
     return shadow_factor(job, i, f.p, light) * relief_shadow(job, f.bumps, light);
@@ -37,7 +51,8 @@ inline real seen_of(const ShadeJob& job, int32_t i, const FullPixels& f, const l
 
 /// What light i adds at the pixel.
 inline lit::LightTerms full_light(const ShadeJob& job, int32_t i, const FullPixels& f) {
-    const lit::LightSample light = sample_in_frame(job, i, f.p, f.bumps);
+    const lit::LightSample light = light_of(job, i, f);
+    if (no_lane(light.attenuation > real(0.0f))) return no_light();
     return lit::surface_terms(f.surface, light, seen_of(job, i, f, light), reflection_of(job));
 }
 

@@ -34,11 +34,19 @@ struct ReceivedLight {
     vec3 ambient, diffuse, specular;
 };
 
+/// Light i as a point meets it, ended by its range.
+inline lit::LightSample light_at(const ShadeJob& job, int32_t i, vec3 position) {
+    lit::LightSample light = lit::sample_light(job.lights[i], position);
+    if (job.full != nullptr && lit::has_classical_range(job.lights[i]))
+        light.attenuation = light.attenuation * lit::range_of(job.lights[i], position);
+    return light;
+}
+
 inline ReceivedLight receive(const ShadeJob& job, const lit::Surface& surface, vec3 position) {
     ReceivedLight sum = {vec3(real(0.0f)), vec3(real(0.0f)), vec3(real(0.0f))};
     const lit::Reflection reflection = reflection_of(job);
     for (int32_t i = 0; i < job.light_count; ++i) {
-        const lit::LightTerms terms = lit::light_terms(surface, lit::sample_light(job.lights[i], position), reflection);
+        const lit::LightTerms terms = lit::light_terms(surface, light_at(job, i, position), reflection);
         sum.ambient = sum.ambient + terms.ambient;
         sum.diffuse = sum.diffuse + terms.diffuse;
         sum.specular = sum.specular + terms.specular;

@@ -63,6 +63,7 @@ inline int32_t store_block(const ShadeJob& job, int32_t first, Block& b) {
 int32_t shade_full(const ShadeJob* job);  // full_kernel.cpp
 void alpha_full(const ShadeJob* job);
 void channels(const ChannelJob* job);
+void bounds(const ShadeJob* job, LightBox* box);
 
 static int32_t shade(const ShadeJob* job) {
     if (job->full != nullptr) return shade_full(job);
@@ -88,7 +89,7 @@ static void alpha(const ShadeJob* job) {
 }
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, shade, alpha, light, channels};
+    static constexpr Kernels table = {lanes, shade, alpha, light, channels, bounds};
     return &table;
 }
 

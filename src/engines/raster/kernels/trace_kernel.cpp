@@ -141,6 +141,7 @@ void trace_reach(const lighting::LightParameters& p, vec3 position, TracedLight&
         if (is_spot) out.spot = lit::photometric_spot(cos_angle, p.cone_scale, p.cone_offset);
     } else {
         out.attenuation = lit::classical_attenuation(ray.distance, p.constant_term, p.linear_term, p.quadratic_term);
+        if (lit::has_classical_range(p)) out.attenuation = out.attenuation * lit::range_of(p, position);
         if (is_spot) out.spot = lit::classical_spot(cos_angle, p.cos_cutoff, p.exponent);
     }
 }
@@ -174,7 +175,7 @@ lit::LightTerms trace_light(const ShadeJob& job, int32_t i, vec3 position, const
 
 void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surface, vec3 sum, TracedLight* lights) {
     for (int32_t i = 0; i < job.light_count; ++i) {
-        const lit::LightSample sample = lit::sample_light(job.lights[i], p.position);
+        const lit::LightSample sample = light_at(job, i, p.position);
         trace_light(job, i, p.position, surface, sample, lights[i]);
         sum = lit::add_light(sum, surface, sample, reflection_of(job));
         put(lights[i].sum, sum);
@@ -200,7 +201,7 @@ void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
 void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* lights) {
     vec3 sum = f.emission;
     for (int32_t i = 0; i < job.light_count; ++i) {
-        const lit::LightSample sample = sample_in_frame(job, i, f.p, f.bumps);
+        const lit::LightSample sample = light_of(job, i, f);
         trace_light(job, i, f.p.position, f.surface.base, sample, lights[i]);
         lights[i].seen = seen_of(job, i, f, sample);
         const lit::LightTerms terms = full_light(job, i, f);
@@ -262,8 +263,7 @@ void trace_point(const ShadeJob* job, float roughness, const float (&position)[3
     const lit::Surface surface = point_surface(*job, roughness, at, splat(normal));
     vec3 sum[3] = {vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f)};
     for (int32_t i = 0; i < job->light_count; ++i) {
-        const lit::LightTerms terms =
-            trace_light(*job, i, at, surface, lit::sample_light(job->lights[i], at), lights[i]);
+        const lit::LightTerms terms = trace_light(*job, i, at, surface, light_at(*job, i, at), lights[i]);
         sum[0] = sum[0] + terms.ambient;
         sum[1] = sum[1] + terms.diffuse;
         sum[2] = sum[2] + terms.specular;
