@@ -6,6 +6,7 @@
   alpha.gltf    four squares with one texture, opaque, masked at 0.5 and at 0.1, blended; three panes, the nearest first in the file
   sides.gltf    two open tubes, of a single-sided and of a double-sided material
   spheres.gltf  one sphere of 528 triangles, placed twice: large and small
+  layers.gltf   six spheres of one shape: plastic, with a clearcoat, cloth; metal, brushed along and around
   checker.png   red grows with u, green with v downwards, every other field darker
   disc.png      alpha falls evenly from 1 in the middle to 0 at the rim of a disc"""
 import base64
@@ -139,6 +140,40 @@ def spheres():
     return model
 
 
+def sphere(around, down):
+    """Points (normals, too), texture coordinates, indices."""
+    turns = [(i / around, j / down) for j in range(down + 1) for i in range(around + 1)]
+    points = [(math.sin(math.pi * v) * math.sin(2 * math.pi * u), math.cos(math.pi * v), math.sin(math.pi * v) * math.cos(2 * math.pi * u)) for u, v in turns]
+    indices = []
+    for j in range(down):
+        for a in range(j * (around + 1), j * (around + 1) + around):
+            b = a + around + 1
+            indices += ([a, b, b + 1] if j + 1 < down else []) + ([a, b + 1, a + 1] if j else [])
+    return points, turns, indices
+
+
+def layers():
+    model = Model(*flat_camera(6.3, 1.05))
+    red, steel = {"baseColorFactor": [0.5, 0.06, 0.05, 1], "metallicFactor": 0, "roughnessFactor": 0.6}, {"baseColorFactor": [0.75, 0.72, 0.68, 1], "roughnessFactor": 0.35}
+    coat = {"KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0.1}}
+    sheen = {"KHR_materials_sheen": {"sheenColorFactor": [0.8, 0.7, 0.7], "sheenRoughnessFactor": 0.4}}
+    brushed = [{"KHR_materials_anisotropy": {"anisotropyStrength": 0.8, "anisotropyRotation": angle}} for angle in (0, math.pi / 2)]
+    points, turns, indices = sphere(40, 20)
+    for k, (name, pbr, more) in enumerate((("plastic", red, {}), ("clearcoat", red, coat), ("cloth", red, sheen), ("metal", steel, {}),
+                                           ("brushed around", steel, brushed[0]), ("brushed up", steel, brushed[1]))):
+        material = {"pbrMetallicRoughness": pbr, **({"extensions": more} if more else {})}
+        if k == 0:
+            model.add(name, material, indices, POSITION=points, NORMAL=points, TEXCOORD_0=turns)
+        else:
+            model.json["scenes"][0]["nodes"].append(k + 1)
+            model.json["nodes"].append({"name": name, "mesh": k})
+            model.json["meshes"].append({"name": name, "primitives": [{**model.json["meshes"][0]["primitives"][0], "material": k}]})
+            model.json["materials"].append({"name": name, **material})
+        model.json["nodes"][k + 1]["translation"] = [2.1 * (k - 2.5), 0, 0]
+    model.json["extensionsUsed"] = ["KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_anisotropy"]
+    return model
+
+
 def main():
     FOLDER.mkdir(exist_ok=True)
     size = 64
@@ -146,7 +181,7 @@ def main():
         int(c * (1 if (x // 8 + y // 8) % 2 else 0.55)) for y in range(size) for x in range(size) for c in (60 + 3 * x, 60 + 3 * y, 110)))
     radius = [[math.hypot(x - 31.5, y - 31.5) / 32 for x in range(size)] for y in range(size)]
     write_pixels(FOLDER / "disc.png", size, size, 4, b"".join(bytes((240, 150, 30, round(255 * max(0, 1 - r)))) for row in radius for r in row))
-    for name, model in (("colors", colors()), ("alpha", alpha()), ("sides", sides()), ("spheres", spheres())):
+    for name, model in (("colors", colors()), ("alpha", alpha()), ("sides", sides()), ("spheres", spheres()), ("layers", layers())):
         model.write(FOLDER / f"{name}.gltf")
 
 

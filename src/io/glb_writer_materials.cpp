@@ -137,10 +137,27 @@ void MaterialWriter::specular(OrderedJson& json, const Material& m) {
     set_use(specular, "specularTexture", p.specular_texture);
     set_use(specular, "specularColorTexture", p.specular_color_texture);
     if (!specular.empty()) extension(json, "KHR_materials_specular", std::move(specular));
+    layers(json, p);
     if (p.anisotropy == 0) return;
     OrderedJson anisotropy = {{"anisotropyStrength", p.anisotropy}, {"anisotropyRotation", p.anisotropy_rotation_rad}};
     set_use(anisotropy, "anisotropyTexture", p.anisotropy_texture);
     extension(json, "KHR_materials_anisotropy", std::move(anisotropy));
+}
+
+void MaterialWriter::layers(OrderedJson& json, const MetallicRoughnessParameters& p) {
+    if (p.clearcoat > 0) {
+        OrderedJson coat = {{"clearcoatFactor", p.clearcoat}, {"clearcoatRoughnessFactor", p.clearcoat_roughness}};
+        set_use(coat, "clearcoatTexture", p.clearcoat_texture);
+        set_use(coat, "clearcoatRoughnessTexture", p.clearcoat_roughness_texture);
+        if (set_use(coat, "clearcoatNormalTexture", p.clearcoat_normal_texture))
+            coat["clearcoatNormalTexture"]["scale"] = p.clearcoat_normal_scale;
+        extension(json, "KHR_materials_clearcoat", std::move(coat));
+    }
+    if (p.sheen_color == vec3{0, 0, 0}) return;
+    OrderedJson sheen = {{"sheenColorFactor", json_of(p.sheen_color)}, {"sheenRoughnessFactor", p.sheen_roughness}};
+    set_use(sheen, "sheenColorTexture", p.sheen_color_texture);
+    set_use(sheen, "sheenRoughnessTexture", p.sheen_roughness_texture);
+    extension(json, "KHR_materials_sheen", std::move(sheen));
 }
 
 OrderedJson MaterialWriter::material(const Material& source, std::size_t number) {

@@ -44,9 +44,7 @@ SmoothRequest request_for(const Scene& scene, const PrepareOptions& options) {
 }
 
 bool wants_tangents(const Scene& scene, const Mesh& mesh) {
-    if (mesh.material == none) return false;
-    const Material& m = scene.materials[mesh.material];
-    return bool(m.normal_texture) || bool(m.height_texture);
+    return mesh.material != none && wants_tangents(scene.materials[mesh.material]);
 }
 
 /// True if some triangle has an area in the texture; ends at the first one.

@@ -127,8 +127,11 @@ std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish
     const auto has = [&](std::uint32_t set) { return set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); };
     if (mesh.material != none) {
         const Material& m = scene.materials[mesh.material];
-        for (const TextureUse* use : {&m.normal_texture, &m.height_texture})
+        const MetallicRoughnessParameters& p = m.metallic_roughness;
+        for (const TextureUse* use :
+             {&m.normal_texture, &m.height_texture, &p.clearcoat_normal_texture, &p.anisotropy_texture})
             if (*use) return has(use->texcoord_set) ? use->texcoord_set : none;
+        if (wants_tangents(m)) wish = TangentWish::everywhere;
     }
     if (wish == TangentWish::everywhere)
         for (std::uint32_t set = 0; set < mesh.texcoords.size(); ++set)

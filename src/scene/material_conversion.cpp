@@ -78,4 +78,10 @@ Material metallic_roughness_from_classical(const Material& m) {
     return out;
 }
 
+bool wants_tangents(const Material& m) {
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    return m.normal_texture || m.height_texture || p.clearcoat_normal_texture || m.ward_alpha ||
+           (m.model == MaterialModel::metallic_roughness && p.anisotropy > 0);
+}
+
 }  // namespace rakelight

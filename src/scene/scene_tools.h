@@ -56,4 +56,7 @@ dmat4 camera_to_world(const Scene& scene, const Camera& camera, const std::vecto
 Material classical_from_metallic_roughness(const Material& m);
 Material metallic_roughness_from_classical(const Material& m);
 
+/// Whether something of a material acts along the tangent: a bump or normal map, an anisotropic highlight.
+bool wants_tangents(const Material& material);
+
 }  // namespace rakelight

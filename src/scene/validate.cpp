@@ -43,21 +43,38 @@ void check_material(const Scene& scene, std::size_t i) {
     const ClassicalParameters& c = m.classical;
     const MetallicRoughnessParameters& p = m.metallic_roughness;
     const std::pair<const char*, const TextureUse*> uses[] = {
-        {"base color texture", &m.base_color_texture}, {"normal texture", &m.normal_texture},
-        {"height texture", &m.height_texture},         {"opacity texture", &m.opacity_texture},
-        {"occlusion texture", &m.occlusion_texture},   {"emission texture", &m.emission_texture},
-        {"specular texture", &c.specular_texture},     {"metallic-roughness texture", &p.texture},
-        {"specular texture", &p.specular_texture},     {"specular color texture", &p.specular_color_texture},
-        {"anisotropy texture", &p.anisotropy_texture}};
+        {"base color texture", &m.base_color_texture},
+        {"normal texture", &m.normal_texture},
+        {"height texture", &m.height_texture},
+        {"opacity texture", &m.opacity_texture},
+        {"occlusion texture", &m.occlusion_texture},
+        {"emission texture", &m.emission_texture},
+        {"specular texture", &c.specular_texture},
+        {"metallic-roughness texture", &p.texture},
+        {"specular texture", &p.specular_texture},
+        {"specular color texture", &p.specular_color_texture},
+        {"anisotropy texture", &p.anisotropy_texture},
+        {"clearcoat texture", &p.clearcoat_texture},
+        {"clearcoat roughness texture", &p.clearcoat_roughness_texture},
+        {"clearcoat normal texture", &p.clearcoat_normal_texture},
+        {"sheen color texture", &p.sheen_color_texture},
+        {"sheen roughness texture", &p.sheen_roughness_texture}};
     for (const auto& [what, use] : uses) check_use(scene, place, what, *use);
     place.finite("the base color", cast<double>(m.base_color));
     place.finite("the emission", cast<double>(m.emission));
     place.finite("the ambient color", cast<double>(c.ambient));
     place.finite("the specular color", cast<double>(c.specular));
     place.finite("the specular color", cast<double>(p.specular_color));
-    for (const float number : {m.normal_scale, m.height_scale, m.occlusion_strength, m.alpha_cutoff, c.shininess, p.metallic,
-                               p.roughness, p.ior, p.specular, p.anisotropy, p.anisotropy_rotation_rad})
+    place.finite("the sheen color", cast<double>(p.sheen_color));
+    for (const float number :
+         {m.normal_scale, m.height_scale, m.occlusion_strength, m.alpha_cutoff, c.shininess, p.metallic, p.roughness,
+          p.ior, p.specular, p.anisotropy, p.anisotropy_rotation_rad, p.clearcoat, p.clearcoat_roughness,
+          p.clearcoat_normal_scale, p.sheen_roughness, m.sigma_rad.value_or(0)})
         place.finite("a parameter", number);
+    if (m.sigma_rad && *m.sigma_rad < 0) place.fail("sigma is negative");
+    const vec2 alpha = m.ward_alpha.value_or(vec2{1, 1});
+    if (!(alpha.x > 0 && alpha.x <= 10 && alpha.y > 0 && alpha.y <= 10))
+        place.fail("Ward's widths are not within 0..10");
 }
 
 void check_light(const Scene& scene, std::size_t i) {

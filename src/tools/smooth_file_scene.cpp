@@ -11,8 +11,7 @@ bool wants_tangents(const Scene& scene, const Mesh& mesh, TangentChoice choice) 
     if (choice != TangentChoice::automatic) return choice == TangentChoice::always;
     if (!mesh.tangents.empty()) return true;
     if (mesh.material == none) return false;
-    const Material& m = scene.materials[mesh.material];
-    return bool(m.normal_texture) || bool(m.height_texture);
+    return wants_tangents(scene.materials[mesh.material]);
 }
 
 /// The sets of `before`, with the vertices that were split off in `after` as copies.

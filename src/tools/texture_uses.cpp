@@ -14,6 +14,11 @@ std::vector<std::pair<const char*, TextureUse>> texture_uses(const Material& m) 
         uses.emplace_back("specular", p.specular_texture);
         uses.emplace_back("specular_color", p.specular_color_texture);
         uses.emplace_back("anisotropy", p.anisotropy_texture);
+        uses.emplace_back("clearcoat", p.clearcoat_texture);
+        uses.emplace_back("clearcoat_roughness", p.clearcoat_roughness_texture);
+        uses.emplace_back("clearcoat_normal", p.clearcoat_normal_texture);
+        uses.emplace_back("sheen_color", p.sheen_color_texture);
+        uses.emplace_back("sheen_roughness", p.sheen_roughness_texture);
     }
     std::erase_if(uses, [](const auto& use) { return !use.second; });
     return uses;

@@ -74,6 +74,7 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
     out.shadows = effects.shadows;
     out.environment = effects.environment;
     out.fog = fog_view(front.list.scene.fog);
+    out.albedo = lighting::albedo_tables();
     return out;
 }
 
@@ -86,9 +87,17 @@ bool has_classical_range(const FrontEnd& front) {
     });
 }
 
+/// Lambert has no highlight: under it metals show their base color as diffuse, which the plain kernel does not know.
+bool is_metal_by_lambert(const FrontEnd& front, std::uint32_t draw) {
+    const Material& m = material_of(front, draw);
+    return lighting_of(front, draw) == Lighting::lambert && m.model == MaterialModel::metallic_roughness &&
+           m.metallic_roughness.metallic > 0;
+}
+
 bool needs_full(const FrontEnd& front, std::uint32_t draw, const FullJob& job) {
-    return lighting_of(front, draw) > Lighting::blinn_phong || job.viewer_at_infinity || job.relief.technique != 0 ||
-           job.shadows || job.environment || job.fog.kind != 0 || has_classical_range(front) ||
+    return lighting_of(front, draw) > Lighting::blinn_phong || is_metal_by_lambert(front, draw) ||
+           job.viewer_at_infinity || job.relief.technique != 0 || job.shadows || job.environment || job.fog.kind != 0 ||
+           has_classical_range(front) ||
            (job.has_bumps && (job.bump_terms != 0 || job.tangent_space != 0 || !job.normalize_frames ||
                               job.green_down || job.centered_normals));
 }

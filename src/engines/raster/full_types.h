@@ -4,6 +4,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "lighting/albedo_tables.h"
+
 namespace rakelight::raster {
 struct TextureView;
 
@@ -82,6 +84,7 @@ struct FullJob {
     const ShadowView* shadows;           ///< [maps] LightParameters::shadow says which; null: none
     const EnvironmentView* environment;  ///< null: none
     FogView fog;
+    lighting::AlbedoTables albedo;
     const CornerFrame* frames;  ///< beside ShadeJob::triangles; null: not wanted
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/tile_lights.h"
 #include "math/flush_denormals.h"
 
@@ -164,6 +165,16 @@ std::vector<Task> plan(FrontEnd& front, LightPoints& points) {
     return tasks;
 }
 
+void remark_layers(const FrontEnd& front, const LightPoints& points, Context& context) {
+    for (std::uint32_t d = 0; d < front.list.draws.size(); ++d)
+        if (points.draws[d].sides != 0 && lighting_of(front, d) == Lighting::pbr &&
+            has_layers(front.list.materials[front.list.draws[d].material].view)) {
+            context.report().add(Remark::dropped, front.list.scene.source, {},
+                                 "clearcoat, sheen and anisotropy do not act on flat and Gouraud shading");
+            return;
+        }
+}
+
 void remark_maps(const FrontEnd& front, const LightPoints& points, Context& context) {
     if (front.settings.bump == Bump::none) return;
     for (std::size_t d = 0; d < front.list.draws.size(); ++d)
@@ -188,6 +199,10 @@ float mean_roughness(const MaterialView& m) {
             sum += t->rgba32f ? t->rgba32f[4 * i + 1] : float(t->rgba8[i] >> 8 & 255u) * (1.0f / 255.0f);
         }
     return m.roughness * (sum / (float(width) * float(height)));
+}
+
+bool has_layers(const MaterialView& m) {
+    return m.anisotropy > 0 || m.clearcoat > 0 || m.sheen_color[0] > 0 || m.sheen_color[1] > 0 || m.sheen_color[2] > 0;
 }
 
 LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,
@@ -225,6 +240,7 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
     front.stats.lighting_evaluations = evaluations;
     front.stats.vertices_lit_twice = twice;
     remark_maps(front, points, context);
+    remark_layers(front, points, context);
     return points;
 }
 

@@ -91,6 +91,9 @@ std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& poi
 /// Roughness with the mean of its map, as the points have it.
 float mean_roughness(const MaterialView& material);
 
+/// Clearcoat, sheen, an anisotropic highlight: what is not lit at corners.
+bool has_layers(const MaterialView& material);
+
 /// The part of a kernel's job that a draw's material, the settings and the view say: no pixels.
 ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights, std::uint32_t draw);
 

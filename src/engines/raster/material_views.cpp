@@ -19,6 +19,23 @@ struct RoleUse {
     TextureSlot MaterialView::*slot;
 };
 
+bool is_black(vec3 c) { return c.x <= 0 && c.y <= 0 && c.z <= 0; }
+
+void add_metallic_roughness_roles(const MetallicRoughnessParameters& p, std::vector<RoleUse>& roles) {
+    roles.push_back({&p.texture, data, &MaterialView::metallic_roughness_map});
+    roles.push_back({&p.specular_texture, data, &MaterialView::specular_strength_map});
+    roles.push_back({&p.specular_color_texture, color, &MaterialView::specular_color_map});
+    if (p.anisotropy > 0) roles.push_back({&p.anisotropy_texture, data, &MaterialView::anisotropy_map});
+    if (p.clearcoat > 0) {
+        roles.push_back({&p.clearcoat_texture, data, &MaterialView::clearcoat_map});
+        roles.push_back({&p.clearcoat_roughness_texture, data, &MaterialView::clearcoat_roughness_map});
+        roles.push_back({&p.clearcoat_normal_texture, data, &MaterialView::clearcoat_normal_map});
+    }
+    if (is_black(p.sheen_color)) return;
+    roles.push_back({&p.sheen_color_texture, color, &MaterialView::sheen_color_map});
+    roles.push_back({&p.sheen_roughness_texture, data, &MaterialView::sheen_roughness_map});
+}
+
 std::vector<RoleUse> roles_of(const Material& m) {
     std::vector<RoleUse> roles = {{&m.base_color_texture, color, &MaterialView::base_color_map}};
     if (m.alpha_mode != AlphaMode::opaque) roles.push_back({&m.opacity_texture, data, &MaterialView::opacity_map});
@@ -30,7 +47,7 @@ std::vector<RoleUse> roles_of(const Material& m) {
     if (m.model == MaterialModel::classical)
         roles.push_back({&m.classical.specular_texture, color, &MaterialView::specular_map});
     else
-        roles.push_back({&m.metallic_roughness.texture, data, &MaterialView::metallic_roughness_map});
+        add_metallic_roughness_roles(m.metallic_roughness, roles);
     return roles;
 }
 
@@ -40,12 +57,39 @@ void copy(float (&to)[3], vec3 from) {
     to[2] = from.z;
 }
 
-/// Reflectance of a dielectric at normal incidence, glTF 2.0 with KHR_materials_ior and KHR_materials_specular.
-vec3 dielectric_f0(const MetallicRoughnessParameters& p) {
+/// Reflectance of a dielectric at normal incidence, KHR_materials_ior.
+float ior_f0(const MetallicRoughnessParameters& p) {
     const float r = (p.ior - 1) / (p.ior + 1);
-    const float f = p.ior == 0 ? 1 : r * r;  // ior 0: the specular-glossiness compatibility case of the extension
-    const vec3 f0 = p.specular_color * (f * p.specular);
+    return p.ior == 0 ? 1 : r * r;  // ior 0: the specular-glossiness compatibility case of the extension
+}
+
+/// Likewise, with KHR_materials_specular.
+vec3 dielectric_f0(const MetallicRoughnessParameters& p) {
+    const vec3 f0 = p.specular_color * (ior_f0(p) * p.specular);
     return {f0.x < 1 ? f0.x : 1, f0.y < 1 ? f0.y : 1, f0.z < 1 ? f0.z : 1};
+}
+
+/// Roughness of the GGX, Beckmann or Ward lobe that is as wide as Blinn-Phong's of this exponent: alpha^2 = 2 / (n + 2)
+/// (Karis 2013, "Specular BRDF Reference").
+float roughness_of_exponent(float n) { return float(std::sqrt(std::sqrt(2 / (double(n) + 2)))); }
+
+/// What lighting models of more parameters read.
+void add_full_factors(const Material& m, MaterialView& v) {
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    v.lobe_roughness = roughness_of_exponent(v.shininess);
+    v.sigma = m.sigma_rad.value_or(-1);
+    const vec2 alpha = m.ward_alpha.value_or(vec2{0, 0});
+    v.ward_alpha[0] = alpha.x, v.ward_alpha[1] = alpha.y;
+    v.ior_f0 = ior_f0(p);
+    v.specular_strength = p.specular;
+    copy(v.specular_color, p.specular_color);
+    v.anisotropy = p.anisotropy;
+    v.anisotropy_axis[0] = float(math::cos(double(p.anisotropy_rotation_rad)));
+    v.anisotropy_axis[1] = float(math::sin(double(p.anisotropy_rotation_rad)));
+    v.clearcoat = p.clearcoat, v.clearcoat_roughness = p.clearcoat_roughness;
+    v.clearcoat_normal_scale = p.clearcoat_normal_scale;
+    copy(v.sheen_color, p.sheen_color);
+    v.sheen_roughness = p.sheen_roughness;
 }
 
 MaterialView factors(const Material& m) {
@@ -67,6 +111,7 @@ MaterialView factors(const Material& m) {
     v.occlusion_strength = m.occlusion_strength;
     v.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : -1;
     v.blend = m.alpha_mode == AlphaMode::blend;
+    add_full_factors(m, v);
     return v;
 }
 

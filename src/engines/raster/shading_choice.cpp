@@ -39,9 +39,9 @@ Shading wanted(const FrontEnd& front, const Draw& draw, std::ptrdiff_t of_node) 
 }
 
 /// Gouraud shading has neither shadows, nor the bumps of a normal map, nor a roughness that changes from pixel to
-/// pixel.
+/// pixel, nor layers.
 bool needs_pixels(const FrontEnd& front, const MaterialView& m) {
-    return front.settings.shadows || m.metallic_roughness_map.view ||
+    return front.settings.shadows || m.metallic_roughness_map.view || has_layers(m) ||
            (front.settings.bump != Bump::none && (m.normal_map.view || m.height_map.view));
 }
 

@@ -15,9 +15,13 @@ namespace {
 /// Extensions whose data is read. A file that requires another one is refused.
 constexpr std::array supported = std::to_array<std::string_view>(
     {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_texture_webp", "KHR_draco_mesh_compression",
-     "KHR_lights_punctual", "KHR_materials_anisotropy", "KHR_materials_emissive_strength", "KHR_materials_ior",
-     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_specular", "KHR_materials_unlit", "KHR_mesh_quantization",
-     "KHR_meshopt_compression", "KHR_texture_transform"});
+     "KHR_lights_punctual", "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+     "KHR_materials_ior", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen", "KHR_materials_specular",
+     "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_meshopt_compression", "KHR_texture_transform"});
+
+/// Extensions that a material falls back from: what it says without them is shown, whether they are required or not.
+constexpr std::array falls_back =
+    std::to_array<std::string_view>({"KHR_materials_transmission", "KHR_materials_volume"});
 
 /// Extensions that change nothing about the picture (metadata, alternatives to choose from): leaving them out is right.
 constexpr std::array harmless =
@@ -80,7 +84,7 @@ void Document::check_extensions() {
     const Value required = root_.list("extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
         const std::string name = required.text_at(i);
-        if (!contains(supported, name) && !contains(harmless, name))
+        if (!contains(supported, name) && !contains(harmless, name) && !contains(falls_back, name))
             throw Error(ErrorCode::bad_file,
                         "the file requires the glTF extension " + one_line(name, 80) + ", which is not supported");
     }
@@ -89,6 +93,10 @@ void Document::check_extensions() {
         const std::string name = used.text_at(i);
         uses_quantization_ = uses_quantization_ || name == "KHR_mesh_quantization";
         if (contains(supported, name)) continue;
+        if (contains(falls_back, name)) {
+            remark(Remark::dropped, {}, name + " falls back: light does not pass through, the surface alone is shown");
+            continue;
+        }
         remark(contains(harmless, name) ? Remark::note : Remark::dropped, {},
                "the glTF extension " + one_line(name, 80) + " is not supported; what it says is left out");
     }

@@ -134,6 +134,26 @@ void Materials::read_extensions(const Value& source, Material& material) {
         target.anisotropy_rotation_rad = anisotropy.real("anisotropyRotation", 0);
         target.anisotropy_texture = textures_.use(anisotropy, "anisotropyTexture");
     }
+    read_layers(source, target);
+}
+
+/// What lies over the material.
+void Materials::read_layers(const Value& source, MetallicRoughnessParameters& target) {
+    if (const Value coat = source.extension("KHR_materials_clearcoat")) {
+        target.clearcoat = unit(document_, coat, "clearcoatFactor", 0);
+        target.clearcoat_texture = textures_.use(coat, "clearcoatTexture");
+        target.clearcoat_roughness = unit(document_, coat, "clearcoatRoughnessFactor", 0);
+        target.clearcoat_roughness_texture = textures_.use(coat, "clearcoatRoughnessTexture");
+        target.clearcoat_normal_texture = textures_.use(coat, "clearcoatNormalTexture");
+        target.clearcoat_normal_scale = coat.object("clearcoatNormalTexture").real("scale", 1);
+    }
+    if (const Value sheen = source.extension("KHR_materials_sheen")) {
+        const vec3 color = color3(document_, sheen, "sheenColorFactor", {0, 0, 0});
+        target.sheen_color = {std::min(color.x, 1.0f), std::min(color.y, 1.0f), std::min(color.z, 1.0f)};
+        target.sheen_color_texture = textures_.use(sheen, "sheenColorTexture");
+        target.sheen_roughness = unit(document_, sheen, "sheenRoughnessFactor", 0);
+        target.sheen_roughness_texture = textures_.use(sheen, "sheenRoughnessTexture");
+    }
 }
 
 }  // namespace rakelight::io::gltf

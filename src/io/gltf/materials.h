@@ -18,6 +18,7 @@ private:
     void read_metallic_roughness(const Value& source, Material& material);
     void read_specular_glossiness(const Value& source, Material& material);
     void read_extensions(const Value& source, Material& material);
+    void read_layers(const Value& source, MetallicRoughnessParameters& target);
     const Document& document_;
     Textures& textures_;
     Scene& scene_;

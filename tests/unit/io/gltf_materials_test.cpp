@@ -45,6 +45,33 @@ TEST(GltfMaterials, ExtensionsAreRead) {
     EXPECT_EQ(m.metallic_roughness.anisotropy_rotation_rad, 1);
 }
 
+TEST(GltfMaterials, ClearcoatAndSheenAreRead) {
+    GltfFile file;
+    file.triangle()["material"] = 0;
+    file.root["materials"] = Json::parse(
+        R"([{"extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 0.75, "clearcoatRoughnessFactor": 0.25},
+        "KHR_materials_sheen": {"sheenColorFactor": [0.5, 0.25, 3], "sheenRoughnessFactor": 0.125}}}])");
+    const MetallicRoughnessParameters p = file.load().materials[0].metallic_roughness;
+    EXPECT_EQ(p.clearcoat, 0.75f);
+    EXPECT_EQ(p.clearcoat_roughness, 0.25f);
+    EXPECT_EQ(p.sheen_color, (vec3{0.5f, 0.25f, 1}));
+    EXPECT_EQ(p.sheen_roughness, 0.125f);
+}
+
+TEST(GltfMaterials, RequiredTransmissionFallsBackAndIsSaid) {
+    GltfFile file;
+    file.triangle()["material"] = 0;
+    file.root["materials"] =
+        Json::parse(R"([{"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}])");
+    file.root["extensionsUsed"] = {"KHR_materials_transmission", "KHR_materials_volume"};
+    file.root["extensionsRequired"] = {"KHR_materials_transmission", "KHR_materials_volume"};
+    Context context({.threads = 1});
+    EXPECT_EQ(file.load(context).materials.size(), 1u);
+    std::size_t said = 0;
+    for (const auto& entry : context.report().entries()) said += entry.message.find("falls back") != std::string::npos;
+    EXPECT_EQ(said, 2u);
+}
+
 TEST(GltfMaterials, SpecularGlossinessKeepsItsReflectance) {
     GltfFile file;
     file.triangle()["material"] = 0;

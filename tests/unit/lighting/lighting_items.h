@@ -83,6 +83,24 @@ inline Results terms(const Kernel& kernel, Items& items, Choice choice,
     return results;
 }
 
+inline Results material(const Kernel& kernel, Items& items, MaterialChoice choice) {
+    const Inputs in = items.inputs();
+    Results results(9, in.count);
+    kernel.material(in, choice, results.out());
+    return results;
+}
+
+inline constexpr int oren_nayar = 3, ward = 4, pbr = 5;
+inline constexpr MaterialChoice all_materials[] = {{oren_nayar},
+                                                   {ward, 0},
+                                                   {ward, 1},
+                                                   {ward, 2},
+                                                   {pbr},
+                                                   {pbr, 2, 1},
+                                                   {pbr, 2, 0, 1},
+                                                   {pbr, 2, 0, 0, 1},
+                                                   {pbr, 2, 0, 0, 0, 1},
+                                                   {pbr, 2, 1, 1, 1, 1}};
 inline constexpr int lambert = 0, phong = 1, blinn_phong = 2, textbook = 0, normalized = 1;
 inline constexpr Choice all_choices[] = {
     {lambert, textbook, 1},       {lambert, normalized, 1},    {phong, textbook, 1},       {phong, textbook, 0},

@@ -81,6 +81,40 @@ static void terms(const Inputs& in, const LightParameters* light, Choice choice,
     RL_LOOP(terms_of_step(surface_of(n, v, ka, kd, ks, e, choice), l, p, light, choice, out, at))
 }
 
+static MaterialSurface material_of(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, real e, real t) {
+    MaterialSurface s;
+    s.base = surface_of(n, v, ka, kd, ks, 1.0f, {});
+    s.diffuse_n = s.coat_n = n;
+    s.tangent = orthogonal_tangent(n, p);
+    s.bitangent = cross(n, s.tangent);
+    s.oren_nayar_a = oren_nayar_a(e), s.oren_nayar_b = oren_nayar_b(e);
+    s.alpha_x = clamp(e, 1e-3f, 1.0f), s.alpha_y = clamp(t, 1e-3f, 1.0f);
+    s.f90 = vec3(1.0f);
+    s.dielectric_f0 = 0.04f, s.dielectric_f90 = 1.0f;
+    s.scattering = ks, s.albedo = ka.y, s.albedo_mean = ka.z;
+    s.sheen = ks, s.sheen_alpha = s.alpha_y, s.sheen_albedo = ka.x;
+    s.coat_alpha = s.alpha_y, s.coat_reflectance = coat_reflectance(ka.x, dot(n, v));
+    return s;
+}
+
+static void material_of_step(const MaterialSurface& s, vec3 l, vec3 ka, MaterialChoice choice, float* const* out,
+                             int at) {
+    const MaterialTraits traits = {choice.ward_form, choice.is_anisotropic, choice.has_scattering, choice.has_sheen,
+                                   choice.has_coat};
+    const vec3 one = vec3(1.0f);
+    LightAlbedo albedo;
+    albedo.lobe = ka.x, albedo.sheen = ka.y;
+    const LightTerms terms = surface_terms(s, make_sample(l, 1.0f, one, one, one), 1.0f, albedo, traits,
+                                           reflection_of({choice.model, 0, 1}));
+    store3(out, at, terms.ambient);
+    store3(out + 3, at, terms.diffuse);
+    store3(out + 6, at, terms.specular);
+}
+
+static void material(const Inputs& in, MaterialChoice choice, float* const* out) {
+    RL_LOOP(material_of_step(material_of(n, v, ka, kd, ks, p, e, t), l, ka, choice, out, at))
+}
+
 static void sum(const Inputs& in, const LightParameters* lights, int light_count, Choice choice, float* const* out) {
     RL_LOOP(vec3 total = vec3(0.0f);
             for (int i = 0; i < light_count; ++i) total =
@@ -124,6 +158,6 @@ static void relief_of_step(vec3 p, vec3 v, vec3 l, const ReliefCase& c, float* c
 
 static void relief(const Inputs& in, ReliefCase c, float* const* out) { RL_LOOP(relief_of_step(p, v, l, c, out, at)) }
 
-const Kernel kernel = {lanes, operations, int(sizeof operations / sizeof operations[0]), terms, sum, relief};
+const Kernel kernel = {lanes, operations, int(sizeof operations / sizeof operations[0]), terms, material, sum, relief};
 
 }  // namespace rakelight::lighting_test::RL_ISA

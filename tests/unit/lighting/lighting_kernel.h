@@ -24,6 +24,11 @@ struct Choice {
     int model, form, horizon, whole_exponent = 0;
 };
 
+/// Of surface_terms(): model RL_OREN_NAYAR, RL_WARD or RL_PBR, and what the material has.
+struct MaterialChoice {
+    int model, ward_form = 2, is_anisotropic = 0, has_scattering = 0, has_sheen = 0, has_coat = 0;
+};
+
 struct Kernel {
     int lanes;
     const Operation* operations;
@@ -31,6 +36,9 @@ struct Kernel {
     /// light_terms at n, v with ka, kd, ks, e: ambient, diffuse, specular in out[0..8]. With a light: sampled at p;
     /// without: one from direction l with all colors 1.
     void (*terms)(const Inputs& in, const lighting::LightParameters* light, Choice choice, float* const* out);
+    /// surface_terms at n, v with k_a = ka, k_d = kd, k_s or f0 = ks, sigma or alpha_x = e, alpha_y = t, tangent p; the
+    /// other numbers from ka and ks. All light's colors are 1: ambient, diffuse, specular in out[0..8].
+    void (*material)(const Inputs& in, MaterialChoice choice, float* const* out);
     /// add_light over all lights, from 0: out[0..2].
     void (*sum)(const Inputs& in, const lighting::LightParameters* lights, int light_count, Choice choice,
                 float* const* out);

@@ -93,6 +93,12 @@ void expect_all_flavours_equal(Items& items) {
         for (const Flavour& f : flavours())
             expect_equal(run(*f.kernel, operation, items), expected, operation + " in " + name(f.isa));
     }
+    for (const MaterialChoice choice : all_materials) {
+        const Results expected = material(scalar::kernel, items, choice);
+        for (const Flavour& f : flavours())
+            expect_equal(material(*f.kernel, items, choice), expected,
+                         "material model " + std::to_string(choice.model) + " in " + name(f.isa));
+    }
     const auto lights = one_light_of_each_kind();
     for (const Choice choice : all_choices)
         for (std::size_t i = 0; i <= lights.size(); ++i) {
@@ -142,6 +148,12 @@ TEST(WideLighting, NothingThatGoesInGivesNaN) {
                     ASSERT_FALSE(std::isnan(results[c][i]))
                         << "light " << light << " model " << choice.model << " column " << c << " item " << i;
         }
+    for (const MaterialChoice choice : all_materials) {
+        const Results results = material(scalar::kernel, items, choice);
+        for (std::size_t c = 0; c < 9; ++c)
+            for (std::size_t i = 0; i < items.size(); ++i)
+                ASSERT_FALSE(std::isnan(results[c][i])) << "model " << choice.model << " column " << c << " item " << i;
+    }
     for (const char* operation :
          {"orthogonal_tangent", "perturb_normal", "blinn_phong_n_dot_h", "phong_lobe", "blinn_phong_lobe",
           "classical_attenuation", "classical_spot", "photometric_attenuation", "photometric_spot"}) {

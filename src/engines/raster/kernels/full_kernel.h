@@ -27,7 +27,7 @@ inline void find_full(const ShadeJob& job, int32_t first, FullPixels& f) {
     f.base = base_color(m, f.p);
     set_material(job, f.p, f.base, f.surface);
     set_frame(job, f.p, f.bumps, f.surface);
-    f.emission = emission_of(m, f.p);
+    f.emission = finish_surface(job, f.p, emission_of(m, f.p), f.surface);
 }
 
 /// Light i as it falls on the surface, ended by its range.
@@ -53,7 +53,7 @@ inline real seen_of(const ShadeJob& job, int32_t i, const FullPixels& f, const l
 inline lit::LightTerms full_light(const ShadeJob& job, int32_t i, const FullPixels& f) {
     const lit::LightSample light = light_of(job, i, f);
     if (no_lane(light.attenuation > real(0.0f))) return no_light();
-    return lit::surface_terms(f.surface, light, seen_of(job, i, f, light), reflection_of(job));
+    return material_terms(job, f.surface, light, seen_of(job, i, f, light));
 }
 
 inline vec3 add_terms(vec3 sum, const lit::LightTerms& t) { return sum + (t.ambient + t.diffuse + t.specular); }

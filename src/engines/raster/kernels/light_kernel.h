@@ -24,6 +24,11 @@ inline vec3 to_viewer(const ShadeJob& job, vec3 position) {
     return job.orthographic != 0 ? splat(job.view_direction) : -safe_normalize(position);
 }
 
+/// Of jobs of the full kernel.
+inline vec3 viewer_of(const ShadeJob& job, vec3 position) {
+    return job.full->viewer_at_infinity != 0 ? splat(job.view_direction) : to_viewer(job, position);
+}
+
 /// Exponent of the Blinn-Phong lobe that is as wide as a GGX lobe of this roughness.
 inline real exponent_of_roughness(real roughness) {
     const real alpha = max(roughness * roughness, real(1e-3f));
@@ -75,7 +80,10 @@ inline lit::Surface point_surface(const ShadeJob& job, float roughness, vec3 pos
     return surface;
 }
 
+void light_full(const LightJob* job);  // full_kernel.cpp
+
 inline void light(const LightJob* job) {
+    if (job->shade->full != nullptr) return light_full(job);
     for (int32_t i = 0; i < job->count; i += lanes) {
         const vec3 position = load3(job->position, i);
         const lit::Surface surface = point_surface(*job->shade, job->roughness, position, load3(job->normal, i));

@@ -138,7 +138,7 @@ inline void set_frame(const ShadeJob& job, const Pixels& p, const Bumps& bumps, 
     const vec3 n = bumped_normal(job, p, bumps), even = bumps.frame.n * bumps.frame.side;
     s.base.n = job.full->bump_terms == bump_diffuse ? even : n;
     s.diffuse_n = job.full->bump_terms == bump_specular ? even : n;
-    s.base.v = viewer_in_tangent_space(job, p, bumps.frame, to_viewer(job, p.position));
+    s.base.v = viewer_in_tangent_space(job, p, bumps.frame, viewer_of(job, p.position));
 }
 
 /// Light i as the pixel meets it.

@@ -79,7 +79,8 @@ inline vec3 in_tangent_space(const ShadeJob& job, const Pixels& p, const Frame& 
 
 inline vec3 viewer_in_tangent_space(const ShadeJob& job, const Pixels& p, const Frame& f, vec3 v) {
     return in_tangent_space(job, p, f, v, [&](vec3 position) {
-        return job.orthographic != 0 ? splat(job.view_direction) : vec3(real(0.0f)) - position;
+        const bool is_fixed = job.orthographic != 0 || job.full->viewer_at_infinity != 0;
+        return is_fixed ? splat(job.view_direction) : vec3(real(0.0f)) - position;
     });
 }
 

@@ -149,10 +149,16 @@ void trace_reach(const lighting::LightParameters& p, vec3 position, TracedLight&
 void trace_lobe(const lit::Surface& s, const lit::LightSample& light, const lit::Reflection& r, TracedLight& out) {
     out.n_dot_l = dot(s.n, light.l);
     out.lobe_cosine = out.lobe = out.specular_factor = 0;
-    if (r.model == RL_LAMBERT) return;
+    if (r.model == RL_LAMBERT || r.model > RL_BLINN_PHONG) return;  // theirs is no power of a cosine
     out.lobe_cosine = lit::lobe_cosine(s, light.l, r);
     out.lobe = lit::lobe(out.lobe_cosine, s.exponent, r);
     out.specular_factor = lit::specular_factor(s, light.l, lit::lambert_cosine(out.n_dot_l), r);
+}
+
+void put_terms(const lit::LightTerms& terms, TracedLight& out) {
+    put(out.ambient, terms.ambient);
+    put(out.diffuse, terms.diffuse);
+    put(out.specular, terms.specular);
 }
 
 /// One light at a surface point; not its place in the sum.
@@ -166,9 +172,7 @@ lit::LightTerms trace_light(const ShadeJob& job, int32_t i, vec3 position, const
     put(out.ambient_color, sample.ambient * sample.attenuation);
     put(out.diffuse_color, sample.diffuse * sample.attenuation);
     put(out.specular_color, sample.specular * sample.attenuation);
-    put(out.ambient, terms.ambient);
-    put(out.diffuse, terms.diffuse);
-    put(out.specular, terms.specular);
+    put_terms(terms, out);
     out.seen = 1;
     return terms;
 }
@@ -205,9 +209,7 @@ void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* li
         trace_light(job, i, f.p.position, f.surface.base, sample, lights[i]);
         lights[i].seen = seen_of(job, i, f, sample);
         const lit::LightTerms terms = full_light(job, i, f);
-        put(lights[i].ambient, terms.ambient);
-        put(lights[i].diffuse, terms.diffuse);
-        put(lights[i].specular, terms.specular);
+        put_terms(terms, lights[i]);
         sum = add_terms(sum, terms);
         put(lights[i].sum, sum);
     }
@@ -263,7 +265,12 @@ void trace_point(const ShadeJob* job, float roughness, const float (&position)[3
     const lit::Surface surface = point_surface(*job, roughness, at, splat(normal));
     vec3 sum[3] = {vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f)};
     for (int32_t i = 0; i < job->light_count; ++i) {
-        const lit::LightTerms terms = trace_light(*job, i, at, surface, light_at(*job, i, at), lights[i]);
+        const lit::LightSample sample = light_at(*job, i, at);
+        lit::LightTerms terms = trace_light(*job, i, at, surface, sample, lights[i]);
+        if (job->full != nullptr) {
+            terms = point_terms(*job, full_point(*job, roughness, at, splat(normal)), sample);
+            put_terms(terms, lights[i]);
+        }
         sum[0] = sum[0] + terms.ambient;
         sum[1] = sum[1] + terms.diffuse;
         sum[2] = sum[2] + terms.specular;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Source: KHR_materials_sheen: distribution and masking of Estevez & Kulla 2017, "Production Friendly Microfacet Sheen BRDF".
+
+// D [1/sr]: (2 + 1 / alpha) sin^(1 / alpha) / (2 pi) of the angle between n and h.
+RL_FN real sheen_distribution(vec3 n, vec3 h, real alpha)
+{
+    real inverse = 1.0f / alpha;
+    vec3 across = cross(n, h);
+    real squared = clamp(dot(across, across), 0.0f, 1.0f);
+    return (2.0f + inverse) * pow_positive(squared, 0.5f * inverse) * (0.5f * RL_INVERSE_PI);
+}
+
+// Their fit of ln Lambda (eq. 3, table 1), of the cosine x.
+RL_FN real sheen_fit(real x, real alpha)
+{
+    real rest = 1.0f - alpha;
+    real w = rest * rest;
+    real a = mix(21.5473f, 25.3245f, w);
+    real b = mix(3.82987f, 3.32435f, w);
+    real c = mix(0.19823f, 0.16801f, w);
+    real d = mix(-1.97760f, -1.27393f, w);
+    real e = mix(-4.32054f, -4.85967f, w);
+    return a / (1.0f + b * pow_positive(x, c)) + d * x + e;
+}
+
+RL_FN real sheen_lambda(real cosine, real alpha)
+{
+    real low = sheen_fit(cosine, alpha);
+    real high = 2.0f * sheen_fit(0.5f, alpha) - sheen_fit(1.0f - cosine, alpha);
+    return exp(select(cosine < 0.5f, low, high));
+}
+
+// [1/sr] per unit of the sheen color; 0 where l or v is below the horizon. 0 < alpha <= 1.
+RL_FN real sheen_brdf(vec3 n, vec3 l, vec3 v, real alpha)
+{
+    vec3 h = safe_normalize_or(l + v, n);
+    real n_dot_l = clamp(dot(n, l), 1e-4f, 1.0f);
+    real n_dot_v = clamp(dot(n, v), 1e-4f, 1.0f);
+    real masked = 1.0f + sheen_lambda(n_dot_l, alpha) + sheen_lambda(n_dot_v, alpha);
+    real shown = 0.25f / (n_dot_l * n_dot_v * masked);
+    return select(min(dot(n, l), dot(n, v)) > 0.0f, sheen_distribution(n, h, alpha) * shown, 0.0f);
+}
+
+// 0..1: what is left for the material under the sheen; albedos of sheen_brdf towards l and v.
+RL_FN real sheen_rest(vec3 color, real albedo_l, real albedo_v)
+{
+    real greatest = max(color.x, max(color.y, color.z));
+    return clamp(1.0f - greatest * max(albedo_l, albedo_v), 0.0f, 1.0f);
+}
