@@ -37,12 +37,12 @@ PUBLIC = {
     "vector": "math",
     "block": "image", "image": "image",
     "attributes": "geometry",
-    "scene": "scene", "words": "scene",
+    "scene": "scene", "words": "scene", "world": "io",
     "prepare": "prepare",
     "engine": "engines",
     "render": "render",
     "picture": "render", "version": "render",
-    "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
+    "check_scene": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
 }
 
 # Third-party include (regular expression) -> the modules that may use it.

@@ -36,13 +36,15 @@ int run_explain(const Options& options) {
     std::vector<ExplainRow> rows;
     int worst = 0;
     for (const std::string& file : options.inputs) {
-        PictureRequest request = options.picture;
-        request.input = file;
+        const InputRequest input = request_for(options, file);
         ExplainRow row{.file = file, .x = options.explain.x, .y = options.explain.y};
         if (CancelOnInterrupt::happened()) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(file);
         } else {
-            const int code = run_file(options, file, row, [&](Context& c) { row.pixel = explain(request, row.x, row.y, c); });
+            const int code = run_file(options, file, row, [&](Context& c) {
+                if (input.error) throw *input.error;
+                row.pixel = explain(input.picture, row.x, row.y, c);
+            });
             worst = std::max(worst, code);
         }
         if (!options.json && row.pixel) print_data((rows.empty() ? "" : "\n") + to_text(*row.pixel));

@@ -110,6 +110,14 @@ Examples:
   rakelight explain builtin:teapot --resolution 320,240 --pixel 100,120 --json
       Schema rakelight.explain/1.)";
 
+inline constexpr const char* check_footer =
+    R"(Examples:
+  rakelight check world.scene.toml
+      Exit code 0 when it loads, else one line with line and column.
+  rakelight check *.glb --json
+      One row a file, schema rakelight.check/1.
+  rakelight check --schema)";
+
 inline constexpr const char* stages_footer =
     R"(Stages: model, world, camera and clip space, clipped polygons, normalized device
 coordinates, screen, culled faces, coverage, depth, visibility, normals, each light's

@@ -112,27 +112,28 @@ void apply(const InspectWords& w, InspectRequest& request, PictureRequest& pictu
 }
 
 int run_inspect(const Options& options) {
-    std::vector<PictureRequest> pictures;
+    std::vector<InputRequest> pictures;
     if (!options.picture.output.empty()) {
         pictures = picture_requests(options);
-        for (const PictureRequest& picture : pictures) check_request(picture);
+        for (const InputRequest& picture : pictures)
+            if (!picture.error) check_request(picture.picture);
     } else {
-        for (const std::string& file : options.inputs) {
-            pictures.push_back(options.picture);
-            pictures.back().input = file;
-        }
+        for (const std::string& file : options.inputs) pictures.push_back(request_for(options, file));
     }
     std::vector<InspectionRow> rows;
     int worst = 0;
-    for (const PictureRequest& picture : pictures) {
+    for (const InputRequest& input : pictures) {
+        const PictureRequest& picture = input.picture;
         InspectionRow row{.file = picture.input};
         if (CancelOnInterrupt::happened()) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(picture.input);
             rows.push_back(std::move(row));
             continue;
         }
-        worst = std::max(worst,
-                         run_file(options, row.file, row, [&](Context& c) { inspect_file(options, picture, row, c); }));
+        worst = std::max(worst, run_file(options, row.file, row, [&](Context& c) {
+                             if (input.error) throw *input.error;
+                             inspect_file(options, picture, row, c);
+                         }));
         if (!options.json && row.inspection) print_data((rows.empty() ? "" : "\n") + to_text(*row.inspection));
         worst = std::max(worst, print_failures(row));
         if (!row.heat_map.empty())

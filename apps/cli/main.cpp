@@ -18,19 +18,23 @@ namespace {
 Error not_begun(const std::string& file) { return Error(ErrorCode::failed, "cancelled").with_file(file); }
 
 int run_render(const Options& options) {
-    const std::vector<PictureRequest> requests = picture_requests(options);
-    for (const PictureRequest& request : requests) check_request(request);
+    const std::vector<InputRequest> requests = picture_requests(options);
+    for (const InputRequest& request : requests)
+        if (!request.error) check_request(request.picture);
     std::vector<PictureRow> rows;
     int worst = 0;
-    for (const PictureRequest& request : requests) {
+    for (const InputRequest& input : requests) {
+        const PictureRequest& request = input.picture;
         PictureRow& row = rows.emplace_back();
         row.result = {.file = request.input, .output = request.output};
         if (CancelOnInterrupt::happened()) {
             row.error = not_begun(request.input);
             continue;
         }
-        const int code =
-            run_file(options, request.input, row, [&](Context& c) { row.result = render_picture(request, c); });
+        const int code = run_file(options, request.input, row, [&](Context& c) {
+            if (input.error) throw *input.error;
+            row.result = render_picture(request, c);
+        });
         if (code == 0) print_note(summary(row.result), options.loudness);
         if (code == 0 && options.stats && !options.json) print_data(stats_text(row.result));
         worst = std::max(worst, code);
@@ -60,6 +64,8 @@ int run(int argc, const char* const* argv) {
             return run_bench(options);
         case Verb::smooth:
             return run_smooth(options);
+        case Verb::check:
+            return run_check(options);
     }
     return 0;
 }

@@ -11,6 +11,7 @@
 #include "switches.h"
 #include "usage_error.h"
 #include "values.h"
+#include "world_options.h"
 
 namespace rakelight::cli {
 namespace {
@@ -213,6 +214,7 @@ struct VerbWords {
     SmoothWords smooth;
     BenchWords bench;
     ExplainWords explain;
+    CheckWords check;
 };
 
 /// A verb of the program: its help, its options and what they mean.
@@ -263,13 +265,17 @@ constexpr VerbEntry verbs[] = {
     {"stages", "Show what each stage makes of a model, as a page", stages_footer, true, Verb::stages,
      [](CLI::App& app, VerbWords& w) { add_stages_options(app, w.stages); },
      [](const VerbWords& w, Options& o) { apply(w.stages, o.picture); }},
+    {"check", "Say whether scene files load, and what they hold", check_footer, false, Verb::check,
+     [](CLI::App& app, VerbWords& w) { add_check_options(app, w.check); },
+     [](const VerbWords& w, Options& o) { o.print_schema = w.check.schema; }},
 };
 
 /// The verbs with their options.
 void add_verbs(CLI::App& app, VerbWords& words, CommonWords& common, std::vector<std::string>& inputs) {
     for (const VerbEntry& verb : verbs) {
         CLI::App* const sub = app.add_subcommand(std::string(verb.name), verb.help);
-        if (verb.takes_models) add_inputs(*sub, inputs, "Model files, or builtin:teapot");
+        if (verb.takes_models) add_inputs(*sub, inputs, "Model files, world files (*.scene.toml), or builtin:teapot");
+        if (verb.verb == Verb::check) sub->add_option("SCENE", inputs, "Model files and world files")->type_name("");
         verb.declare(*sub, words);
         add_common_options(*sub, common);
         if (verb.footer) sub->footer(verb.footer);
@@ -281,7 +287,7 @@ void check_words(int argc, const char* const* argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (argc > 1 && !first.starts_with('-') && std::ranges::find(verbs, first, &VerbEntry::name) == std::end(verbs))
         throw Error(ErrorCode::usage, "unknown command '" + one_line(std::string(first), 40) + "'", {},
-                    "use render, smooth, inspect, explain, stages or bench, see rakelight --help");
+                    "use render, smooth, inspect, explain, stages, check or bench, see rakelight --help");
     for (int i = 2; i < argc && std::string_view(argv[i]) != "--"; ++i) {
         const std::string_view word = argv[i], option = argv[i - 1];
         const bool is_value = option.starts_with('-') && option.find('=') == option.npos;
@@ -305,8 +311,8 @@ static Options parse_help(int argc, const char* const* argv) {
     return parse(argc > 2 ? 3 : 2, words);
 }
 
-Options parse(int argc, const char* const* argv) {
-    if (argc > 1 && std::string_view(argv[1]) == "help") return parse_help(argc, argv);
+/// @param world  whose options come behind those of the command line; null: none
+static Options parse_with(int argc, const char* const* argv, const WorldOptions* world) {
     check_words(argc, argv);
     Options options;
     VerbWords words;
@@ -335,9 +341,48 @@ Options parse(int argc, const char* const* argv) {
     for (const VerbEntry& verb : verbs) {
         if (!app.got_subcommand(std::string(verb.name))) continue;
         options.verb = verb.verb;
+        if (world)
+            add_world_options(*app.get_subcommand(std::string(verb.name)), *app.get_subcommand("render"), *world);
         verb.read(words, options);
     }
+    options.arguments.assign(argv, argv + argc);
     return finish(std::move(options), common);
+}
+
+Options parse(int argc, const char* const* argv) {
+    if (argc > 1 && std::string_view(argv[1]) == "help") return parse_help(argc, argv);
+    return parse_with(argc, argv, nullptr);
+}
+
+/// The command line again, with the options of a world.
+static PictureRequest parse_for_world(const std::vector<std::string>& arguments, const std::string& path,
+                                      bool allow_outside) {
+    Context context({.threads = 1});
+    const WorldOptions world{path, read_world(path, context).render, allow_outside};
+    std::vector<const char*> argv;
+    for (const std::string& word : arguments) argv.push_back(word.c_str());
+    try {
+        return parse_with(int(argv.size()), argv.data(), &world).picture;
+    } catch (const Error& error) {
+        throw with_place(error, world);
+    }
+}
+
+InputRequest request_for(const Options& options, const std::string& input) {
+    InputRequest request{options.picture, {}};
+    try {
+        if (is_world_file(input))
+            request.picture = parse_for_world(options.arguments, input, options.picture.load.allow_outside);
+    } catch (const Error& error) {
+        request.error = error;
+    }
+    request.picture.input = input;
+    return request;
+}
+
+void check_world_options(const Options& options, const std::string& input) {
+    if (is_world_file(input))
+        parse_for_world({"rakelight", "render", input, "-o", "picture.png"}, input, options.picture.load.allow_outside);
 }
 
 }  // namespace rakelight::cli

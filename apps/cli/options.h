@@ -8,6 +8,7 @@
 #include <rakelight/picture.h>
 
 #include "bench_verb.h"
+#include "check_verb.h"
 #include "console.h"
 #include "explain_verb.h"
 #include "inspect_verb.h"
@@ -16,7 +17,7 @@
 
 namespace rakelight::cli {
 
-enum class Verb { help, version, render, inspect, smooth, bench, explain, stages };
+enum class Verb { help, version, render, inspect, smooth, bench, explain, stages, check };
 
 struct Options {
     Verb verb = Verb::help;
@@ -31,14 +32,28 @@ struct Options {
     std::uint64_t max_memory = 0;
     bool json = false;
     bool stats = false;  ///< render says what it counted
+    bool print_schema = false;
     Loudness loudness = Loudness::normal;
+    std::vector<std::string> arguments;  ///< as given, the program's name first
+};
+
+/// What is to be done with one input, or why nothing can be.
+struct InputRequest {
+    PictureRequest picture;
+    std::optional<Error> error;
 };
 
 /// @throws Error usage, one line
 Options parse(int argc, const char* const* argv);
 
+/// The request for an input: as the command line says, and for a world file by its [render], too.
+InputRequest request_for(const Options& options, const std::string& input);
+
+/// Reads [render] of a world as `rakelight render` would; nothing for other files. @throws Error bad_file
+void check_world_options(const Options& options, const std::string& input);
+
 /// A request for each input: '{model}' in the output stands for the input's name without folder and ending.
 /// @throws Error usage: several inputs for one output, or two inputs for the same
-std::vector<PictureRequest> picture_requests(const Options& options);
+std::vector<InputRequest> picture_requests(const Options& options);
 
 }  // namespace rakelight::cli

@@ -4,6 +4,8 @@
 #include <map>
 #include <string_view>
 
+#include <rakelight/world.h>
+
 #include "options.h"
 
 namespace rakelight::cli {
@@ -31,16 +33,17 @@ Error no_name_for_each(Verb verb) {
 
 }  // namespace
 
-std::vector<PictureRequest> picture_requests(const Options& options) {
+std::vector<InputRequest> picture_requests(const Options& options) {
     constexpr std::string_view mark = "{model}";
-    std::vector<PictureRequest> requests;
+    std::vector<InputRequest> requests;
     check_template(options.picture.output);
     std::map<std::string, std::string> inputs_of;  // output -> input
     for (const std::string& input : options.inputs) {
-        PictureRequest request = options.picture;
-        request.input = input;
-        const std::string stem =
+        InputRequest whole = request_for(options, input);
+        PictureRequest& request = whole.picture;
+        std::string stem =
             input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
+        if (is_world_file(input)) stem = std::filesystem::path(stem).stem().string();  // of NAME.scene.toml
         bool replaced = false;
         for (std::size_t at = 0; (at = request.output.find(mark, at)) != std::string::npos;
              at += stem.size(), replaced = true)
@@ -51,7 +54,7 @@ std::vector<PictureRequest> picture_requests(const Options& options) {
         if (!is_new)
             throw Error(ErrorCode::usage, "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) +
                                               "' would both be written to '" + one_line(request.output, 80) + "'");
-        requests.push_back(std::move(request));
+        requests.push_back(std::move(whole));
     }
     return requests;
 }

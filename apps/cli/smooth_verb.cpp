@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <rakelight/world.h>
+
 #include "options.h"
 #include "run_file.h"
 #include "values.h"
@@ -68,11 +70,14 @@ int run_smooth(const Options& options) {
     int worst = 0;
     SmoothFileOptions smooth = options.smooth;
     smooth.load = options.picture.load;
-    for (const PictureRequest& request : picture_requests(options)) {
+    for (const InputRequest& input : picture_requests(options)) {
+        const PictureRequest& request = input.picture;
         if (CancelOnInterrupt::happened()) break;
         SmoothedFileRow& row = rows.emplace_back();
         row.file = request.input;
         const int code = run_file(options, request.input, row, [&](Context& c) {
+            if (is_world_file(request.input))
+                throw Error(ErrorCode::usage, "world files are not smoothed", {}, "smooth their models");
             row.result = smooth_file(request.input, request.output, smooth, c);
         });
         if (code == 0) print_note(summary(*row.result), options.loudness);

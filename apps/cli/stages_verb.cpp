@@ -24,14 +24,18 @@ void add_stages_options(CLI::App& app, RenderWords& w) {
 int run_stages(const Options& options) {
     std::vector<StagesRow> rows;
     int worst = 0;
-    for (const PictureRequest& request : picture_requests(options)) {
+    for (const InputRequest& input : picture_requests(options)) {
+        const PictureRequest& request = input.picture;
         StagesRow row;
         row.result.file = request.input;
         row.result.folder = request.output;
         if (CancelOnInterrupt::happened()) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(request.input);
         } else {
-            const int code = run_file(options, request.input, row, [&](Context& c) { row.result = write_stages(request, c); });
+            const int code = run_file(options, request.input, row, [&](Context& c) {
+                if (input.error) throw *input.error;
+                row.result = write_stages(request, c);
+            });
             worst = std::max(worst, code);
             if (code == 0) print_note(row.result.folder + "/index.html: " + std::to_string(row.result.files.size()) + " files", options.loudness);
         }

@@ -3,8 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <utility>
 #include <vector>
+
+#include <rakelight/words.h>
 
 #include "switches.h"
 
@@ -74,21 +75,6 @@ void refuse_values_of_flags(const CLI::App& app, int argc, const char* const* ar
             throw Error(ErrorCode::usage,
                         name + " takes no value, but is given '" + one_line(word.substr(name.size() + 1), 40) + "'");
     }
-}
-
-std::size_t spelling_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        before = std::exchange(last, row);
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                row[j] = std::min(row[j], before[j - 2] + 1);
-        }
-    }
-    return row[b.size()];
 }
 
 }  // namespace rakelight::cli

@@ -3,8 +3,6 @@
 #pragma once
 #include <rakelight/error.h>
 
-#include <string_view>
-
 namespace CLI {
 class App;
 class ParseError;
@@ -19,9 +17,5 @@ Error usage_error(const CLI::ParseError& fault, const CLI::App& app);
 /// @throws Error usage: a flag is given a value, such as --edges=5
 /// @param app  that is to be parsed
 void refuse_values_of_flags(const CLI::App& app, int argc, const char* const* argv);
-
-/// How many letters have to be put in, left out, replaced or swapped with their neighbor to make one word the other.
-/// Source: Damerau 1964, "A technique for computer detection and correction of spelling errors".
-std::size_t spelling_distance(std::string_view a, std::string_view b);
 
 }  // namespace rakelight::cli

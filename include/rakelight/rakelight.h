@@ -5,6 +5,7 @@
 #include <rakelight/attributes.h>
 #include <rakelight/bench.h>
 #include <rakelight/block.h>
+#include <rakelight/check_scene.h>
 #include <rakelight/context.h>
 #include <rakelight/engine.h>
 #include <rakelight/error.h>
@@ -21,3 +22,4 @@
 #include <rakelight/vector.h>
 #include <rakelight/version.h>
 #include <rakelight/words.h>
+#include <rakelight/world.h>

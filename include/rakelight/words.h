@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The words by which people name choices, on the command line and in world files.
 #pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -34,5 +39,12 @@ inline constexpr Word<BumpTerms> bump_terms_words[] = {
 inline constexpr Word<bool> polarity_words[] = {{"height", false}, {"depth", true}};  ///< Relief::holds_depth
 inline constexpr Word<bool> green_words[] = {{"up", false}, {"down", true}};          ///< Material::green_down
 inline constexpr Word<bool> zero_words[] = {{"127.5", false}, {"128", true}};         ///< Material::centered_normals
+
+/// How many letters have to be put in, left out, replaced or swapped with their neighbor to make one word the other.
+/// Source: Damerau 1964, "A technique for computer detection and correction of spelling errors".
+std::size_t spelling_distance(std::string_view a, std::string_view b);
+
+/// The word that a misspelt one is likely to mean; empty: none is near.
+std::string nearest_word(std::string_view word, const std::vector<std::string_view>& words);
 
 }  // namespace rakelight

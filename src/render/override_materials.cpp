@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures and factors from the command line in the place of the materials' own.
-#include <algorithm>
-
 #include <rakelight/picture.h>
 
 #include "io/file.h"
@@ -24,15 +22,6 @@ TextureUse add_texture(Scene& scene, const std::string& path, Context& context) 
     TextureUse use;
     use.texture = std::uint32_t(scene.textures.size() - 1);
     return use;
-}
-
-/// Meshes without a material get the one that stands for "no material", so that it can be changed.
-void name_default_material(Scene& scene) {
-    const auto has_none = [](const Mesh& m) { return m.material == none; };
-    if (std::none_of(scene.meshes.begin(), scene.meshes.end(), has_none)) return;
-    scene.materials.emplace_back().name = "default";
-    for (Mesh& mesh : scene.meshes)
-        if (has_none(mesh)) mesh.material = std::uint32_t(scene.materials.size() - 1);
 }
 
 /// The factors of metallic-roughness materials, and those of every kind.

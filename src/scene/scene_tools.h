@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Questions that every user of a scene asks: is it whole, where is everything, what is the default view of it.
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -51,6 +52,21 @@ std::vector<Light> default_lights(const dmat4& camera_to_world);
 
 /// camera -> world of a camera of this scene, whether placed by a node or by itself; scale is taken out.
 dmat4 camera_to_world(const Scene& scene, const Camera& camera, const std::vector<dmat4>& world);
+
+/// Calls f(TextureUse&) for every use that a material can have, given or not.
+void for_each_texture_use(Material& m, const std::function<void(TextureUse&)>& f);
+
+/// Meshes without a material get one of this name, white and as engines draw such meshes, so that it can be changed.
+void name_default_material(Scene& scene);
+
+/// What becomes of the numbers of a scene that was merged into another: each is that much larger.
+struct MergeOffsets {
+    std::uint32_t nodes = 0, meshes = 0, materials = 0, textures = 0, skins = 0;
+};
+/// Adds all of `part`, below a new node where `root` is given; shares its arrays. Fog, surroundings and
+/// missing_normals_are_flat of `into` stay.
+/// @throws Error bad_file: too many elements for 32-bit indices
+MergeOffsets merge_scene(Scene& into, const Scene& part, const Node* root = nullptr);
 
 /// Named conversions between the two parameter sets of a material. What they lose is said in the functions' .cpp.
 Material classical_from_metallic_roughness(const Material& m);

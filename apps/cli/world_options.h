@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// [render] of world files: options of the command line, which goes before them.
+#pragma once
+#include <string>
+
+#include <rakelight/world.h>
+
+namespace CLI {
+class App;
+}
+
+namespace rakelight::cli {
+
+/// The world file whose options are to be taken, and what it says.
+struct WorldOptions {
+    std::string path;
+    std::vector<WorldValue> render;
+    bool allow_outside = false;
+};
+
+/// Gives the options of a verb the world's values, where the command line gave none.
+/// @param verb    that was parsed
+/// @param render  the verb that has all of them; what only that one has is left out
+/// @throws Error bad_file with line and column: no such option, or a value that it does not take
+void add_world_options(CLI::App& verb, const CLI::App& render, const WorldOptions& world);
+
+/// The error with the place of the option that it is about, if that is one of the world's.
+Error with_place(const Error& error, const WorldOptions& world);
+
+}  // namespace rakelight::cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene file holds, for people who want to know whether it loads: `rakelight check`.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rakelight/error.h>
+#include <rakelight/report.h>
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+struct SceneSummary {
+    bool is_world = false;
+    std::uint64_t objects = 0, meshes = 0, triangles = 0;  ///< objects and triangles: instances counted each time
+    std::uint64_t materials = 0, textures = 0, skins = 0, animations = 0;
+    std::vector<std::string> parts;    ///< of a world: names of its models and primitives
+    std::vector<std::string> cameras;  ///< names, by number
+    std::vector<std::string> lights;   ///< "photometric point 'lamp'", "ambient"
+    bool has_fog = false, has_environment = false;
+};
+
+SceneSummary summarize(const Scene& scene);
+
+/// A file with what it holds, or with the error instead.
+struct CheckRow {
+    std::string file;
+    std::optional<SceneSummary> summary;
+    std::vector<ReportEntry> remarks;
+    std::uint64_t remarks_left_out = 0;
+    std::optional<Error> error;
+};
+
+/// A few lines for people. @param file  as the caller named it
+std::string to_text(const std::string& file, const SceneSummary& summary);
+/// {"schema": "rakelight.check/1", "rows": [...]}
+std::string to_json(std::span<const CheckRow> rows);
+
+}  // namespace rakelight

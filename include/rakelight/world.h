@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// World files (*.scene.toml): a scene put together from models, primitives, lights and cameras. Here is what such a
+// file says, read and checked, before any model of it is loaded. docs/world-files.md explains the format.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// Where something stands in a file, from 1; 0: nowhere.
+struct WorldPlace {
+    int line = 0, column = 0;
+    bool operator==(const WorldPlace&) const = default;
+};
+/// "line 3, column 7"
+std::string to_text(WorldPlace place);
+
+/// A key with its value: words as a command line would have them ("1.5", "on", "red"), and numbers where they are such.
+struct WorldValue {
+    std::string key;
+    std::vector<std::string> words;  ///< one, or as many as the array has elements
+    std::vector<double> numbers;     ///< as many as `words`, or empty: some are no numbers
+    bool is_array = false;
+    WorldPlace place;  ///< of the value
+};
+
+/// Translation * rotation about x, then y, then z * scale.
+struct WorldPlacement {
+    dvec3 position{0, 0, 0}, rotation_deg{0, 0, 0}, scale{1, 1, 1};
+};
+
+/// A model file in the world.
+struct WorldModel {
+    std::string name;  ///< of the node that carries it; the file's name without ending by default
+    std::string file;  ///< as written: from the world file's folder, or "builtin:teapot"
+    WorldPlacement placement;
+    std::string material;  ///< of the world, for all of it; empty: its own
+    std::string normals;   ///< "auto", "file", "flat", "object", "model"; empty: as the picture's options say
+    std::optional<double> crease_angle_rad;
+    bool lights = false, cameras = false;  ///< whether the model's own come along
+    WorldPlace place, material_place;      ///< of `file`, of `material`
+};
+
+/// A shape that is made by formula.
+struct WorldPrimitive {
+    std::string name, type;  ///< "teapot", "sphere", "cylinder", "cone", "torus", "plane"
+    WorldPlacement placement;
+    double radius = 1, tube_radius = 0.35, height = 2;  ///< [m] tube: of the torus
+    double width = 2, depth = 2;                        ///< [m] of the plane
+    int divisions = 1;                                  ///< quads along a side of the plane or of the teapot's patches
+    int objects = 1;                                    ///< it is cut into so many
+    double tolerance = 0;  ///< [m] farthest that a facet is from the surface; 0: a thousandth of the largest radius
+    std::string material;
+    std::string normals;
+    std::optional<double> crease_angle_rad;
+    WorldPlace place, material_place;
+};
+
+/// Changes to materials, or a material of the world's own.
+struct WorldMaterial {
+    std::string name;   ///< of the material; "*": all of `model`
+    std::string model;  ///< changes this model's materials only; empty: those of all models
+    std::vector<WorldValue> values;
+    WorldPlace place;
+};
+
+struct WorldEnvironment {
+    std::string file;         ///< as written; empty: the built-in studio
+    Environment environment;  ///< without its picture
+    WorldPlace place;
+};
+
+/// What a world file says, in its order. Numbers are finite and in range; files are not looked at.
+struct WorldFile {
+    std::vector<WorldModel> models;
+    std::vector<WorldPrimitive> primitives;
+    std::vector<Light> lights;
+    std::vector<Camera> cameras;
+    std::vector<WorldMaterial> materials;
+    std::optional<Fog> fog;
+    std::optional<WorldEnvironment> environment;
+    std::vector<WorldValue> render;  ///< options of the command line by name
+};
+
+/// Whether a file is named as a world: "*.scene.toml" in any case.
+bool is_world_file(std::string_view path);
+
+/// @param text  of the whole file, UTF-8. At most 10 000 entries of a kind, and 4 MiB.
+/// @throws Error bad_file: what is wrong, with line and column; unknown keys with the nearest that there is
+WorldFile parse_world(std::string_view text);
+
+/// Reads and parses. @throws Error not_found; and as parse_world(), with the file's name
+WorldFile read_world(const std::string& path, Context& context);
+
+/// Where a file that a world names lies. @param path  of the world
+/// @throws Error bad_file: it would leave the world's folder, unless `allow_outside`
+std::string resolve_in_world(const std::string& path, const std::string& name, bool allow_outside);
+
+/// The JSON schema of world files (draft 2020-12), for editors that check TOML: data/world.schema.json.
+std::string world_schema();
+
+}  // namespace rakelight

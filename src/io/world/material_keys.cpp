@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/world/material_keys.h"
+
+#include <algorithm>
+
+#include "scene/scene_tools.h"
+
+namespace rakelight::io::world {
+namespace {
+
+using C = MaterialChange;
+
+Relief& relief(C& c) { return c.material.relief ? *c.material.relief : c.material.relief.emplace(); }
+
+void set_color(C& c) {
+    const vec3 k = c.color();
+    c.material.base_color = {k.x, k.y, k.z, c.material.base_color.w};
+    c.material.classical.ambient = k;  // `ambient` is read after it
+}
+
+void set_opacity(C& c) {
+    c.material.base_color.w = c.number();
+    if (c.number() < 1 && c.material.alpha_mode == AlphaMode::opaque) c.material.alpha_mode = AlphaMode::blend;
+}
+
+void transform_textures(C& c, void (*change)(TextureTransform&, const C&)) {
+    for_each_texture_use(c.material, [&](TextureUse& use) { change(use.transform, c); });
+}
+
+constexpr Word<AlphaMode> alpha_words[] = {
+    {"opaque", AlphaMode::opaque}, {"mask", AlphaMode::mask}, {"blend", AlphaMode::blend}};
+
+std::vector<MaterialKey> pictures() {
+    const auto file = [](const char* name, const char* help, Of of, void (*set)(C&)) {
+        return MaterialKey{{name, Kind::file, help}, of, set};
+    };
+    return {
+        file("color_texture", "Picture that color and opacity are multiplied by", Of::all,
+             [](C& c) { c.material.base_color_texture = c.picture; }),
+        file("normal_texture", "Normal map in tangent space", Of::all,
+             [](C& c) { c.material.normal_texture = c.picture; }),
+        file("height_texture", "Gray height map", Of::all, [](C& c) { c.material.height_texture = c.picture; }),
+        file("opacity_texture", "Gray, multiplies the opacity", Of::all,
+             [](C& c) { c.material.opacity_texture = c.picture; }),
+        file("occlusion_texture", "Red multiplies ambient light", Of::all,
+             [](C& c) { c.material.occlusion_texture = c.picture; }),
+        file("emission_texture", "Multiplies the emission", Of::all,
+             [](C& c) { c.material.emission_texture = c.picture; }),
+        file("specular_texture", "classical: multiplies specular", Of::classical,
+             [](C& c) { c.material.classical.specular_texture = c.picture; }),
+        file("metallic_roughness_texture", "Green multiplies the roughness, blue the metalness", Of::metallic_roughness,
+             [](C& c) { c.material.metallic_roughness.texture = c.picture; }),
+    };
+}
+
+std::vector<MaterialKey> general() {
+    return {
+        {{"color", Kind::color, "Its color; k_d, and k_a without `ambient`, of classical ones"}, Of::all, set_color},
+        {{"opacity", Kind::number, "Below 1 it is blended", from_0_to_1}, Of::all, set_opacity},
+        {{"emission", Kind::color, "Light of its own"}, Of::all, [](C& c) { c.material.emission = c.color(); }},
+        {{"unlit", Kind::flag, "Its color alone, no light"},
+         Of::all,
+         [](C& c) {
+             if (c.is_on()) c.material.model = MaterialModel::unlit;
+         }},
+        {{"alpha", Kind::word, "How opacity acts", any_number, names_of<AlphaMode>(alpha_words)},
+         Of::all,
+         [](C& c) { c.material.alpha_mode = value_of(alpha_words, c.word()); }},
+        {{"alpha_cutoff", Kind::number, "mask: less is not drawn (default 0.5)", from_0_to_1},
+         Of::all,
+         [](C& c) { c.material.alpha_cutoff = c.number(); }},
+        {{"double_sided", Kind::flag, "Back faces are lit too"},
+         Of::all,
+         [](C& c) { c.material.double_sided = c.is_on(); }},
+        {{"occlusion_strength", Kind::number, "Of the occlusion texture (default 1)", from_0_to_1},
+         Of::all,
+         [](C& c) { c.material.occlusion_strength = c.number(); }},
+        {{"texture_scale", Kind::pair, "Its textures repeat so often", {-1e6, 1e6}},
+         Of::all,
+         [](C& c) {
+             transform_textures(c, [](TextureTransform& t, const C& k) { t.scale = {k.number(0), k.number(1)}; });
+         }},
+        {{"texture_offset", Kind::pair, "Its textures are shifted so far", {-1e6, 1e6}},
+         Of::all,
+         [](C& c) {
+             transform_textures(c, [](TextureTransform& t, const C& k) { t.offset = {k.number(0), k.number(1)}; });
+         }},
+        {{"texture_rotation_deg", Kind::number, "Its textures are turned so far", {-360, 360}},
+         Of::all,
+         [](C& c) {
+             transform_textures(c, [](TextureTransform& t, const C& k) { t.rotation_rad = radians(k.number()); });
+         }},
+    };
+}
+
+std::vector<MaterialKey> classical() {
+    return {
+        {{"ambient", Kind::color, "classical: k_a"},
+         Of::classical,
+         [](C& c) { c.material.classical.ambient = c.color(); }},
+        {{"specular", Kind::color, "classical: k_s"},
+         Of::classical,
+         [](C& c) { c.material.classical.specular = c.color(); }},
+        {{"shininess", Kind::number, "classical: exponent", {1, 1e6}},
+         Of::classical,
+         [](C& c) { c.material.classical.shininess = c.number(); }},
+    };
+}
+
+std::vector<MaterialKey> metallic_roughness() {
+    const auto factor = [](const char* name, const char* help, Range range, void (*set)(C&)) {
+        return MaterialKey{{name, Kind::number, help, range}, Of::metallic_roughness, set};
+    };
+    const auto color = [](const char* name, const char* help, void (*set)(C&)) {
+        return MaterialKey{{name, Kind::color, help}, Of::metallic_roughness, set};
+    };
+    return {
+        factor("metallic", "0 to 1", from_0_to_1, [](C& c) { c.material.metallic_roughness.metallic = c.number(); }),
+        factor("roughness", "0 to 1", from_0_to_1, [](C& c) { c.material.metallic_roughness.roughness = c.number(); }),
+        factor("ior", "Index of refraction (default 1.5)", {1, 100},
+               [](C& c) { c.material.metallic_roughness.ior = c.number(); }),
+        factor("specular_factor", "KHR_materials_specular", from_0_to_1,
+               [](C& c) { c.material.metallic_roughness.specular = c.number(); }),
+        color("specular_color", "KHR_materials_specular",
+              [](C& c) { c.material.metallic_roughness.specular_color = c.color(); }),
+        factor("anisotropy", "KHR_materials_anisotropy", from_0_to_1,
+               [](C& c) { c.material.metallic_roughness.anisotropy = c.number(); }),
+        factor("anisotropy_rotation_deg", "KHR_materials_anisotropy", {-360, 360},
+               [](C& c) { c.material.metallic_roughness.anisotropy_rotation_rad = radians(c.number()); }),
+        factor("clearcoat", "KHR_materials_clearcoat", from_0_to_1,
+               [](C& c) { c.material.metallic_roughness.clearcoat = c.number(); }),
+        factor("clearcoat_roughness", "KHR_materials_clearcoat", from_0_to_1,
+               [](C& c) { c.material.metallic_roughness.clearcoat_roughness = c.number(); }),
+        color("sheen_color", "KHR_materials_sheen",
+              [](C& c) { c.material.metallic_roughness.sheen_color = c.color(); }),
+        factor("sheen_roughness", "KHR_materials_sheen", from_0_to_1,
+               [](C& c) { c.material.metallic_roughness.sheen_roughness = c.number(); }),
+    };
+}
+
+std::vector<MaterialKey> lighting() {
+    return {
+        {{"lighting", Kind::word, "Its lighting model, before --lighting", any_number,
+          names_of<Lighting>(lighting_words)},
+         Of::all,
+         [](C& c) { c.material.lighting = value_of(lighting_words, c.word()); }},
+        {{"specular_form", Kind::word, "As --specular", any_number, names_of<SpecularForm>(specular_form_words)},
+         Of::all,
+         [](C& c) { c.material.specular_form = value_of(specular_form_words, c.word()); }},
+        {{"ward_form", Kind::word, "As --ward-form", any_number, names_of<WardForm>(ward_form_words)},
+         Of::all,
+         [](C& c) { c.material.ward_form = value_of(ward_form_words, c.word()); }},
+        {{"ward_alpha", Kind::pair, "Ward: widths along tangent and bitangent", {0.001, 10}},
+         Of::all,
+         [](C& c) {
+             c.material.ward_alpha = vec2{c.number(0), c.number(1)};
+         }},
+        {{"sigma_deg", Kind::number, "Oren-Nayar: roughness of its facets", {0, 90}},
+         Of::all,
+         [](C& c) { c.material.sigma_rad = radians(c.number()); }},
+        {{"shading", Kind::word, "As --shading", any_number, {"unlit", "flat", "gouraud", "phong", "auto"}},
+         Of::all,
+         nullptr},
+    };
+}
+
+std::vector<MaterialKey> bumps() {
+    return {
+        {{"bump", Kind::word, "As --bump", any_number, names_of<Bump>(bump_words)},
+         Of::all,
+         [](C& c) { c.material.bump = value_of(bump_words, c.word()); }},
+        {{"bump_terms", Kind::word, "As --bump-terms", any_number, names_of<BumpTerms>(bump_terms_words)},
+         Of::all,
+         [](C& c) { c.material.bump_terms = value_of(bump_terms_words, c.word()); }},
+        {{"bump_depth", Kind::number, "As --bump-depth", {0, 10}}, Of::all, [](C& c) { relief(c).depth = c.number(); }},
+        {{"bump_bias", Kind::number, "As --bump-bias", from_0_to_1},
+         Of::all,
+         [](C& c) { relief(c).bias = c.number(); }},
+        {{"bump_polarity", Kind::word, "As --bump-polarity", any_number, names_of<bool>(polarity_words)},
+         Of::all,
+         [](C& c) { relief(c).holds_depth = value_of(polarity_words, c.word()); }},
+        {{"bump_steps", Kind::pair, "As --bump-steps", {1, 1024}},
+         Of::all,
+         [](C& c) {
+             relief(c).min_steps = int(std::min(c.number(0), c.number(1)));
+             relief(c).max_steps = int(std::max(c.number(0), c.number(1)));
+         }},
+        {{"bump_refinement", Kind::integer, "As --bump-refinement", {0, 32}},
+         Of::all,
+         [](C& c) { relief(c).refinement_steps = int(c.number()); }},
+        {{"bump_self_shadow", Kind::flag, "As --bump-self-shadow"},
+         Of::all,
+         [](C& c) { relief(c).self_shadow = c.is_on(); }},
+        {{"bump_silhouette", Kind::flag, "As --bump-silhouette"},
+         Of::all,
+         [](C& c) { relief(c).limit_silhouette = c.is_on(); }},
+        {{"normal_scale", Kind::number, "How strongly the normal map bumps (default 1)", {-100, 100}},
+         Of::all,
+         [](C& c) { c.material.normal_scale = c.number(); }},
+        {{"normal_green", Kind::word, "As --normal-map-green", any_number, names_of<bool>(green_words)},
+         Of::all,
+         [](C& c) { c.material.green_down = value_of(green_words, c.word()); }},
+        {{"normal_zero", Kind::word, "As --normal-map-zero", any_number, names_of<bool>(zero_words)},
+         Of::all,
+         [](C& c) { c.material.centered_normals = value_of(zero_words, c.word()); }},
+        {{"height_scale", Kind::number, "Multiplies the depth of the height map (default 1)", {-100, 100}},
+         Of::all,
+         [](C& c) { c.material.height_scale = c.number(); }},
+    };
+}
+
+}  // namespace
+
+const std::vector<MaterialKey>& material_setters() {
+    static const std::vector<MaterialKey> all = [] {
+        std::vector<MaterialKey> keys;
+        // Pictures first: texture_scale and the like act on them. Color before ambient.
+        for (std::vector<MaterialKey> (*part)() : {pictures, general, classical, metallic_roughness, lighting, bumps})
+            for (MaterialKey& key : part()) keys.push_back(std::move(key));
+        return keys;
+    }();
+    return all;
+}
+
+const MaterialKey* find_material_key(std::string_view name) {
+    for (const MaterialKey& key : material_setters())
+        if (name == key.key.name) return &key;
+    return nullptr;
+}
+
+std::vector<WorldKey> material_keys() {
+    std::vector<WorldKey> keys = {
+        {"name", Kind::text, "Of the material; '*': all of `model`", any_number, {}, true},
+        {"model", Kind::text, "Name of a [[model]] or [[primitive]]: only its materials (default: all)"}};
+    for (const MaterialKey& key : material_setters()) keys.push_back(key.key);
+    return keys;
+}
+
+}  // namespace rakelight::io::world

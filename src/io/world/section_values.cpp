@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/world/section_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "math/color.h"
+#include "math/linear.h"
+
+namespace rakelight::io::world {
+namespace {
+
+std::string text_of(double number) {
+    char text[32];
+    const auto [end, fault] = std::to_chars(text, text + sizeof text, number);
+    return {text, fault == std::errc() ? end : text};
+}
+
+std::string said(std::string_view text) { return "'" + one_line(std::string(text), 40) + "'"; }
+
+const char* expectation(Kind kind) {
+    switch (kind) {
+        case Kind::text:
+        case Kind::file:
+        case Kind::word:
+            return "a text in quotes";
+        case Kind::flag:
+            return "true or false";
+        case Kind::number:
+            return "a number";
+        case Kind::integer:
+            return "a whole number";
+        case Kind::pair:
+            return "two numbers in brackets";
+        case Kind::vector:
+            return "three numbers in brackets";
+        case Kind::scale:
+            return "a number, or three in brackets";
+        case Kind::color:
+            return "three numbers in brackets, or a text like '#ff8000'";
+    }
+    return "";
+}
+
+std::size_t count_of(Kind kind) {
+    return kind == Kind::pair ? 2 : kind == Kind::number || kind == Kind::integer ? 1 : 3;
+}
+
+/// One reading of a key's value.
+class ValueReader {
+public:
+    ValueReader(const WorldKey& key, const TomlEntry& entry) : key_(key), entry_(entry) {}
+
+    WorldValue read() const {
+        WorldValue value{.key = entry_.key, .words = {}, .numbers = {}, .place = entry_.value.place};
+        const TomlNode& node = entry_.value;
+        switch (key_.kind) {
+            case Kind::text:
+            case Kind::file:
+            case Kind::word:
+                value.words.push_back(read_text(node));
+                return value;
+            case Kind::flag:
+                if (node.kind != TomlNode::Kind::flag) refuse(node);
+                value.words.emplace_back(node.flag ? "on" : "off");
+                value.numbers.push_back(node.flag ? 1 : 0);
+                return value;
+            default:
+                value.numbers = read_numbers(node);
+                for (const double x : value.numbers) value.words.push_back(text_of(x));
+                return value;
+        }
+    }
+
+private:
+    [[noreturn]] void refuse(const TomlNode& node) const {
+        const std::string found = node.kind == TomlNode::Kind::other ? node.text : name_of(node.kind);
+        fail(node.place, said(entry_.key) + " must be " + expectation(key_.kind) + ", not " + found);
+    }
+
+    std::string read_text(const TomlNode& node) const {
+        if (node.kind != TomlNode::Kind::text) refuse(node);
+        if (node.text.empty()) fail(node.place, said(entry_.key) + " is empty");
+        if (node.text.find('\0') != std::string::npos) fail(node.place, said(entry_.key) + " holds a zero byte");
+        const auto is_it = [&](const char* word) { return node.text == word; };
+        if (key_.kind == Kind::word && std::none_of(key_.words.begin(), key_.words.end(), is_it))
+            fail(node.place, said(entry_.key) + " has an unknown word " + said(node.text),
+                 advice_for(node.text, key_.words));
+        return node.text;
+    }
+
+    double read_number(const TomlNode& node) const {
+        if (node.kind != TomlNode::Kind::number || (key_.kind == Kind::integer && !node.is_whole)) refuse(node);
+        const double x = node.number;
+        const Range r = key_.kind == Kind::color ? from_0 : key_.range;
+        if (!std::isfinite(x)) fail(node.place, said(entry_.key) + " must be a finite number");
+        if (r.is_open ? x > r.low && x < r.high : x >= r.low && x <= r.high) return x;
+        std::string limits;
+        if (r.low > -1e29) limits = (r.is_open ? " more than " : " at least ") + text_of(r.low);
+        if (r.high < 1e29)
+            limits +=
+                (limits.empty() ? "" : " and") + std::string(r.is_open ? " less than " : " at most ") + text_of(r.high);
+        fail(node.place, said(entry_.key) + " is " + text_of(x) + ", but must be" +
+                             (limits.empty() ? " between -1e30 and 1e30" : limits));
+    }
+
+    std::vector<double> read_numbers(const TomlNode& node) const {
+        if (key_.kind == Kind::color && node.kind == TomlNode::Kind::text) return read_hex(node);
+        if (key_.kind == Kind::number || key_.kind == Kind::integer) return {read_number(node)};
+        if (key_.kind == Kind::scale && node.kind == TomlNode::Kind::number)
+            return std::vector<double>(3, read_number(node));
+        if (node.kind != TomlNode::Kind::array || node.items.size() != count_of(key_.kind)) {
+            if (node.kind == TomlNode::Kind::array)
+                fail(node.place, said(entry_.key) + " must be " + expectation(key_.kind) + ", not " +
+                                     std::to_string(node.items.size()) + " values");
+            refuse(node);
+        }
+        std::vector<double> numbers;
+        for (const TomlNode& item : node.items) numbers.push_back(read_number(item));
+        return numbers;
+    }
+
+    std::vector<double> read_hex(const TomlNode& node) const {
+        std::vector<double> linear;
+        if (node.text.size() != 7 || node.text[0] != '#') refuse(node);
+        for (std::size_t i = 1; i < 7; i += 2) {
+            unsigned code = 0;
+            const char* const begin = node.text.data() + i;
+            if (std::from_chars(begin, begin + 2, code, 16).ptr != begin + 2) refuse(node);
+            linear.push_back(double(linear_from_srgb8(std::uint8_t(code))));
+        }
+        return linear;
+    }
+
+    const WorldKey& key_;
+    const TomlEntry& entry_;
+};
+
+void add_scalar(const TomlNode& node, const TomlEntry& entry, WorldValue& value) {
+    switch (node.kind) {
+        case TomlNode::Kind::text:
+            if (node.text.empty() || node.text.find('\0') != std::string::npos)
+                fail(node.place, said(entry.key) + " is empty or holds a zero byte");
+            value.words.push_back(node.text);
+            return;
+        case TomlNode::Kind::flag:
+            value.words.emplace_back(node.flag ? "on" : "off");
+            return;
+        case TomlNode::Kind::number:
+            if (!std::isfinite(node.number)) fail(node.place, said(entry.key) + " must be a finite number");
+            value.words.push_back(text_of(node.number));
+            value.numbers.push_back(node.number);
+            return;
+        default:
+            fail(node.place, said(entry.key) + " must be a text, a number, true, false, or an array of such, not " +
+                                 name_of(node.kind));
+    }
+}
+
+}  // namespace
+
+void fail(WorldPlace place, std::string reason, std::string advice) {
+    throw Error(ErrorCode::bad_file, std::move(reason), to_text(place), std::move(advice));
+}
+
+std::string advice_for(std::string_view word, const std::vector<const char*>& names) {
+    const std::string near = nearest_word(word, {names.begin(), names.end()});
+    if (!near.empty()) return "did you mean '" + near + "'?";
+    std::string all;
+    for (const char* name : names) all += (all.empty() ? "" : ", ") + std::string(name);
+    return "there is " + all;
+}
+
+SectionValues::SectionValues(const TomlNode& table, const WorldSection& section) : place_(table.place) {
+    const std::string title =
+        (section.is_array ? "[[" : "[") + std::string(section.name) + (section.is_array ? "]]" : "]");
+    for (const TomlEntry& entry : table.entries) {
+        const auto key = std::find_if(section.keys.begin(), section.keys.end(),
+                                      [&](const WorldKey& k) { return entry.key == k.name; });
+        if (key == section.keys.end()) {
+            std::vector<const char*> names;
+            for (const WorldKey& k : section.keys) names.push_back(k.name);
+            fail(entry.place, "unknown key " + said(entry.key) + " in " + title, advice_for(entry.key, names));
+        }
+        values_.push_back(ValueReader(*key, entry).read());
+    }
+    for (const WorldKey& key : section.keys)
+        if (key.is_required && !has(key.name)) fail(place_, title + " lacks the key '" + key.name + "'");
+}
+
+const WorldValue* SectionValues::find(std::string_view key) const {
+    for (const WorldValue& value : values_)
+        if (value.key == key) return &value;
+    return nullptr;
+}
+
+WorldPlace SectionValues::place_of(std::string_view key) const {
+    const WorldValue* const value = find(key);
+    return value ? value->place : place_;
+}
+
+std::string SectionValues::text(std::string_view key, std::string otherwise) const {
+    const WorldValue* const value = find(key);
+    return value ? value->words[0] : otherwise;
+}
+
+double SectionValues::number(std::string_view key, double otherwise) const {
+    const WorldValue* const value = find(key);
+    return value ? value->numbers[0] : otherwise;
+}
+
+bool SectionValues::flag(std::string_view key, bool otherwise) const { return number(key, otherwise ? 1 : 0) != 0; }
+
+dvec3 SectionValues::vector(std::string_view key, dvec3 otherwise) const {
+    const WorldValue* const value = find(key);
+    return value ? dvec3{value->numbers[0], value->numbers[1], value->numbers[2]} : otherwise;
+}
+
+vec3 SectionValues::color(std::string_view key, vec3 otherwise) const {
+    const WorldValue* const value = find(key);
+    return value ? cast<float>(vector(key, {})) : otherwise;
+}
+
+dvec3 SectionValues::direction(std::string_view key, dvec3 otherwise) const {
+    const dvec3 d = vector(key, otherwise);
+    const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+    if (largest == 0) fail(place_of(key), said(key) + " must not be zero");
+    return normalize_or(d * (1 / largest), d);  // first, so that the squares cannot overflow or vanish
+}
+
+WorldValue free_value(const TomlEntry& entry) {
+    WorldValue value{.key = entry.key, .words = {}, .numbers = {}, .place = entry.value.place};
+    value.is_array = entry.value.kind == TomlNode::Kind::array;
+    if (!value.is_array) {
+        add_scalar(entry.value, entry, value);
+        return value;
+    }
+    if (entry.value.items.empty()) fail(value.place, said(entry.key) + " is empty");
+    for (const TomlNode& item : entry.value.items) add_scalar(item, entry, value);
+    if (value.numbers.size() != value.words.size()) value.numbers.clear();
+    return value;
+}
+
+}  // namespace rakelight::io::world

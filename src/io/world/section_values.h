@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The values of one section, held against the table of its keys.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/world/toml_tree.h"
+#include "io/world/world_keys.h"
+
+namespace rakelight::io::world {
+
+/// @throws Error bad_file with the place of the fault
+[[noreturn]] void fail(WorldPlace place, std::string reason, std::string advice = {});
+
+/// "; did you mean 'x'?", or all names where none is near.
+std::string advice_for(std::string_view word, const std::vector<const char*>& names);
+
+/// The checked values of a table, by key.
+class SectionValues {
+public:
+    /// @throws Error bad_file: an unknown key, one that is missing, a value of another kind or out of range
+    SectionValues(const TomlNode& table, const WorldSection& section);
+
+    WorldPlace place() const { return place_; }
+    const std::vector<WorldValue>& all() const { return values_; }
+    const WorldValue* find(std::string_view key) const;  ///< null: not given
+    bool has(std::string_view key) const { return find(key) != nullptr; }
+    WorldPlace place_of(std::string_view key) const;  ///< of the table where it is not given
+
+    std::string text(std::string_view key, std::string otherwise = {}) const;
+    double number(std::string_view key, double otherwise) const;
+    bool flag(std::string_view key, bool otherwise) const;
+    dvec3 vector(std::string_view key, dvec3 otherwise) const;
+    vec3 color(std::string_view key, vec3 otherwise) const;
+    dvec3 direction(std::string_view key, dvec3 otherwise) const;  ///< unit; @throws Error: zero
+
+private:
+    WorldPlace place_;
+    std::vector<WorldValue> values_;
+};
+
+/// A value of [render]: a text, number or flag, or an array of such.
+WorldValue free_value(const TomlEntry& entry);
+
+}  // namespace rakelight::io::world

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/world/world_keys.h"
+
+namespace rakelight::io::world {
+namespace {
+
+constexpr Range degrees_180{0, 180, true};
+
+const std::vector<const char*> normal_words = {"auto", "file", "flat", "object", "model"};
+
+std::vector<WorldKey> placed(std::vector<WorldKey> keys) {
+    keys.push_back({"position", Kind::vector, "Where its origin stands [m]"});
+    keys.push_back({"rotation_deg", Kind::vector, "Turns it about x, then y, then z"});
+    keys.push_back({"scale", Kind::scale, "Its size: a number, or one for each of x, y, z; not 0", {-1e9, 1e9}});
+    keys.push_back({"material", Kind::text, "Name of a [[material]] for all of it"});
+    keys.push_back({"normals", Kind::word, "Whose normals count, as --normals", any_number, normal_words});
+    keys.push_back({"crease_angle_deg", Kind::number, "Edges bent more stay sharp, as --crease-angle", {0, 180}});
+    keys.push_back({"shading",
+                    Kind::word,
+                    "How often its lighting is evaluated, as --shading",
+                    any_number,
+                    {"unlit", "flat", "gouraud", "phong", "auto"}});
+    return keys;
+}
+
+std::vector<WorldKey> model_keys() {
+    return placed({
+        {"file", Kind::file, "Model file, from this file's folder, or builtin:teapot", any_number, {}, true},
+        {"name", Kind::text, "What [[material]] and --shading call it (default: the file's name)"},
+        {"lights", Kind::flag, "Whether its own lights come along (default: no)"},
+        {"cameras", Kind::flag, "Whether its own cameras come along, behind those of this file (default: no)"},
+    });
+}
+
+std::vector<WorldKey> primitive_keys() {
+    return placed({
+        {"type", Kind::word, "The shape", any_number, {"teapot", "sphere", "cylinder", "cone", "torus", "plane"}, true},
+        {"name", Kind::text, "What [[material]] and --shading call it (default: the type)"},
+        {"radius", Kind::number, "Of sphere, cylinder, cone and torus [m] (default 1)", {1e-6, 1e6}},
+        {"tube_radius", Kind::number, "Of the torus [m] (default 0.35)", {1e-6, 1e6}},
+        {"height", Kind::number, "Of cylinder and cone [m] (default 2)", {1e-6, 1e6}},
+        {"size", Kind::pair, "Of the plane along x and z [m] (default 2, 2)", {1e-6, 1e6}},
+        {"divisions",
+         Kind::integer,
+         "Quads along a side of the plane (default 1) or the teapot's patches (10)",
+         {1, 256}},
+        {"objects", Kind::integer, "It is cut into so many objects (default 1)", {1, 1024}},
+        {"tolerance",
+         Kind::number,
+         "Farthest that a facet is from the true surface [m] (default: a thousandth of the largest radius)",
+         {1e-9, 1e6}},
+    });
+}
+
+std::vector<WorldKey> camera_keys() {
+    return {
+        {"name", Kind::text, "For --camera-index"},
+        {"position", Kind::vector, "Where it stands [m]", any_number, {}, true},
+        {"target", Kind::vector, "What it looks at [m] (default 0, 0, 0)"},
+        {"up", Kind::vector, "Which way is up (default 0, 1, 0)"},
+        {"vertical_fov_deg", Kind::number, "Vertical field of view (default 40)", degrees_180},
+        {"horizontal_fov_deg", Kind::number,
+         "Horizontal field of view, with the vertical one: pixels need not be square", degrees_180},
+        {"orthographic_height", Kind::number, "Parallel projection that shows so much [m]", above_0},
+        {"near", Kind::number, "Nothing nearer is drawn [m] (default 0.1)"},
+        {"far", Kind::number, "Nothing farther is drawn [m] (default 1000)", above_0},
+    };
+}
+
+std::vector<WorldSection> make_sections() {
+    return {
+        {"model", true, "A model file", model_keys()},
+        {"primitive", true, "A shape made by formula, about its origin, y up", primitive_keys()},
+        {"light", true, "A light; without any the default lights shine", light_keys()},
+        {"camera", true, "A camera; the first is the default", camera_keys()},
+        {"material", true, "Changes of the models' materials of a name, or a material for models and primitives",
+         material_keys()},
+        {"fog",
+         false,
+         "Fog between the camera and what it sees",
+         {{"kind", Kind::word, "How it grows with the distance", any_number, {"none", "linear", "exp", "exp2"}, true},
+          {"color", Kind::color, "Its color (default 0.5, 0.5, 0.5)"},
+          {"start", Kind::number, "linear: where it begins [m] (default 0)", from_0},
+          {"end", Kind::number, "linear: where all is fog [m] (default 100)", above_0},
+          {"density", Kind::number, "exp, exp2: how dense it is [1/m] (default 0.05)", {0, 1e6}}}},
+        {"environment",
+         false,
+         "Light from all around",
+         {{"file", Kind::file, "Equirectangular picture (default: a built-in studio)"},
+          {"intensity", Kind::number, "Multiplies it (default 1)", {0, 1e6}},
+          {"rotation_deg", Kind::number, "Turns it about +Y (default 0)", {-360, 360}},
+          {"light", Kind::flag, "Whether it gives light (default: yes)"},
+          {"background", Kind::flag, "Whether it is seen (default: yes)"}}},
+    };
+}
+
+}  // namespace
+
+std::vector<WorldKey> light_keys() {
+    return {
+        {"type",
+         Kind::word,
+         "The kind of light; photometric ones as KHR_lights_punctual",
+         any_number,
+         {"ambient", "directional", "point", "spot", "photometric-directional", "photometric-point",
+          "photometric-spot"},
+         true},
+        {"name", Kind::text, "For people"},
+        {"position", Kind::vector, "point, spot: where it is [m]"},
+        {"direction", Kind::vector, "directional, spot: the way the light travels"},
+        {"ambient", Kind::color, "classical: what it adds on every side (default 0)"},
+        {"diffuse", Kind::color, "classical: its color (default 1)"},
+        {"specular", Kind::color, "classical: the color of its highlights (default: as diffuse)"},
+        {"attenuation", Kind::vector, "classical point, spot: 1 / (c + l d + q d^2) (default 1, 0, 0)", from_0},
+        {"cutoff_deg", Kind::number, "classical spot: half angle of its cone (default 90)", {0, 90}},
+        {"exponent", Kind::number, "classical spot: cos^exponent off its axis (default 0)", {0, 1e9}},
+        {"color", Kind::color, "photometric: its color (default 1)"},
+        {"intensity_cd", Kind::number, "photometric point, spot: candela (default 1)", from_0},
+        {"intensity_lux", Kind::number, "photometric directional: lux (default 1)", from_0},
+        {"inner_cone_deg", Kind::number, "photometric spot: half angle of full light (default 0)", {0, 90}},
+        {"outer_cone_deg", Kind::number, "photometric spot: half angle of its cone (default 45)", {0.001, 90}},
+        {"range", Kind::number, "point, spot: where the light ends [m] (default: nowhere)", above_0},
+        {"casts_shadow", Kind::flag, "Whether --shadows makes it throw some (default: yes)"},
+    };
+}
+
+const std::vector<WorldSection>& sections() {
+    static const std::vector<WorldSection> all = make_sections();
+    return all;
+}
+
+const WorldSection& section(std::string_view name) {
+    for (const WorldSection& s : sections())
+        if (s.name == name) return s;
+    return sections().front();
+}
+
+}  // namespace rakelight::io::world

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/world/world_parts.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/world/material_keys.h"
+
+namespace rakelight::io::world {
+namespace {
+
+WorldPlacement read_placement(const SectionValues& v) {
+    const WorldPlacement placement{v.vector("position", {0, 0, 0}), v.vector("rotation_deg", {0, 0, 0}),
+                                   v.vector("scale", {1, 1, 1})};
+    const dvec3 s = placement.scale;
+    if (s.x == 0 || s.y == 0 || s.z == 0) fail(v.place_of("scale"), "'scale' must not be 0");
+    return placement;
+}
+
+/// As `--shading` has it.
+void add_shading(const SectionValues& v, const std::string& of, WorldFile& world) {
+    if (!v.has("shading")) return;
+    world.render.push_back({.key = "shading",
+                            .words = {of + "=" + v.text("shading")},
+                            .numbers = {},
+                            .is_array = true,
+                            .place = v.place_of("shading")});
+}
+
+template <class Part>
+void read_common(const SectionValues& v, Part& part, WorldFile& world) {
+    part.place = v.place_of("file");
+    part.material_place = v.place_of("material");
+    part.name = v.text("name", part.name);
+    part.placement = read_placement(v);
+    part.material = v.text("material");
+    part.normals = v.text("normals");
+    if (v.has("crease_angle_deg")) part.crease_angle_rad = radians(v.number("crease_angle_deg", 0));
+    add_shading(v, "object:" + part.name, world);
+}
+
+}  // namespace
+
+WorldModel read_model(const SectionValues& v, WorldFile& world) {
+    WorldModel model;
+    model.file = v.text("file");
+    if (is_world_file(model.file)) fail(v.place_of("file"), "a world does not stand in another");
+    model.name =
+        model.file.starts_with("builtin:") ? model.file.substr(8) : std::filesystem::path(model.file).stem().string();
+    model.lights = v.flag("lights", false);
+    model.cameras = v.flag("cameras", false);
+    read_common(v, model, world);
+    return model;
+}
+
+WorldPrimitive read_primitive(const SectionValues& v, WorldFile& world) {
+    WorldPrimitive shape;
+    shape.type = shape.name = v.text("type");
+    const auto only_for = [&](const char* key, std::initializer_list<const char*> types) {
+        if (v.has(key) && std::none_of(types.begin(), types.end(), [&](const char* t) { return shape.type == t; }))
+            fail(v.place_of(key), "a " + shape.type + " has no '" + key + "'");
+    };
+    only_for("radius", {"sphere", "cylinder", "cone", "torus"});
+    only_for("tube_radius", {"torus"});
+    only_for("height", {"cylinder", "cone"});
+    only_for("size", {"plane"});
+    only_for("divisions", {"plane", "teapot"});
+    for (const char* key : {"objects", "tolerance"}) only_for(key, {"sphere", "cylinder", "cone", "torus", "plane"});
+    shape.radius = v.number("radius", shape.radius);
+    shape.tube_radius = v.number("tube_radius", shape.tube_radius);
+    shape.height = v.number("height", shape.height);
+    if (const WorldValue* const size = v.find("size")) shape.width = size->numbers[0], shape.depth = size->numbers[1];
+    shape.divisions = int(v.number("divisions", shape.type == "teapot" ? 10 : 1));
+    shape.objects = int(v.number("objects", 1));
+    shape.tolerance = v.number("tolerance", shape.tolerance);
+    read_common(v, shape, world);
+    return shape;
+}
+
+WorldMaterial read_material(const SectionValues& v, WorldFile& world) {
+    WorldMaterial material{.name = v.text("name"), .model = v.text("model"), .values = {}, .place = v.place()};
+    const WorldValue* of_classical = nullptr;
+    const WorldValue* of_other = nullptr;
+    for (const WorldValue& value : v.all()) {
+        const MaterialKey* const key = find_material_key(value.key);
+        if (!key) continue;  // name, model
+        if (key->of == Of::classical) of_classical = &value;
+        if (key->of == Of::metallic_roughness) of_other = &value;
+        if (key->set) material.values.push_back(value);
+    }
+    if (of_classical && of_other)
+        fail(of_other->place, "'" + of_classical->key + "' is of classical materials, '" + of_other->key +
+                                  "' of metallic-roughness ones: a material is one of them");
+    if (v.has("shading") && material.name == "*")
+        fail(v.place_of("shading"), "'shading' needs the name of a material", "or say it of the [[model]]");
+    add_shading(v, "material:" + material.name, world);
+    return material;
+}
+
+Fog read_fog(const SectionValues& v) {
+    constexpr Word<FogKind> kinds[] = {{"none", FogKind::none},
+                                       {"linear", FogKind::linear},
+                                       {"exp", FogKind::exponential},
+                                       {"exp2", FogKind::exponential_squared}};
+    Fog fog;
+    fog.kind = value_of(kinds, v.text("kind"));
+    fog.color = v.color("color", fog.color);
+    fog.start = float(v.number("start", double(fog.start)));
+    fog.end = float(v.number("end", double(fog.end)));
+    fog.density = float(v.number("density", double(fog.density)));
+    if (!(fog.end > fog.start)) fail(v.place_of("end"), "'end' must be more than 'start'");
+    return fog;
+}
+
+WorldEnvironment read_environment(const SectionValues& v) {
+    WorldEnvironment out{.file = v.text("file"), .environment = {}, .place = v.place_of("file")};
+    out.environment.intensity = float(v.number("intensity", 1));
+    out.environment.rotation_rad = radians(v.number("rotation_deg", 0));
+    out.environment.is_light = v.flag("light", true);
+    out.environment.is_background = v.flag("background", true);
+    return out;
+}
+
+void check_names(const WorldFile& world) {
+    std::vector<const char*> materials, models;
+    for (const WorldMaterial& m : world.materials) materials.push_back(m.name.c_str());
+    for (const WorldModel& m : world.models) models.push_back(m.name.c_str());
+    for (const WorldPrimitive& p : world.primitives) models.push_back(p.name.c_str());
+    const auto is_in = [](const std::string& name, const std::vector<const char*>& names) {
+        return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
+    };
+    const auto check_material = [&](const auto& part) {
+        if (!part.material.empty() && !is_in(part.material, materials))
+            fail(part.material_place, "there is no [[material]] named '" + one_line(part.material, 40) + "'",
+                 materials.empty() ? "" : advice_for(part.material, materials));
+    };
+    for (const WorldModel& m : world.models) check_material(m);
+    for (const WorldPrimitive& p : world.primitives) check_material(p);
+    for (const WorldMaterial& m : world.materials)
+        if (!m.model.empty() && !is_in(m.model, models))
+            fail(m.place, "there is no [[model]] or [[primitive]] named '" + one_line(m.model, 40) + "'",
+                 advice_for(m.model, models));
+}
+
+}  // namespace rakelight::io::world

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sections of a world file, from their values.
+#pragma once
+#include "io/world/section_values.h"
+
+namespace rakelight::io::world {
+
+WorldModel read_model(const SectionValues& values, WorldFile& world);  ///< `shading` becomes an option of the picture
+WorldPrimitive read_primitive(const SectionValues& values, WorldFile& world);
+Light read_light(const SectionValues& values);
+Camera read_camera(const SectionValues& values);
+WorldMaterial read_material(const SectionValues& values, WorldFile& world);
+Fog read_fog(const SectionValues& values);
+WorldEnvironment read_environment(const SectionValues& values);
+
+/// Materials and models that are named must be there. @throws Error bad_file
+void check_names(const WorldFile& world);
+
+}  // namespace rakelight::io::world

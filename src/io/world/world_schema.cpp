@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables of keys as a JSON schema.
+#include <nlohmann/json.hpp>
+
+#include "io/world/world_keys.h"
+
+namespace rakelight {
+namespace {
+
+using namespace io::world;
+using json = nlohmann::ordered_json;
+
+json number_of(const Range& r, const char* type) {
+    json out = {{"type", type}};
+    if (r.low > -1e29) out[r.is_open ? "exclusiveMinimum" : "minimum"] = r.low;
+    if (r.high < 1e29) out[r.is_open ? "exclusiveMaximum" : "maximum"] = r.high;
+    return out;
+}
+
+json list_of(const Range& r, int count) {
+    return {{"type", "array"}, {"items", number_of(r, "number")}, {"minItems", count}, {"maxItems", count}};
+}
+
+json type_of(const WorldKey& key) {
+    switch (key.kind) {
+        case Kind::text:
+        case Kind::file:
+            return {{"type", "string"}, {"minLength", 1}};
+        case Kind::word:
+            return {{"enum", key.words}};
+        case Kind::flag:
+            return {{"type", "boolean"}};
+        case Kind::number:
+            return number_of(key.range, "number");
+        case Kind::integer:
+            return number_of(key.range, "integer");
+        case Kind::pair:
+            return list_of(key.range, 2);
+        case Kind::vector:
+            return list_of(key.range, 3);
+        case Kind::scale:
+            return {{"oneOf", {number_of(key.range, "number"), list_of(key.range, 3)}}};
+        case Kind::color:
+            return {{"oneOf", {list_of(from_0, 3), {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}}}}};
+    }
+    return {};
+}
+
+json table_of(const WorldSection& section) {
+    json properties = json::object(), required = json::array();
+    for (const WorldKey& key : section.keys) {
+        json value = type_of(key);
+        value["description"] = key.help;
+        properties[key.name] = std::move(value);
+        if (key.is_required) required.push_back(key.name);
+    }
+    json out = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+    if (!required.empty()) out["required"] = required;
+    return out;
+}
+
+}  // namespace
+
+std::string world_schema() {
+    json properties = json::object();
+    for (const WorldSection& s : sections()) {
+        json table = table_of(s);
+        json whole = s.is_array ? json{{"type", "array"}, {"items", table}} : table;
+        whole["description"] = s.help;
+        properties[s.name] = std::move(whole);
+    }
+    const json scalar = {{"type", {"string", "number", "boolean"}}};
+    properties["render"] = {
+        {"description", "Options of the command line by name, without dashes before it; the command line wins"},
+        {"type", "object"},
+        {"additionalProperties", {{"oneOf", {scalar, {{"type", "array"}, {"items", scalar}, {"minItems", 1}}}}}}};
+    const json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                         {"title", "Rakelight world file (*.scene.toml)"},
+                         {"type", "object"},
+                         {"properties", properties},
+                         {"additionalProperties", false}};
+    return schema.dump(2) + "\n";
+}
+
+}  // namespace rakelight

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/load_world.h"
+
+#include <algorithm>
+#include <map>
+
+#include "io/file.h"
+#include "io/image_io.h"
+#include "io/reader.h"
+#include "math/functions.h"
+#include "math/linear.h"
+#include "prepare/prepare.h"
+#include "prepare/primitives.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+dquat turn(dvec3 axis, double angle_rad) {
+    const double s = math::sin(0.5 * angle_rad);
+    return {axis.x * s, axis.y * s, axis.z * s, math::cos(0.5 * angle_rad)};
+}
+
+dquat product(const dquat& a, const dquat& b) {
+    return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+            a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+
+Node root_node(const std::string& name, const WorldPlacement& placement) {
+    const dvec3 d = placement.rotation_deg;
+    Node node;
+    node.name = name;
+    node.local.translation = placement.position;
+    node.local.rotation =
+        product(turn({0, 0, 1}, radians(d.z)), product(turn({0, 1, 0}, radians(d.y)), turn({1, 0, 0}, radians(d.x))));
+    node.local.scale = placement.scale;
+    return node;
+}
+
+NormalSource normals_of(const std::string& word) {
+    if (word == "file") return NormalSource::file;
+    if (word == "flat") return NormalSource::flat;
+    if (word == "object") return NormalSource::object;
+    return word == "model" ? NormalSource::model : NormalSource::automatic;
+}
+
+bool lacks_normals(const Scene& scene) {
+    return std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) {
+        return m.topology == Topology::triangles && m.normals.empty() && !m.indices.empty();
+    });
+}
+
+/// The normals that the world asks for, or that only this model's format means.
+template <class Part>
+Scene with_normals(Scene scene, const Part& part, Context& context) {
+    const bool means_flat = scene.missing_normals_are_flat && lacks_normals(scene);
+    if (part.normals.empty() && !part.crease_angle_rad && !means_flat) return scene;
+    PrepareOptions options;
+    options.normals = normals_of(part.normals);
+    if (part.crease_angle_rad) options.crease_angle_rad = *part.crease_angle_rad;
+    if (part.crease_angle_rad && part.normals.empty()) options.normals = NormalSource::model;
+    return prepare_scene(scene, options, context);
+}
+
+Scene make_shape(const WorldPrimitive& p) {
+    if (p.type == "teapot") return make_teapot(p.divisions);
+    PrimitiveRequest request;
+    request.shape = primitive_named(p.type).value_or(PrimitiveShape::sphere);
+    request.radius = p.radius, request.tube_radius = p.tube_radius, request.height = p.height;
+    request.width = p.width, request.depth = p.depth;
+    request.divisions = p.divisions, request.objects = p.objects, request.tolerance = p.tolerance;
+    return make_primitive(request);
+}
+
+/// The parts of a world, one after another into one scene.
+class Assembly {
+public:
+    Assembly(const std::string& path, const LoadOptions& options, Context& context)
+        : path_(path), options_(options), context_(context) {
+        scene_.source = path;
+    }
+
+    void add_model(const WorldModel& model) {
+        Scene part = with_normals(load_file(model), model, context_);
+        name_default_material(part);  // so that [[material]] finds it
+        if (!model.lights) part.lights.clear();
+        if (!model.cameras) part.cameras.clear();
+        add(part, model);
+    }
+
+    void add_primitive(const WorldPrimitive& shape) {
+        try {
+            add(with_normals(make_shape(shape), shape, context_), shape);
+        } catch (const Error& error) {  // lengths that do not fit together
+            throw Error(ErrorCode::bad_file, error.reason(), to_text(shape.place), error.advice());
+        }
+    }
+
+    /// Cameras of the world stand before those of its models.
+    Scene finish(const WorldFile& world) {
+        apply_materials(scene_, world, parts_, path_, options_, context_);
+        scene_.lights.insert(scene_.lights.begin(), world.lights.begin(), world.lights.end());
+        scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
+        if (world.fog) scene_.fog = *world.fog;
+        if (world.environment) scene_.environment = surroundings(*world.environment);
+        validate(scene_);
+        return std::move(scene_);
+    }
+
+private:
+    /// A file that stands several times in the world is read once; its arrays are shared.
+    const Scene& load_file(const WorldModel& model) {
+        const auto known = loaded_.find(model.file);
+        if (known != loaded_.end()) return known->second;
+        context_.throw_if_cancelled();
+        try {
+            const bool is_builtin = model.file.starts_with("builtin:");
+            const std::string file =
+                is_builtin ? model.file : io::resolve_reference(path_, model.file, options_.allow_outside);
+            return loaded_.emplace(model.file, load(file, options_, context_)).first->second;
+        } catch (const Error& error) {
+            if (!error.file().empty()) throw;
+            throw Error(error.code(), error.reason(), to_text(model.place), error.advice());
+        }
+    }
+
+    template <class Part>
+    void add(const Scene& part, const Part& of) {
+        const auto first_mesh = std::uint32_t(scene_.meshes.size());
+        const Node root = root_node(of.name, of.placement);
+        const MergeOffsets by = merge_scene(scene_, part, &root);
+        const auto end_material = std::uint32_t(by.materials + part.materials.size());
+        parts_.push_back(
+            {of.name, by.materials, end_material, first_mesh, std::uint32_t(scene_.meshes.size()), of.material});
+    }
+
+    Environment surroundings(const WorldEnvironment& from) {
+        Environment out = from.environment;
+        if (from.file.empty()) return out;
+        try {
+            const std::string file = io::resolve_reference(path_, from.file, options_.allow_outside);
+            if (!io::is_regular_file(file)) throw Error(ErrorCode::not_found, "there is no such file").with_file(file);
+            out.image = io::image_from_file(from.file, path_, file);
+        } catch (const Error& error) {
+            if (!error.file().empty()) throw;
+            throw Error(error.code(), error.reason(), to_text(from.place), error.advice());
+        }
+        return out;
+    }
+
+    const std::string& path_;
+    const LoadOptions& options_;
+    Context& context_;
+    Scene scene_;
+    std::vector<LoadedPart> parts_;
+    std::map<std::string, Scene> loaded_;
+};
+
+}  // namespace
+
+Scene load_world(const std::string& path, const LoadOptions& options, Context& context) {
+    const WorldFile world = read_world(path, context);
+    try {
+        Assembly assembly(path, options, context);
+        for (const WorldModel& model : world.models) assembly.add_model(model);
+        for (const WorldPrimitive& shape : world.primitives) assembly.add_primitive(shape);
+        return assembly.finish(world);
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
+}
+
+}  // namespace rakelight

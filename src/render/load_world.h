@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A world file as one scene.
+#pragma once
+#include <rakelight/render.h>
+#include <rakelight/world.h>
+
+namespace rakelight {
+
+/// Loads every model of a world and puts it together. Models whose normals or crease angle the world names, and those
+/// of formats that mean flat faces where they have no normals, get their normals here; all others by what the picture
+/// asks.
+/// @param path  of the world file: names are resolved from its folder and stay in it unless `allow_outside`
+/// @throws Error not_found, bad_file: a model's carry the model's name
+Scene load_world(const std::string& path, const LoadOptions& options, Context& context);
+
+/// What became of one [[model]] or [[primitive]].
+struct LoadedPart {
+    const std::string& name;
+    std::uint32_t first_material = 0, end_material = 0;  ///< in the scene; those behind are the world's own
+    std::uint32_t first_mesh = 0, end_mesh = 0;
+    const std::string& material;  ///< for all of it, or empty
+};
+
+/// Changes the models' materials as [[material]] says and makes the world's own.
+/// @param path  of the world file
+void apply_materials(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts,
+                     const std::string& path, const LoadOptions& options, Context& context);
+
+}  // namespace rakelight

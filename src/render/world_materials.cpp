@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// [[material]] of world files: changes to the models' materials, and materials of the world's own.
+#include <algorithm>
+#include <map>
+
+#include "io/file.h"
+#include "io/image_io.h"
+#include "io/world/material_keys.h"
+#include "render/load_world.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+using namespace io::world;
+
+class MaterialWork {
+public:
+    MaterialWork(Scene& scene, const std::string& path, const LoadOptions& options, Context& context)
+        : scene_(scene), path_(path), options_(options), context_(context) {}
+
+    void change(Material& m, const WorldMaterial& by) {
+        for (const WorldValue& value : by.values) convert(m, find_material_key(value.key)->of);
+        for (const MaterialKey& key : material_setters())  // in the table's order
+            for (const WorldValue& value : by.values)
+                if (value.key == key.key.name && key.set) {
+                    MaterialChange c{m, value, key.key.kind == Kind::file ? picture(value) : TextureUse{}};
+                    key.set(c);
+                }
+    }
+
+private:
+    static void convert(Material& m, Of of) {
+        if (m.model == MaterialModel::unlit || of == Of::all) return;
+        m = of == Of::classical ? classical_from_metallic_roughness(m) : metallic_roughness_from_classical(m);
+    }
+
+    /// The texture of a file, made once.
+    TextureUse picture(const WorldValue& value) {
+        const std::string& name = value.words[0];
+        auto known = textures_.find(name);
+        if (known == textures_.end()) {
+            known = textures_.emplace(name, std::uint32_t(scene_.textures.size())).first;
+            scene_.textures.push_back({name, io::image_from_file(name, path_, checked(value)), {}});
+        }
+        TextureUse use;
+        use.texture = known->second;
+        return use;
+    }
+
+    std::string checked(const WorldValue& value) {
+        try {
+            const std::string file = io::resolve_reference(path_, value.words[0], options_.allow_outside);
+            const io::Bytes bytes = io::read_file(file, context_);
+            io::decode_image(*bytes, context_);
+            context_.memory().release(bytes->size());
+            return file;
+        } catch (const Error& error) {
+            throw Error(error.code(), "'" + one_line(value.words[0], 80) + "': " + error.reason(), to_text(value.place),
+                        error.advice());
+        }
+    }
+
+    Scene& scene_;
+    const std::string& path_;
+    const LoadOptions& options_;
+    Context& context_;
+    std::map<std::string, std::uint32_t> textures_;
+};
+
+/// A material of the world's own before its values: white, of no metal.
+Material new_material(const WorldMaterial& from) {
+    Material m;
+    m.name = from.name;
+    m.metallic_roughness.metallic = 0;
+    m.metallic_roughness.roughness = 0.5f;
+    for (const WorldValue& value : from.values)
+        if (find_material_key(value.key)->of == Of::classical) m.model = MaterialModel::classical;
+    return m;
+}
+
+}  // namespace
+
+void apply_materials(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts,
+                     const std::string& path, const LoadOptions& options, Context& context) {
+    if (world.materials.empty()) return;
+    MaterialWork work(scene, path, options, context);
+    std::map<std::string, std::uint32_t> own;
+    for (const WorldMaterial& from : world.materials) {
+        bool is_used = false;
+        for (const LoadedPart& part : parts) {
+            if (!from.model.empty() && from.model != part.name) continue;
+            for (std::uint32_t i = part.first_material; i < part.end_material; ++i) {
+                if (from.name != "*" && from.name != scene.materials[i].name) continue;
+                work.change(scene.materials[i], from);
+                is_used = true;
+            }
+        }
+        const bool is_asked_for =
+            std::any_of(parts.begin(), parts.end(), [&](const LoadedPart& p) { return p.material == from.name; });
+        if (is_asked_for && !own.contains(from.name)) {
+            own.emplace(from.name, std::uint32_t(scene.materials.size()));
+            Material made = new_material(from);
+            work.change(made, from);
+            scene.materials.push_back(std::move(made));
+        }
+        if (!is_used && !is_asked_for)
+            context.report().add(Remark::warning, path, to_text(from.place),
+                                 "no model has a material named '" + one_line(from.name, 40) + "'");
+    }
+    for (const LoadedPart& part : parts)
+        if (const auto material = own.find(part.material); material != own.end())
+            for (std::uint32_t i = part.first_mesh; i < part.end_mesh; ++i) scene.meshes[i].material = material->second;
+}
+
+}  // namespace rakelight

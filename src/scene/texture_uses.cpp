@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene_tools.h"
+
+#include <algorithm>
+
+namespace rakelight {
+
+void for_each_texture_use(Material& m, const std::function<void(TextureUse&)>& f) {
+    MetallicRoughnessParameters& p = m.metallic_roughness;
+    for (TextureUse* use :
+         {&m.base_color_texture, &m.normal_texture, &m.height_texture, &m.opacity_texture, &m.occlusion_texture,
+          &m.emission_texture, &m.classical.specular_texture, &p.texture, &p.specular_texture,
+          &p.specular_color_texture, &p.anisotropy_texture, &p.clearcoat_texture, &p.clearcoat_roughness_texture,
+          &p.clearcoat_normal_texture, &p.sheen_color_texture, &p.sheen_roughness_texture})
+        f(*use);
+}
+
+void name_default_material(Scene& scene) {
+    const auto has_none = [](const Mesh& m) { return m.material == none; };
+    if (std::none_of(scene.meshes.begin(), scene.meshes.end(), has_none)) return;
+    scene.materials.emplace_back().name = "default";
+    for (Mesh& mesh : scene.meshes)
+        if (has_none(mesh)) mesh.material = std::uint32_t(scene.materials.size() - 1);
+}
+
+}  // namespace rakelight

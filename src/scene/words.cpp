@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/words.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rakelight {
+
+std::size_t spelling_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before = std::exchange(last, row);
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+std::string nearest_word(std::string_view word, const std::vector<std::string_view>& words) {
+    std::string_view nearest;
+    std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+    for (const std::string_view other : words) {
+        const bool is_begun = word.size() >= 3 && (other.starts_with(word) || word.starts_with(other));
+        const std::size_t distance = is_begun ? 1 : spelling_distance(word, other);
+        if (distance < least) least = distance, nearest = other;
+    }
+    return std::string(nearest);
+}
+
+}  // namespace rakelight

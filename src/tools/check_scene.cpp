@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/check_scene.h>
+#include <rakelight/world.h>
+
+#include "render/report_json.h"
+#include "scene/scene_tools.h"
+#include "tools/texture_uses.h"
+
+namespace rakelight {
+namespace {
+
+std::string quoted(const std::string& name) { return "'" + one_line(name, 60) + "'"; }
+
+std::string said(const Light& light) {
+    std::string text = light.units == LightUnits::photometric ? "photometric " : "";
+    text += name_of(light.type);
+    return light.name.empty() ? text : text + " " + quoted(light.name);
+}
+
+std::string list_of(const std::vector<std::string>& names, bool is_numbered) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size() && i < 20; ++i)
+        text += (i ? ", " : "") + (is_numbered ? std::to_string(i) + " " + quoted(names[i]) : names[i]);
+    return text + (names.size() > 20 ? ", ..." : "");
+}
+
+std::string counted(std::uint64_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
+
+}  // namespace
+
+SceneSummary summarize(const Scene& scene) {
+    SceneSummary out;
+    out.is_world = is_world_file(scene.source);
+    for (const Node& node : scene.nodes) {
+        out.objects += node.meshes.empty() ? 0 : 1;
+        if (out.is_world && node.parent == none) out.parts.push_back(node.name);
+    }
+    out.meshes = scene.meshes.size();
+    out.triangles = triangle_count(scene);
+    out.materials = scene.materials.size();
+    out.textures = scene.textures.size();
+    out.skins = scene.skins.size();
+    out.animations = scene.animations.size();
+    for (const Camera& camera : scene.cameras) out.cameras.push_back(camera.name);
+    for (const Light& light : scene.lights) out.lights.push_back(said(light));
+    out.has_fog = scene.fog.kind != FogKind::none;
+    out.has_environment = scene.environment.has_value();
+    return out;
+}
+
+std::string to_text(const std::string& file, const SceneSummary& s) {
+    std::string text = file + ": " + (s.is_world ? "world of " + counted(s.parts.size(), "part") : "model") + ", " +
+                       counted(s.objects, "object") + ", " + counted(s.triangles, "triangle") + ", " +
+                       counted(s.materials, "material") + ", " + counted(s.textures, "texture");
+    if (s.skins) text += ", " + counted(s.skins, "skin");
+    if (s.animations) text += ", " + counted(s.animations, "animation");
+    if (s.has_fog) text += ", fog";
+    if (s.has_environment) text += ", surroundings";
+    text += "\n";
+    if (s.is_world) text += "  parts: " + list_of(s.parts, true) + "\n";
+    if (!s.cameras.empty()) text += "  cameras: " + list_of(s.cameras, true) + "\n";
+    if (!s.lights.empty()) text += "  lights: " + list_of(s.lights, false) + "\n";
+    return text;
+}
+
+std::string to_json(std::span<const CheckRow> rows) {
+    Json list = Json::array();
+    for (const CheckRow& r : rows) {
+        Json row = {{"file", r.file}};
+        if (r.summary) {
+            const SceneSummary& s = *r.summary;
+            row["kind"] = s.is_world ? "world" : "model";
+            row["objects"] = s.objects;
+            row["meshes"] = s.meshes;
+            row["triangles"] = s.triangles;
+            row["materials"] = s.materials;
+            row["textures"] = s.textures;
+            row["skins"] = s.skins;
+            row["animations"] = s.animations;
+            row["parts"] = s.parts;
+            row["cameras"] = s.cameras;
+            row["lights"] = s.lights;
+            row["fog"] = s.has_fog;
+            row["environment"] = s.has_environment;
+        }
+        if (r.error) row["error"] = error_json(*r.error);
+        row["remarks"] = remarks_json(r.remarks);
+        row["remarks_left_out"] = r.remarks_left_out;
+        list.push_back(std::move(row));
+    }
+    return document("rakelight.check/1", std::move(list));
+}
+
+}  // namespace rakelight

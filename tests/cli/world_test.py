@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""World files through the program: data/world from each camera, [render] and the command line, broken files, `rakelight check`.
+
+  world_test.py PROGRAM [unittest arguments]"""
+import json
+import pathlib
+
+import program
+from program import SQUARE, png
+
+ROOM = pathlib.Path(__file__).resolve().parent.parent.parent / "data/world/room.scene.toml"
+WALL = "[[model]]\nfile = 'a.obj'\n"
+
+# Text, line, column, a word of the reason. Each is a whole file.
+BROKEN = [
+    ("", 1, 1, "the world is empty"),
+    ("[[model]\nfile = 'a.obj'\n", 1, 9, ""),
+    ("[[model]]\nfile = a.obj\n", 2, 8, ""),
+    ("[[model]]\nfile = 'a.obj'\nfile = 'a.obj'\n", 3, 8, "redefine"),
+    ("[[model]]\nfile = 'a.obj'\npos = [0, 0, 0]\n", 3, 1, "unknown key 'pos' in [[model]]"),
+    ("[[model]]\n", 1, 1, "lacks the key 'file'"),
+    ("[[model]]\nfile = 'a.obj'\nposition = [0, '1', 0]\n", 3, 16, "not a text"),
+    ("[[model]]\nfile = 'a.obj'\nposition = [0, inf, 0]\n", 3, 16, "finite"),
+    ("[[model]]\nfile = 'a.obj'\nscale = [1, 0, 1]\n", 3, 9, "must not be 0"),
+    ("[[model]]\nfile = '../a.obj'\n", 2, 8, "a.obj"),
+    ("[[model]]\nfile = '/etc/passwd'\n", 2, 8, "absolute"),
+    (WALL + "[[modell]]\nfile = 'a.obj'\n", 3, 3, "unknown section 'modell'"),
+    (WALL + "[[light]]\ntype = 'lamp'\n", 4, 8, "unknown word 'lamp'"),
+    (WALL + "[[light]]\ntype = 'ambient'\nposition = [0, 0, 0]\n", 5, 12, "has no 'position'"),
+    (WALL + "[[light]]\ntype = 'spot'\nposition = [0, 0, 0]\ndirection = [0, 0, 0]\n", 6, 13, "must not be zero"),
+    (WALL + "[[light]]\ntype = 'photometric-point'\nposition = [0, 0, 0]\nintensity_cd = -1\n", 6, 16, "at least 0"),
+    (WALL + "[[camera]]\nposition = [0, 0, 1]\nvertical_fov_deg = 0\n", 5, 20, "more than 0"),
+    (WALL + "[[camera]]\nposition = [0, 0, 0]\n", 4, 12, "must not be the same"),
+    (WALL + "[[material]]\nname = 'x'\nroughness = 1.5\n", 5, 13, "at most 1"),
+    (WALL + "[[material]]\nname = 'default'\nnormal_texture = 'none.png'\n", 5, 18, "none.png"),
+    (WALL + "[fog]\nkind = 'linear'\nstart = 3\nend = 2\n", 6, 7, "more than 'start'"),
+    (WALL + "[render]\nresolutoin = [8, 8]\n", 4, 1, "unknown key 'resolutoin' in [render]"),
+    (WALL + "[render]\nresolution = 8\n", 4, 1, "--resolution"),
+    (WALL + "[render]\nlighting = 'shiny'\n", 4, 1, "--lighting"),
+    (WALL + "[render]\nedges = 'maybe'\n", 4, 1, "true or false"),
+    (WALL + "[render]\noutput = 'b.png'\n", 4, 1, "for the command line alone"),
+    (WALL + "[render]\nheight-map = '../secret.png'\n", 4, 1, "secret.png"),
+]
+
+
+class Worlds(program.Case):
+    def setUp(self):
+        super().setUp()
+        self.write("a.obj")
+
+    def render(self, text, *arguments):
+        self.write("w.scene.toml", text)
+        result = self.run_program("render", "w.scene.toml", "-o", "a.png", *arguments)
+        self.assertEqual((result.code, result.err), (0, ""))
+        return png(self.folder / "a.png")
+
+    def test_three_models_four_lights_and_three_cameras_render_from_each_camera(self):
+        summary = json.loads(self.run_program("check", ROOM, "--json").out)["rows"][0]
+        self.assertEqual(summary["parts"], ["table", "books", "bowl", "teapot", "orange", "floor"])
+        self.assertEqual(summary["cameras"], ["room", "close", "plan"])
+        self.assertEqual(summary["lights"], ["ambient", "directional", "point", "photometric spot 'lamp'"])
+        pictures = set()
+        for camera in ("0", "1", "2", "close"):
+            result = self.run_program("render", ROOM, "-o", "r.png", "--camera-index", camera, "--resolution", "96,60", "--json")
+            self.assertEqual((result.code, result.err), (0, ""))
+            row = json.loads(result.out)["rows"][0]
+            self.assertGreater(row["stats"]["pixels_covered"], 96 * 60 // 2)
+            pictures.add((self.folder / "r.png").read_bytes())
+        self.assertEqual(len(pictures), 3)
+
+    def test_the_first_camera_is_the_default_and_the_world_says_the_size(self):
+        self.assertEqual(self.run_program("render", ROOM, "-o", "a.png").code, 0)
+        self.assertEqual(png(self.folder / "a.png")[:2], (640, 400))
+        self.assertEqual(self.run_program("render", ROOM, "-o", "b.png", "--camera-index", "room").code, 0)
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
+    def test_the_command_line_goes_before_the_world(self):
+        text = WALL + "[render]\nresolution = [20, 10]\nbackground = '#ff0000'\nview = 'front'\nwireframe = true\nshadows = true\n"
+        self.assertEqual(self.render(text)[:2], (20, 10))
+        width, height, _, rows = self.render(text, "--resolution", "12,8", "--shadows", "off")
+        self.assertEqual((width, height), (12, 8))
+        self.assertEqual(tuple(rows[0][:3]), (255, 0, 0))
+        self.render(text, "--camera-position", "0,0,5")  # excludes the world's view
+
+    def test_options_that_may_be_repeated_come_as_an_array(self):
+        lights = "[render]\nlight = ['ambient:0.2,0.2,0.2', 'ambient:0.2,0.2,0.2']\nresolution = [16, 12]\nview = 'front'\ncolor = '#ffffff'\n"
+        self.assertEqual(self.render(WALL + lights)[3][6][24], 170)  # 0.4 of light as sRGB
+
+    def test_shading_of_a_part_goes_to_that_part(self):
+        text = WALL + "[[model]]\nfile = 'a.obj'\nname = 'b'\nshading = 'unlit'\nposition = [3, 0, 0]\n[render]\nresolution = [40, 20]\nview = 'front'\n"
+        self.write("w.scene.toml", text)
+        run = self.run_program("render", "w.scene.toml", "-o", "a.png", "--json")
+        stats = json.loads(run.out)["rows"][0]["stats"]
+        self.assertEqual(stats["lighting_evaluations"] * 2, stats["pixels_covered"])
+
+    def test_every_verb_that_takes_a_scene_takes_a_world(self):
+        self.write("w.scene.toml", WALL + "[render]\nresolution = [16, 12]\nchannels = 'depth'\n")
+        for arguments in (("inspect", "w.scene.toml"), ("explain", "w.scene.toml", "--pixel", "8,6"), ("stages", "w.scene.toml", "-o", "s"),
+                          ("bench", "render", "w.scene.toml", "--frames", "1", "--resolution", "16,12"), ("check", "w.scene.toml")):
+            result = self.run_program(*arguments)
+            self.assertEqual((result.code, result.err), (0, ""), arguments)
+        self.check_refused(self.run_program("smooth", "w.scene.toml", "-o", "b.glb"), 2, "world files are not smoothed")
+
+    def test_broken_worlds_get_one_line_with_line_and_column(self):
+        self.assertGreater(len(BROKEN), 20)
+        for text, line, column, words in BROKEN:
+            with self.subTest(text):
+                self.write("w.scene.toml", text)
+                place = f"w.scene.toml: line {line}, column {column}: "
+                for arguments in (("render", "w.scene.toml", "-o", "a.png"), ("check", "w.scene.toml")):
+                    result = self.run_program(*arguments)
+                    self.check_refused(result, 3 if "none.png" in text else 4, place, words)
+        self.assertEqual(self.files(), ["a.obj", "w.scene.toml"])
+
+    def test_a_world_that_is_not_there_is_not_found_and_others_are_drawn(self):
+        self.write("bad.scene.toml", "[[model]]\nfile = 'a.obj'\nx = 1\n")
+        result = self.run_program("render", "none.scene.toml", "bad.scene.toml", "a.obj", "-o", "{model}.png", "--resolution", "16,12")
+        self.assertEqual((result.code, len(result.lines)), (4, 2), result.err)
+        self.assertEqual(self.files(), ["a.obj", "a.png", "bad.scene.toml"])
+
+    def test_a_missing_model_is_not_found_by_its_name(self):
+        self.write("w.scene.toml", "[[model]]\nfile = 'none.obj'\n")
+        self.check_refused(self.run_program("check", "w.scene.toml"), 3, "none.obj")
+
+    def test_files_outside_of_the_folder_need_to_be_allowed(self):
+        (self.folder / "deep").mkdir()
+        (self.folder / "deep/w.scene.toml").write_text("[[model]]\nfile = '../a.obj'\n")
+        self.check_refused(self.run_program("check", "deep/w.scene.toml"), 4, "line 2, column 8")
+        self.assertEqual(self.run_program("check", "deep/w.scene.toml", "--allow-outside").code, 0)
+
+    def test_two_models_side_by_side_are_where_the_world_puts_them(self):
+        text = "[[model]]\nfile = 'a.obj'\nposition = [-1.5, 0, 0]\nmaterial = 'red'\n[[model]]\nfile = 'a.obj'\nposition = [1.5, 0, 0]\n" \
+               "material = 'blue'\n[[material]]\nname = 'red'\ncolor = '#ff0000'\nunlit = true\n[[material]]\nname = 'blue'\ncolor = '#0000ff'\n" \
+               "unlit = true\n[[camera]]\nposition = [0, 0, 9]\northographic_height = 4\n[render]\nresolution = [80, 40]\n"
+        rows = self.render(text)[3]
+        at = lambda x: tuple(rows[20][3 * x:3 * x + 3])
+        self.assertEqual((at(25), at(55)), ((255, 0, 0), (0, 0, 255)))
+        self.assertNotIn(at(40), ((255, 0, 0), (0, 0, 255)))
+
+    def test_a_model_alone_is_checked_too(self):
+        self.write("b.obj", SQUARE.format(name="b"))
+        result = self.run_program("check", "a.obj", "b.obj")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(result.out.splitlines()[0], "a.obj: model, 1 object, 2 triangles, 1 material, 0 textures")
+        self.check_refused(self.run_program("check"), 2, "needs a scene")
+        self.assertEqual(json.loads(self.run_program("check", "--schema").out)["additionalProperties"], False)
+
+
+if __name__ == "__main__":
+    program.main()

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <rakelight/world.h>
+
+#include <cmath>
+#include <limits>
+
+#include "math/linear.h"
+#include "support/thrown_error.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+
+namespace {
+
+constexpr const char* teapot = "[[primitive]]\ntype = 'teapot'\n";
+
+/// Parses text behind two lines with a teapot.
+WorldFile with_teapot(const std::string& text) { return parse_world(teapot + text); }
+
+}  // namespace
+
+TEST(ParseWorld, TheExampleOfTheFormatIsRead) {
+    const WorldFile w = parse_world(R"(
+[[model]]
+file = "teapot.obj"
+position = [0, 0, 0]
+rotation_deg = [0, 45, 0]
+scale = 1.5
+normals = "model"
+crease_angle_deg = 60
+[[primitive]]
+type = "sphere"
+radius = 2.0
+[[light]]
+type = "point"
+position = [3, 4, 2]
+ambient = [0, 0, 0]
+diffuse = [1, 0.5, 1]
+attenuation = [1, 0.1, 0.01]
+[[light]]
+type = "directional"
+direction = [0, -2, 0]
+[[light]]
+type = "photometric-point"
+position = [0, 5, 0]
+intensity_cd = 400
+[[camera]]
+name = "front"
+position = [0, 1, 5]
+target = [0, 0.5, 0]
+vertical_fov_deg = 40
+near = 0.1
+far = 100
+[render]
+engine = "soft"
+resolution = [1280, 720]
+)");
+    ASSERT_EQ(w.models.size(), 1u);
+    EXPECT_EQ(w.models[0].name, "teapot");
+    EXPECT_EQ(w.models[0].placement.rotation_deg, (dvec3{0, 45, 0}));
+    EXPECT_EQ(w.models[0].placement.scale, (dvec3{1.5, 1.5, 1.5}));
+    EXPECT_EQ(w.models[0].normals, "model");
+    EXPECT_NEAR(*w.models[0].crease_angle_rad, radians(60), 1e-12);
+    EXPECT_EQ(w.primitives.at(0).radius, 2);
+    ASSERT_EQ(w.lights.size(), 3u);
+    EXPECT_EQ(w.lights[0].specular, (vec3{1, 0.5f, 1}));  // as diffuse
+    EXPECT_EQ(w.lights[0].quadratic, 0.01f);
+    EXPECT_TRUE(std::isinf(w.lights[0].range));
+    EXPECT_EQ(w.lights[1].direction, (dvec3{0, -1, 0}));
+    EXPECT_EQ(w.lights[2].units, LightUnits::photometric);
+    EXPECT_EQ(w.lights[2].intensity, 400);
+    ASSERT_EQ(w.cameras.size(), 1u);
+    EXPECT_EQ(w.cameras[0].to_world[3].xyz(), (dvec3{0, 1, 5}));
+    EXPECT_NEAR(w.cameras[0].to_world[2].y, 0.5 / std::sqrt(25.25), 1e-12);  // away from the target
+    ASSERT_EQ(w.render.size(), 2u);
+    EXPECT_EQ(w.render[1].key, "resolution");
+    EXPECT_EQ(w.render[1].words, (std::vector<std::string>{"1280", "720"}));
+    EXPECT_EQ(w.render[1].place, (WorldPlace{34, 1}));
+}
+
+TEST(ParseWorld, HexColorsAreAsSeenAndNumbersAreLight) {
+    const WorldFile w =
+        with_teapot("[[material]]\nname = 'a'\ncolor = '#80ff00'\n[[material]]\nname = 'b'\ncolor = [0.5, 2, 0]\n");
+    EXPECT_NEAR(w.materials.at(0).values.at(0).numbers[0], 0.2158605, 1e-6);
+    EXPECT_EQ(w.materials[0].values[0].numbers[1], 1);
+    EXPECT_EQ(w.materials.at(1).values.at(0).numbers, (std::vector<double>{0.5, 2, 0}));
+}
+
+TEST(ParseWorld, ShadingOfPartsBecomesAnOptionOfThePicture) {
+    const WorldFile w = parse_world(
+        "[[primitive]]\ntype = 'teapot'\nname = 'pot'\nshading = 'flat'\n[[material]]\nname = 'gold'\nshading = "
+        "'unlit'\n");
+    ASSERT_EQ(w.render.size(), 2u);
+    EXPECT_EQ(w.render[0].words, std::vector<std::string>{"object:pot=flat"});
+    EXPECT_EQ(w.render[1].words, std::vector<std::string>{"material:gold=unlit"});
+}
+
+TEST(ParseWorld, WorldFilesAreKnownByTheirEnding) {
+    EXPECT_TRUE(is_world_file("a.scene.toml"));
+    EXPECT_TRUE(is_world_file("b/A.Scene.TOML"));
+    EXPECT_FALSE(is_world_file("a.toml"));
+    EXPECT_FALSE(is_world_file(".scene.toml"));
+    EXPECT_FALSE(is_world_file("scene.toml.glb"));
+}
+
+TEST(ParseWorld, EveryFaultIsSaidWithItsLineAndColumn) {
+    const struct {
+        const char *text, *place, *words;
+    } faults[] = {
+        {"[[model]]\nfile = 'a.obj'\npostion = [0, 0, 0]\n", "line 5, column 1", "unknown key 'postion'"},
+        {"[[model]]\nposition = [0, 0, 0]\n", "line 3, column 1", "lacks the key 'file'"},
+        {"[[model]]\nfile = 'a.obj'\nposition = [0, 0]\n", "line 5, column 12", "three numbers in brackets, not 2"},
+        {"[[model]]\nfile = 'a.obj'\nposition = [0, 0, nan]\n", "line 5, column 19", "finite"},
+        {"[[model]]\nfile = 'a.obj'\nscale = 0\n", "line 5, column 9", "must not be 0"},
+        {"[[model]]\nfile = 'a.obj'\nscale = inf\n", "line 5, column 9", "finite"},
+        {"[[model]]\nfile = 7\n", "line 4, column 8", "a text in quotes, not a number"},
+        {"[[model]]\nfile = 'b.scene.toml'\n", "line 4, column 8", "does not stand in another"},
+        {"[model]\nfile = 'a.obj'\n", "line 3, column 2", "list of tables"},
+        {"[[model]]\nfile = 'a.obj'\nmaterial = 'gold'\n", "line 5, column 12", "no [[material]] named 'gold'"},
+        {"[[ligth]]\ntype = 'point'\n", "line 3, column 3", "unknown section 'ligth'"},
+        {"[[light]]\ntype = 'sun'\n", "line 4, column 8", "unknown word 'sun'"},
+        {"[[light]]\ntype = 'point'\n", "line 3, column 1", "lacks the key 'position'"},
+        {"[[light]]\ntype = 'point'\nposition = [0, 0, 0]\ncutoff_deg = 3\n", "line 6, column 14",
+         "has no 'cutoff_deg'"},
+        {"[[light]]\ntype = 'directional'\ndirection = [0, 0, 0]\n", "line 5, column 13", "must not be zero"},
+        {"[[light]]\ntype = 'point'\nposition = [0, 0, 0]\ndiffuse = [1, -1, 1]\n", "line 6, column 15", "at least 0"},
+        {"[[camera]]\nposition = [1, 1, 1]\ntarget = [1, 1, 1]\n", "line 4, column 12", "must not be the same"},
+        {"[[camera]]\nposition = [1, 1, 1]\nnear = 3\nfar = 2\n", "line 6, column 7", "'far' must be more"},
+        {"[[camera]]\nposition = [1, 1, 1]\nvertical_fov_deg = 180\n", "line 5, column 20", "less than 180"},
+        {"[[material]]\nname = 'a'\nroughness = 0.5\nshininess = 3\n", "line 5, column 13",
+         "a material is one of them"},
+        {"[fog]\nkind = 'linear'\nstart = 5\nend = 5\n", "line 6, column 7", "'end' must be more"},
+        {"[render]\n--engine = 'soft'\n", "line 4, column 1", "without dashes"},
+        {"[render]\nresolution = [[1], 2]\n", "line 4, column 15", "not an array"},
+        {"[render]\nwhen = 2020-01-01\n", "line 4, column 8", "not a date"},
+        {"a = [1, 2\n", "line 3, column 11", ""},
+        {"x = 'open\n", "line 3, column 10", ""},
+        {"[fog]\nkind = 'exp'\nkind = 'exp'\n", "line 5, column 8", "redefine"},
+        {"y = 99999999999999999999\n", "line 3, column", ""},
+    };
+    for (const auto& [text, place, words] : faults) {
+        const Error error = error_of([&] { with_teapot(text); });
+        EXPECT_EQ(error.code(), ErrorCode::bad_file) << text;
+        EXPECT_EQ(error.place().substr(0, std::string_view(place).size()), place) << text << error.what();
+        EXPECT_NE(error.reason().find(words), std::string::npos) << text << error.what();
+    }
+}
+
+TEST(ParseWorld, AMisspeltWordIsSaidWithTheNearest) {
+    EXPECT_EQ(error_of([] { with_teapot("[[model]]\nfile = 'a'\npostion = [0, 0, 0]\n"); }).advice(),
+              "did you mean 'position'?");
+    EXPECT_EQ(error_of([] { with_teapot("[[material]]\nname = 'a'\nlighting = 'blin-phong'\n"); }).advice(),
+              "did you mean 'blinn-phong'?");
+    EXPECT_EQ(error_of([] { with_teapot("[[camra]]\n"); }).advice(), "did you mean 'camera'?");
+}
+
+TEST(ParseWorld, AnEmptyWorldAndTooManyEntriesAreRefused) {
+    EXPECT_EQ(error_of([] { parse_world(""); }).place(), "line 1, column 1");
+    std::string many;
+    for (int i = 0; i <= 10'000; ++i) many += "[[camera]]\nposition=[1,1,1]\n";
+    EXPECT_NE(error_of([&] { with_teapot(many); }).reason().find("more than 10000"), std::string::npos);
+    EXPECT_NE(error_of([] { parse_world(std::string((4u << 20) + 1, '\n')); }).reason().find("4 MiB"),
+              std::string::npos);
+}
+
+TEST(ParseWorld, TablesInsideOneAnotherDoNotExhaustTheStack) {
+    EXPECT_EQ(error_of([] { with_teapot("a = " + std::string(100'000, '[')); }).code(), ErrorCode::bad_file);
+    std::string dotted = "a";
+    for (int i = 0; i < 100'000; ++i) dotted += ".a";
+    EXPECT_EQ(error_of([&] { with_teapot(dotted + " = 1\n"); }).code(), ErrorCode::bad_file);
+    EXPECT_EQ(error_of([&] { with_teapot("[" + dotted + "]\n"); }).code(), ErrorCode::bad_file);
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <rakelight/picture.h>
+#include <rakelight/world.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+#include "support/shared.h"
+#include "support/thrown_error.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+
+namespace {
+
+/// A folder with two small models.
+class LoadWorld : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = std::filesystem::temp_directory_path() / ("rakelight_world_" + std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_);
+        write("a.obj", "mtllib m.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        write("m.mtl", "newmtl red\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 20\n");
+        write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+    Scene load_text(const std::string& text, LoadOptions options = {}) {
+        write("w.scene.toml", text);
+        return load((folder_ / "w.scene.toml").string(), options, context_);
+    }
+
+    std::filesystem::path folder_;
+    Context context_{{.threads = 1}};
+};
+
+}  // namespace
+
+TEST_F(LoadWorld, ModelsAreTurnedAboutXThenYThenZ) {
+    const Scene s =
+        load_text("[[model]]\nfile = 'b.obj'\nposition = [5, 0, 0]\nrotation_deg = [90, 90, 0]\nscale = [2, 1, 1]\n");
+    const dmat4 m = world_matrices(s).at(1);
+    // x (2, 0, 0): about x stays, about y goes to (0, 0, -2). y (0, 1, 0): about x to (0, 0, 1), about y to (1, 0, 0).
+    const dvec3 x = transform_point(m, dvec3{1, 0, 0}), y = transform_point(m, dvec3{0, 1, 0});
+    EXPECT_NEAR(x.x, 5, 1e-12);
+    EXPECT_NEAR(x.z, -2, 1e-12);
+    EXPECT_NEAR(y.x, 6, 1e-12);
+    EXPECT_NEAR(y.z, 0, 1e-12);
+}
+
+TEST_F(LoadWorld, AFileThatStandsTwiceSharesItsArrays) {
+    const Scene s = load_text("[[model]]\nfile = 'b.obj'\n[[model]]\nfile = 'b.obj'\nname = 'second'\n");
+    ASSERT_EQ(s.meshes.size(), 2u);
+    EXPECT_EQ(s.meshes[0].positions, s.meshes[1].positions);
+    EXPECT_EQ(s.nodes.at(0).name, "b");
+    EXPECT_EQ(s.nodes.at(2).name, "second");
+}
+
+TEST_F(LoadWorld, MaterialsAreChangedByNameAndByModel) {
+    const Scene s = load_text(
+        "[[model]]\nfile = 'a.obj'\n[[model]]\nfile = 'a.obj'\nname = 'other'\n"
+        "[[material]]\nname = 'red'\nshininess = 99\n"
+        "[[material]]\nname = 'red'\nmodel = 'other'\ncolor = [0, 1, 0]\nlighting = 'phong'\n");
+    ASSERT_EQ(s.materials.size(), 2u);
+    for (const Material& m : s.materials) EXPECT_EQ(m.classical.shininess, 99);
+    EXPECT_EQ(s.materials[0].base_color, (vec4{1, 0, 0, 1}));
+    EXPECT_EQ(s.materials[0].lighting, Lighting::automatic);
+    EXPECT_EQ(s.materials[1].base_color, (vec4{0, 1, 0, 1}));
+    EXPECT_EQ(s.materials[1].classical.ambient, (vec3{0, 1, 0}));
+    EXPECT_EQ(s.materials[1].lighting, Lighting::phong);
+}
+
+TEST_F(LoadWorld, RoughnessMakesAClassicalMaterialMetallicRoughness) {
+    const Scene s =
+        load_text("[[model]]\nfile = 'a.obj'\n[[material]]\nname = 'red'\nroughness = 0.25\nclearcoat = 1\n");
+    EXPECT_EQ(s.materials[0].model, MaterialModel::metallic_roughness);
+    EXPECT_EQ(s.materials[0].metallic_roughness.roughness, 0.25f);
+    EXPECT_EQ(s.materials[0].metallic_roughness.metallic, 0);
+    EXPECT_EQ(s.materials[0].metallic_roughness.clearcoat, 1);
+}
+
+TEST_F(LoadWorld, AMaterialOfTheWorldGoesOverAWholeModel) {
+    const Scene s = load_text(
+        "[[model]]\nfile = 'a.obj'\nmaterial = 'gold'\n[[primitive]]\ntype = 'sphere'\nmaterial = 'gold'\n"
+        "[[material]]\nname = 'gold'\ncolor = [1, 0.8, 0.3]\nmetallic = 1\nroughness = 0.2\nbump_depth = 0.1\n");
+    for (const Mesh& mesh : s.meshes) {
+        const Material& m = s.materials.at(mesh.material);
+        EXPECT_EQ(m.name, "gold");
+        EXPECT_EQ(m.metallic_roughness.metallic, 1);
+        EXPECT_EQ(m.relief.value().depth, 0.1f);
+    }
+    EXPECT_TRUE(context_.report().entries().empty());
+}
+
+TEST_F(LoadWorld, AMaterialThatNothingHasIsWarnedOf) {
+    load_text("[[model]]\nfile = 'a.obj'\n[[material]]\nname = 'rde'\nshininess = 9\n");
+    ASSERT_EQ(context_.report().entries().size(), 1u);
+    EXPECT_EQ(context_.report().entries()[0].place, "line 3, column 1");
+}
+
+TEST_F(LoadWorld, EveryPrimitiveIsMade) {
+    const Scene s = load_text(
+        "[[primitive]]\ntype = 'teapot'\n[[primitive]]\ntype = 'sphere'\nobjects = 4\n[[primitive]]\ntype = "
+        "'cylinder'\n"
+        "[[primitive]]\ntype = 'cone'\n[[primitive]]\ntype = 'torus'\n[[primitive]]\ntype = 'plane'\nsize = [8, 4]\n");
+    EXPECT_EQ(s.nodes.front().name, "teapot");
+    const Bounds box = world_bounds(s);
+    EXPECT_EQ(box.low.x, -4);
+    EXPECT_EQ(box.high.z, 2);
+}
+
+TEST_F(LoadWorld, LightsAndCamerasOfModelsComeAlongOnlyWhereTheWorldSaysSo) {
+    write("lamp.gltf", R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"], "scene": 0,
+        "scenes": [{"nodes": [0, 1, 2]}], "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}],
+        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point"}]}},
+        "nodes": [{"mesh": 0}, {"camera": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+    const std::string camera = "[[camera]]\nname = 'own'\nposition = [0, 0, 9]\n";
+    EXPECT_TRUE(load_text("[[model]]\nfile = 'lamp.gltf'\n" + camera).lights.empty());
+    const Scene with = load_text("[[model]]\nfile = 'lamp.gltf'\nlights = true\ncameras = true\n" + camera);
+    EXPECT_EQ(with.lights.size(), 1u);
+    EXPECT_EQ(with.cameras.size(), 2u);
+    EXPECT_EQ(with.cameras.at(0).name, "own");
+}
+
+TEST_F(LoadWorld, NormalsOfOneModelAreMadeAsTheWorldSays) {
+    write("roof.obj", "v -1 0 0\nv 0 0.2 0\nv -1 0 1\nv 1 0 0\nv 1 0 1\nv 0 0.2 1\nf 1 3 6 2\nf 2 6 5 4\n");
+    const auto ridge_is_smooth = [&](const std::string& keys) {
+        const Scene s = load_text("[[model]]\nfile = 'roof.obj'\n" + keys);
+        return s.meshes.at(0).normals.empty() ? -1 : s.meshes[0].normals.size() == 6 ? 1 : 0;
+    };
+    EXPECT_EQ(ridge_is_smooth(""), -1);  // as the picture's options say
+    EXPECT_EQ(ridge_is_smooth("normals = 'model'\n"), 1);
+    EXPECT_EQ(ridge_is_smooth("normals = 'flat'\n"), 0);
+    EXPECT_EQ(ridge_is_smooth("crease_angle_deg = 5\n"), 0);
+}
+
+TEST_F(LoadWorld, FilesStayInTheWorldsFolderUnlessTheCallerAllowsOthers) {
+    std::filesystem::create_directories(folder_ / "deep");
+    write("deep/w.scene.toml", "[[model]]\nfile = '../b.obj'\n");
+    const std::string path = (folder_ / "deep/w.scene.toml").string();
+    const Error error = error_of([&] { load(path, {}, context_); });
+    EXPECT_EQ(error.code(), ErrorCode::bad_file);
+    EXPECT_EQ(error.place(), "line 2, column 8");
+    EXPECT_EQ(error.file(), path);
+    EXPECT_EQ(load(path, {.allow_outside = true}, context_).meshes.size(), 1u);
+}
+
+TEST_F(LoadWorld, AFaultOfAModelCarriesTheModelsNameAndAMissingPictureItsPlace) {
+    write("bad.obj", "v 0 0 0\nf 1 2 3\n");
+    EXPECT_EQ(error_of([&] { load_text("[[model]]\nfile = 'bad.obj'\n"); }).file(), (folder_ / "bad.obj").string());
+    EXPECT_EQ(error_of([&] { load_text("[[model]]\nfile = 'none.obj'\n"); }).code(), ErrorCode::not_found);
+    const Error error = error_of(
+        [&] { load_text("[[model]]\nfile = 'a.obj'\n[[material]]\nname = 'red'\nnormal_texture = 'no.png'\n"); });
+    EXPECT_EQ(error.code(), ErrorCode::not_found);
+    EXPECT_EQ(error.place(), "line 5, column 18");
+}
+
+TEST_F(LoadWorld, FogAndSurroundingsAreInTheScene) {
+    const Scene s = load_text(
+        "[[model]]\nfile = 'a.obj'\n[fog]\nkind = 'exp2'\ndensity = 0.25\ncolor = [1, 0, 0]\n[environment]\nintensity "
+        "= 2\nlight = false\n");
+    EXPECT_EQ(s.fog.kind, FogKind::exponential_squared);
+    EXPECT_EQ(s.fog.density, 0.25f);
+    ASSERT_TRUE(s.environment);
+    EXPECT_EQ(s.environment->intensity, 2);
+    EXPECT_FALSE(s.environment->is_light);
+    EXPECT_TRUE(s.environment->is_background);
+    EXPECT_EQ(s.environment->image, nullptr);
+}
