@@ -6,7 +6,7 @@
   alpha.gltf    four squares with one texture, opaque, masked at 0.5 and at 0.1, blended; three panes, the nearest first in the file
   sides.gltf    two open tubes, of a single-sided and of a double-sided material
   spheres.gltf  one sphere of 528 triangles, placed twice: large and small
-  layers.gltf   six spheres of one shape: plastic, with a clearcoat, cloth; metal, brushed along and around
+  layers.gltf   six spheres of one shape: plastic, with a clearcoat, cloth; metal, brushed up and around
   checker.png   red grows with u, green with v downwards, every other field darker
   disc.png      alpha falls evenly from 1 in the middle to 0 at the rim of a disc"""
 import base64
@@ -141,9 +141,9 @@ def spheres():
 
 
 def sphere(around, down):
-    """Points (normals, too), texture coordinates, indices."""
+    """Points (normals, too), texture coordinates with the seam behind, indices."""
     turns = [(i / around, j / down) for j in range(down + 1) for i in range(around + 1)]
-    points = [(math.sin(math.pi * v) * math.sin(2 * math.pi * u), math.cos(math.pi * v), math.sin(math.pi * v) * math.cos(2 * math.pi * u)) for u, v in turns]
+    points = [(-math.sin(math.pi * v) * math.sin(2 * math.pi * u), math.cos(math.pi * v), -math.sin(math.pi * v) * math.cos(2 * math.pi * u)) for u, v in turns]
     indices = []
     for j in range(down):
         for a in range(j * (around + 1), j * (around + 1) + around):
@@ -160,7 +160,7 @@ def layers():
     brushed = [{"KHR_materials_anisotropy": {"anisotropyStrength": 0.8, "anisotropyRotation": angle}} for angle in (0, math.pi / 2)]
     points, turns, indices = sphere(40, 20)
     for k, (name, pbr, more) in enumerate((("plastic", red, {}), ("clearcoat", red, coat), ("cloth", red, sheen), ("metal", steel, {}),
-                                           ("brushed around", steel, brushed[0]), ("brushed up", steel, brushed[1]))):
+                                           ("brushed up", steel, brushed[0]), ("brushed around", steel, brushed[1]))):
         material = {"pbrMetallicRoughness": pbr, **({"extensions": more} if more else {})}
         if k == 0:
             model.add(name, material, indices, POSITION=points, NORMAL=points, TEXCOORD_0=turns)

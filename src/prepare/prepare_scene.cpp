@@ -96,9 +96,12 @@ void warn_of_textures(const Scene& scene, Report& report) {
         seen[instance.mesh] = true;
         const Material& m = scene.materials[mesh.material];
         const bool is_unlit = m.model == MaterialModel::unlit;  // shows the first alone
-        const TextureUse& of_model =
-            m.model == MaterialModel::classical ? m.classical.specular_texture : m.metallic_roughness.texture;
-        for (const TextureUse* use : {&m.base_color_texture, &m.emission_texture, &m.occlusion_texture, &of_model}) {
+        const MetallicRoughnessParameters& p = m.metallic_roughness;
+        const TextureUse& of_model = m.model == MaterialModel::classical ? m.classical.specular_texture : p.texture;
+        for (const TextureUse* use :
+             {&m.base_color_texture, &m.emission_texture, &m.occlusion_texture, &of_model, &p.specular_texture,
+              &p.specular_color_texture, &p.clearcoat_texture, &p.clearcoat_roughness_texture, &p.sheen_color_texture,
+              &p.sheen_roughness_texture}) {
             if (!*use || has_coordinates(mesh, use->texcoord_set) || (is_unlit && use != &m.base_color_texture))
                 continue;
             report.add(Remark::warning, scene.source, Place{"mesh", instance.mesh, mesh.name}.text(),

@@ -111,9 +111,10 @@ const Material& material_of(const FrontEnd& front, std::uint32_t draw) {
 }
 
 Lighting lighting_of(const FrontEnd& front, std::uint32_t draw) {
-    const Lighting own = material_of(front, draw).lighting;
-    const Lighting wanted = own == Lighting::automatic ? front.settings.lighting : own;
-    return wanted == Lighting::automatic ? Lighting::blinn_phong : wanted;
+    const Material& m = material_of(front, draw);
+    const Lighting wanted = m.lighting == Lighting::automatic ? front.settings.lighting : m.lighting;
+    if (wanted != Lighting::automatic) return wanted;
+    return m.model == MaterialModel::metallic_roughness ? Lighting::pbr : Lighting::blinn_phong;
 }
 
 Bump bump_of(const FrontEnd& front, std::uint32_t draw) {

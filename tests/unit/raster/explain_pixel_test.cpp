@@ -274,7 +274,9 @@ TEST(ExplainPixel, CornersAreThoseThatTheEngineLitAndTheirTermsAddUpToTheirLight
 TEST(ExplainPixel, TermsOfALightAddUpFromTheEmissionOn) {
     const Scene scene = busy_scene();
     Context context({.threads = 1});
-    const raster::Inspection inspection(scene, busy_view(), settings(), context);
+    RenderSettings by_blinn_phong = settings();
+    by_blinn_phong.lighting = Lighting::blinn_phong;  // under pbr the diffuse term loses what the facets reflect
+    const raster::Inspection inspection(scene, busy_view(), by_blinn_phong, context);
     int lit = 0;
     for (int x = 0; x < width; ++x)
         for (const raster::ShadedLayer& layer : inspection.explain(x, height / 2, context).layers) {
