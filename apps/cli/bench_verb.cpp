@@ -93,7 +93,10 @@ void apply_render(const BenchWords& w, RenderBenchOptions& o) {
     if (!w.triangles.empty()) o.triangles = std::uint64_t(count("--triangles", w.triangles, 100, 100'000'000));
     o.objects = w.objects.empty() ? std::uint32_t(std::min<std::uint64_t>(o.objects, o.triangles / 20))
                                   : std::uint32_t(count("--objects", w.objects, 1, 100'000));
-    if (!w.lights.empty()) o.lights = std::uint32_t(count("--lights", w.lights, 0, 8));
+    std::vector<std::uint32_t> lights;
+    for (const std::string_view number : split(w.lights, ','))
+        if (!w.lights.empty()) lights.push_back(std::uint32_t(count("--lights", std::string(number), 0, 10'000)));
+    if (!lights.empty()) o.lights = lights.front(), o.other_lights.assign(lights.begin() + 1, lights.end());
     if (!w.frames.empty()) o.frames = std::uint32_t(count("--frames", w.frames, 1, 10'000));
     if (!w.engines.empty()) {
         o.engines.clear();
@@ -136,7 +139,7 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
         "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, regroup); all");
     app.add_flag("--brute-force", w.brute_force, "Also every vertex against every face, up to 50k triangles")
         ->group(smooth);
-    add(render, "--lights", w.lights, "N", "Point lights of the scene that is made, 0 to 8 (default 2)");
+    add(render, "--lights", w.lights, "N", "Point lights of the scene that is made, 0 to 8 (default 2), or up to 10000 small ones; 8,1000: both");
     add(render, "--engine", w.engines, "NAMES", "Engines, separated by commas; their pictures are interleaved (default soft)");
     add(render, "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1920,1080)");
     add(render, "--frames", w.frames, "N", "Counted pictures of each engine, after one that is not counted (default 15)");

@@ -67,7 +67,8 @@ struct RenderBenchOptions {
     LoadOptions load;
     std::uint64_t triangles = 100'000;  ///< about; 100 to 10^8
     std::uint32_t objects = 100;        ///< 1 to 100 000, at most one for each 20 triangles
-    std::uint32_t lights = 2;           ///< 0 to 8 point lights
+    std::uint32_t lights = 2;  ///< 0 to 8 point lights that reach everywhere; 9 to 10 000 small ones of a range of 1 m
+    std::vector<std::uint32_t> other_lights;  ///< of the built-in scene: also with so many, pictures interleaved
     std::vector<std::string> engines = {"soft"};  ///< see make_engine(); each once or more often
     std::uint32_t frames = 15;          ///< counted pictures of each engine, 1 to 10 000, after one that is not counted
     RenderSettings settings = {.width = 1920, .height = 1080};  ///< back faces of the built-in scene are culled whatever it says
@@ -79,6 +80,7 @@ struct RenderBenchOptions {
 struct RenderBenchRow {
     std::string engine, isa;
     int threads = 0;
+    std::uint32_t lights = 0;
     double median_ms = 0, fastest_ms = 0, slowest_ms = 0;  ///< from vertices to 8-bit display values
     double cpu_ms = 0;      ///< median of the processor time of all threads: less moved by a neighbor's load
     double first_ms = 0;    ///< the picture that is not counted, into memory never used before

@@ -48,7 +48,9 @@ void check(const RenderBenchOptions& o) {
                     std::to_string(o.triangles) + " triangles are too few for " + std::to_string(o.objects) +
                         " objects of 20 triangles or more each",
                     {}, "give fewer --objects or more --triangles");
-    if (o.lights > bench_lights_max) refuse("lights must be 0 to 8");
+    if (o.lights > bench_small_lights_max) refuse("lights must be 0 to 10000");
+    for (const std::uint32_t lights : o.other_lights)
+        if (lights > bench_small_lights_max) refuse("lights must be 0 to 10000");
     if (o.frames < 1 || o.frames > 10'000) refuse("frames must be 1 to 10000");
     if (o.engines.empty()) refuse("no engine to measure");
     for (const std::string& name : o.engines) {
@@ -82,7 +84,15 @@ public:
     }
 
     RenderBenchReport run() {
-        for (const std::string& name : options_.engines) add_engine(name);
+        measured_.reserve(options_.engines.size() * (1 + options_.other_lights.size()));
+        for (const std::string& name : options_.engines) {
+            add_engine(name, scene_);
+            for (const std::uint32_t lights : options_.other_lights) {
+                Scene other = scene_;
+                other.lights = make_bench_lights(lights);
+                add_engine(name, other);
+            }
+        }
         for (std::uint32_t frame = 0; frame < options_.frames; ++frame) {
             for (Measured& m : measured_) draw(m);
             context_.progress("bench", double(frame + 1) / options_.frames);
@@ -94,14 +104,15 @@ public:
     }
 
 private:
-    void add_engine(const std::string& name) {
+    void add_engine(const std::string& name, const Scene& scene) {
         Measured& m = measured_.emplace_back();
         m.engine = make_engine(name);
         m.row.engine = name;
         m.row.isa = engine_isa(name);
         m.row.threads = context_.threads();
+        m.row.lights = std::uint32_t(scene.lights.size());
         Stopwatch watch;
-        m.engine->prepare(scene_, context_);
+        m.engine->prepare(scene, context_);
         m.row.prepare_ms = watch.lap_ms();
         m.engine->render(camera_, settings_, sink_, context_);
         m.row.first_ms = watch.lap_ms();

@@ -24,6 +24,7 @@ std::string to_json(const RenderBenchReport& report) {
         rows.push_back({{"engine", r.engine},
                         {"isa", r.isa},
                         {"threads", r.threads},
+                        {"lights", r.lights},
                         {"median_ms", r.median_ms},
                         {"fastest_ms", r.fastest_ms},
                         {"slowest_ms", r.slowest_ms},
@@ -59,6 +60,7 @@ std::string to_text(const RenderBenchReport& report) {
         text += format("%-6s %-8s %8d %10.2f %8.2f %8.2f %10.2f %8.2f %8.2f %8.2f\n", r.engine.c_str(), r.isa.c_str(),
                        r.threads, r.median_ms, r.fastest_ms, r.slowest_ms, r.cpu_ms, r.first_ms, r.mtri_per_s,
                        r.mpix_per_s);
+        if (r.lights != report.lights) text += format("  with %s\n", counted(r.lights, "light").c_str());
         text += format(
             "  front end %.2f ms, then tiles %.2f ms; summed over threads: visibility %.2f, shading %.2f, blending "
             "%.2f, "

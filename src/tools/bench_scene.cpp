@@ -77,7 +77,8 @@ ImageHandle image(const char* name, Pixels pixels) {
     return made;
 }
 
-void add_lights(Scene& scene, std::uint32_t count) {
+std::vector<Light> large_lights(std::uint32_t count) {
+    std::vector<Light> lights;
     constexpr dvec3 places[bench_lights_max] = {{-6, 5, -2}, {7, 3, -3}, {0, -6, -4},  {-8, -2, -6},
                                                 {8, -5, -8}, {3, 7, -9}, {-4, 8, -12}, {0, 1, 0}};
     constexpr vec3 colors[bench_lights_max] = {{1, 0.93f, 0.82f}, {0.7f, 0.82f, 1}, {1, 0.6f, 0.5f}, {0.6f, 1, 0.7f},
@@ -91,11 +92,34 @@ void add_lights(Scene& scene, std::uint32_t count) {
         light.constant = 0.5f;
         light.linear = 0.05f;
         light.quadratic = 0.02f;
-        scene.lights.push_back(light);
+        lights.push_back(light);
     }
+    return lights;
+}
+
+/// Evenly in the space of the objects, of all colors.
+std::vector<Light> small_lights(std::uint32_t count) {
+    Random random(2);
+    std::vector<Light> lights;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Light light;
+        light.name = "light " + std::to_string(i + 1);
+        light.units = LightUnits::photometric;
+        light.position = placement(i, count, random).translation;
+        const double red = random.between(0.2, 1), green = random.between(0.2, 1), blue = random.between(0.2, 1);
+        light.color = {float(red), float(green), float(blue)};
+        light.intensity = 0.5f;
+        light.range = bench_small_range;
+        lights.push_back(light);
+    }
+    return lights;
 }
 
 }  // namespace
+
+std::vector<Light> make_bench_lights(std::uint32_t lights) {
+    return lights <= bench_lights_max ? large_lights(lights) : small_lights(lights);
+}
 
 Scene make_bench_scene(std::uint64_t triangles, std::uint32_t objects, std::uint32_t lights, Context& context) {
     Scene scene;
@@ -126,7 +150,7 @@ Scene make_bench_scene(std::uint64_t triangles, std::uint32_t objects, std::uint
         scene.meshes[i].name = scene.nodes[i].name;
         scene.meshes[i].material = std::uint32_t(i);
     });
-    add_lights(scene, lights);
+    scene.lights = make_bench_lights(lights);
     Camera camera;
     camera.name = "camera";
     camera.vertical_fov_rad = 2 * half_view;
