@@ -175,6 +175,15 @@ void remark_layers(const FrontEnd& front, const LightPoints& points, Context& co
         }
 }
 
+/// What needs lighting at the pixels.
+void remark_shadows(const FrontEnd& front, const LightPoints& points, Context& context) {
+    const bool any =
+        std::any_of(points.draws.begin(), points.draws.end(), [](const DrawLight& d) { return d.sides != 0; });
+    if (front.settings.shadows && any)
+        context.report().add(Remark::dropped, front.list.scene.source, {},
+                             "shadows do not fall on flat and Gouraud shading: lighting is not evaluated at the pixels");
+}
+
 void remark_maps(const FrontEnd& front, const LightPoints& points, Context& context) {
     if (front.settings.bump == Bump::none) return;
     for (std::size_t d = 0; d < front.list.draws.size(); ++d)
@@ -241,6 +250,7 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
     front.stats.vertices_lit_twice = twice;
     remark_maps(front, points, context);
     remark_layers(front, points, context);
+    remark_shadows(front, points, context);
     return points;
 }
 

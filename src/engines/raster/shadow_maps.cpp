@@ -145,12 +145,23 @@ dvec2 key_slopes(const ScreenTriangle& s) {
     return area != 0 ? dvec2{(k1 * y2 - k2 * y1) / area, (x1 * k2 - x2 * k1) / area} : dvec2{};
 }
 
-std::int32_t coded_slopes(double x, double y) {
-    static constexpr double most = steepest_slope_on_map;
-    const auto code = [](double slope) {
-        return std::uint32_t((std::clamp(slope, -most, most) + most) * double(slope_codes) + 0.5);
+/// Of slopes in depth per texel's width.
+std::int32_t coded_slopes(float x, float y) {
+    static constexpr float most = steepest_slope_on_map;
+    const auto code = [](float slope) {
+        return std::uint32_t((std::clamp(slope, -most, most) + most) * slope_codes + 0.5f);
     };
     return std::int32_t(code(x) | code(y) << 16);
+}
+
+/// Where a map has nothing.
+void clear_tile(const View& view, const Window& area, const MapTexels& map) {
+    const std::int32_t flat = coded_slopes(0, 0);
+    for (int y = area.y; y < area.y + area.height; ++y) {
+        const std::ptrdiff_t to = std::ptrdiff_t(y) * view.width + area.x;
+        std::fill_n(map.nearness + to, area.width, view.orthographic ? nothing_parallel : 0.0f);
+        std::fill_n(map.slopes + to, area.width, flat);
+    }
 }
 
 /// What a tile's pixels show -> the map.
@@ -159,25 +170,23 @@ void put_tile(const TileJob& job, std::size_t tile, const TileScratch& s, const 
     const Window area = job.grid.pixels(tile);
     const int left = job.grid.origin_x(tile), top = job.grid.origin_y(tile);
     const ScreenTriangle* const* const list = job.binned.items.data() + job.binned.offsets[tile];
-    const double texels = 0.5 * view.width * view.scale_x;  // as ShadowView::texels
+    const double texels = 0.5 * view.width * view.scale_x, per_near = 1 / view.near;  // as ShadowView::texels
+    // Depth d = near + (1 - key) (far - near), or near / key, where a texel is d / texels wide.
+    const double scale = view.orthographic ? -texels * (view.far - view.near) : -texels;
+    clear_tile(view, area, map);
     std::int32_t last = -1;
     dvec2 slopes{};
     for (int y = area.y; y < area.y + area.height; ++y)
         for (int x = area.x; x < area.x + area.width; ++x) {
             const auto p = std::size_t((y - top) * tile_size + x - left);
-            const std::ptrdiff_t to = std::ptrdiff_t(y) * view.width + x;
             const std::int32_t shown = s.visible[p];
-            const double key = s.depth[p];
-            if (shown < 0 || !(key >= 0) || (key == 0 && !view.orthographic)) {
-                map.nearness[to] = view.orthographic ? nothing_parallel : 0.0f;
-                map.slopes[to] = coded_slopes(0, 0);
-                continue;
-            }
-            if (shown != last) slopes = key_slopes(*list[shown]), last = shown;
-            // Depth d = near + (1 - key) (far - near), or near / key, where a texel is d / texels wide.
-            const double per_key = view.orthographic ? -texels * (view.far - view.near) : -texels / key;
-            map.nearness[to] = view.orthographic ? float(-view.distance_of(key)) : float(key / view.near);
-            map.slopes[to] = coded_slopes(slopes.x * per_key, slopes.y * per_key);
+            const float key = s.depth[p];
+            if (shown < 0 || !(key > 0 || view.orthographic)) continue;
+            if (shown != last) slopes = key_slopes(*list[shown]) * scale, last = shown;
+            const float per_key = view.orthographic ? 1.0f : 1.0f / key;
+            const std::ptrdiff_t to = std::ptrdiff_t(y) * view.width + x;
+            map.nearness[to] = float(view.orthographic ? -view.distance_of(double(key)) : double(key) * per_near);
+            map.slopes[to] = coded_slopes(float(slopes.x) * per_key, float(slopes.y) * per_key);
         }
 }
 
@@ -202,6 +211,10 @@ void draw_map(const DrawList& list, const MapCamera& from, const RenderSettings&
         TileScratch scratch;
         for (int column = 0; column < grid.columns && !context.cancelled(); ++column) {
             const std::size_t tile = grid.first_of_row(int(row)) + std::size_t(column);
+            if (binned.offsets[tile] == binned.offsets[tile + 1]) {
+                clear_tile(view, grid.pixels(tile), map);
+                continue;
+            }
             find_visible(job, tile, scratch);
             put_tile(job, tile, scratch, map);
         }
@@ -264,18 +277,18 @@ ShadowMaps::ShadowMaps(const DrawList& list, const RenderSettings& settings, con
     const RenderSettings of_map = map_settings(settings);
     const std::size_t texels = std::size_t(settings.shadow_size) * std::size_t(settings.shadow_size);
     for (const auto& [light, cameras] : planned) {
-        nearness_.emplace_back(texels * cameras.size());
-        slopes_.emplace_back(texels * cameras.size());
+        nearness_.push_back(std::make_unique_for_overwrite<float[]>(texels * cameras.size()));
+        slopes_.push_back(std::make_unique_for_overwrite<std::int32_t[]>(texels * cameras.size()));
         View view;
         for (std::size_t face = 0; face < cameras.size(); ++face)
             draw_map(list, cameras[face], of_map, kernels, geometry_kernels,
-                     {nearness_.back().data() + face * texels, slopes_.back().data() + face * texels}, view, context);
+                     {nearness_.back().get() + face * texels, slopes_.back().get() + face * texels}, view, context);
         lights[light].shadow = std::int32_t(views_.size());
         views_.push_back(view_for(cameras[0], view, cameras.size(), settings, eye));
     }
     for (std::size_t i = 0; i < views_.size(); ++i) {
-        views_[i].nearness = nearness_[i].data();
-        views_[i].slopes = slopes_[i].data();
+        views_[i].nearness = nearness_[i].get();
+        views_[i].slopes = slopes_[i].get();
     }
 }
 

@@ -2,6 +2,7 @@
 // Shadow maps (Williams 1978, "Casting Curved Shadows on Curved Surfaces"): what each light sees, drawn by the engine's
 // own front end from the light. Read by kernels/shadow.h.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -34,8 +35,8 @@ public:
 
 private:
     std::vector<ShadowView> views_;
-    std::vector<std::vector<float>> nearness_;  ///< of each view
-    std::vector<std::vector<std::int32_t>> slopes_;
+    std::vector<std::unique_ptr<float[]>> nearness_;  ///< of each view
+    std::vector<std::unique_ptr<std::int32_t[]>> slopes_;
 };
 
 }  // namespace rakelight::raster
