@@ -20,7 +20,7 @@ three() {
 }
 
 light=(--light directional:-1,-0.6,-0.35:color=0.9,0.9,0.9 --light ambient:0.06,0.06,0.06)
-three spot data/spot/spot_slab5.glb --camera-position 1.7,0.9,-2.1 --camera-focal-point 0,0.1,0.1 --camera-view-angle 38 "${light[@]}"
+three spot data/spot/spot_slab5.glb --lighting blinn-phong --camera-position 1.7,0.9,-2.1 --camera-focal-point 0,0.1,0.1 --camera-view-angle 38 "${light[@]}"
 
 # A head scan with a normal map, cut into six objects, under two lamps: tangents show seams too.
 cp data/head/head.mtl data/head/color.jpg data/head/normal_from_bump.png "$out/"
