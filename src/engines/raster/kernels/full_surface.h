@@ -199,8 +199,28 @@ inline void set_pbr_albedos(const ShadeJob& job, const Pixels& p, const lit::Mat
     s = lit::pbr_around(s, albedo, occlusion_of(*job.material, p));
 }
 
+/// What models other than pbr reflect of surroundings: k_s of a textbook lobe by the mapping above.
+inline void set_around(const ShadeJob& job, const Pixels& p, lit::MaterialSurface& s) {
+    const real one(1.0f), occlusion = occlusion_of(*job.material, p);
+    s.coat_n = s.base.n;
+    s.coat_alpha = one;
+    s.around_coat = real(0.0f);
+    s.around_specular = s.around_sheen = vec3(real(0.0f));
+    s.around_diffuse = job.material->metallic_roughness != 0 ? s.base.diffuse * occlusion : s.base.ambient;
+    if (job.reflection_model == RL_LAMBERT || job.reflection_model == RL_OREN_NAYAR) {
+        s.roughness = one;
+        return;
+    }
+    s.around_specular = s.base.specular * occlusion;
+    if (job.reflection_model == RL_WARD) return;
+    const real alpha_squared = real(2.0f) / (s.base.exponent + real(2.0f));
+    s.roughness = sqrt(sqrt(alpha_squared));
+    if (job.reflection_form == RL_TEXTBOOK) s.around_specular = s.around_specular * min(one, real(4.0f) * alpha_squared);
+}
+
 /// What depends on directions, once they are known; the emission, dimmed by what lies over it.
 inline vec3 finish_surface(const ShadeJob& job, const Pixels& p, vec3 emission, lit::MaterialSurface& s) {
+    if (!is_pbr(job) && job.full->environment != nullptr) set_around(job, p, s);
     if (job.reflection_model != RL_WARD && !is_pbr(job)) return emission;
     const lit::MaterialTraits traits = traits_of(job);
     const LobeFrame frame = lobe_frame(p);
