@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Between classical (k_d, k_s, exponent) and metallic-roughness parameters.
 //
-// classical_from_metallic_roughness, for use with the normalized Blinn-Phong lobe:
+// classical_from_metallic_roughness, for use with the normalized Blinn-Phong lobe, which it asks for:
 //   k_d = base (1 - metallic), k_a = k_d
 //   k_s = mix(F0, base, metallic),  F0 = min(((ior - 1) / (ior + 1))^2 specular_color, 1) specular   (KHR_materials_specular)
 //   n   = clamp(2 / alpha^2 - 2, 1, 10000),  alpha = roughness^2
@@ -11,9 +11,12 @@
 //   metallic counts as 0 (the base colour then shows as diffuse) and roughness as half its factor. The base colour texture
 //   tints the highlight where metallic > 1/2, else the specular colour texture does.
 //
-// metallic_roughness_from_classical:
-//   base = k_d, metallic = 0, specular = 1, ior = 1.5, specular_color = k_s / 0.04 (so F0 = k_s), roughness = (2 / (n + 2))^(1/4)
-//   Lost: k_a, k_s above 1, exponents below 1 or above 10000. There and back gives k_d, k_s and n again.
+// metallic_roughness_from_classical, with the highlight's center where it was:
+//   base = k_d, metallic = 0, ior = 1.5, roughness = (2 / (n + 2))^(1/4), so alpha^2 = 2 / (n + 2)
+//   F0 = min(1, 4 alpha^2) k_s: a textbook k_s says how bright the lobe's center is, that of GGX is F0 / (4 alpha^2) where light and
+//   viewer face the surface; of materials that name the normalized form F0 = k_s. specular = min(1, 50 F0), so that what has no
+//   highlight has none at grazing angles either (KHR_materials_specular: F90); specular_color = F0 / (0.04 specular)
+//   Lost: k_a, k_s above 1, exponents below 1 or above 10000. There and back gives k_d and n again, and F0 as k_s.
 #include <algorithm>
 #include <cmath>
 
@@ -46,6 +49,14 @@ vec3 dielectric_specular(const MetallicRoughnessParameters& p) {
             clamp01(f0 * p.specular_color.z) * strength};
 }
 
+/// Of a GGX lobe whose center is as bright as that of the classical one.
+vec3 textbook_f0(const Material& m, float roughness) {
+    const vec3 k_s = m.classical.specular;
+    const float alpha = roughness * roughness;
+    const float share = m.specular_form == SpecularForm::normalized ? 1.0f : std::min(1.0f, 4 * alpha * alpha);
+    return {clamp01(k_s.x) * share, clamp01(k_s.y) * share, clamp01(k_s.z) * share};
+}
+
 }  // namespace
 
 Material classical_from_metallic_roughness(const Material& m) {
@@ -59,6 +70,7 @@ Material classical_from_metallic_roughness(const Material& m) {
     out.classical.ambient = k_d;
     out.classical.specular = dielectric_specular(p) * (1 - metallic) + base * metallic;
     out.classical.shininess = exponent_of(p.texture ? 0.5f * clamp01(p.roughness) : p.roughness);
+    if (out.specular_form == SpecularForm::automatic) out.specular_form = SpecularForm::normalized;
     out.classical.specular_texture = metallic > 0.5f ? m.base_color_texture : p.specular_color_texture;
     out.metallic_roughness = {};
     return out;
@@ -67,13 +79,15 @@ Material classical_from_metallic_roughness(const Material& m) {
 Material metallic_roughness_from_classical(const Material& m) {
     if (m.model != MaterialModel::classical) return m;
     Material out = m;
-    const vec3 k_s = m.classical.specular;
     out.model = MaterialModel::metallic_roughness;
     out.metallic_roughness = {};
-    out.metallic_roughness.metallic = 0;
-    out.metallic_roughness.roughness = roughness_of(m.classical.shininess);
-    out.metallic_roughness.specular_color = vec3{clamp01(k_s.x), clamp01(k_s.y), clamp01(k_s.z)} / dielectric_f0;
-    out.metallic_roughness.specular_color_texture = m.classical.specular_texture;
+    MetallicRoughnessParameters& p = out.metallic_roughness;
+    p.metallic = 0;
+    p.roughness = roughness_of(m.classical.shininess);
+    const vec3 f0 = textbook_f0(m, p.roughness);
+    p.specular = std::min(1.0f, 50 * std::max(f0.x, std::max(f0.y, f0.z)));
+    if (p.specular > 0) p.specular_color = f0 / (dielectric_f0 * p.specular);
+    p.specular_color_texture = m.classical.specular_texture;
     out.classical = {};
     return out;
 }

@@ -77,16 +77,31 @@ TEST(ClassicalFromMetallicRoughness, TintsTheHighlightOfAMetalWithTheBaseColorTe
     EXPECT_FALSE(classical_from_metallic_roughness(m).classical.specular_texture);
 }
 
-TEST(MetallicRoughnessFromClassical, AndBackGivesTheSameColorsAndExponent) {
+TEST(MetallicRoughnessFromClassical, AndBackGivesTheSameColorsAndExponentInTheNormalizedForm) {
     for (const float n : {1.0f, 2.0f, 10.0f, 100.0f, 9999.0f, 10000.0f})
         for (const vec3 k_s : {vec3{0, 0, 0}, vec3{0.5f, 0.25f, 1}, vec3{1, 1, 1}}) {
-            const Material back = classical_from_metallic_roughness(metallic_roughness_from_classical(classical({0.3f, 0, 1}, k_s, n)));
+            Material there = classical({0.3f, 0, 1}, k_s, n);
+            there.specular_form = SpecularForm::normalized;
+            const Material back = classical_from_metallic_roughness(metallic_roughness_from_classical(there));
             EXPECT_EQ(back.base_color, (vec4{0.3f, 0, 1, 0.5f}));
             EXPECT_NEAR(back.classical.specular.x, k_s.x, 1e-6);
             EXPECT_NEAR(back.classical.specular.y, k_s.y, 1e-6);
             EXPECT_NEAR(back.classical.specular.z, k_s.z, 1e-6);
             EXPECT_NEAR(back.classical.shininess, n, 1e-5 * n);
         }
+}
+
+TEST(MetallicRoughnessFromClassical, ATextbookHighlightKeepsTheBrightnessOfItsCenter) {
+    for (const float n : {6.0f, 30.0f, 500.0f}) {
+        const Material m = metallic_roughness_from_classical(classical({0, 0, 0}, {0.5f, 0.25f, 1}, n));
+        const MetallicRoughnessParameters& p = m.metallic_roughness;
+        const double f0 = double(p.specular_color.x) * double(p.specular) * 0.04;
+        EXPECT_NEAR(f0 / (4 * std::pow(double(p.roughness), 4)), 0.5, 1e-5) << n;  // GGX's center
+    }
+}
+
+TEST(MetallicRoughnessFromClassical, WhatHasNoHighlightHasNoneAtGrazingAnglesEither) {
+    EXPECT_EQ(metallic_roughness_from_classical(classical({1, 1, 1}, {0, 0, 0}, 30)).metallic_roughness.specular, 0);
 }
 
 TEST(MetallicRoughnessFromClassical, StaysWithinZeroToOneForAnyExponent) {
