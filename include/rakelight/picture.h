@@ -76,14 +76,15 @@ struct ViewRange {
 
 /// One picture to be made.
 struct PictureRequest {
-    std::string input;   ///< model file or "builtin:teapot"
+    std::string input;   ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
     std::string output;  ///< ending .png, .jpg, .webp (sRGB, 8 bit), .exr or .hdr (linear)
     std::string engine = "soft";
     LoadOptions load;
     MaterialOverrides materials;
     PrepareOptions prepare;
     ViewRequest view;
-    std::optional<std::vector<Light>> lights;  ///< replace all lights; else the file's, else the default rig
+    std::optional<std::vector<Light>>
+        lights;  ///< replace all lights; else the file's, else, where no environment lights the scene, the default rig
     bool default_lights = false;               ///< the default rig although the file has lights; `lights` goes first
     double light_intensity = 1;                ///< >= 0; multiplies every light
     std::optional<Fog> fog;                    ///< in place of the scene's

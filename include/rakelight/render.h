@@ -15,7 +15,8 @@ struct LoadOptions {
     bool allow_outside = false;  ///< references may leave the model's own folder tree
 };
 
-/// Loads a model file or "builtin:teapot". What was changed, guessed or dropped goes to context.report().
+/// Loads a model file or one of builtin:teapot, sphere, cylinder, cone, torus, plane. What was changed, guessed or
+/// dropped goes to context.report().
 /// @throws Error not_found, bad_file
 Scene load(const std::string& path, const LoadOptions& options, Context& context);
 
@@ -31,8 +32,8 @@ std::unique_ptr<Engine> make_engine(const std::string& name);
 Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context);
 Frame render(const Scene& scene, const RenderSettings& settings, Context& context);
 
-/// Writes a frame's colour: sRGB 8 bit for PNG, JPEG and WebP, linear float for EXR and HDR.
-/// @throws Error usage (unknown ending), failed (cannot write). Nothing is left half-written.
-void save(const Frame& frame, const std::string& path);
+/// Writes a frame's colour: sRGB 8 bit, tone-mapped, for PNG, JPEG and WebP, linear float for EXR and HDR.
+/// @throws Error usage (unknown ending, exposure out of range), failed (cannot write). Nothing is left half-written.
+void save(const Frame& frame, const std::string& path, const ToneSettings& tone = {});
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From linear light to the code values of a picture file. The only tone mapping so far is the clamp to 0..1.
+// From linear light to the code values of a picture file, clamped to 0..1. Tone mapping comes before: tone_curves.h.
 #pragma once
 #include <cstdint>
 #include <span>

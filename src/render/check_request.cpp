@@ -43,6 +43,7 @@ void check_output(const PictureRequest& request) {
 void check_request(const PictureRequest& request) {
     check_engine_name(request.engine);
     check_size(request.settings);
+    (void)ToneCurve(request.tone);  // an exposure that cannot be
     try {
         check_output(request);
     } catch (const Error& error) {

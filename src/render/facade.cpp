@@ -9,6 +9,7 @@
 #include "render/drawable.h"
 #include "render/height_maps.h"
 #include "render/picture_files.h"
+#include "render/picture_steps.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
 
@@ -26,7 +27,7 @@ Camera in_world(const Scene& scene, Camera camera, double aspect) {
 
 Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Context& context) {
     check_drawable(scene);
-    if (scene.lights.empty()) scene.lights = default_lights(camera.to_world);
+    if (scene.lights.empty() && !is_lit_by_environment(scene)) scene.lights = default_lights(camera.to_world);
     const std::unique_ptr<Engine> engine = make_engine("soft");
     const PrepareOptions prepare{.clockwise_fronts = settings.front_face == FrontFace::clockwise};
     scene = with_height_maps(std::move(scene), settings, context);
@@ -50,11 +51,11 @@ Frame render(const Scene& scene, const RenderSettings& settings, Context& contex
     return draw(scene, choose_camera(scene, {}, aspect_of(settings), context), settings, context);
 }
 
-void save(const Frame& frame, const std::string& path) {
+void save(const Frame& frame, const std::string& path, const ToneSettings& tone) {
     const bool transparent = std::any_of(frame.color.begin(), frame.color.end(), [](const vec4& c) { return c.w < 1; });
     const PixelFormat format = format_for(path, transparent);
     PictureFiles files(path, frame.window.width, frame.window.height, format, {});
-    PictureSink sink(format);
+    PictureSink sink(format, tone);
     const std::size_t width = std::size_t(frame.window.width);
     for (int y = 0; y < frame.window.height; ++y) {
         const Window row{0, y, frame.window.width, 1};

@@ -44,7 +44,7 @@ std::string said(const ViewRange& r) {
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
     if (request.lights)
         scene.lights = *request.lights;
-    else if (request.default_lights || scene.lights.empty())
+    else if (request.default_lights || (scene.lights.empty() && !is_lit_by_environment(scene)))
         scene.lights = default_lights(camera.to_world);
     if (request.light_intensity != 1)
         for (Light& light : scene.lights) strengthen(light, float(request.light_intensity));
@@ -72,7 +72,7 @@ void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& r
                        {settings.channels, request.channel_files, request.half_colors, result.view_range},
                        {window.x, window.y, settings.width, settings.height});
     double written_ms = 0;
-    PictureSink sink(format, files.needs_linear(), [&](int rows) {
+    PictureSink sink(format, request.tone, files.needs_linear(), [&](int rows) {
         const Stopwatch watch;
         files.write(sink, rows);
         written_ms += watch.ms();
@@ -97,6 +97,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     Scene scene = load(request.input, request.load, context);
     scene = override_materials(scene, request.materials, context);
     scene = with_height_maps(std::move(scene), request.settings, context);
+    scene = with_environment(std::move(scene), request, context);
     result.load_ms = watch.lap_ms();
 
     context.progress("prepare", 0);

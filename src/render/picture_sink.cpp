@@ -63,9 +63,9 @@ void PictureSink::tile(const Tile& tile) {
         if (!tile.srgb8.empty())
             pack_row(tile.srgb8.data() + from, count, format_.channels, out);
         else
-            convert_row(tile.color.data() + from, count, format_, out);
+            convert_row(tile.color.data() + from, count, format_, tone_, out);
         if (keeps_linear_)
-            convert_row(tile.color.data() + from, count, linear,
+            convert_row(tile.color.data() + from, count, linear, tone_,
                         reinterpret_cast<std::byte*>(linear_.data() + to * std::size_t(format_.channels)));
         for (ChannelPlane& plane : planes_)
             for_each_channel(

@@ -22,14 +22,16 @@ struct ChannelPlane {
 class PictureSink final : public Sink {
 public:
     /// Keeps the whole window.
-    explicit PictureSink(PixelFormat format) : format_(format) {}
+    explicit PictureSink(PixelFormat format, const ToneSettings& tone = {}) : format_(format), tone_(tone) {}
     /// Keeps a strip, and calls `strip_done` with its number of rows when they are there.
     /// @param linear  keep colors as linear floats too, for files of layers
-    PictureSink(PixelFormat format, bool linear, std::function<void(int)> strip_done)
-        : format_(format), keeps_linear_(linear), strip_done_(std::move(strip_done)) {}
+    PictureSink(PixelFormat format, const ToneSettings& tone, bool linear, std::function<void(int)> strip_done)
+        : format_(format), tone_(tone), keeps_linear_(linear), strip_done_(std::move(strip_done)) {}
 
     void begin(int width, int height, Window window, std::uint32_t channels) override;
-    bool takes_srgb8() const override { return format_.component == Component::u8 && !keeps_linear_; }
+    bool takes_srgb8() const override {
+        return format_.component == Component::u8 && !keeps_linear_ && tone_.is_identity();
+    }
     void tile(const Tile& tile) override;
     int rows_at_once() const override { return strip_done_ ? rows_ : 0; }
     void rows_done(int first, int rows) override;
@@ -47,6 +49,7 @@ private:
     std::size_t at_row(int y) const { return std::size_t(y) * std::size_t(window_.width); }
 
     PixelFormat format_;
+    ToneCurve tone_;
     bool keeps_linear_ = false;
     std::function<void(int)> strip_done_;
     Window window_;

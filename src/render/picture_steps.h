@@ -8,6 +8,12 @@ namespace rakelight {
 /// The window that is rendered: the whole picture where none is asked for.
 Window whole_window(const RenderSettings& settings);
 
+/// The scene with what the request says of its surroundings. @throws Error not_found, bad_file: the picture cannot be
+/// read
+Scene with_environment(Scene scene, const PictureRequest& request, Context& context);
+/// Then the default rig is not wanted.
+bool is_lit_by_environment(const Scene& scene);
+
 /// The scene with the lights that the picture is lit by, and the fog.
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
 

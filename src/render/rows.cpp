@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/rows.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -18,13 +20,28 @@ void linear_row(const vec4* pixels, std::size_t count, int channels, std::byte* 
     }
 }
 
+/// Tone-mapped piece by piece.
+void mapped_row(const vec4* pixels, std::size_t count, int channels, const ToneCurve& tone, std::uint8_t* out) {
+    std::array<vec4, 64> piece;
+    for (std::size_t i = 0; i < count; i += piece.size()) {
+        const std::size_t n = std::min(piece.size(), count - i);
+        const std::span<vec4> mapped(piece.data(), n);
+        tone.apply({pixels + i, n}, mapped);
+        to_srgb8(mapped, channels, {out + i * std::size_t(channels), n * std::size_t(channels)});
+    }
+}
+
 }  // namespace
 
-void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& format, std::byte* out) {
+void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& format, const ToneCurve& tone,
+                 std::byte* out) {
+    std::uint8_t* const codes = reinterpret_cast<std::uint8_t*>(out);
     if (format.component == Component::f32)
         linear_row(pixels, count, format.channels, out);
+    else if (tone.is_identity())
+        to_srgb8({pixels, count}, format.channels, {codes, count * format.bytes()});
     else
-        to_srgb8({pixels, count}, format.channels, {reinterpret_cast<std::uint8_t*>(out), count * format.bytes()});
+        mapped_row(pixels, count, format.channels, tone, codes);
 }
 
 void pack_row(const std::uint32_t* srgb8, std::size_t count, int channels, std::byte* out) {

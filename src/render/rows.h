@@ -7,6 +7,8 @@
 #include <rakelight/image.h>
 #include <rakelight/vector.h>
 
+#include "image/tone_curves.h"
+
 namespace rakelight {
 
 /// What a picture file holds: 3 channels, or 4 with alpha; display values (u8, sRGB) or linear light (f32).
@@ -17,8 +19,9 @@ struct PixelFormat {
 };
 
 /// Converts `count` pixels; `out` takes count * format.bytes(). Engines deliver colors that are not premultiplied by
-/// alpha: 8-bit formats store them so, EXR by its convention multiplied.
-void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& format, std::byte* out);
+/// alpha: 8-bit formats store them so, EXR by its convention multiplied. `tone` acts on display values alone.
+void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& format, const ToneCurve& tone,
+                 std::byte* out);
 
 /// The same of pixels that are sRGB codes already, R in the low byte; `out` takes count * channels bytes.
 void pack_row(const std::uint32_t* srgb8, std::size_t count, int channels, std::byte* out);

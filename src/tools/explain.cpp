@@ -13,10 +13,10 @@ namespace {
 using raster::CoveringTriangle;
 using raster::ShadedLayer;
 
-std::vector<std::uint8_t> codes(vec4 color, bool with_alpha) {
+std::vector<std::uint8_t> codes(vec4 color, bool with_alpha, const ToneSettings& tone) {
     const PixelFormat format{.component = Component::u8, .channels = with_alpha ? 4 : 3};
     std::vector<std::uint8_t> out(format.bytes());
-    convert_row(&color, 1, format, reinterpret_cast<std::byte*>(out.data()));
+    convert_row(&color, 1, format, ToneCurve(tone), reinterpret_cast<std::byte*>(out.data()));
     return out;
 }
 
@@ -39,7 +39,7 @@ std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int
         if (out->pixel.has_marks)
             context.report().add(Remark::warning, request.input, {},
                                  "lines or points of the model lie about this pixel: only its surfaces are explained");
-        out->codes = codes(out->pixel.color, request.settings.background.w < 1);
+        out->codes = codes(out->pixel.color, request.settings.background.w < 1, request.tone);
         return out;
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::failed, "out of memory").with_file(request.input);

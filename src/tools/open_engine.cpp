@@ -16,6 +16,7 @@ std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& requ
     Scene scene = load(request.input, request.load, context);
     scene = override_materials(scene, request.materials, context);
     scene = with_height_maps(std::move(scene), request.settings, context);
+    scene = with_environment(std::move(scene), request, context);
     context.progress("prepare", 0);
     check_drawable(scene);
     warn_of_unknown_names(scene, settings, context.report());

@@ -2,6 +2,7 @@
 // What prepare() makes of a scene: a flat list of placed meshes, materials with their textures, lights in the world.
 #pragma once
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include <rakelight/scene.h>
@@ -11,6 +12,8 @@
 #include "scene/scene_tools.h"
 
 namespace rakelight::raster {
+
+struct EnvironmentMaps;
 
 /// One mesh at one place.
 struct Draw {
@@ -37,6 +40,8 @@ struct DrawList {
     Bounds bounds;                 ///< of the boxes of both in the world
     std::vector<DrawMaterial> materials;
     std::deque<TextureView> views;   ///< what the slots of the materials point to
+    std::shared_ptr<const EnvironmentMaps> environment;  ///< null: none; EnvironmentCache
+    EnvironmentView environment_view{};                  ///< of it
 };
 
 /// Flattens a valid, posed scene.

@@ -7,6 +7,7 @@
 #include "engines/raster/blend.h"
 #include "engines/raster/coverage.h"
 #include "engines/raster/full_jobs.h"
+#include "engines/raster/environment_maps.h"
 #include "engines/raster/inspection.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/tile.h"
@@ -34,7 +35,7 @@ public:
         const FlushDenormals guard;
         out_.x = x_;
         out_.y = y_;
-        out_.background = of_.settings().background;
+        out_.background = background();
         for (const SamplePosition at : sample_positions(of_.settings().samples))
             out_.samples.push_back({at, nothing, out_.background});
         find_covering();
@@ -52,6 +53,11 @@ public:
 private:
     TileJob job_of(const Inspection::Geometry& g) const {
         return {g.front, g.binned, g.grid, of_.lights(), *scalar::kernels(), true, g.points, false, true};
+    }
+    vec4 background() {
+        if (!has_sky(of_.list())) return of_.settings().background;
+        fill_sky(job_of(open_), 0, scratch_.color, scratch_);
+        return scratch_.color[std::size_t((y_ - oy_) * tile_size + x_ - ox_)];
     }
     const MaterialView& material_of(const CoveringTriangle& t) const {
         return of_.list().materials[of_.list().draws[t.draw].material].view;

@@ -72,7 +72,8 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
     out.green_down = m.green_down, out.centered_normals = m.centered_normals;
     out.relief = relief_view(m.relief.value_or(s.relief), bump_of(front, draw), m.height_scale, view.height_map);
     out.shadows = effects.shadows;
-    out.environment = effects.environment;
+    const std::optional<Environment>& environment = front.list.scene.environment;
+    if (front.list.environment && environment->is_light) out.environment = &front.list.environment_view;
     out.fog = fog_view(front.list.scene.fog);
     out.albedo = lighting::albedo_tables();
     return out;

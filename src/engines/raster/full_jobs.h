@@ -8,7 +8,6 @@ namespace rakelight::raster {
 /// What is made once for a picture and read by all its draws.
 struct PictureEffects {
     const ShadowView* shadows = nullptr;  ///< [maps]; null: none
-    const EnvironmentView* environment = nullptr;
 };
 
 /// Fills FrontEnd::full and needs_full.

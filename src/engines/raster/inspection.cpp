@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/inspection.h"
 
+#include "engines/raster/environment_maps.h"
 #include "engines/raster/full_jobs.h"
 #include "engines/raster/visibility_methods.h"
 
@@ -8,6 +9,7 @@ namespace rakelight::raster {
 
 Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context)
     : settings_(settings_for_method(settings)), list_(make_draw_list(scene, textures_, context)) {
+    EnvironmentCache().update(list_, context);
     settings_.window = {};
     view_ = view_of(list_, camera, settings_);
     const dvec3 eye = view_.camera_to_world[3].xyz();

@@ -188,6 +188,16 @@ struct LightBox {
     float low[3], high[3];
 };
 
+/// Pixels of a tile that show the environment's picture.
+struct SkyJob {
+    int32_t count;
+    const int32_t* pixel;  ///< [count] as in ShadeJob; read up to batch_padding past it
+    float ray[3][3];       ///< as in ShadeJob; of any length. Orthographic: the same for all
+    float pixel_size;      ///< [length of the middle ray] a pixel's side; orthographic: 0
+    const EnvironmentView* environment;
+    float *red, *green, *blue;  ///< [count + batch_padding] out, linear
+};
+
 /// The functions that exist once per instruction set.
 struct Kernels {
     int32_t lanes;
@@ -196,6 +206,7 @@ struct Kernels {
     void (*light)(const LightJob* job);
     void (*channels)(const ChannelJob* job);
     void (*bounds)(const ShadeJob* job, LightBox* box);  ///< of the pixels' positions
+    void (*sky)(const SkyJob* job);
 };
 
 namespace scalar { const Kernels* kernels(); }

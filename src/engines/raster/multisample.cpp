@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "engines/raster/channels_tile.h"
+#include "engines/raster/environment_maps.h"
 #include "image/srgb_encoder.h"
 #include "image/tone.h"
 
@@ -63,6 +64,7 @@ public:
 private:
     void fill_background() {
         const vec4 background = job_.front.settings.background;
+        if (has_sky(job_.front.list)) return fill_sky(job_, tile_, s_.color, s_);
         if (!is_direct_) return std::fill(s_.color.begin(), s_.color.end(), background);
         std::uint8_t code[4];
         to_srgb8({&background, 1}, 4, code);
@@ -108,7 +110,7 @@ private:
                 m_.found.push_back({position, std::uint16_t(p), std::uint16_t(shown)});
                 s_.samples_covered += std::uint64_t(std::popcount(shown));
             } else {
-                put(number, shown, job_.front.settings.background);
+                put(number, shown, has_sky(job_.front.list) ? s_.color[p] : job_.front.settings.background);
             }
         }
         s_.covered += std::uint64_t(m_.found.size() > before);

@@ -9,6 +9,7 @@
 
 #include "engines/channel_arrays.h"
 #include "engines/raster/channels_tile.h"
+#include "engines/raster/environment_maps.h"
 #include "engines/raster/full_jobs.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/open_surfaces.h"
@@ -180,6 +181,7 @@ public:
 
     void prepare(const Scene& scene, Context& context) override {
         list_ = make_draw_list(scene, textures_, context);
+        environments_.update(list_, context);
         open_surfaces_.forget();
     }
 
@@ -211,7 +213,7 @@ public:
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
         const double waited = draw_tiles(
-            {front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8(),
+            {front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8() && !has_sky(list_),
              (settings.channels & channel_uv1) != 0, &marks, &context, reach.is_worth_it() ? &reach : nullptr},
             sink, context, front.stats);
         sink.end_pass(0);
@@ -276,6 +278,7 @@ private:
     const Kernels* kernels_;
     const GeometryKernels* geometry_kernels_;
     TextureCache textures_;
+    EnvironmentCache environments_;
     DrawList list_;
     OpenSurfaces open_surfaces_;
     ScratchPool pool_;

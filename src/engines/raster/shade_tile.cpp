@@ -8,6 +8,7 @@
 #include "engines/raster/channels_tile.h"
 #include "engines/raster/coverage.h"
 #include "engines/raster/full_jobs.h"
+#include "engines/raster/environment_maps.h"
 #include "engines/raster/mark_layers.h"
 #include "engines/raster/visibility_methods.h"
 #include "image/srgb_encoder.h"
@@ -116,8 +117,15 @@ void shade_sorted(const TileJob& job, std::size_t tile, const std::vector<DrawRu
     }
 }
 
-void set_background(const RenderSettings& settings, bool to_srgb8, TileScratch& s) {
-    if (to_srgb8) {
+bool shows_background(const TileScratch& s) {
+    return std::any_of(s.visible.begin(), s.visible.end(), [](std::int32_t position) { return position < 0; });
+}
+
+void set_background(const TileJob& job, std::size_t tile, bool to_srgb8, TileScratch& s) {
+    const RenderSettings& settings = job.front.settings;
+    if (has_sky(job.front.list)) {
+        if (shows_background(s)) fill_sky(job, tile, s.color, s);
+    } else if (to_srgb8) {
         std::uint8_t code[4];
         rakelight::to_srgb8({&settings.background, 1}, 4, code);
         std::uint32_t packed;
@@ -132,21 +140,20 @@ void set_background(const RenderSettings& settings, bool to_srgb8, TileScratch& 
     if (settings.channels & further_channels) clear_channels(settings.channels, s);
 }
 
-/// Where a pixel's ray leads: ShadeJob::ray.
-void set_ray(const View& view, int tile_x, int tile_y, ShadeJob& out) {
+}  // namespace
+
+void set_ray(const View& view, int tile_x, int tile_y, float (&ray)[3][3]) {
     const dvec3 right = view.camera_to_world[0].xyz() / view.scale_x, up = view.camera_to_world[1].xyz() / view.scale_y;
     const double x = 2 * (tile_x + 0.5) / view.width - 1, y = 1 - 2 * (tile_y + 0.5) / view.height;
     const dvec3 forward = view.orthographic ? dvec3{} : -view.camera_to_world[2].xyz();
     const dvec3 along_x = right * (2.0 / view.width), along_y = up * (-2.0 / view.height),
                 at = right * x + up * y + forward;
     for (std::size_t c = 0; c < 3; ++c) {
-        out.ray[c][0] = float(along_x[c]);
-        out.ray[c][1] = float(along_y[c]);
-        out.ray[c][2] = float(at[c]);
+        ray[c][0] = float(along_x[c]);
+        ray[c][1] = float(along_y[c]);
+        ray[c][2] = float(at[c]);
     }
 }
-
-}  // namespace
 
 void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs) {
     runs.clear();
@@ -165,7 +172,7 @@ bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs) {
 
 ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y, std::size_t count, TileScratch& s) {
     ShadeJob out = draw_job(job.front, job.lights, draw);
-    set_ray(job.front.view, tile_x, tile_y, out);
+    set_ray(job.front.view, tile_x, tile_y, out.ray);
     out.count = std::int32_t(count);
     for (std::size_t i = 0; i < batch_padding; ++i) {  // dead lanes repeat the last pixel
         s.pixel[count + i] = s.pixel[count - 1];
@@ -191,7 +198,7 @@ bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
     std::vector<DrawRun> runs;
     find_runs(job, tile, runs);
     const bool blends = has_blended(job, runs) || has_marks(job, tile), direct = job.to_srgb8 && !blends;
-    set_background(job.front.settings, direct, s);
+    set_background(job, tile, direct, s);
     s.record.assign(job.binned.offsets[tile + 1] - job.binned.offsets[tile], -1);
     if (runs.size() > most_passes)
         shade_sorted(job, tile, runs, direct, s);

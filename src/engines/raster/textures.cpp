@@ -77,7 +77,9 @@ void reserve(const MipChain& chain, std::size_t texels, TextureData& data) {
         reserve(data.rgba8, texels);
 }
 
-std::shared_ptr<const TextureData> pack(const MipChain& chain, const TextureKey& key) {
+}  // namespace
+
+std::shared_ptr<const TextureData> pack_texture(const MipChain& chain, const TextureKey& key) {
     if (chain.levels.empty()) throw Error(ErrorCode::bad_file, "the picture has no pixels");
     auto data = std::make_shared<TextureData>();
     TextureView& view = data->view;
@@ -109,6 +111,8 @@ std::shared_ptr<const TextureData> pack(const MipChain& chain, const TextureKey&
     return data;
 }
 
+namespace {
+
 /// A texture that is not there yet.
 struct Missing {
     const TextureKey* key;
@@ -120,7 +124,7 @@ void load(Missing& m, Context& context) {
     const EncodedImage& image = *m.key->image;
     try {
         const Pixels pixels = image.decode(image, context);
-        *m.data = pack(make_mip_chain(pixels, m.key->space, context), *m.key);
+        *m.data = pack_texture(make_mip_chain(pixels, m.key->space, context), *m.key);
     } catch (const Error& error) {
         m.fault = error.reason();
     }

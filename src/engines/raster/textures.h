@@ -41,6 +41,9 @@ private:
     std::map<TextureKey, std::shared_ptr<const TextureData>> textures_;
 };
 
+/// A mip chain as the kernels read it; `key` says how its borders wrap. @throws Error bad_file: no or too many texels
+std::shared_ptr<const TextureData> pack_texture(const MipChain& chain, const TextureKey& key);
+
 /// The view of a texture with its sampler's filters filled in.
 TextureView with_filters(const TextureData& data, const Sampler& sampler);
 

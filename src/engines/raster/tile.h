@@ -122,6 +122,8 @@ void put_blocks(const std::uint32_t* values, const std::int32_t* pixels, std::si
 /// where lighting is not evaluated at the pixels, the light of their corners into `lit`.
 void make_records(const TileJob& job, std::uint32_t draw, std::span<const ScreenTriangle* const> triangles, int tile_x,
                   int tile_y, TileScratch& scratch);
+/// Where the pixels' rays lead in a perspective or parallel view: ShadeJob::ray.
+void set_ray(const View& view, int tile_x, int tile_y, float (&ray)[3][3]);
 /// A job for `count` pixels of the batch arrays, all of one draw; pads the arrays.
 ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y, std::size_t count,
                   TileScratch& scratch);

@@ -95,6 +95,28 @@ TEST_F(Picture, ATransparentBackgroundGivesAlphaAsTheFormatWantsIt) {
     EXPECT_EQ(decode("t.png").channels, 4);
 }
 
+TEST_F(Picture, ToneMappingActsOnDisplayValuesAndLeavesLinearFilesAlone) {
+    const ToneSettings tone{ToneMapping::neutral, 1};
+    const vec4 row[1] = {{0.2f, 0.9f, 3, 1}};
+    const vec3 mapped = ToneCurve(tone)(row[0].xyz());
+    PictureSink display({Component::u8, 3}, tone);
+    EXPECT_TRUE(PictureSink({Component::u8, 3}).takes_srgb8());
+    EXPECT_FALSE(display.takes_srgb8());  // the engine's own codes know no curve
+    display.begin(1, 1, {}, 0);
+    display.tile({.area = {0, 0, 1, 1}, .color = row});
+    const auto* codes = reinterpret_cast<const std::uint8_t*>(display.color_row(0));
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(codes[c], srgb8_from_linear(mapped[c]));
+    PictureSink linear({Component::f32, 3}, tone);
+    linear.begin(1, 1, {}, 0);
+    linear.tile({.area = {0, 0, 1, 1}, .color = row});
+    EXPECT_EQ(reinterpret_cast<const float*>(linear.color_row(0))[2], 3.0f);
+    draw({.output = file("d.png"), .tone = {ToneMapping::none, -1}, .settings = {.width = 8, .height = 8}});
+    const Pixels darker = decode("d.png");
+    const vec4 full = test::FakeEngine::color_at(5, 6);
+    EXPECT_EQ(std::to_integer<int>(darker.row(6)[3 * 5]), srgb8_from_linear(full.x / 2));
+    EXPECT_THROW(check_request({.output = file("d.png"), .tone = {ToneMapping::agx, 99}}), Error);
+}
+
 TEST_F(Picture, PixelsThatAreNotNumbersBecomeBlackNotGarbage) {
     PictureSink sink({Component::u8, 4});
     sink.begin(1, 1, {}, 0);

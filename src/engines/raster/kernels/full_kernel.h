@@ -68,13 +68,16 @@ inline lit::LightTerms corner_terms(const ShadeJob& job, const FullPixels& f) {
     return terms;
 }
 
-/// Calls add(terms) for all that falls on the surface, in the order of the plain kernel's sum.
+/// Calls add(terms) for all that falls on the surface, in the order of the plain kernel's sum. What comes from all
+/// around is found at the pixels in flat and Gouraud pictures too.
 template <class Add>
 inline void each_light(const ShadeJob& job, const FullPixels& f, const Add& add) {
     if (job.unlit != 0) return;
-    if (job.lit != nullptr) return add(corner_terms(job, f));
-    for (int32_t i = 0; i < job.light_count; ++i) add(full_light(job, i, f));
-    if (job.full->environment != nullptr) add(environment_terms(job, f.surface));
+    if (job.lit != nullptr)
+        add(corner_terms(job, f));
+    else
+        for (int32_t i = 0; i < job.light_count; ++i) add(full_light(job, i, f));
+    if (job.full->environment != nullptr) add(environment_terms(job, f.p, f.surface));
 }
 
 /// What shines without light.

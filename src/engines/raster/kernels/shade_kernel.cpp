@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shading of a run of pixels of one material, `lanes` at a time. Compiled once per instruction set: includes only plain
 // data, math/wide.h and what stands on it.
+#include "engines/raster/kernels/sky.h"
 #include "engines/raster/kernels/store.h"
 #include "engines/raster/kernels/surface.h"
 
@@ -89,7 +90,7 @@ static void alpha(const ShadeJob* job) {
 }
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, shade, alpha, light, channels, bounds};
+    static constexpr Kernels table = {lanes, shade, alpha, light, channels, bounds, sky};
     return &table;
 }
 

@@ -193,10 +193,10 @@ void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
         out.relief_texcoord[set][0] = f.p.texcoords[set].uv.x, out.relief_texcoord[set][1] = f.p.texcoords[set].uv.y;
     out.has_relief = job.full->relief.technique != 0;
     out.has_fog = job.full->fog.kind != 0;
-    out.has_environment = job.full->environment != nullptr && job.unlit == 0 && job.lit == nullptr;
+    out.has_environment = job.full->environment != nullptr && job.unlit == 0;
     put(out.before_fog, radiance_before_fog(job, f));
     if (!out.has_environment) return;
-    const lit::LightTerms terms = environment_terms(job, f.surface);
+    const lit::LightTerms terms = environment_terms(job, f.p, f.surface);
     put(out.environment[0], terms.ambient);
     put(out.environment[1], terms.diffuse);
     put(out.environment[2], terms.specular);

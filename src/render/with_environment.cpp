@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands all around a picture's scene: the file's own, or what the caller asked for.
+#include "io/file.h"
+#include "io/image_io.h"
+#include "render/picture_steps.h"
+
+namespace rakelight {
+namespace {
+
+/// Decoded once, so that what the caller asked for is not left out silently; the engine decodes it again.
+ImageHandle environment_file(const std::string& path, Context& context) {
+    try {
+        const std::uint64_t before = context.memory().charged();
+        const io::Bytes bytes = io::read_file(path, context);
+        const Pixels pixels = io::decode_image(*bytes, context);
+        if (pixels.width != 2 * pixels.height)
+            context.report().add(Remark::warning, path, {},
+                                 "the environment is " + std::to_string(pixels.width) + " x " +
+                                     std::to_string(pixels.height) +
+                                     " pixels: equirectangular pictures are twice as wide as high");
+        context.memory().release(context.memory().charged() - before);
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
+    return io::image_from_file(path, path, path);
+}
+
+}  // namespace
+
+Scene with_environment(Scene scene, const PictureRequest& request, Context& context) {
+    if (request.hdri_file.empty() && !request.hdri_ambient && !request.hdri_skybox) return scene;
+    Environment environment = scene.environment.value_or(Environment{.is_light = false, .is_background = false});
+    if (!request.hdri_file.empty()) environment.image = environment_file(request.hdri_file, context);
+    environment.is_light |= request.hdri_ambient;
+    environment.is_background |= request.hdri_skybox;
+    if (!environment.is_light && !environment.is_background)
+        context.report().add(Remark::warning, request.hdri_file, {},
+                             "nothing shows the environment: --hdri-ambient lights by it, --hdri-skybox shows it");
+    scene.environment = std::move(environment);
+    return scene;
+}
+
+bool is_lit_by_environment(const Scene& scene) { return scene.environment && scene.environment->is_light; }
+
+}  // namespace rakelight
