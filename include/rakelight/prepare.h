@@ -16,6 +16,14 @@ enum class NormalSource : std::uint8_t { automatic, file, flat, object, model };
 
 enum class UvProjection : std::uint8_t { none, box, sphere, cylinder };
 
+/// Height maps as geometry.
+struct Displacement {
+    bool is_on = false;  ///< for materials that name no bump technique; those that name displacement are in any case
+    Relief relief;       ///< depth, bias and polarity for materials that have none of their own
+    double edge = 0;     ///< [m] in the world: longer edges of triangles are cut; 0: a 250th of the model's diagonal
+    std::uint64_t most_triangles = 4'000'000;  ///< of the displaced meshes; cutting stops before, with a warning
+};
+
 struct PrepareOptions {
     NormalSource normals = NormalSource::automatic;
     CornerWeight weight = CornerWeight::angle;
@@ -35,6 +43,7 @@ struct PrepareOptions {
     /// Triangles turn clockwise as seen from their front: normals, tangents and texture coordinates are made for that
     /// side. Goes with RenderSettings::front_face; render() and render_picture() set it by that.
     bool clockwise_fronts = false;
+    Displacement displacement;
 };
 
 /// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height

@@ -6,6 +6,7 @@
 #include <rakelight/error.h>
 
 #include "math/linear.h"
+#include "prepare/displace.h"
 #include "prepare/prepare.h"
 #include "prepare/repair.h"
 #include "prepare/smooth_request.h"
@@ -129,6 +130,13 @@ Scene prepare_stages(const Scene& scene, const PrepareOptions& options, Context&
     context.throw_if_cancelled();
     if (options.measure_orthogonality) report_kept_tangents(out, context.report());
     out = smooth_meshes(out, request, context);
+    if (wants_displacement(out, options.displacement)) {
+        context.throw_if_cancelled();
+        out = displace_scene(out, options.displacement, context);
+        SmoothRequest again = request;  // the new surface's, over all objects
+        again.attributes.scope = Scope::model;
+        out = smooth_meshes(out, again, context);
+    }
     return add_missing_tangents(out, request, context);
 }
 

@@ -29,7 +29,9 @@ Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Co
     check_drawable(scene);
     if (scene.lights.empty() && !is_lit_by_environment(scene)) scene.lights = default_lights(camera.to_world);
     const std::unique_ptr<Engine> engine = make_engine("soft");
-    const PrepareOptions prepare{.clockwise_fronts = settings.front_face == FrontFace::clockwise};
+    const PrepareOptions prepare{
+        .clockwise_fronts = settings.front_face == FrontFace::clockwise,
+        .displacement = {.is_on = settings.bump == Bump::displacement, .relief = settings.relief}};
     scene = with_height_maps(std::move(scene), settings, context);
     engine->prepare(prepare_scene(scene, prepare, context), context);
     Frame frame;

@@ -6,8 +6,8 @@
 
 #include "engines/raster/blend.h"
 #include "engines/raster/coverage.h"
-#include "engines/raster/full_jobs.h"
 #include "engines/raster/environment_maps.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/inspection.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/tile.h"

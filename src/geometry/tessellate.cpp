@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/tessellate.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "math/linear.h"
+
+namespace rakelight::geometry {
+namespace {
+
+constexpr int most_rounds = 40;  ///< each halves what is too long
+
+double squared_length(dvec3 a, dvec3 b) { return dot(a - b, a - b); }  // the same to the bit for b, a
+
+/// One mesh on its way.
+class Cutter {
+public:
+    Cutter(const CoarseMesh& coarse, double edge) : on_border_(coarse.on_border), squared_edge_(edge * edge) {
+        fine.places = coarse.places;
+        fine.indices = coarse.indices;
+        for (std::size_t t = 0; t < coarse.indices.size() / 3; ++t) fine.source_triangle.push_back(std::uint32_t(t));
+    }
+
+    /// Triangles after one more round.
+    std::uint64_t count_next() const {
+        std::uint64_t count = fine.indices.size() / 3;
+        for (std::size_t i = 0; i < fine.indices.size(); i += 3)
+            for (std::size_t k = 0; k < 3; ++k)
+                count += std::uint64_t(is_cut(fine.indices[i + k], fine.indices[i + (k + 1) % 3]));
+        return count;
+    }
+
+    void run_round() {
+        middles_.clear();
+        std::vector<std::uint32_t> indices, sources;
+        std::swap(indices, fine.indices);
+        std::swap(sources, fine.source_triangle);
+        for (std::size_t t = 0; t < sources.size(); ++t) {
+            source_ = sources[t];
+            cut({indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]});
+        }
+    }
+
+    double longest_edge() const {
+        double longest = 0;
+        for (std::size_t i = 0; i < fine.indices.size(); i += 3)
+            for (std::size_t k = 0; k < 3; ++k)
+                longest = std::max(longest, squared_length(fine.places[fine.indices[i + k]],
+                                                           fine.places[fine.indices[i + (k + 1) % 3]]));
+        return std::sqrt(longest);
+    }
+    bool is_cut_everywhere() const { return on_border_.empty(); }
+
+    FineMesh fine;
+
+private:
+    bool is_cut(std::uint32_t a, std::uint32_t b) const {
+        if (!on_border_.empty() && !(on_border_[a] && on_border_[b])) return false;
+        return squared_length(fine.places[a], fine.places[b]) > squared_edge_;
+    }
+
+    std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
+        const std::uint64_t key = std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+        const auto [entry, is_new] = middles_.try_emplace(key, std::uint32_t(fine.places.size()));
+        if (is_new) {
+            fine.places.push_back((fine.places[a] + fine.places[b]) * 0.5);
+            fine.middle_of.push_back({std::min(a, b), std::max(a, b)});
+            if (!on_border_.empty()) on_border_.push_back(1);
+        }
+        return entry->second;
+    }
+
+    void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        fine.indices.insert(fine.indices.end(), {a, b, c});
+        fine.source_triangle.push_back(source_);
+    }
+
+    void cut(std::array<std::uint32_t, 3> v) {
+        bool is[3];
+        for (std::size_t k = 0; k < 3; ++k) is[k] = is_cut(v[k], v[(k + 1) % 3]);
+        const int count = int(is[0]) + int(is[1]) + int(is[2]);
+        // turned so that the only cut edge, or the only whole one, is the first
+        std::size_t first = 0;
+        while (count == 1 ? !is[first] : count == 2 && is[first]) ++first;
+        const std::uint32_t a = v[first], b = v[(first + 1) % 3], c = v[(first + 2) % 3];
+        if (count == 0) return add(a, b, c);
+        if (count == 1) {
+            const std::uint32_t m = middle(a, b);
+            add(a, m, c);
+            return add(m, b, c);
+        }
+        const std::uint32_t right = middle(b, c), left = middle(c, a);
+        add(left, right, c);
+        if (count == 3) {
+            const std::uint32_t m = middle(a, b);
+            add(a, m, left);
+            add(m, b, right);
+            return add(m, right, left);
+        }
+        if (squared_length(fine.places[a], fine.places[right]) <= squared_length(fine.places[b], fine.places[left])) {
+            add(a, b, right);
+            add(a, right, left);
+        } else {
+            add(a, b, left);
+            add(b, right, left);
+        }
+    }
+
+    std::vector<std::uint8_t> on_border_;
+    double squared_edge_;
+    std::uint32_t source_ = 0;
+    std::unordered_map<std::uint64_t, std::uint32_t> middles_;
+};
+
+}  // namespace
+
+Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles,
+                        Context& context) {
+    std::vector<Cutter> cutters;
+    cutters.reserve(meshes.size());
+    for (const CoarseMesh& mesh : meshes) cutters.emplace_back(mesh, edge);
+    Tessellation out;
+    std::vector<std::uint64_t> next(cutters.size());
+    for (int round = 0;; ++round) {
+        context.throw_if_cancelled();
+        context.parallel_for(cutters.size(), [&](std::size_t i) { next[i] = cutters[i].count_next(); });
+        std::uint64_t now = 0, after = 0;
+        for (std::size_t i = 0; i < cutters.size(); ++i) now += cutters[i].fine.indices.size() / 3, after += next[i];
+        if (after == now) break;
+        out.is_complete = after <= most_triangles && round < most_rounds;
+        if (!out.is_complete) break;
+        context.parallel_for(cutters.size(), [&](std::size_t i) { cutters[i].run_round(); });
+    }
+    for (Cutter& cutter : cutters) {
+        if (cutter.is_cut_everywhere()) out.longest_edge = std::max(out.longest_edge, cutter.longest_edge());
+        out.meshes.push_back(std::move(cutter.fine));
+    }
+    return out;
+}
+
+}  // namespace rakelight::geometry

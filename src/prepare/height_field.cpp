@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/height_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/functions.h"
+
+namespace rakelight {
+namespace {
+
+/// Number of the texel that stands at i.
+int wrapped(int i, int size, Wrap wrap) {
+    if (wrap == Wrap::clamp_to_edge) return std::clamp(i, 0, size - 1);
+    const int period = wrap == Wrap::repeat ? size : 2 * size;
+    const int in = (i % period + period) % period;
+    return in < size ? in : period - 1 - in;
+}
+
+float texel(const MipChain& chain, const MipLevel& level, int x, int y) {
+    const std::size_t i = std::size_t(y) * std::size_t(level.width) + std::size_t(x);
+    return chain.is_float ? level.rgba32f[i].x : float(level.rgba8[i] & 255u) / 255.0f;
+}
+
+/// Texture coordinates that a file may hold, in a range whose texels can be counted.
+float in_range(float v) { return v > -1e5f && v < 1e5f ? v : 0.0f; }
+
+}  // namespace
+
+HeightField::HeightField(std::shared_ptr<const MipChain> chain, const TextureUse& use, const Sampler& sampler)
+    : chain_(std::move(chain)), wrap_u_(sampler.wrap_u), wrap_v_(sampler.wrap_v), offset_(use.transform.offset) {
+    const float c = float(math::cos(double(use.transform.rotation_rad))),
+                s = float(math::sin(double(use.transform.rotation_rad)));
+    row_u_ = {c * use.transform.scale.x, s * use.transform.scale.y};  // as KHR_texture_transform
+    row_v_ = {-s * use.transform.scale.x, c * use.transform.scale.y};
+}
+
+float HeightField::at(vec2 uv, int number) const {
+    const MipLevel& level = chain_->levels[std::min(std::size_t(number), chain_->levels.size() - 1)];
+    const float u = in_range(row_u_.x * uv.x + row_u_.y * uv.y + offset_.x),
+                v = in_range(row_v_.x * uv.x + row_v_.y * uv.y + offset_.y);
+    const double x = double(u) * level.width - 0.5, y = double(v) * level.height - 0.5;
+    const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
+    const float tx = float(x - x0), ty = float(y - y0);
+    const auto read = [&](int column, int row) {
+        return texel(*chain_, level, wrapped(column, level.width, wrap_u_), wrapped(row, level.height, wrap_v_));
+    };
+    const float upper = read(x0, y0) + (read(x0 + 1, y0) - read(x0, y0)) * tx;
+    const float lower = read(x0, y0 + 1) + (read(x0 + 1, y0 + 1) - read(x0, y0 + 1)) * tx;
+    return upper + (lower - upper) * ty;
+}
+
+std::shared_ptr<const HeightField> HeightFields::of(const TextureUse& use) {
+    const Texture& texture = scene_.textures[use.texture];
+    const auto [entry, is_new] = chains_.try_emplace(texture.image.get());
+    if (is_new) try {
+            const std::uint64_t before = context_.memory().charged();
+            MipChain chain =
+                make_mip_chain(texture.image->decode(*texture.image, context_), ColorSpace::linear, context_);
+            context_.memory().release(context_.memory().charged() - before);
+            if (!chain.levels.empty()) entry->second = std::make_shared<const MipChain>(std::move(chain));
+        } catch (const Error& error) {
+            context_.report().add(Remark::warning, texture.image->file, texture.image->name,
+                                  "no displacement: " + error.reason());
+        }
+    return entry->second ? std::make_shared<const HeightField>(entry->second, use, texture.sampler) : nullptr;
+}
+
+}  // namespace rakelight
