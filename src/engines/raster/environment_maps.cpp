@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "engines/raster/full_types.h"
-#include "image/split_sum.h"
 #include "math/functions.h"
 
 namespace rakelight::raster {
@@ -43,7 +42,6 @@ std::shared_ptr<const EnvironmentMaps> make_maps(const ImageHandle& image, Conte
     const EnvironmentLight light = make_environment_light(chain, context);
     out->irradiance = light.irradiance;
     pack_mirrored(light.mirrored, *out);
-    out->split_sum = split_sum_table(split_sum_size);
     return out;
 }
 
@@ -55,7 +53,6 @@ EnvironmentView view_of(const EnvironmentMaps& maps, const Environment& environm
     EnvironmentView view{};
     view.specular = &maps.mirrored_view;
     view.sky = &maps.sky_view;
-    view.split_sum = maps.split_sum.data();
     for (std::size_t i = 0; i < 9; ++i)
         for (std::size_t c = 0; c < 3; ++c) view.irradiance[i][c] = maps.irradiance[i][c];
     view.turn[0] = float(math::cos(environment.rotation_rad));

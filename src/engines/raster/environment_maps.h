@@ -17,7 +17,7 @@ struct EnvironmentMaps {
 
     ImageHandle image;  ///< null: the studio
     std::shared_ptr<const TextureData> sky;
-    std::vector<float> mirrored, split_sum;
+    std::vector<float> mirrored;
     TextureView sky_view, mirrored_view;
     std::array<vec3, 9> irradiance;
 };

@@ -53,11 +53,9 @@ struct EnvironmentView {
     const TextureView* specular;  ///< octahedral, each level prefiltered for a rougher surface
     float irradiance[9][3];       ///< spherical harmonics of irradiance / pi, scaled for the polynomial in x, y, z
     const TextureView* sky;       ///< the picture itself, equirectangular; null: it is not the background
-    const float* split_sum;       ///< [split_sum_size][split_sum_size][2] by roughness, then n.v: scale and bias of f0
     float turn[2];                ///< cosine and sine of the rotation about +Y
     float intensity;
 };
-inline constexpr int split_sum_bits = 5, split_sum_size = 1 << split_sum_bits;
 
 struct FogView {
     int32_t kind;  ///< FogKind

@@ -6,6 +6,7 @@
 
 #include "engines/raster/channels_tile.h"
 #include "engines/raster/coverage.h"
+#include "engines/raster/environment_maps.h"
 #include "engines/raster/inspect_samples.h"
 #include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
@@ -163,9 +164,11 @@ private:
 
     /// Those of the surfaces that are laid over, in their order; weights as blend_transparent() has them.
     void trace_blended() {
-        const vec4 background = of_.settings().background;
+        const bool is_sky = has_sky(of_.list());
+        if (is_sky) fill_sky(job_, tile_, s_.color, s_);
         for_each_pixel([&](std::size_t pixel) {
             const std::size_t p = at(pixel);
+            const vec4 background = is_sky ? s_.color[pixel] : of_.settings().background;
             alpha_[pixel] = out_.draw[p] == none ? background.w : 1;
             if (out_.draw[p] == none && out_.layer_count[p] > 0) out_.own_color[p] = background.xyz();
         });

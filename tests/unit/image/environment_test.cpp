@@ -8,7 +8,6 @@
 #include <functional>
 #include <random>
 
-#include "image/split_sum.h"
 #include "math/linear.h"
 
 namespace rakelight {
@@ -188,53 +187,6 @@ TEST(Environment, TheStudioIsNeutralAndLightsAWhiteSurfaceThatFacesItsKeyLightBy
     EXPECT_LT(where.x, 0);  // upper left in front
     EXPECT_GT(where.y, 0);
     EXPECT_GT(where.z, 0);
-}
-
-// --- the second sum
-// ------------------------------------------------------------------------------------------------------
-
-/// The albedo by a plain sum over light directions (Walter et al. 2007, eq. 20, 25; Heitz 2014, eq. 99).
-AlbedoOfGloss by_plain_sum(double cosine, double roughness) {
-    const double a2 = std::pow(roughness, 4);
-    const dvec3 v{std::sqrt(1 - cosine * cosine), 0, cosine};
-    const auto lambda = [&](double c) { return (std::sqrt(1 + a2 * (1 - c * c) / (c * c)) - 1) / 2; };
-    double scale = 0, bias = 0;
-    constexpr int rows = 700, columns = 1400;
-    for (int i = 0; i < rows; ++i) {
-        const double z = (i + 0.5) / rows, across = std::sqrt(1 - z * z);
-        for (int j = 0; j < columns; ++j) {
-            const double phi = pi * (j + 0.5) / columns;  // the other half is the same
-            const dvec3 l{across * std::cos(phi), across * std::sin(phi), z}, h = normalize_or(l + v, {0, 0, 1});
-            const double base = h.z * h.z * (a2 - 1) + 1, d = a2 / (pi * base * base);
-            const double brdf = d / (1 + lambda(z) + lambda(cosine)) / (4 * z * cosine);
-            const double f = std::pow(1 - dot(v, h), 5), part = brdf * z * (2 * pi / (rows * columns));
-            scale += (1 - f) * part;
-            bias += f * part;
-        }
-    }
-    return {float(scale), float(bias)};
-}
-
-TEST(SplitSum, IsTheDirectionalAlbedoByAPlainSum) {
-    for (const double roughness : {0.35, 0.5, 0.8, 1.0})
-        for (const double cosine : {0.1, 0.3, 0.7, 1.0}) {
-            const AlbedoOfGloss a = albedo_of_gloss(cosine, roughness), b = by_plain_sum(cosine, roughness);
-            EXPECT_NEAR(a.scale, b.scale, 0.004) << roughness << ' ' << cosine;
-            EXPECT_NEAR(a.bias, b.bias, 0.004) << roughness << ' ' << cosine;
-        }
-}
-
-TEST(SplitSum, HasItsKnownEnds) {
-    const AlbedoOfGloss rough = albedo_of_gloss(1, 1);
-    EXPECT_NEAR(rough.scale + rough.bias, 1 - std::log(2.0), 0.003);  // roughness 1 seen from the normal
-    for (const double cosine : {0.2, 0.6, 1.0}) {
-        const AlbedoOfGloss mirror = albedo_of_gloss(cosine, 0);  // Schlick's term itself
-        EXPECT_NEAR(mirror.bias, std::pow(1 - cosine, 5), 0.002);
-        EXPECT_NEAR(mirror.scale + mirror.bias, 1, 0.002);
-    }
-    const std::vector<float> table = split_sum_table(4);
-    ASSERT_EQ(table.size(), 32u);
-    EXPECT_EQ(table[2 * 15], rough.scale);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light from all around at a run of pixels: the diffuse term from spherical harmonics, the glossy one from a chain of
-// octahedral maps and a table of directional albedos. Per instruction set.
+// octahedral maps and the tables of directional albedos. Per instruction set.
 #pragma once
-#include "engines/raster/kernels/surface.h"
+#include "engines/raster/kernels/full_surface.h"
 
 namespace rakelight::raster::RL_ISA {
 
@@ -42,63 +42,55 @@ inline vec3 mirrored(const EnvironmentView& e, vec3 direction, real roughness) {
     return rgb(sample(t, footprint_of(t, c, level, true))) * real(e.intensity);
 }
 
-/// Albedo of a GGX surface in even light: f0 times `scale` plus `bias` (Karis 2013, the second sum).
-struct SplitSum {
-    real scale, bias;
-};
-
-inline SplitSum split_sum(const float* table, real n_dot_v, real roughness) {
-    const real last(float(split_sum_size - 1)), zero(0.0f), one(1.0f);
-    const real x = clamp(n_dot_v, zero, one) * last, y = clamp(roughness, zero, one) * last;
-    const integer most(split_sum_size - 2);
-    const integer x0 = min(to_int(x), most), y0 = min(to_int(y), most);
-    const real tx = x - to_real(x0), ty = y - to_real(y0);
-    const auto at = [&](int component) {
-        const integer i = ((y0 << split_sum_bits) + x0) << 1;
-        const float* const from = table + component;
-        const real upper = mix(gather(from, i), gather(from + 2, i), tx);
-        const float* const below = from + 2 * split_sum_size;
-        return mix(upper, mix(gather(below, i), gather(below + 2, i), tx), ty);
-    };
-    return {at(0), at(1)};
-}
-
-inline real occlusion_at(const MaterialView& m, const Pixels& p) {
-    if (m.occlusion_map.view == nullptr) return real(1.0f);
-    return real(1.0f) + real(m.occlusion_strength) * (texel(m.occlusion_map, p).x - real(1.0f));
-}
-
 /// GGX roughness of a lobe of this exponent: alpha^2 = 2 / (e + 2) (Walter et al. 2007, section 5.3, in Blinn-Phong's
 /// terms).
 inline real roughness_of_exponent(real exponent) { return sqrt(sqrt(real(2.0f) / (exponent + real(2.0f)))); }
 
-inline constexpr int32_t oren_nayar = 3;  ///< Lighting - 1, as ShadeJob::reflection_model
+inline vec3 mirrored_about(vec3 n, vec3 v) {
+    const real n_dot_v = dot(n, v);
+    return n * (n_dot_v + n_dot_v) - v;
+}
 
-/// `ambient`: diffuse reflection, `specular`: glossy reflection. Classical materials reflect k_d and, but for Lambert's
-/// and Oren-Nayar's models, k_s of it; metallic-roughness ones by the split sum, and as diffuse light what is left.
+inline vec3 gloss_at(const EnvironmentView& e, const lit::Surface& s, real roughness) {
+    return mirrored(e, mirrored_about(s.n, s.v), roughness);
+}
+
+/// Metallic-roughness surfaces, layer by layer: pbr_around() has weighed them.
+inline lit::LightTerms pbr_environment(const EnvironmentView& e, const lit::MaterialTraits& traits,
+                                       const lit::MaterialSurface& s) {
+    lit::LightTerms terms;
+    terms.ambient = s.around_diffuse * irradiance(e, s.diffuse_n);
+    terms.diffuse = vec3(real(0.0f));
+    terms.specular = s.around_specular * gloss_at(e, s.base, s.roughness);
+    if (traits.has_sheen != 0) terms.specular = terms.specular + s.around_sheen * irradiance(e, s.base.n);
+    if (traits.has_coat != 0)
+        terms.specular =
+            terms.specular + mirrored(e, mirrored_about(s.coat_n, s.base.v), sqrt(s.coat_alpha)) * s.around_coat;
+    return terms;
+}
+
+/// `ambient`: diffuse reflection, `specular`: glossy reflection. Classical materials and Ward's model reflect k_d of it,
+/// and but for Lambert's and Oren-Nayar's models k_s, from a lobe as wide as theirs. Metallic-roughness materials under Phong
+/// and Blinn-Phong mirror by Karis 2013's split sum, and are diffuse with what is left.
 inline lit::LightTerms environment_terms(const ShadeJob& job, const Pixels& p, const lit::MaterialSurface& surface) {
     const EnvironmentView& e = *job.full->environment;
+    if (is_pbr(job)) return pbr_environment(e, traits_of(job), surface);
     const MaterialView& m = *job.material;
     const lit::Surface& s = surface.base;
-    const real occlusion = occlusion_at(m, p), zero(0.0f);
+    const real occlusion = occlusion_of(m, p);
     lit::LightTerms terms;
     terms.ambient = s.diffuse * irradiance(e, surface.diffuse_n) * occlusion;
-    terms.diffuse = terms.specular = vec3(zero);
-    if (job.reflection_model == RL_LAMBERT || job.reflection_model == oren_nayar) return terms;
-    const real n_dot_v = dot(s.n, s.v);
-    const vec3 r = s.n * (n_dot_v + n_dot_v) - s.v;
-    const real roughness = roughness_of_exponent(s.exponent);
+    terms.diffuse = terms.specular = vec3(real(0.0f));
+    if (job.reflection_model == RL_LAMBERT || job.reflection_model == RL_OREN_NAYAR) return terms;
+    const real roughness = job.reflection_model == RL_WARD ? surface.roughness : roughness_of_exponent(s.exponent);
     vec3 albedo = s.specular;
-    if (m.metallic_roughness != 0) {
-        const SplitSum sums = split_sum(e.split_sum, n_dot_v, roughness);
-        albedo = s.specular * sums.scale + vec3(sums.bias);
-        if (job.full->multiple_scattering != 0) {
-            const real lost = reciprocal(max(sums.scale + sums.bias, real(1e-3f))) - real(1.0f);
-            albedo = albedo * (vec3(real(1.0f)) + s.specular * lost);
-        }
+    if (m.metallic_roughness != 0 && job.reflection_model != RL_WARD) {
+        const real n_dot_v = dot(s.n, s.v), whole = lobe_albedo(job.full->albedo, n_dot_v, roughness);
+        const real grazing = whole * look_up_table(job.full->albedo.grazing, grazing_place(n_dot_v, roughness));
+        albedo = s.specular * (whole - grazing) + vec3(grazing);
         terms.ambient = terms.ambient * (vec3(real(1.0f)) - albedo);
     }
-    terms.specular = albedo * mirrored(e, r, roughness) * occlusion;
+    terms.specular = albedo * gloss_at(e, s, roughness) * occlusion;
     return terms;
 }
 
