@@ -22,7 +22,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-STAND_INS = {".glb": "data/spot/spot_slab5.glb", ".obj": "tests/golden/models/solids.obj"}
+STAND_INS = {".glb": "data/spot/spot_slab5.glb", ".obj": "tests/golden/models/solids.obj", ".toml": "data/world/room.scene.toml"}
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```", re.M | re.S)
 INDENTED = re.compile(r"^(?: {4}.*\n?)+", re.M)
@@ -102,7 +102,7 @@ def run_command(root, program, command, wrong):
             option = words[at - 1]
             if option in ("-o", "--output"):
                 (folder / word).parent.mkdir(parents=True, exist_ok=True)
-            elif option.startswith("--texture-") or re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x)", word):
+            elif option.startswith("--texture-") or re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x|scene\.toml)", word):
                 is_missing |= not provide(root, folder, word)
         done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=120,
                               stdin=subprocess.DEVNULL)
