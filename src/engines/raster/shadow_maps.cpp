@@ -16,6 +16,7 @@ namespace {
 using lighting::LightKind;
 using lighting::LightParameters;
 
+constexpr double largest_scene = 1e30;         ///< [m] diagonal; beyond, maps' numbers leave the range of floats
 constexpr double widest_spot = radians(60.0);  ///< half angle; wider ones have six maps
 constexpr std::uint64_t bytes_per_texel = sizeof(float) + sizeof(std::int32_t);
 constexpr float nothing_parallel = -3e38f;  ///< nearness where nothing is
@@ -265,6 +266,10 @@ ShadowMaps::ShadowMaps(const DrawList& list, const RenderSettings& settings, con
                        const GeometryKernels& geometry_kernels, dvec3 eye, std::vector<LightParameters>& lights,
                        Context& context) {
     if (!settings.shadows || list.draws.empty()) return;
+    if (!(list.bounds.diagonal() < largest_scene)) {
+        context.report().add(Remark::warning, list.scene.source, {}, "the scene is too large for shadows");
+        return;
+    }
     std::vector<std::pair<std::size_t, std::vector<MapCamera>>> planned;  // light, cameras
     std::uint64_t maps = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {

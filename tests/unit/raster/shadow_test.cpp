@@ -271,6 +271,28 @@ TEST(Shadows, AnExplainedPixelHasThemToo) {
         EXPECT_EQ(inspection.explain(x, y, context).color, pixel(frame, x, y)) << x << ' ' << y;
 }
 
+TEST(Shadows, OfAFlatGouraudOrMonstrousSceneAreLeftOutAndTheReportSaysSo) {
+    const auto remarks = [](const Scene& scene, Shading shading) {
+        Context context({.threads = 1});
+        auto engine = raster::make_engine();
+        engine->prepare(scene, context);
+        RenderSettings settings = settings_with(true);
+        settings.shading = shading, settings.shadow_size = 64;
+        Frame frame;
+        engine->render(above, settings, frame, context);
+        std::string all;
+        for (const ReportEntry& entry : context.report().entries()) all += entry.message + '\n';
+        return all;
+    };
+    Scene scene = many_shadows();
+    EXPECT_EQ(remarks(scene, Shading::phong), "");
+    EXPECT_NE(remarks(scene, Shading::gouraud).find("shadows do not fall on flat and Gouraud"), std::string::npos);
+    EXPECT_NE(remarks(scene, Shading::flat).find("shadows do not fall on flat and Gouraud"), std::string::npos);
+    EXPECT_EQ(remarks(scene, Shading::automatic).find("Gouraud"), std::string::npos);
+    scene.nodes[0].local.matrix = scaling(dvec3{1e200, 1e200, 1e200});
+    EXPECT_NE(remarks(scene, Shading::phong).find("too large for shadows"), std::string::npos);
+}
+
 TEST(Shadows, MapsThatCannotBeAreUsageErrors) {
     const Scene scene = many_shadows();
     RenderSettings settings = settings_with(true);
