@@ -13,7 +13,7 @@ namespace {
 
 constexpr int widest_for_sums = 1024;  ///< [px] of the level that irradiance is summed over
 constexpr int largest_map = 512;       ///< [texels] of the sharpest octahedral map
-constexpr int sizes[environment_levels] = {largest_map, 128, 64, 32, 32, 32, 16, 16};
+constexpr int sizes[environment_levels] = {largest_map, 128, 64, 32, 32, 32, 32, 32};
 constexpr int samples[environment_levels] = {1, 48, 96, 128, 192, 256, 256, 256};
 
 vec3 texel_of(const MipChain& chain, const MipLevel& level, std::size_t i) {

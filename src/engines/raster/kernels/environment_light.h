@@ -42,55 +42,23 @@ inline vec3 mirrored(const EnvironmentView& e, vec3 direction, real roughness) {
     return rgb(sample(t, footprint_of(t, c, level, true))) * real(e.intensity);
 }
 
-/// GGX roughness of a lobe of this exponent: alpha^2 = 2 / (e + 2) (Walter et al. 2007, section 5.3, in Blinn-Phong's
-/// terms).
-inline real roughness_of_exponent(real exponent) { return sqrt(sqrt(real(2.0f) / (exponent + real(2.0f)))); }
-
 inline vec3 mirrored_about(vec3 n, vec3 v) {
     const real n_dot_v = dot(n, v);
     return n * (n_dot_v + n_dot_v) - v;
 }
 
-inline vec3 gloss_at(const EnvironmentView& e, const lit::Surface& s, real roughness) {
-    return mirrored(e, mirrored_about(s.n, s.v), roughness);
-}
-
-/// Metallic-roughness surfaces, layer by layer: pbr_around() has weighed them.
-inline lit::LightTerms pbr_environment(const EnvironmentView& e, const lit::MaterialTraits& traits,
-                                       const lit::MaterialSurface& s) {
+/// `ambient`: diffuse reflection, `specular`: gloss, sheen and coat, as finish_surface() has weighed them.
+inline lit::LightTerms environment_terms(const ShadeJob& job, const lit::MaterialSurface& s) {
+    const EnvironmentView& e = *job.full->environment;
+    const lit::MaterialTraits traits = traits_of(job);
     lit::LightTerms terms;
     terms.ambient = s.around_diffuse * irradiance(e, s.diffuse_n);
     terms.diffuse = vec3(real(0.0f));
-    terms.specular = s.around_specular * gloss_at(e, s.base, s.roughness);
+    terms.specular = s.around_specular * mirrored(e, mirrored_about(s.base.n, s.base.v), s.roughness);
     if (traits.has_sheen != 0) terms.specular = terms.specular + s.around_sheen * irradiance(e, s.base.n);
     if (traits.has_coat != 0)
         terms.specular =
             terms.specular + mirrored(e, mirrored_about(s.coat_n, s.base.v), sqrt(s.coat_alpha)) * s.around_coat;
-    return terms;
-}
-
-/// `ambient`: diffuse reflection, `specular`: glossy reflection. Classical materials and Ward's model reflect k_d of it,
-/// and but for Lambert's and Oren-Nayar's models k_s, from a lobe as wide as theirs. Metallic-roughness materials under Phong
-/// and Blinn-Phong mirror by Karis 2013's split sum, and are diffuse with what is left.
-inline lit::LightTerms environment_terms(const ShadeJob& job, const Pixels& p, const lit::MaterialSurface& surface) {
-    const EnvironmentView& e = *job.full->environment;
-    if (is_pbr(job)) return pbr_environment(e, traits_of(job), surface);
-    const MaterialView& m = *job.material;
-    const lit::Surface& s = surface.base;
-    const real occlusion = occlusion_of(m, p);
-    lit::LightTerms terms;
-    terms.ambient = s.diffuse * irradiance(e, surface.diffuse_n) * occlusion;
-    terms.diffuse = terms.specular = vec3(real(0.0f));
-    if (job.reflection_model == RL_LAMBERT || job.reflection_model == RL_OREN_NAYAR) return terms;
-    const real roughness = job.reflection_model == RL_WARD ? surface.roughness : roughness_of_exponent(s.exponent);
-    vec3 albedo = s.specular;
-    if (m.metallic_roughness != 0 && job.reflection_model != RL_WARD) {
-        const real n_dot_v = dot(s.n, s.v), whole = lobe_albedo(job.full->albedo, n_dot_v, roughness);
-        const real grazing = whole * look_up_table(job.full->albedo.grazing, grazing_place(n_dot_v, roughness));
-        albedo = s.specular * (whole - grazing) + vec3(grazing);
-        terms.ambient = terms.ambient * (vec3(real(1.0f)) - albedo);
-    }
-    terms.specular = albedo * gloss_at(e, s, roughness) * occlusion;
     return terms;
 }
 

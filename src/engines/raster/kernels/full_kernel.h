@@ -77,7 +77,7 @@ inline void each_light(const ShadeJob& job, const FullPixels& f, const Add& add)
         add(corner_terms(job, f));
     else
         for (int32_t i = 0; i < job.light_count; ++i) add(full_light(job, i, f));
-    if (job.full->environment != nullptr) add(environment_terms(job, f.p, f.surface));
+    if (job.full->environment != nullptr) add(environment_terms(job, f.surface));
 }
 
 /// What shines without light.

@@ -199,23 +199,40 @@ inline void set_pbr_albedos(const ShadeJob& job, const Pixels& p, const lit::Mat
     s = lit::pbr_around(s, albedo, occlusion_of(*job.material, p));
 }
 
-/// What models other than pbr reflect of surroundings: k_s of a textbook lobe by the mapping above.
+/// Metallic-roughness materials under Phong and Blinn-Phong mirror surroundings by Karis 2013's split sum, and are
+/// diffuse with what is left.
+inline void set_split_sum(const ShadeJob& job, lit::MaterialSurface& s) {
+    const lighting::AlbedoTables& t = job.full->albedo;
+    const real n_dot_v = dot(s.base.n, s.base.v), whole = lobe_albedo(t, n_dot_v, s.roughness);
+    const real grazing = whole * look_up_table(t.grazing, grazing_place(n_dot_v, s.roughness));
+    const vec3 albedo = s.base.specular * (whole - grazing) + vec3(grazing);
+    s.around_diffuse = s.around_diffuse * (vec3(real(1.0f)) - albedo);
+    s.around_specular = albedo;
+}
+
+/// What models other than pbr reflect of surroundings: k_d, and k_s of a textbook lobe by the mapping above.
 inline void set_around(const ShadeJob& job, const Pixels& p, lit::MaterialSurface& s) {
-    const real one(1.0f), occlusion = occlusion_of(*job.material, p);
+    const MaterialView& m = *job.material;
+    const real one(1.0f), occlusion = occlusion_of(m, p);
     s.coat_n = s.base.n;
     s.coat_alpha = one;
     s.around_coat = real(0.0f);
     s.around_specular = s.around_sheen = vec3(real(0.0f));
-    s.around_diffuse = job.material->metallic_roughness != 0 ? s.base.diffuse * occlusion : s.base.ambient;
+    s.around_diffuse = s.base.diffuse * occlusion;
     if (job.reflection_model == RL_LAMBERT || job.reflection_model == RL_OREN_NAYAR) {
         s.roughness = one;
         return;
     }
-    s.around_specular = s.base.specular * occlusion;
-    if (job.reflection_model == RL_WARD) return;
-    const real alpha_squared = real(2.0f) / (s.base.exponent + real(2.0f));
-    s.roughness = sqrt(sqrt(alpha_squared));
-    if (job.reflection_form == RL_TEXTBOOK) s.around_specular = s.around_specular * min(one, real(4.0f) * alpha_squared);
+    s.around_specular = s.base.specular;
+    if (job.reflection_model != RL_WARD) {
+        const real alpha_squared = real(2.0f) / (s.base.exponent + real(2.0f));
+        s.roughness = sqrt(sqrt(alpha_squared));
+        if (m.metallic_roughness != 0)
+            set_split_sum(job, s);
+        else if (job.reflection_form == RL_TEXTBOOK)
+            s.around_specular = s.around_specular * min(one, real(4.0f) * alpha_squared);
+    }
+    s.around_specular = s.around_specular * occlusion;
 }
 
 /// What depends on directions, once they are known; the emission, dimmed by what lies over it.

@@ -196,7 +196,7 @@ void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
     out.has_environment = job.full->environment != nullptr && job.unlit == 0;
     put(out.before_fog, radiance_before_fog(job, f));
     if (!out.has_environment) return;
-    const lit::LightTerms terms = environment_terms(job, f.p, f.surface);
+    const lit::LightTerms terms = environment_terms(job, f.surface);
     put(out.environment[0], terms.ambient);
     put(out.environment[1], terms.diffuse);
     put(out.environment[2], terms.specular);
