@@ -102,7 +102,7 @@ def run_command(root, program, command, wrong):
             option = words[at - 1]
             if option in ("-o", "--output"):
                 (folder / word).parent.mkdir(parents=True, exist_ok=True)
-            elif option.startswith("--texture-") or re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x|scene\.toml)", word):
+            elif option.startswith("--texture-") or option in ("--height-map", "--hdri-file") or re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x|scene\.toml)", word):
                 is_missing |= not provide(root, folder, word)
         done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=120,
                               stdin=subprocess.DEVNULL)
