@@ -1,8 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world/toml_tree.h"
 
+// toml++ 3.3 asserts what hostile text can make false (a key that begins with none of its letters), and takes it for granted where NDEBUG
+// is defined: here it becomes an error of the text.
+#undef NDEBUG
+#define TOML_ASSERT(expression) rakelight::io::world::require(static_cast<bool>(expression))
 #define TOML_HEADER_ONLY 1
 #define TOML_EXCEPTIONS 1
+namespace rakelight::io::world {
+struct TomlFault {};
+constexpr void require(bool is_so) {
+    if (!is_so) throw TomlFault();
+}
+}  // namespace rakelight::io::world
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -85,6 +95,28 @@ void check_dotted_keys(std::string_view text) {
     }
 }
 
+bool is_taken(std::string_view text) {
+    try {
+        (void)toml::parse(text);
+    } catch (const toml::parse_error&) {  // an end that is too early: the fault lies behind it
+    } catch (const TomlFault&) {
+        return false;
+    }
+    return true;
+}
+
+/// The place at which toml++ gives up: the shortest beginning of the text that makes it.
+WorldPlace place_of_fault(std::string_view text) {
+    std::size_t taken = 0, refused = text.size();
+    while (refused - taken > 1) {
+        const std::size_t middle = taken + (refused - taken) / 2;
+        (is_taken(text.substr(0, middle)) ? taken : refused) = middle;
+    }
+    WorldPlace place{1, 1};
+    for (const char c : text.substr(0, taken)) place = c == '\n' ? WorldPlace{place.line + 1, 1} : WorldPlace{place.line, place.column + 1};
+    return place;
+}
+
 }  // namespace
 
 const char* name_of(TomlNode::Kind kind) {
@@ -111,6 +143,8 @@ TomlNode parse_toml(std::string_view text) {
         return tree_of(toml::parse(text));
     } catch (const toml::parse_error& fault) {
         throw Error(ErrorCode::bad_file, std::string(fault.description()), to_text(place_of(fault.source())));
+    } catch (const TomlFault&) {
+        throw Error(ErrorCode::bad_file, "not TOML: a key or a value is expected here", to_text(place_of_fault(text)));
     }
 }
 

@@ -137,6 +137,9 @@ TEST(ParseWorld, EveryFaultIsSaidWithItsLineAndColumn) {
         {"a = [1, 2\n", "line 3, column 11", ""},
         {"x = 'open\n", "line 3, column 10", ""},
         {"[fog]\nkind = 'exp'\nkind = 'exp'\n", "line 5, column 8", "redefine"},
+        {"[=]\n", "line 3, column 2", "not TOML"},  // toml++ asserts these three
+        {"[.[light]]\n", "line 3, column 2", "not TOML"},
+        {"[[.5, 1]\n", "line 3, column 3", "not TOML"},
         {"y = 99999999999999999999\n", "line 3, column", ""},
     };
     for (const auto& [text, place, words] : faults) {
