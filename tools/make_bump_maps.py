@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes a tileable height map and the tangent-space normal map (green up) of the same relief, by formula:
 
-    make_bump_maps.py brick|leather|scratches OUT_STEM [SIZE]    ->  OUT_STEM_height.png, OUT_STEM_normal.png
+    make_bump_maps.py brick|leather|scratches|dents OUT_STEM [SIZE]    ->  OUT_STEM_height.png, OUT_STEM_normal.png
 
 brick: courses in running bond with rounded borders and a soft grain; leather: cells about scattered points, their
-borders the creases; scratches: straight grooves of every direction in a plate. White is high. The normal map holds the
+borders the creases; scratches: straight grooves of every direction in a plate; dents: a bump and a dent. White is high. The normal map holds the
 slopes of the relief at the depth of DEPTHS, in widths of the texture: with that depth a height bump looks the same."""
 import math
 import random
@@ -13,7 +13,7 @@ import sys
 
 from png8 import write_rgb
 
-DEPTHS = {"brick": 0.05, "leather": 0.02, "scratches": 0.006}
+DEPTHS = {"brick": 0.05, "leather": 0.02, "scratches": 0.006, "dents": 0.15}
 
 
 def smooth(t):
@@ -92,6 +92,14 @@ def scratches(size):
     return lambda x, y: 0.96 - 0.9 * field[y][x] + 0.04 * fine[y][x]
 
 
+def dents(size):
+    def height(x, y):
+        u, v = (x + 0.5) / size, (y + 0.5) / size
+        bump, dent = math.hypot(u - 0.27, v - 0.5) / 0.2, math.hypot(u - 0.73, v - 0.5) / 0.2
+        return 0.5 + 0.5 * smooth(1 - bump) - 0.5 * smooth(1 - dent)
+    return height
+
+
 def normals(field, size, depth):
     """Central differences, wrapped round; rows count downwards, green points up."""
     strength, pixels = depth * size, bytearray()
@@ -106,7 +114,7 @@ def normals(field, size, depth):
 
 def main():
     kind, stem, size = sys.argv[1], sys.argv[2], int(sys.argv[3]) if len(sys.argv) > 3 else 256
-    height = {"brick": brick, "leather": leather, "scratches": scratches}[kind](size)
+    height = {"brick": brick, "leather": leather, "scratches": scratches, "dents": dents}[kind](size)
     field = [[min(max(height(x, y), 0.0), 1.0) for x in range(size)] for y in range(size)]
     gray = bytearray()
     for row in field:

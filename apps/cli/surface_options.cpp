@@ -23,7 +23,7 @@ constexpr OptionEntry<W> table[] = {
     {shading, "--viewer-infinity", &W::viewer_infinity, switch_type,
      "Highlights as if the viewer were infinitely far away"},
     {bumps, "--bump", &W::bump, "HOW",
-     "normal (default), none, auto, height, parallax, parallax-limited, steep, occlusion, displacement"},
+     "auto (default), none, height, normal, parallax, parallax-limited, steep, occlusion, displacement"},
     {bumps, "--bump-terms", &W::bump_terms, "WHICH", "Light that bumps act on: both (default), diffuse, specular"},
     {bumps, "--bump-depth", &W::depth, "D", "Depth of height maps in texture widths, 0 to 10 (default 0.05)"},
     {bumps, "--bump-bias", &W::bias, "B", "Part of the depth above the surface, 0 to 1 (default 0)"},

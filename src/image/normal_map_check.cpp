@@ -40,7 +40,7 @@ Slope slope(std::uint32_t t) {
 }
 
 struct Sums {
-    double products = 0, p_squares = 0, q_squares = 0, errors = 0, srgb_errors = 0;
+    double products = 0, p_squares = 0, q_squares = 0, errors = 0, srgb_errors = 0, xy = 0, z = 0;
     std::size_t count = 0;
 };
 
@@ -52,6 +52,8 @@ void add_row(const std::uint32_t* row, int width, int stride, Sums& s) {
         s.p_squares += p_up * p_up;
         s.q_squares += q_right * q_right;
         s.errors += length_error(decode(row[x]));
+        s.xy += 0.5 * (decode(row[x]).x + decode(row[x]).y);
+        s.z += decode(row[x]).z;
         s.srgb_errors += length_error(decode_srgb(row[x]));
         ++s.count;
     }
@@ -78,6 +80,8 @@ NormalMapCheck check_normal_map(std::span<const std::uint32_t> texels, int width
     // Differences of a code or so are rounding, not relief.
     if (squares > 2e-4 * count) out.green_agreement = s.products / squares;
     out.length_error = s.errors / count;
+    out.mean_xy = s.xy / count;
+    out.mean_z = s.z / count;
     out.srgb_length_error = s.srgb_errors / count;
     return out;
 }

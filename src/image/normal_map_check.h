@@ -14,11 +14,15 @@ struct NormalMapCheck {
     /// compare.
     double green_agreement = 0;
     double length_error = 0;       ///< mean of | |2 rgb - 1| - 1 |
+    double mean_xy = 0;            ///< of red and green, 2 c - 1 each; a flat map saved as sRGB has 0.47
+    double mean_z = 0;             ///< of 2 blue - 1
     double srgb_length_error = 0;  ///< the same with the codes taken for sRGB and made linear
 
     bool looks_green_down() const { return green_agreement < -0.3; }
-    /// As numbers the vectors are far from unit, as sRGB codes near.
-    bool looks_srgb() const { return length_error > 0.1 && srgb_length_error < length_error / 3; }
+    /// Unit vectors that stand out of a surface; of a gray picture those have z = 0.58.
+    bool looks_like_normals() const { return length_error < 0.05 && mean_z > 0.7; }
+    /// As numbers the vectors are far from unit and lean to the upper right, as sRGB codes they are nearly unit.
+    bool looks_srgb() const { return mean_xy > 0.25 && length_error > 0.1 && srgb_length_error < length_error / 3; }
 };
 
 /// `below` counts all texels; the rest looks at rows spread over the map, some 300,000 texels.

@@ -70,6 +70,8 @@ Pixels read_png(std::span<const std::byte> bytes, Context& context) {
     require(spng_decoded_image_size(png.get(), target.format, &needed));
     if (needed != pixels.bytes.size()) bad_picture("broken PNG: its size is inconsistent");
     require(spng_decode_image(png.get(), pixels.bytes.data(), pixels.bytes.size(), target.format, SPNG_DECODE_TRNS));
+    std::uint8_t intent = 0;
+    pixels.is_tagged_srgb = spng_get_srgb(png.get(), &intent) == 0;
     return pixels;
 }
 

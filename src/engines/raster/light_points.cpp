@@ -186,13 +186,16 @@ void remark_shadows(const FrontEnd& front, const LightPoints& points, Context& c
 
 void remark_maps(const FrontEnd& front, const LightPoints& points, Context& context) {
     if (front.settings.bump == Bump::none) return;
-    for (std::size_t d = 0; d < front.list.draws.size(); ++d)
-        if (points.draws[d].sides != 0 && front.list.materials[front.list.draws[d].material].view.normal_map.view) {
-            context.report().add(
-                Remark::dropped, front.list.scene.source, {},
-                "normal maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels");
-            return;
-        }
+    for (std::size_t d = 0; d < front.list.draws.size(); ++d) {
+        const MaterialView& m = front.list.materials[front.list.draws[d].material].view;
+        if (points.draws[d].sides == 0 || (!m.normal_map.view && !m.height_map.view)) continue;
+        context.report().add(
+            Remark::dropped, front.list.scene.source, {},
+            m.normal_map.view
+                ? "normal maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels"
+                : "height maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels");
+        return;
+    }
 }
 
 }  // namespace

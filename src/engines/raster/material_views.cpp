@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engines/raster/draw_list.h"
+#include "engines/raster/normal_map_remarks.h"
 #include "math/functions.h"
 #include "math/linear.h"
 
@@ -152,6 +153,7 @@ void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
             for (const RoleUse& r : roles_of(materials[i]))
                 if (*r.use) uses.push_back(key_of(list.scene.textures[r.use->texture], r.space));
     textures.update(uses, context);
+    NormalMapRemarks remarks(list.scene, context.report());
 
     for (std::size_t i = 0; i < materials.size(); ++i) {
         const Material& m = materials[i];
@@ -170,6 +172,8 @@ void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
                 const Texture& texture = list.scene.textures[r.use->texture];
                 const TextureData* pixels = textures.find(key_of(texture, r.space));
                 if (!pixels) continue;
+                if (r.slot == &MaterialView::normal_map) remarks.look_at(m, *r.use, *pixels);
+                if (r.slot == &MaterialView::height_map) remarks.look_at_heights(m, *r.use, *pixels);
                 list.views.push_back(with_filters(*pixels, texture.sampler));
                 out.view.*r.slot = slot_for(*r.use, list.views.back());
                 out.view.uses_texcoords[r.use->texcoord_set] = 1;

@@ -79,7 +79,7 @@ void reserve(const MipChain& chain, std::size_t texels, TextureData& data) {
 
 }  // namespace
 
-std::shared_ptr<const TextureData> pack_texture(const MipChain& chain, const TextureKey& key) {
+std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKey& key) {
     if (chain.levels.empty()) throw Error(ErrorCode::bad_file, "the picture has no pixels");
     auto data = std::make_shared<TextureData>();
     TextureView& view = data->view;
@@ -124,7 +124,9 @@ void load(Missing& m, Context& context) {
     const EncodedImage& image = *m.key->image;
     try {
         const Pixels pixels = image.decode(image, context);
-        *m.data = pack_texture(make_mip_chain(pixels, m.key->space, context), *m.key);
+        const std::shared_ptr<TextureData> data = pack_texture(make_mip_chain(pixels, m.key->space, context), *m.key);
+        data->is_tagged_srgb = pixels.is_tagged_srgb;
+        *m.data = data;
     } catch (const Error& error) {
         m.fault = error.reason();
     }

@@ -17,6 +17,7 @@ struct TextureData {
     std::vector<std::uint32_t> rgba8, rgba16;  ///< data and colors: see TextureView
     std::vector<float> rgba32f;
     TextureView view;  ///< without the sampler's filters
+    bool is_tagged_srgb = false;  ///< Pixels::is_tagged_srgb
 };
 
 /// What a texture is made of. How it wraps is in its borders.
@@ -42,7 +43,7 @@ private:
 };
 
 /// A mip chain as the kernels read it; `key` says how its borders wrap. @throws Error bad_file: no or too many texels
-std::shared_ptr<const TextureData> pack_texture(const MipChain& chain, const TextureKey& key);
+std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKey& key);
 
 /// The view of a texture with its sampler's filters filled in.
 TextureView with_filters(const TextureData& data, const Sampler& sampler);

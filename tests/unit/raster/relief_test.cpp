@@ -303,6 +303,20 @@ TEST(ReliefEngine, TheOtherSetOfTextureCoordinatesMovesAlong) {
     EXPECT_NEAR(second.color[middle].y, 2 * first.color[middle].x - 0.5f, 1e-3f);
 }
 
+TEST(ReliefEngine, AutomaticTakesTheNormalMapElseTheHeightMap) {
+    Scene scene = square_with(waves());
+    const Camera camera = looking_from({1.1, 0.7, 2});
+    const auto drawn = [&](Bump bump) { return draw(scene, camera, settings_of({bump})); };
+    EXPECT_TRUE(same_bits(drawn(Bump::automatic), drawn(Bump::height)));
+    EXPECT_FALSE(same_bits(drawn(Bump::automatic), drawn(Bump::none)));
+    scene.materials[0].normal_texture = add_texture(scene, picture(normal_codes()));
+    EXPECT_TRUE(same_bits(drawn(Bump::automatic), drawn(Bump::normal)));
+    EXPECT_FALSE(same_bits(drawn(Bump::automatic), drawn(Bump::height)));
+    EXPECT_TRUE(same_bits(drawn(Bump::displacement), drawn(Bump::none)));  // the bumps are in the triangles
+    scene.materials[0].bump = Bump::none;  // the material's own choice goes first
+    EXPECT_TRUE(same_bits(drawn(Bump::steep), drawn(Bump::none)));
+}
+
 TEST(ReliefEngine, GreenDownMapsAreFlipped) {
     Scene up = square_with(constant(0)), down = up;
     up.materials[0].normal_texture = add_texture(up, picture(normal_codes(false)));
@@ -394,4 +408,53 @@ TEST(ReliefEngine, EveryInstructionSetAndNumberOfThreadsGivesTheSameBits) {
             for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})
                 EXPECT_TRUE(!is_available(isa) || same_bits(with(isa, 2), scalar)) << name(isa);
         }
+}
+
+TEST(NormalMapRemarks, AHeightMapThatIsANormalMapIsNamed) {
+    const auto remarks = [](const Pixels& heights) {
+        Context context({.threads = 1});
+        raster::make_engine()->prepare(square_with(heights), context);
+        return context.report().entries();
+    };
+    const auto as_normals = remarks(rgb_pixels(16, 16, [](int x, int) {
+        return x % 2 == 0 ? std::array<int, 3>{160, 128, 251} : std::array<int, 3>{96, 128, 251};
+    }));
+    ASSERT_EQ(as_normals.size(), 1u);
+    EXPECT_EQ(as_normals[0].message, "the height map looks like a normal map; --texture-normal takes it as one");
+    EXPECT_TRUE(remarks(rgb_pixels(16, 16, [](int x, int) {
+                    return std::array<int, 3>{16 * x, 16 * x, 16 * x};
+                })).empty());
+}
+
+TEST(NormalMapRemarks, SuspiciousMapsAreNamedOnce) {
+    const auto remarks = [](const Pixels& pixels, bool green_down) {
+        Scene scene = square_with(constant(0));
+        scene.materials[0].normal_texture = add_texture(scene, picture(pixels));
+        scene.materials[0].green_down = green_down;
+        Context context({.threads = 1});
+        raster::make_engine()->prepare(scene, context);
+        std::string all;
+        for (const ReportEntry& e : context.report().entries()) all += name_of(e.remark) + (": " + e.message) + "\n";
+        return all;
+    };
+    // Slopes p(x + y), q(x + y): the same mixed derivative, with one sign or the other.
+    const auto slanted = [](int sign) {
+        return rgb_pixels(64, 64, [sign](int x, int y) {
+            const int lean = 20 * (((x + y) / 4) % 4);
+            return std::array<int, 3>{100 + lean, 128 + sign * (lean - 28), 230};
+        });
+    };
+    EXPECT_EQ(remarks(slanted(-1), false), "");
+    EXPECT_EQ(remarks(slanted(1), false),
+              "warning: the normal map looks green-down; --normal-map-green down turns it\n");
+    EXPECT_EQ(remarks(slanted(1), true), "");
+    const Pixels below = rgb_pixels(16, 16, [](int x, int) {
+        return std::array<int, 3>{128, 128, x == 0 ? 100 : 255};
+    });
+    EXPECT_EQ(remarks(below, false),
+              "warning: 16 of 256 texels of the normal map (6.2 %) point into the surface: blue is below one half\n");
+    Pixels tagged = slanted(-1);
+    tagged.is_tagged_srgb = true;
+    EXPECT_EQ(remarks(tagged, false),
+              "note: the normal map is tagged sRGB; it is read as plain numbers, as all normal maps are\n");
 }

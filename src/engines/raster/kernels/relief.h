@@ -156,8 +156,8 @@ inline real relief_shadow(const ShadeJob& job, const Bumps& bumps, const lit::Li
     const vec3 l = in_frame(bumps.frame, light.l);
     const vec2 along = to_map(r, lit::relief_run(l) * real(r.depth));
     const real ground = max(bumps.point.height, sample_height(at.map, at.uv, at.lod));
-    return lit::relief_light(at.map, at.uv, ground, along, lit::relief_layers(l.z, r.min_steps, r.max_steps),
-                             r.max_steps, at.lod);
+    const real layers(float(r.max_steps));  // few layers would show as teeth at the shadows' borders
+    return lit::relief_light(at.map, at.uv, ground, along, layers, r.max_steps, at.lod);
 }
 
 }  // namespace rakelight::raster::RL_ISA

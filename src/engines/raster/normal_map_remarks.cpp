@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/normal_map_remarks.h"
+
+#include <cstdio>
+#include <span>
+
+#include "image/normal_map_check.h"
+
+namespace rakelight::raster {
+namespace {
+
+std::string said(const NormalMapCheck& c) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%llu of %llu texels of the normal map (%.2g %%) point into the surface: blue is below one half",
+                  static_cast<unsigned long long>(c.below), static_cast<unsigned long long>(c.texels),
+                  100.0 * double(c.below) / double(c.texels));
+    return text;
+}
+
+NormalMapCheck check(const TextureData& data) {
+    const TextureView& t = data.view;
+    const auto begin = std::size_t(t.origin[0]);
+    return check_normal_map(std::span(data.rgba8).subspan(begin), t.width[0], t.height[0], t.stride[0]);
+}
+
+}  // namespace
+
+/// Whether the map is to be looked at.
+bool NormalMapRemarks::begin(const Material& material, const TextureUse& use, const TextureData& data) {
+    const EncodedImage& image = *scene_.textures[use.texture].image;
+    place_ = material.name.empty() ? image.name : material.name;
+    return !data.rgba8.empty() && seen_.insert(&image).second;
+}
+
+void NormalMapRemarks::look_at_heights(const Material& material, const TextureUse& use, const TextureData& data) {
+    if (begin(material, use, data) && check(data).looks_like_normals())
+        say(Remark::warning, "the height map looks like a normal map; --texture-normal takes it as one");
+}
+
+void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, const TextureData& data) {
+    if (!begin(material, use, data)) return;
+    const NormalMapCheck check = raster::check(data);
+    if (check.below > 0) say(check.below * 1000 >= check.texels ? Remark::warning : Remark::note, said(check).c_str());
+    if (!material.green_down && check.looks_green_down())
+        say(Remark::warning, "the normal map looks green-down; --normal-map-green down turns it");
+    if (material.green_down && check.green_agreement > 0.3)
+        say(Remark::warning, "the normal map looks green-up; the material takes it for green-down");
+    if (check.looks_srgb())
+        say(Remark::warning, "the normal map looks sRGB-encoded; it is read as plain numbers, as all normal maps are");
+    else if (data.is_tagged_srgb)
+        say(Remark::note, "the normal map is tagged sRGB; it is read as plain numbers, as all normal maps are");
+}
+
+}  // namespace rakelight::raster

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the report says of suspicious normal maps.
+#pragma once
+#include <set>
+
+#include <rakelight/scene.h>
+
+#include "engines/raster/textures.h"
+
+namespace rakelight::raster {
+
+/// Looks once at each normal map of a scene that is prepared (image/normal_map_check.h): warnings of maps that look
+/// green-down (or green-up where the material says down), that look sRGB-encoded, and of texels that point into the
+/// surface, where they are a thousandth of all or more; fewer of those, and a mere sRGB tag, are notes. Maps of 8 bits.
+class NormalMapRemarks {
+public:
+    NormalMapRemarks(const Scene& scene, Report& report) : scene_(scene), report_(report) {}
+    void look_at(const Material& material, const TextureUse& use, const TextureData& data);
+    /// A height map that is a normal map: files of old formats often name one where a bump map belongs.
+    void look_at_heights(const Material& material, const TextureUse& use, const TextureData& data);
+
+private:
+    bool begin(const Material& material, const TextureUse& use, const TextureData& data);
+    void say(Remark remark, const char* message) { report_.add(remark, scene_.source, place_, message); }
+
+    const Scene& scene_;
+    Report& report_;
+    std::string place_;  ///< of the map that is looked at
+    std::set<const EncodedImage*> seen_;
+};
+
+}  // namespace rakelight::raster

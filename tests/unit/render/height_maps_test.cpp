@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/height_maps.h"
+
+#include <gtest/gtest.h>
+
+#include "support/scene_builder.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+
+namespace {
+
+/// One tilted row among level ones.
+Pixels normals() {
+    return rgb_pixels(8, 8, [](int, int y) { return std::array<int, 3>{128, y == 2 ? 200 : y == 5 ? 56 : 128, 240}; });
+}
+
+Scene scene_with_normal_map() {
+    Scene scene;
+    scene.materials = {matte(), matte()};
+    scene.materials[0].normal_texture = add_texture(scene, picture(normals(), "n.png"));
+    scene.materials[0].normal_texture.transform.scale = {3, 3};
+    scene.materials[1].normal_texture = scene.materials[0].normal_texture;
+    add_object(scene, square_mesh(0));
+    return scene;
+}
+
+RenderSettings with(Bump bump) {
+    RenderSettings s;
+    s.bump = bump;
+    return s;
+}
+
+}  // namespace
+
+TEST(HeightMaps, AreMadeOnceForATechniqueThatReadsThemAndSaid) {
+    Context context;
+    const Scene made = with_height_maps(scene_with_normal_map(), with(Bump::steep), context);
+    ASSERT_EQ(made.textures.size(), 2u);
+    for (const Material& m : made.materials) {
+        EXPECT_EQ(m.height_texture.texture, 1u);
+        EXPECT_EQ(m.height_texture.transform.scale.x, 3);
+    }
+    ASSERT_EQ(context.report().entries().size(), 1u);
+    EXPECT_EQ(context.report().entries()[0].message.rfind("height map made from the normal map", 0), 0u);
+    const Pixels heights = made.textures[1].image->decode(*made.textures[1].image, context);
+    EXPECT_EQ(heights.width, 8);
+    EXPECT_EQ(heights.channels, 1);
+}
+
+TEST(HeightMaps, AreNotMadeWhereNobodyReadsThemOrOneIsThere) {
+    for (const Bump bump : {Bump::automatic, Bump::none, Bump::normal}) {
+        Context context;
+        EXPECT_EQ(with_height_maps(scene_with_normal_map(), with(bump), context).textures.size(), 1u);
+    }
+    Scene scene = scene_with_normal_map();
+    scene.materials[0].height_texture = scene.materials[0].normal_texture;
+    scene.materials[1].bump = Bump::normal;  // its own choice goes first
+    Context context;
+    EXPECT_EQ(with_height_maps(scene, with(Bump::parallax), context).textures.size(), 1u);
+}
+
+TEST(HeightMaps, ANormalMapThatCannotBeReadLeavesTheMaterialAlone) {
+    Scene scene = scene_with_normal_map();
+    auto broken = std::make_shared<EncodedImage>(*scene.textures[0].image);
+    broken->decode = [](const EncodedImage&, Context&) -> Pixels { throw Error(ErrorCode::bad_file, "broken"); };
+    scene.textures[0].image = broken;
+    Context context;
+    const Scene same = with_height_maps(scene, with(Bump::occlusion), context);
+    EXPECT_FALSE(same.materials[0].height_texture);
+    ASSERT_FALSE(context.report().entries().empty());
+    EXPECT_EQ(context.report().entries()[0].message, "no height map made from the normal map: broken");
+}
