@@ -77,8 +77,10 @@ const char* word_for(raster::Fate fate) {
 }
 
 const char* name_of_map(int map) {
-    static constexpr const char* names[raster::traced_maps] = {"base_color", "normal",   "emission",          "occlusion",
-                                                               "opacity",    "specular", "metallic_roughness"};
+    static constexpr const char* names[raster::traced_maps] = {
+        "base_color",          "normal",           "emission",          "occlusion",      "opacity",    "specular",
+        "metallic_roughness",  "height",           "specular_strength", "specular_color", "anisotropy", "clearcoat",
+        "clearcoat_roughness", "clearcoat_normal", "sheen_color",       "sheen_roughness"};
     return names[map];
 }
 
@@ -87,9 +89,22 @@ std::string picture_of_map(const ExplainedPixel& e, const ShadedLayer& layer, in
     const std::uint32_t index = list.materials[draw_of(e, layer).material].scene_material;
     if (index == none) return {};
     const Material& m = list.scene.materials[index];
-    const TextureUse* const uses[raster::traced_maps] = {
-        &m.base_color_texture, &m.normal_texture,  &m.emission_texture,          &m.occlusion_texture,
-        &m.opacity_texture,    &m.classical.specular_texture, &m.metallic_roughness.texture};
+    const TextureUse* const uses[raster::traced_maps] = {&m.base_color_texture,
+                                                         &m.normal_texture,
+                                                         &m.emission_texture,
+                                                         &m.occlusion_texture,
+                                                         &m.opacity_texture,
+                                                         &m.classical.specular_texture,
+                                                         &m.metallic_roughness.texture,
+                                                         &m.height_texture,
+                                                         &m.metallic_roughness.specular_texture,
+                                                         &m.metallic_roughness.specular_color_texture,
+                                                         &m.metallic_roughness.anisotropy_texture,
+                                                         &m.metallic_roughness.clearcoat_texture,
+                                                         &m.metallic_roughness.clearcoat_roughness_texture,
+                                                         &m.metallic_roughness.clearcoat_normal_texture,
+                                                         &m.metallic_roughness.sheen_color_texture,
+                                                         &m.metallic_roughness.sheen_roughness_texture};
     if (!*uses[map]) return {};
     const Texture& texture = list.scene.textures[uses[map]->texture];
     return texture.image && !texture.image->name.empty() ? texture.image->name : texture.name;

@@ -89,7 +89,8 @@ Json light_json(const Light& light, std::size_t index, int reflection_model, con
                 {"spot", double(t.spot)},
                 {"n_dot_l", double(t.n_dot_l)}};
     if (reflection_model == 1) out["r_dot_v"] = double(t.lobe_cosine);
-    if (reflection_model == 2) out["n_dot_h"] = double(t.lobe_cosine);
+    if (reflection_model == 2 || reflection_model >= 4) out["n_dot_h"] = double(t.lobe_cosine);
+    if (reflection_model == 5) out["fresnel_weight"] = double(t.fresnel_weight);
     out["lobe"] = double(t.lobe);
     out["specular_factor"] = double(t.specular_factor);
     out["light_color"] = {{"ambient", list(t.ambient_color)}, {"diffuse", list(t.diffuse_color)}, {"specular", list(t.specular_color)}};
@@ -132,6 +133,17 @@ Json surface_json(const ShadedLayer& layer) {
             {"roughness", double(t.roughness)}};
 }
 
+/// Of the models of more parameters.
+void add_parameters(Json& out, const ShadedLayer& layer) {
+    const raster::PixelTrace& t = layer.trace;
+    if (layer.reflection_model == 3) out["oren_nayar"] = list(t.oren_nayar);
+    if (layer.reflection_model >= 4) out["alpha"] = list(t.lobe_alpha);
+    if (layer.reflection_model != 5) return;
+    out["f90"] = list(t.f90);
+    if (t.coat > 0) out["clearcoat"] = {{"reflectance", double(t.coat)}, {"alpha", double(t.coat_alpha)}};
+    if (t.sheen_alpha > 0) out["sheen"] = {{"color", list(t.sheen)}, {"alpha", double(t.sheen_alpha)}};
+}
+
 /// What only the full kernel has.
 void add_extras(Json& out, const raster::PixelTrace& t) {
     if (t.has_relief) out["texcoords_relief"] = {list(t.relief_texcoord[0]), list(t.relief_texcoord[1])};
@@ -139,7 +151,9 @@ void add_extras(Json& out, const raster::PixelTrace& t) {
         out["environment"] = {{"ambient", list(t.environment[0])},
                               {"diffuse", list(t.environment[1])},
                               {"specular", list(t.environment[2])}};
-    if (t.has_fog) out["before_fog"] = list(t.before_fog);
+    if (!t.has_fog) return;
+    out["before_fog"] = list(t.before_fog);
+    out["fog"] = {{"distance", double(t.fog_distance)}, {"share", double(t.fog_share)}, {"color", list(t.fog_color)}};
 }
 
 Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
@@ -163,6 +177,7 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
                 {"normal", list(t.normal)},
                 {"to_viewer", list(t.view)}};
     out["surface"] = surface_json(layer);
+    add_parameters(out["surface"], layer);
     out["emission"] = list(t.emission);
     out["lights"] = Json::array();
     for (std::size_t i = 0; i < layer.lights.size(); ++i)

@@ -128,6 +128,20 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     return values.text("  ");
 }
 
+/// Of the lighting model.
+void add_parameters(Values& values, const ShadedLayer& layer) {
+    const raster::PixelTrace& t = layer.trace;
+    if (layer.reflection_model <= 2) values.add("exponent", t.exponent);
+    if (layer.reflection_model == 3) values.add("A, B", t.oren_nayar, "Oren & Nayar 1994, eq. 30");
+    if (layer.reflection_model >= 4) values.add("alpha, of the lobe", t.lobe_alpha, "along its axes");
+    if (layer.reflection_model != 5) return;
+    values.add("f90", t.f90, "k specular is f0");
+    if (t.coat > 0) values.add("clearcoat", t.coat, "reflectance towards the viewer");
+    if (t.coat > 0) values.add("alpha, of the coat", t.coat_alpha);
+    if (t.sheen_alpha > 0) values.add("sheen", t.sheen);
+    if (t.sheen_alpha > 0) values.add("alpha, of the sheen", t.sheen_alpha);
+}
+
 std::string surface_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     const raster::PixelTrace& t = layer.trace;
     Values values(4);
@@ -142,7 +156,7 @@ std::string surface_text(const ExplainedPixel& e, const ShadedLayer& layer) {
         values.add("k ambient", t.k_ambient);
         values.add("k diffuse", t.k_diffuse);
         values.add("k specular", t.k_specular);
-        values.add("exponent", t.exponent);
+        add_parameters(values, layer);
     }
     return "  Surface\n" + values.text("    ");
 }
@@ -176,6 +190,11 @@ std::string light_text(const ExplainedPixel& e, const ShadedLayer& layer, const 
             values.add("to the exponent", l.lobe);
             values.add("specular factor", l.specular_factor, layer.reflection_form ? "normalized: times energy factor and n.l" : "");
         }
+    }
+    if (layer.reflection_model >= 4 && !is_ambient) {
+        values.add("n.h", l.lobe_cosine);
+        values.add("lobe [1/sr]", l.lobe, layer.reflection_model == 5 ? "D V, without Fresnel's term" : "");
+        if (layer.reflection_model == 5) values.add("(1 - v.h)^5", l.fresnel_weight, "weight of Fresnel's term");
     }
     values.add("ambient that arrives", l.ambient_color);
     if (!is_ambient) values.add("diffuse that arrives", l.diffuse_color);
@@ -236,7 +255,11 @@ std::string sum_text(const ShadedLayer& layer) {
         add("+ environment diffuse", t.environment[1]);
         add("+ environment specular", t.environment[2]);
     }
-    if (t.has_fog) add("  before the fog", t.before_fog);
+    if (t.has_fog) {
+        add("  before the fog", t.before_fog);
+        add("  color of the fog", t.fog_color);
+        table.add({"  share seen through " + digits(t.fog_distance) + " m of it", digits(t.fog_share)});
+    }
     add("= color of the surface", t.color);
     return table.text("  ");
 }

@@ -91,11 +91,18 @@ void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out,
 /// The normal map where it acts: not where lighting is not evaluated at pixels, nor with bumps off.
 void trace_maps(const ShadeJob& job, const Pixels& p, PixelTrace& out, TracedTexels* texels) {
     const MaterialView& m = *job.material;
-    const TextureSlot* const slots[traced_maps] = {&m.base_color_map, &m.normal_map,   &m.emission_map,          &m.occlusion_map,
-                                                   &m.opacity_map,    &m.specular_map, &m.metallic_roughness_map};
+    const TextureSlot* const slots[traced_maps] = {
+        &m.base_color_map,          &m.normal_map,           &m.emission_map,
+        &m.occlusion_map,           &m.opacity_map,          &m.specular_map,
+        &m.metallic_roughness_map,  &m.height_map,           &m.specular_strength_map,
+        &m.specular_color_map,      &m.anisotropy_map,       &m.clearcoat_map,
+        &m.clearcoat_roughness_map, &m.clearcoat_normal_map, &m.sheen_color_map,
+        &m.sheen_roughness_map};
+    const bool has_layers = job.full != nullptr && is_pbr(job), has_heights = job.full != nullptr && has_relief(job);
     for (int i = 0; i < traced_maps; ++i) {
         if (texels != nullptr) texels[i].count = 0;
         if (i == traced_normal && job.bump == 0) continue;
+        if (i == traced_height ? !has_heights : i > traced_height && !has_layers) continue;
         trace_texture(*slots[i], p, out.map[i], texels != nullptr ? &texels[i] : nullptr);
     }
 }
@@ -148,7 +155,7 @@ void trace_reach(const lighting::LightParameters& p, vec3 position, TracedLight&
 
 void trace_lobe(const lit::Surface& s, const lit::LightSample& light, const lit::Reflection& r, TracedLight& out) {
     out.n_dot_l = dot(s.n, light.l);
-    out.lobe_cosine = out.lobe = out.specular_factor = 0;
+    out.lobe_cosine = out.lobe = out.fresnel_weight = out.specular_factor = 0;
     if (r.model == RL_LAMBERT || r.model > RL_BLINN_PHONG) return;  // theirs is no power of a cosine
     out.lobe_cosine = lit::lobe_cosine(s, light.l, r);
     out.lobe = lit::lobe(out.lobe_cosine, s.exponent, r);
@@ -186,15 +193,32 @@ void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surf
     }
 }
 
+/// What the models of more parameters are made of.
+void trace_parameters(const ShadeJob& job, const lit::MaterialSurface& s, PixelTrace& out) {
+    if (job.reflection_model == RL_OREN_NAYAR) out.oren_nayar[0] = s.oren_nayar_a, out.oren_nayar[1] = s.oren_nayar_b;
+    if (job.reflection_model == RL_WARD || is_pbr(job)) out.lobe_alpha[0] = s.alpha_x, out.lobe_alpha[1] = s.alpha_y;
+    if (!is_pbr(job)) return;
+    const lit::MaterialTraits traits = traits_of(job);
+    put(out.f90, s.f90);
+    if (traits.has_coat != 0) out.coat = s.coat_reflectance, out.coat_alpha = s.coat_alpha;
+    if (traits.has_sheen == 0) return;
+    put(out.sheen, s.sheen);
+    out.sheen_alpha = s.sheen_alpha;
+}
+
 /// What the full kernel has beside the plain one.
 void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
     put(out.diffuse_normal, f.surface.diffuse_n);
+    trace_parameters(job, f.surface, out);
     for (int set = 0; set < 2; ++set)
         out.relief_texcoord[set][0] = f.p.texcoords[set].uv.x, out.relief_texcoord[set][1] = f.p.texcoords[set].uv.y;
     out.has_relief = job.full->relief.technique != 0;
     out.has_fog = job.full->fog.kind != 0;
     out.has_environment = job.full->environment != nullptr && job.unlit == 0;
     put(out.before_fog, radiance_before_fog(job, f));
+    out.fog_distance = distance_in_fog(job, f.p.position);
+    out.fog_share = fog_of(job, f.p);
+    put(out.fog_color, splat(job.full->fog.color));
     if (!out.has_environment) return;
     const lit::LightTerms terms = environment_terms(job, f.surface);
     put(out.environment[0], terms.ambient);
@@ -202,11 +226,27 @@ void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
     put(out.environment[2], terms.specular);
 }
 
+/// Ward's and GGX's lobe.
+void trace_full_lobe(const ShadeJob& job, const FullPixels& f, const lit::LightSample& light, TracedLight& out) {
+    if (job.reflection_model != RL_WARD && !is_pbr(job)) return;
+    const lit::MaterialSurface& s = f.surface;
+    const vec3 h = safe_normalize_or(light.l + s.base.v, s.base.n);
+    out.lobe_cosine = dot(s.base.n, h);
+    if (is_pbr(job)) {
+        out.lobe = lit::pbr_lobe(s, light.l, traits_of(job));
+        out.fresnel_weight = lit::schlick_weight(dot(s.base.v, h));
+    } else {
+        out.lobe = lit::ward_brdf(s.base.n, s.tangent, s.bitangent, light.l, s.base.v, s.alpha_x, s.alpha_y,
+                                  job.full->ward_form);
+    }
+}
+
 void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* lights) {
     vec3 sum = f.emission;
     for (int32_t i = 0; i < job.light_count; ++i) {
         const lit::LightSample sample = light_of(job, i, f);
         trace_light(job, i, f.p.position, f.surface.base, sample, lights[i]);
+        trace_full_lobe(job, f, sample, lights[i]);
         lights[i].seen = seen_of(job, i, f, sample);
         const lit::LightTerms terms = full_light(job, i, f);
         put_terms(terms, lights[i]);

@@ -35,8 +35,23 @@ struct TracedTexture {
 
 /// The maps in the order of MaterialView.
 enum TracedMap : int32_t {
-    traced_base_color, traced_normal, traced_emission, traced_occlusion, traced_opacity, traced_specular,
-    traced_metallic_roughness, traced_maps,
+    traced_base_color,
+    traced_normal,
+    traced_emission,
+    traced_occlusion,
+    traced_opacity,
+    traced_specular,
+    traced_metallic_roughness,
+    traced_height,
+    traced_specular_strength,
+    traced_specular_color,
+    traced_anisotropy,
+    traced_clearcoat,
+    traced_clearcoat_roughness,
+    traced_clearcoat_normal,
+    traced_sheen_color,
+    traced_sheen_roughness,
+    traced_maps,
 };
 
 /// One light at the pixel. Vectors in world axes.
@@ -46,8 +61,9 @@ struct TracedLight {
     float attenuation;     ///< [1], photometric lights [1/m^2]
     float spot;            ///< [1] the cone's factor
     float n_dot_l;
-    float lobe_cosine;     ///< n.h (Blinn-Phong) or r.v (Phong), 0 for Lambert
-    float lobe;            ///< lobe_cosine to the power of the exponent
+    float lobe_cosine;     ///< n.h (Blinn-Phong, Ward, pbr) or r.v (Phong), 0 for Lambert and Oren-Nayar
+    float lobe;            ///< lobe_cosine to the power of the exponent; Ward and pbr: [1/sr] the lobe with F = 1
+    float fresnel_weight;  ///< pbr: (1 - v.h)^5
     float specular_factor; ///< what k_s and the light's color are multiplied by
     float ambient_color[3], diffuse_color[3], specular_color[3];  ///< of the light, attenuated
     float ambient[3], diffuse[3], specular[3];                    ///< what is added to the sum
@@ -76,8 +92,14 @@ struct PixelTrace {
     float diffuse_normal[3];  ///< that the diffuse term is lit with: `normal` unless bumps act on one term alone
     float relief_texcoord[2][2];  ///< both sets where the ray meets the relief
     int32_t has_environment, has_fog, has_relief;
+    float lobe_alpha[2];          ///< Ward, pbr: widths of the lobe along its axes
+    float f90[3];            ///< pbr: reflectance at a grazing angle; k_specular is f0
+    float coat, coat_alpha;  ///< pbr: clearcoat's reflectance towards the viewer, its lobe's width
+    float sheen[3], sheen_alpha;
+    float oren_nayar[2];      ///< A and B
     float environment[3][3];  ///< ambient, diffuse and specular term of the light from all around
     float before_fog[3];      ///< the sum
+    float fog_distance, fog_share, fog_color[3];  ///< [m]; color = before_fog fog_share + fog_color (1 - fog_share)
     TracedTexture map[traced_maps];
     float color[3], alpha;    ///< the kernel's own result
 };
