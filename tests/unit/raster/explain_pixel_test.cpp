@@ -94,15 +94,59 @@ TEST(ExplainPixel, SumsAreThePicturesBitsWithSeveralSamplesAPixelAndAnisotropicF
         }
 }
 
-TEST(ExplainPixel, TransformedTexturesOfEveryRoleAreReadWhereThePictureReadsThem) {
+/// The busy scene with everything that only the full kernel draws.
+Scene rich_scene() {
     Scene scene = busy_scene();
+    const TextureUse map = scene.materials[0].base_color_texture;
+    scene.materials[0].height_texture = map;
+    MetallicRoughnessParameters& p = scene.materials[1].metallic_roughness;
+    p.clearcoat = 0.7f, p.clearcoat_roughness = 0.2f, p.sheen_color = {0.3f, 0.2f, 0.4f}, p.sheen_roughness = 0.5f;
+    p.anisotropy = 0.6f;
+    for (TextureUse* use :
+         {&p.clearcoat_texture, &p.clearcoat_roughness_texture, &p.clearcoat_normal_texture, &p.sheen_color_texture,
+          &p.sheen_roughness_texture, &p.anisotropy_texture, &p.specular_texture, &p.specular_color_texture})
+        *use = map;
+    scene.fog.kind = FogKind::exponential;
+    scene.environment.emplace();
+    return scene;
+}
+
+TEST(ExplainPixel, SumsAreThePicturesBitsUnderAllThatTheFullKernelHas) {
+    const Scene scene = rich_scene();
+    for (const Lighting lighting :
+         {Lighting::automatic, Lighting::blinn_phong, Lighting::oren_nayar, Lighting::ward, Lighting::pbr})
+        for (const Bump bump : {Bump::normal, Bump::height, Bump::occlusion}) {
+            RenderSettings s = settings();
+            s.lighting = lighting;
+            s.bump = bump;
+            s.shadows = bump != Bump::height;
+            s.shadow_size = 64;
+            s.multiple_scattering = lighting == Lighting::pbr;
+            s.relief.self_shadow = true;
+            s.bump_terms = bump == Bump::height ? BumpTerms::diffuse : BumpTerms::both;
+            s.viewer_at_infinity = lighting == Lighting::ward;
+            SCOPED_TRACE(std::to_string(int(lighting)) + ", bump " + std::to_string(int(bump)));
+            expect_all_explained(scene, s, busy_view(), 7);
+            s.shading = Shading::gouraud;
+            expect_all_explained(scene, s, busy_view(), 9);
+        }
+}
+
+TEST(ExplainPixel, TransformedTexturesOfEveryRoleAreReadWhereThePictureReadsThem) {
+    Scene scene = rich_scene();
     const TextureTransform turned{.offset = {0.3f, -0.2f}, .scale = {3, 0.5f}, .rotation_rad = 0.7f};
     for (Material& m : scene.materials)
-        for (TextureUse* use : {&m.base_color_texture, &m.normal_texture, &m.emission_texture, &m.occlusion_texture,
-                                &m.opacity_texture, &m.classical.specular_texture, &m.metallic_roughness.texture})
+        for (TextureUse* use :
+             {&m.base_color_texture, &m.normal_texture, &m.emission_texture, &m.occlusion_texture, &m.opacity_texture,
+              &m.classical.specular_texture, &m.metallic_roughness.texture, &m.height_texture,
+              &m.metallic_roughness.specular_texture, &m.metallic_roughness.specular_color_texture,
+              &m.metallic_roughness.anisotropy_texture, &m.metallic_roughness.clearcoat_texture,
+              &m.metallic_roughness.clearcoat_roughness_texture, &m.metallic_roughness.clearcoat_normal_texture,
+              &m.metallic_roughness.sheen_color_texture, &m.metallic_roughness.sheen_roughness_texture})
             use->transform = turned;
     for (const int anisotropy : {1, 8}) {
         RenderSettings s = settings();
+        s.bump = Bump::height;  // the normal map is followed beside it
         s.anisotropy = anisotropy;
         expect_all_explained(scene, s, busy_view(), 5);
         Context context({.threads = 1});

@@ -92,7 +92,7 @@ struct PixelTrace {
     float diffuse_normal[3];  ///< that the diffuse term is lit with: `normal` unless bumps act on one term alone
     float relief_texcoord[2][2];  ///< both sets where the ray meets the relief
     int32_t has_environment, has_fog, has_relief;
-    float lobe_alpha[2];          ///< Ward, pbr: widths of the lobe along its axes
+    float lobe_alpha[2];     ///< Ward, pbr: widths of the lobe along its axes
     float f90[3];            ///< pbr: reflectance at a grazing angle; k_specular is f0
     float coat, coat_alpha;  ///< pbr: clearcoat's reflectance towards the viewer, its lobe's width
     float sheen[3], sheen_alpha;
