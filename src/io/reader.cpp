@@ -98,6 +98,9 @@ const Format& choose_format(const std::string& path, Context& context) {
     }
     if (kind.ending == "max") refuse_max();
     format = format_of(kind.ending);
+    if (!format && ending == "toml")
+        throw Error(ErrorCode::bad_file, "files with the ending .toml are not supported", {},
+                    "world files end in .scene.toml");
     if (!format)
         throw Error(ErrorCode::bad_file,
                     ending.empty() ? "the file has no ending that says its format"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "io/file.h"
 #include "io/image_io.h"
@@ -11,6 +12,7 @@
 #include "math/linear.h"
 #include "prepare/prepare.h"
 #include "prepare/primitives.h"
+#include "render/view.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -72,6 +74,26 @@ Scene make_shape(const WorldPrimitive& p) {
     return make_primitive(request);
 }
 
+/// A fault of a file that the world names, with the place where it does.
+Error at_place(const Error& error, const std::string& name, WorldPlace place) {
+    const std::string file = error.file().empty() ? "" : "'" + one_line(name, 80) + "': ";
+    const std::string inner = error.place().empty() ? "" : error.place() + ": ";
+    return Error(error.code(), file + inner + error.reason(), to_text(place), error.advice());
+}
+
+/// Warns of names that stand twice where a name is what one asks by. Shapes without a name have their type's.
+void warn_of_twins(const WorldFile& world, const std::string& path, Report& report) {
+    std::set<std::string_view> cameras, shapes;
+    for (const Camera& c : world.cameras)
+        if (!c.name.empty() && !cameras.insert(c.name).second)
+            report.add(Remark::warning, path, {},
+                       "two cameras are named '" + one_line(c.name, 40) + "': the first is found");
+    for (const WorldPrimitive& p : world.primitives)
+        if (p.name != p.type && !shapes.insert(p.name).second)
+            report.add(Remark::warning, path, to_text(p.place),
+                       "two primitives are named '" + one_line(p.name, 40) + "': what goes by name goes to both");
+}
+
 /// The parts of a world, one after another into one scene.
 class Assembly {
 public:
@@ -101,6 +123,9 @@ public:
         apply_materials(scene_, world, parts_, path_, options_, context_);
         scene_.lights.insert(scene_.lights.begin(), world.lights.begin(), world.lights.end());
         scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
+        check_shading();
+        check_camera(world);
+        warn_of_twins(world, path_, context_.report());
         if (world.fog) scene_.fog = *world.fog;
         if (world.environment) scene_.environment = surroundings(*world.environment);
         validate(scene_);
@@ -119,19 +144,39 @@ private:
                 is_builtin ? model.file : io::resolve_reference(path_, model.file, options_.allow_outside);
             return loaded_.emplace(model.file, load(file, options_, context_)).first->second;
         } catch (const Error& error) {
-            if (!error.file().empty()) throw;
-            throw Error(error.code(), error.reason(), to_text(model.place), error.advice());
+            throw at_place(error, model.file, model.place);
         }
     }
 
     template <class Part>
     void add(const Scene& part, const Part& of) {
-        const auto first_mesh = std::uint32_t(scene_.meshes.size());
+        const auto first_mesh = std::uint32_t(scene_.meshes.size()), first_node = std::uint32_t(scene_.nodes.size());
         const Node root = root_node(of.name, of.placement);
         const MergeOffsets by = merge_scene(scene_, part, &root);
         const auto end_material = std::uint32_t(by.materials + part.materials.size());
-        parts_.push_back(
-            {of.name, by.materials, end_material, first_mesh, std::uint32_t(scene_.meshes.size()), of.material});
+        parts_.push_back({of.name, by.materials, end_material, first_mesh, std::uint32_t(scene_.meshes.size()),
+                          first_node, std::uint32_t(scene_.nodes.size()), of.shading_place, of.material});
+    }
+
+    /// Rules of shading go by name: no object inside of another model may have that of a part with one.
+    void check_shading() const {
+        for (const LoadedPart& part : parts_)
+            for (std::uint32_t n = 0; part.shading_place.line > 0 && n < scene_.nodes.size(); ++n)
+                if ((n < part.first_node || n >= part.end_node) && scene_.nodes[n].name == part.name)
+                    throw Error(ErrorCode::bad_file,
+                                "'shading' goes by name, and an object of another model is named '" +
+                                    one_line(part.name, 40) + "' too",
+                                to_text(part.shading_place), "give this part another 'name'");
+    }
+
+    /// The camera that [render] asks for is one of the scene's.
+    void check_camera(const WorldFile& world) const {
+        for (const WorldValue& value : world.render)
+            if (value.key == "camera-index" && value.words.size() == 1) try {
+                    find_camera(scene_, value.words[0]);
+                } catch (const Error& error) {
+                    throw Error(ErrorCode::bad_file, error.reason(), to_text(value.place), error.advice());
+                }
     }
 
     Environment surroundings(const WorldEnvironment& from) {
@@ -142,8 +187,7 @@ private:
             if (!io::is_regular_file(file)) throw Error(ErrorCode::not_found, "there is no such file").with_file(file);
             out.image = io::image_from_file(from.file, path_, file);
         } catch (const Error& error) {
-            if (!error.file().empty()) throw;
-            throw Error(error.code(), error.reason(), to_text(from.place), error.advice());
+            throw at_place(error, from.file, from.place);
         }
         return out;
     }

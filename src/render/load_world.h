@@ -10,7 +10,7 @@ namespace rakelight {
 /// of formats that mean flat faces where they have no normals, get their normals here; all others by what the picture
 /// asks.
 /// @param path  of the world file: names are resolved from its folder and stay in it unless `allow_outside`
-/// @throws Error not_found, bad_file: a model's carry the model's name
+/// @throws Error not_found, bad_file: with the place in the world file, a model's faults too
 Scene load_world(const std::string& path, const LoadOptions& options, Context& context);
 
 /// What became of one [[model]] or [[primitive]].
@@ -18,6 +18,8 @@ struct LoadedPart {
     const std::string& name;
     std::uint32_t first_material = 0, end_material = 0;  ///< in the scene; those behind are the world's own
     std::uint32_t first_mesh = 0, end_mesh = 0;
+    std::uint32_t first_node = 0, end_node = 0;
+    WorldPlace shading_place;     ///< nowhere: has none
     const std::string& material;  ///< for all of it, or empty
 };
 

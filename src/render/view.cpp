@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cstdio>
 
+#include <rakelight/words.h>
+
 #include "math/functions.h"
 #include "math/linear.h"
 
@@ -27,16 +29,6 @@ std::string list_of_cameras(const Scene& scene) {
     for (std::size_t i = 0; i < scene.cameras.size() && i < 8; ++i)
         list += (i ? ", " : " ") + std::to_string(i) + " '" + one_line(scene.cameras[i].name, 24) + "'";
     return list + (scene.cameras.size() > 8 ? ", ..." : "");
-}
-
-/// Index of the camera that is asked for by number or name; a name made of digits is found where no such number exists.
-std::size_t find_camera(const Scene& scene, const std::string& wanted) {
-    std::size_t number = 0;
-    const auto [end, fault] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-    if (fault == std::errc() && end == wanted.data() + wanted.size() && number < scene.cameras.size()) return number;
-    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-        if (scene.cameras[i].name == wanted) return i;
-    throw Error(ErrorCode::usage, "there is no camera '" + one_line(wanted, 60) + "'", {}, list_of_cameras(scene));
 }
 
 Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
@@ -84,6 +76,20 @@ void check_fitted(const Camera& camera) {
 }
 
 }  // namespace
+
+std::size_t find_camera(const Scene& scene, const std::string& wanted) {
+    std::size_t number = 0;
+    const auto [end, fault] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+    if (fault == std::errc() && end == wanted.data() + wanted.size() && number < scene.cameras.size()) return number;
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        if (scene.cameras[i].name == wanted) return i;
+        names.push_back(scene.cameras[i].name);
+    }
+    const std::string near = nearest_word(wanted, names);
+    throw Error(ErrorCode::usage, "there is no camera '" + one_line(wanted, 60) + "'", {},
+                near.empty() ? list_of_cameras(scene) : "did you mean '" + one_line(near, 60) + "'?");
+}
 
 Camera choose_camera(const Scene& scene, const ViewRequest& asked, double picture_aspect, Context& context) {
     check_placement(asked);

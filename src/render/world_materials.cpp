@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include <rakelight/words.h>
+
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/world/material_keys.h"
@@ -27,6 +29,12 @@ public:
                     MaterialChange c{m, value, key.key.kind == Kind::file ? picture(value) : TextureUse{}};
                     key.set(c);
                 }
+    }
+
+    /// Says what is wrong with the pictures of a [[material]] that nothing has.
+    void check(const WorldMaterial& unused) {
+        for (const WorldValue& value : unused.values)
+            if (find_material_key(value.key)->key.kind == Kind::file) checked(value);
     }
 
 private:
@@ -79,6 +87,29 @@ Material new_material(const WorldMaterial& from) {
     return m;
 }
 
+/// Material colors are linear and reflect at most all light; numbers like 255 are meant for a display.
+void warn_of_display_colors(const WorldMaterial& from, const std::string& path, Report& report) {
+    for (const WorldValue& value : from.values) {
+        const bool is_color = find_material_key(value.key)->key.kind == Kind::color && value.key != "emission";
+        if (is_color && *std::max_element(value.numbers.begin(), value.numbers.end()) > 1)
+            report.add(Remark::warning, path, to_text(value.place),
+                       "'" + value.key + "' is more than 1: colors of materials are linear, 0 to 1, or '#rrggbb'");
+    }
+}
+
+/// @param covered  a part that has such materials under one of the world's own; null: none
+std::string why_unused(const WorldMaterial& from, const LoadedPart* covered, const Scene& scene) {
+    const std::string name = one_line(from.name, 40);
+    if (covered)
+        return "[[material]] '" + name + "' has no effect: all of '" + one_line(covered->name, 40) + "' is of '" +
+               one_line(covered->material, 40) + "'";
+    std::vector<std::string_view> names;
+    for (const Material& m : scene.materials) names.push_back(m.name);
+    const std::string near = nearest_word(from.name, names);
+    return "no model has a material named '" + name + "'" +
+           (near.empty() ? "" : "; did you mean '" + one_line(near, 40) + "'?");
+}
+
 }  // namespace
 
 void apply_materials(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts,
@@ -87,13 +118,18 @@ void apply_materials(Scene& scene, const WorldFile& world, const std::vector<Loa
     MaterialWork work(scene, path, options, context);
     std::map<std::string, std::uint32_t> own;
     for (const WorldMaterial& from : world.materials) {
+        warn_of_display_colors(from, path, context.report());
         bool is_used = false;
+        const LoadedPart* covered = nullptr;  // has what is to be changed, but all of it is the world's own
         for (const LoadedPart& part : parts) {
             if (!from.model.empty() && from.model != part.name) continue;
             for (std::uint32_t i = part.first_material; i < part.end_material; ++i) {
                 if (from.name != "*" && from.name != scene.materials[i].name) continue;
                 work.change(scene.materials[i], from);
-                is_used = true;
+                if (part.material.empty())
+                    is_used = true;
+                else
+                    covered = &part;
             }
         }
         const bool is_asked_for =
@@ -104,9 +140,9 @@ void apply_materials(Scene& scene, const WorldFile& world, const std::vector<Loa
             work.change(made, from);
             scene.materials.push_back(std::move(made));
         }
-        if (!is_used && !is_asked_for)
-            context.report().add(Remark::warning, path, to_text(from.place),
-                                 "no model has a material named '" + one_line(from.name, 40) + "'");
+        if (is_used || is_asked_for) continue;
+        work.check(from);
+        context.report().add(Remark::warning, path, to_text(from.place), why_unused(from, covered, scene));
     }
     for (const LoadedPart& part : parts)
         if (const auto material = own.find(part.material); material != own.end())

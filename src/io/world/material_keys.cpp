@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world/material_keys.h"
 
-#include <algorithm>
-
 #include "scene/scene_tools.h"
 
 namespace rakelight::io::world {
@@ -179,12 +177,9 @@ std::vector<MaterialKey> bumps() {
         {{"bump_polarity", Kind::word, "As --bump-polarity", any_number, names_of<bool>(polarity_words)},
          Of::all,
          [](C& c) { relief(c).holds_depth = value_of(polarity_words, c.word()); }},
-        {{"bump_steps", Kind::pair, "As --bump-steps", {1, 1024}},
+        {{"bump_steps", Kind::integers, "As --bump-steps", {1, 1024}},
          Of::all,
-         [](C& c) {
-             relief(c).min_steps = int(std::min(c.number(0), c.number(1)));
-             relief(c).max_steps = int(std::max(c.number(0), c.number(1)));
-         }},
+         [](C& c) { relief(c).min_steps = int(c.number(0)), relief(c).max_steps = int(c.number(1)); }},
         {{"bump_refinement", Kind::integer, "As --bump-refinement", {0, 32}},
          Of::all,
          [](C& c) { relief(c).refinement_steps = int(c.number()); }},

@@ -33,6 +33,8 @@ const char* expectation(Kind kind) {
             return "a whole number";
         case Kind::pair:
             return "two numbers in brackets";
+        case Kind::integers:
+            return "two whole numbers in brackets";
         case Kind::vector:
             return "three numbers in brackets";
         case Kind::scale:
@@ -44,7 +46,7 @@ const char* expectation(Kind kind) {
 }
 
 std::size_t count_of(Kind kind) {
-    return kind == Kind::pair ? 2 : kind == Kind::number || kind == Kind::integer ? 1 : 3;
+    return kind == Kind::pair || kind == Kind::integers ? 2 : kind == Kind::number || kind == Kind::integer ? 1 : 3;
 }
 
 /// One reading of a key's value.
@@ -91,18 +93,20 @@ private:
     }
 
     double read_number(const TomlNode& node) const {
-        if (node.kind != TomlNode::Kind::number || (key_.kind == Kind::integer && !node.is_whole)) refuse(node);
+        const bool is_integer = key_.kind == Kind::integer || key_.kind == Kind::integers;
+        if (node.kind != TomlNode::Kind::number) refuse(node);
+        if (is_integer && !node.is_whole)
+            fail(node.place, said(entry_.key) + " must be " + expectation(key_.kind) + ", not " + text_of(node.number));
         const double x = node.number;
         const Range r = key_.kind == Kind::color ? from_0 : key_.range;
         if (!std::isfinite(x)) fail(node.place, said(entry_.key) + " must be a finite number");
         if (r.is_open ? x > r.low && x < r.high : x >= r.low && x <= r.high) return x;
         std::string limits;
-        if (r.low > -1e29) limits = (r.is_open ? " more than " : " at least ") + text_of(r.low);
-        if (r.high < 1e29)
+        if (r.low > -1e29 || x < r.low) limits = (r.is_open ? " more than " : " at least ") + text_of(r.low);
+        if (r.high < 1e29 || x > r.high)
             limits +=
                 (limits.empty() ? "" : " and") + std::string(r.is_open ? " less than " : " at most ") + text_of(r.high);
-        fail(node.place, said(entry_.key) + " is " + text_of(x) + ", but must be" +
-                             (limits.empty() ? " between -1e30 and 1e30" : limits));
+        fail(node.place, said(entry_.key) + " is " + text_of(x) + ", but must be" + limits);
     }
 
     std::vector<double> read_numbers(const TomlNode& node) const {

@@ -80,18 +80,54 @@ TomlNode tree_of(const toml::node& from) {
     return node;
 }
 
-/// toml++ descends into dotted keys by calling itself, so their length is bounded before it sees them.
+/// Where the text goes on behind the string that begins at `at`; what is between is no dot of a key.
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+    const char quote = text[at];
+    const std::string three(3, quote);
+    const bool is_long = text.substr(at).starts_with(three);  // over several lines
+    std::size_t i = at + (is_long ? 3 : 1);
+    for (; i < text.size(); ++i) {
+        if (text[i] == '\\' && quote == '"') {
+            ++i;
+        } else if (is_long && text.substr(i).starts_with(three)) {
+            i += 3;
+            for (int more = 0; more < 2 && i < text.size() && text[i] == quote; ++more) ++i;  // belong to the string
+            return i;
+        } else if (!is_long && (text[i] == quote || text[i] == '\n')) {
+            return text[i] == quote ? i + 1 : i;  // toml++ refuses an open one
+        }
+    }
+    return text.size();
+}
+
+WorldPlace place_at(std::string_view text, std::size_t at) {
+    WorldPlace place{1, 1};
+    for (const char c : text.substr(0, at))
+        place = c == '\n' ? WorldPlace{place.line + 1, 1} : WorldPlace{place.line, place.column + 1};
+    return place;
+}
+
+/// toml++ descends into dotted keys by calling itself, so their length is bounded before it sees them. Comments and
+/// the inside of strings do not count.
 void check_dotted_keys(std::string_view text) {
     constexpr int most_dots = 64;
-    WorldPlace place{1, 0};
     int dots = 0;
-    for (const char c : text) {
-        ++place.column;
-        if (c == '\n') place = {place.line + 1, 0};
+    for (std::size_t i = 0; i < text.size();) {
+        const char c = text[i];
+        if (c == '"' || c == '\'') {
+            i = end_of_string(text, i);
+            continue;
+        }
+        if (c == '#') {
+            i = std::min(text.find('\n', i), text.size());
+            continue;
+        }
         const bool may_be_key = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                                c == '_' || c == '-' || c == ' ' || c == '\t' || c == '"' || c == '\'';
+                                c == '_' || c == '-' || c == ' ' || c == '\t';
         dots = c == '.' ? dots + 1 : may_be_key ? dots : 0;
-        if (dots > most_dots) throw Error(ErrorCode::bad_file, "a key of more than 64 parts", to_text(place));
+        if (dots > most_dots)
+            throw Error(ErrorCode::bad_file, "a key of more than 64 parts", to_text(place_at(text, i)));
+        ++i;
     }
 }
 
@@ -112,9 +148,7 @@ WorldPlace place_of_fault(std::string_view text) {
         const std::size_t middle = taken + (refused - taken) / 2;
         (is_taken(text.substr(0, middle)) ? taken : refused) = middle;
     }
-    WorldPlace place{1, 1};
-    for (const char c : text.substr(0, taken)) place = c == '\n' ? WorldPlace{place.line + 1, 1} : WorldPlace{place.line, place.column + 1};
-    return place;
+    return place_at(text, taken);
 }
 
 }  // namespace

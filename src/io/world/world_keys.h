@@ -18,10 +18,11 @@ enum class Kind {
     flag,
     number,
     integer,
-    pair,    ///< two numbers
-    vector,  ///< three numbers
-    scale,   ///< one number or three
-    color,   ///< three numbers >= 0 of linear light, or "#rrggbb" as seen on a display
+    pair,      ///< two numbers
+    integers,  ///< two whole numbers
+    vector,    ///< three numbers
+    scale,     ///< one number or three
+    color,     ///< three numbers >= 0 of linear light, or "#rrggbb" as seen on a display
 };
 
 /// Of each number of a value.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "io/world/material_keys.h"
 
@@ -31,6 +33,7 @@ template <class Part>
 void read_common(const SectionValues& v, Part& part, WorldFile& world) {
     part.place = v.place_of("file");
     part.material_place = v.place_of("material");
+    if (v.has("shading")) part.shading_place = v.place_of("shading");
     part.name = v.text("name", part.name);
     part.placement = read_placement(v);
     part.material = v.text("material");
@@ -93,6 +96,11 @@ WorldMaterial read_material(const SectionValues& v, WorldFile& world) {
                                   "' of metallic-roughness ones: a material is one of them");
     if (v.has("shading") && material.name == "*")
         fail(v.place_of("shading"), "'shading' needs the name of a material", "or say it of the [[model]]");
+    if (v.has("shading") && v.has("model"))
+        fail(v.place_of("shading"), "'shading' goes to the materials of that name in all models, 'model' to one",
+             "leave one of them out, or say 'shading' of the [[model]]");
+    if (const WorldValue* const steps = v.find("bump_steps"); steps && steps->numbers[0] > steps->numbers[1])
+        fail(steps->place, "'bump_steps': the first must not be more than the second");
     add_shading(v, "material:" + material.name, world);
     return material;
 }
@@ -108,6 +116,11 @@ Fog read_fog(const SectionValues& v) {
     fog.start = float(v.number("start", double(fog.start)));
     fog.end = float(v.number("end", double(fog.end)));
     fog.density = float(v.number("density", double(fog.density)));
+    for (const char* key : {"start", "end", "density"}) {
+        const bool is_linear = fog.kind == FogKind::linear, is_of_linear = key[0] != 'd';
+        if (v.has(key) && fog.kind != FogKind::none && is_linear != is_of_linear)
+            fail(v.place_of(key), "fog of kind '" + v.text("kind") + "' has no '" + key + "'");
+    }
     if (!(fog.end > fog.start)) fail(v.place_of("end"), "'end' must be more than 'start'");
     return fog;
 }
@@ -121,7 +134,42 @@ WorldEnvironment read_environment(const SectionValues& v) {
     return out;
 }
 
+/// Rules of shading go by name, so a part with one has its name for itself.
+static void check_shading(const WorldFile& world) {
+    struct Named {
+        const std::string& name;
+        WorldPlace shading_place;
+    };
+    std::vector<Named> parts;
+    for (const WorldModel& m : world.models) parts.push_back({m.name, m.shading_place});
+    for (const WorldPrimitive& p : world.primitives) parts.push_back({p.name, p.shading_place});
+    std::map<std::string_view, int> count;
+    for (const Named& part : parts) ++count[part.name];
+    for (const Named& part : parts)
+        if (part.shading_place.line > 0 && count[part.name] > 1)
+            fail(part.shading_place,
+                 "'shading' goes by name, and " + std::to_string(count[part.name]) + " parts are named '" +
+                     one_line(part.name, 40) + "'",
+                 "give this one a 'name' of its own");
+}
+
+/// Two [[material]] of one name for the same models, or of one that a part takes as its material.
+static void check_materials(const WorldFile& world) {
+    std::set<std::string_view> asked_for;
+    for (const WorldModel& m : world.models) asked_for.insert(m.material);
+    for (const WorldPrimitive& p : world.primitives) asked_for.insert(p.material);
+    std::set<std::pair<std::string_view, std::string_view>> known;
+    for (const WorldMaterial& m : world.materials) {
+        const bool is_own = asked_for.contains(m.name);
+        if (!known.insert({m.name, is_own ? std::string_view() : m.model}).second)
+            fail(m.place, "a second [[material]] named '" + one_line(m.name, 40) + "'" +
+                              (is_own ? ", which a part takes as its 'material'" : " for the same models"));
+    }
+}
+
 void check_names(const WorldFile& world) {
+    check_shading(world);
+    check_materials(world);
     std::vector<const char*> materials, models;
     for (const WorldMaterial& m : world.materials) materials.push_back(m.name.c_str());
     for (const WorldModel& m : world.models) models.push_back(m.name.c_str());

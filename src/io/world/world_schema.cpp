@@ -17,8 +17,8 @@ json number_of(const Range& r, const char* type) {
     return out;
 }
 
-json list_of(const Range& r, int count) {
-    return {{"type", "array"}, {"items", number_of(r, "number")}, {"minItems", count}, {"maxItems", count}};
+json list_of(const Range& r, int count, const char* type = "number") {
+    return {{"type", "array"}, {"items", number_of(r, type)}, {"minItems", count}, {"maxItems", count}};
 }
 
 json type_of(const WorldKey& key) {
@@ -36,6 +36,8 @@ json type_of(const WorldKey& key) {
             return number_of(key.range, "integer");
         case Kind::pair:
             return list_of(key.range, 2);
+        case Kind::integers:
+            return list_of(key.range, 2, "integer");
         case Kind::vector:
             return list_of(key.range, 3);
         case Kind::scale:

@@ -140,6 +140,19 @@ TEST(ParseWorld, EveryFaultIsSaidWithItsLineAndColumn) {
         {"[=]\n", "line 3, column 2", "not TOML"},  // toml++ asserts these three
         {"[.[light]]\n", "line 3, column 2", "not TOML"},
         {"[[.5, 1]\n", "line 3, column 3", "not TOML"},
+        {"[[primitive]]\ntype = 'teapot'\nshading = 'flat'\n", "line 5, column 11", "2 parts are named 'teapot'"},
+        {"[[primitive]]\ntype = 'cone'\nname = 'a'\n[[model]]\nfile = 'a.obj'\nshading = 'unlit'\n",
+         "line 8, column 11", "2 parts are named 'a'"},
+        {"[[material]]\nname = 'a'\nmodel = 'teapot'\nshading = 'flat'\n", "line 6, column 11", "'model' to one"},
+        {"[[material]]\nname = 'a'\n[[material]]\nname = 'a'\n", "line 5, column 1", "second [[material]] named 'a'"},
+        {"[[primitive]]\ntype = 'cone'\nmaterial = 'a'\n[[material]]\nname = 'a'\n[[material]]\nname = 'a'\nmodel "
+         "= 'teapot'\n",
+         "line 8, column 1", "takes as its 'material'"},
+        {"[[material]]\nname = 'a'\nbump_steps = [30, 4]\n", "line 5, column 14", "not be more than the second"},
+        {"[[material]]\nname = 'a'\nbump_steps = [4, 8.5]\n", "line 5, column 18", "two whole numbers"},
+        {"[[material]]\nname = 'a'\ncolor = [2e30, 1, 1]\n", "line 5, column 10", "at least 0 and at most 1e+30"},
+        {"[fog]\nkind = 'exp'\nstart = 2\n", "line 5, column 9", "of kind 'exp' has no 'start'"},
+        {"[fog]\nkind = 'linear'\ndensity = 2\n", "line 5, column 11", "of kind 'linear' has no 'density'"},
         {"y = 99999999999999999999\n", "line 3, column", ""},
     };
     for (const auto& [text, place, words] : faults) {
@@ -165,6 +178,28 @@ TEST(ParseWorld, AnEmptyWorldAndTooManyEntriesAreRefused) {
     EXPECT_NE(error_of([&] { with_teapot(many); }).reason().find("more than 10000"), std::string::npos);
     EXPECT_NE(error_of([] { parse_world(std::string((4u << 20) + 1, '\n')); }).reason().find("4 MiB"),
               std::string::npos);
+}
+
+TEST(ParseWorld, TheSameMaterialOfTwoModelsMayBeChangedApart) {
+    EXPECT_EQ(with_teapot("[[material]]\nname = 'a'\n[[material]]\nname = 'a'\nmodel = 'teapot'\n").materials.size(),
+              2u);
+}
+
+TEST(ParseWorld, DotsCountInKeysOnly) {
+    const std::string dots(100, '.'), key = "[[light]]\ntype = 'ambient'\nambient = [0.5, 0.5, 0.5]\nname = ";
+    const std::string texts[] = {"# " + dots + "\n", key + "'" + dots + "'\n", key + "\"\\\"" + dots + "\"\n",
+                                 key + "'''a\n#'" + dots + "'''\n",
+                                 key + "\"\"\"\"a\"\" " + dots + "\"\"\"\"\" # " + dots + "\n"};
+    for (const std::string& text : texts) EXPECT_EQ(with_teapot(text).models.size(), 0u) << text;
+}
+
+TEST(ParseWorld, NoStringHidesAKeyOfManyDots) {
+    std::string dotted = "a";
+    for (int i = 0; i < 100'000; ++i) dotted += ".a";
+    for (const char* before : {"b = 'c'\n", "b = \"\\\"\" # '\n", "b = \"\"\n", "b = \"\"\"c\"\"\"\"\"\n",
+                               "b = \'\'\'c\'\'\'\'\n", "'b'.", "\"'\".", "# \"\"\"\n", "# '\n"})
+        EXPECT_EQ(error_of([&] { with_teapot(before + dotted + " = 1\n"); }).reason(), "a key of more than 64 parts")
+            << before;
 }
 
 TEST(ParseWorld, TablesInsideOneAnotherDoNotExhaustTheStack) {

@@ -155,14 +155,70 @@ TEST_F(LoadWorld, FilesStayInTheWorldsFolderUnlessTheCallerAllowsOthers) {
     EXPECT_EQ(load(path, {.allow_outside = true}, context_).meshes.size(), 1u);
 }
 
-TEST_F(LoadWorld, AFaultOfAModelCarriesTheModelsNameAndAMissingPictureItsPlace) {
+TEST_F(LoadWorld, AFaultOfAFileThatTheWorldNamesCarriesWorldPlaceAndName) {
     write("bad.obj", "v 0 0 0\nf 1 2 3\n");
-    EXPECT_EQ(error_of([&] { load_text("[[model]]\nfile = 'bad.obj'\n"); }).file(), (folder_ / "bad.obj").string());
-    EXPECT_EQ(error_of([&] { load_text("[[model]]\nfile = 'none.obj'\n"); }).code(), ErrorCode::not_found);
-    const Error error = error_of(
-        [&] { load_text("[[model]]\nfile = 'a.obj'\n[[material]]\nname = 'red'\nnormal_texture = 'no.png'\n"); });
-    EXPECT_EQ(error.code(), ErrorCode::not_found);
-    EXPECT_EQ(error.place(), "line 5, column 18");
+    const std::string model = "[[model]]\nfile = 'a.obj'\n", world = (folder_ / "w.scene.toml").string();
+    const struct {
+        std::string text;
+        const char *place, *name;
+        ErrorCode code;
+    } faults[] = {
+        {"[[model]]\nfile = 'bad.obj'\n", "line 2, column 8", "'bad.obj': ", ErrorCode::bad_file},
+        {"[[model]]\nfile = 'none.obj'\n", "line 2, column 8", "'none.obj': ", ErrorCode::not_found},
+        {model + "[environment]\nfile = 'none.hdr'\n", "line 4, column 8", "'none.hdr': ", ErrorCode::not_found},
+        {model + "[[material]]\nname = 'red'\nnormal_texture = 'no.png'\n", "line 5, column 18",
+         "'no.png': ", ErrorCode::not_found},
+        {model + "[[material]]\nname = 'unused'\nnormal_texture = 'no.png'\n", "line 5, column 18",
+         "'no.png': ", ErrorCode::not_found},
+        {model + "[[camera]]\nname = 'front'\nposition = [0, 0, 9]\n[render]\ncamera-index = 'frnt'\n",
+         "line 7, column 1", "no camera 'frnt'", ErrorCode::bad_file},
+    };
+    for (const auto& [text, place, name, code] : faults) {
+        const Error error = error_of([&] { load_text(text); });
+        EXPECT_EQ(error.file(), world) << text;
+        EXPECT_EQ(error.place(), place) << text;
+        EXPECT_NE(error.reason().find(name), std::string::npos) << error.what();
+        EXPECT_EQ(error.code(), code) << text;
+    }
+}
+
+TEST_F(LoadWorld, ShadingOfAPartIsRefusedWhereAnObjectOfAnotherModelHasItsName) {
+    write("named.obj", "o b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string both = "[[model]]\nfile = 'named.obj'\n[[model]]\nfile = 'b.obj'\n";
+    const Error error = error_of([&] { load_text(both + "shading = 'flat'\n"); });
+    EXPECT_EQ(error.place(), "line 5, column 11");
+    EXPECT_EQ(load_text(both + "shading = 'flat'\nname = 'c'\n").meshes.size(), 2u);
+    EXPECT_EQ(load_text("[[model]]\nfile = 'named.obj'\nname = 'b'\nshading = 'flat'\n").meshes.size(), 1u);
+}
+
+TEST_F(LoadWorld, WhatHasNoEffectOrIsNotWhatItSeemsIsWarnedOf) {
+    const std::string model = "[[model]]\nfile = 'a.obj'\n";
+    const struct {
+        std::string text;
+        const char* words;
+    } cases[] = {
+        {model + "[[material]]\nname = 'redd'\nunlit = true\n", "did you mean 'red'?"},
+        {model + "name = 'wall'\nmaterial = 'own'\n[[material]]\nname = 'own'\n[[material]]\nname = '*'\nmodel = "
+                 "'wall'\ncolor = [0, 1, 0]\n",
+         "no effect: all of 'wall' is of 'own'"},
+        {model + "[[material]]\nname = 'red'\ncolor = [255, 0, 0]\n", "'color' is more than 1"},
+        {model + "[[camera]]\nname = 'c'\nposition = [0, 0, 9]\n[[camera]]\nname = 'c'\nposition = [0, 0, 8]\n",
+         "two cameras are named 'c'"},
+        {"[[primitive]]\ntype = 'cone'\nname = 'p'\n[[primitive]]\ntype = 'sphere'\nname = 'p'\n",
+         "two primitives are named 'p'"},
+    };
+    std::size_t count = 0;
+    for (const auto& [text, words] : cases) {
+        load_text(text);
+        ASSERT_EQ(context_.report().entries().size(), ++count) << text;
+        EXPECT_NE(context_.report().entries().back().message.find(words), std::string::npos)
+            << context_.report().entries().back().message;
+    }
+    load_text(
+        "[[primitive]]\ntype = 'cone'\n[[primitive]]\ntype = 'cone'\n[[camera]]\nposition = [0, 0, 9]\n"
+        "[[camera]]\nposition = [0, 0, 8]\n");
+    load_text(model + "[[material]]\nname = 'red'\nemission = [5, 5, 5]\n");
+    EXPECT_EQ(context_.report().entries().size(), count);
 }
 
 TEST_F(LoadWorld, FogAndSurroundingsAreInTheScene) {
