@@ -40,7 +40,6 @@ constexpr Property properties[] = {
     {"color", any, true, true,
      [](const std::string& what, Light& light, std::string_view value) {
          (light.units == LightUnits::photometric ? light.color : light.diffuse) = light_color(what, value);
-         light.specular = light.diffuse;
      }},
     {"specular", any, true, false,
      [](const std::string& what, Light& l, std::string_view value) { l.specular = light_color(what, value); }},

@@ -54,13 +54,16 @@ Light light(const std::string& option, std::string_view text) {
     } else {
         light.position = vector3(option, parts[1]);
     }
+    bool has_specular = false;
     for (std::size_t i = 2; i < parts.size(); ++i) {
         const std::size_t equals = parts[i].find('=');
         if (equals == parts[i].npos)
             throw Error(ErrorCode::usage,
                         option + ": '" + one_line(std::string(parts[i]), 40) + "' is not of the form name=value");
         set_light_property(option, light, parts[i].substr(0, equals), parts[i].substr(equals + 1));
+        has_specular |= parts[i].substr(0, equals) == "specular";
     }
+    if (!has_specular) light.specular = light.diffuse;
     if (light.inner_cone_rad > light.outer_cone_rad)
         throw Error(ErrorCode::usage, option + ": inner must not be more than outer");
     return light;

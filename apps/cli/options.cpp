@@ -364,7 +364,7 @@ static PictureRequest parse_for_world(const std::vector<std::string>& arguments,
     try {
         return parse_with(int(argv.size()), argv.data(), &world).picture;
     } catch (const Error& error) {
-        throw with_place(error, world);
+        throw with_place(error, world, arguments);
     }
 }
 

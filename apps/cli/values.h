@@ -53,12 +53,15 @@ bool switched(const std::string& option, std::string_view text);
 template <class T>
 T word(const std::string& option, std::string_view text, std::span<const Word<T>> words) {
     std::string all;
+    std::vector<std::string_view> names;
     for (const auto& [name, value] : words) {
         if (text == name) return value;
         all += (all.empty() ? "" : ", ") + std::string(name);
+        names.push_back(name);
     }
+    const std::string near = nearest_word(text, names);
     throw Error(ErrorCode::usage, option + ": unknown word '" + one_line(std::string(text), 40) + "'", {},
-                "use one of: " + all);
+                (near.empty() ? "" : "did you mean '" + near + "'? ") + "use one of: " + all);
 }
 template <class T, std::size_t n>
 T word(const std::string& option, std::string_view text, const Word<T> (&words)[n]) {

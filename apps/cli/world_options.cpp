@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 
 #include <rakelight/words.h>
 
@@ -57,9 +59,13 @@ std::string resolved(const CLI::Option& option, const std::string& word, const W
                      const WorldOptions& world) {
     if (option.get_type_name() != "FILE") return word;
     try {
-        return resolve_in_world(world.path, word, world.allow_outside);
+        const std::string file = resolve_in_world(world.path, word, world.allow_outside);
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(file, ignored))
+            throw Error(ErrorCode::not_found, "'" + one_line(word, 80) + "': there is no such file");
+        return file;
     } catch (const Error& error) {
-        fail(value, error.reason(), error.advice());
+        throw Error(error.code(), error.reason(), to_text(value.place), error.advice());
     }
 }
 
@@ -100,7 +106,32 @@ void add_world_options(CLI::App& verb, const CLI::App& render, const WorldOption
     }
 }
 
-Error with_place(const Error& error, const WorldOptions& world) {
+/// Whether a text names an option, and not only one that begins like it.
+static bool names_option(std::string_view text, const std::string& option) {
+    for (std::size_t at = 0; (at = text.find(option, at)) != text.npos; at += option.size()) {
+        const char next = at + option.size() < text.size() ? text[at + option.size()] : ' ';
+        const bool goes_on = next == '-' || (next >= 'a' && next <= 'z') || (next >= '0' && next <= '9');
+        if (!goes_on) return true;
+    }
+    return false;
+}
+
+/// An option of the command line that does not go with one of the world: names both.
+static std::optional<Error> disagreement(const Error& error, const WorldOptions& world,
+                                         std::span<const std::string> arguments) {
+    std::string given, of_world;
+    for (const std::string& word : arguments)
+        if (word.starts_with("--") && names_option(error.reason(), word.substr(0, word.find('='))))
+            given = word.substr(0, word.find('='));
+    for (const WorldValue& value : world.render)
+        if ("--" + value.key != given && names_option(error.reason(), "--" + value.key))
+            of_world = "'" + value.key + "' is of " + one_line(world.path, 80) + ", " + to_text(value.place);
+    if (given.empty() || of_world.empty()) return {};
+    return Error(ErrorCode::usage, error.reason(), {}, of_world + ", " + given + " of the command line");
+}
+
+Error with_place(const Error& error, const WorldOptions& world, std::span<const std::string> arguments) {
+    if (const auto both = disagreement(error, world, arguments)) return *both;
     for (const WorldValue& value : world.render)
         if (error.reason().starts_with("--" + value.key + ":") || error.reason().starts_with("--" + value.key + " "))
             return Error(ErrorCode::bad_file, error.reason(), to_text(value.place), error.advice())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // [render] of world files: options of the command line, which goes before them.
 #pragma once
+#include <span>
 #include <string>
 
 #include <rakelight/world.h>
@@ -24,7 +25,9 @@ struct WorldOptions {
 /// @throws Error bad_file with line and column: no such option, or a value that it does not take
 void add_world_options(CLI::App& verb, const CLI::App& render, const WorldOptions& world);
 
-/// The error with the place of the option that it is about, if that is one of the world's.
-Error with_place(const Error& error, const WorldOptions& world);
+/// The error with the place of the option that it is about, if that is one of the world's. Where one of the command
+/// line is the other half of it, both are named, and the mistake is one of usage.
+/// @param arguments  of the command line
+Error with_place(const Error& error, const WorldOptions& world, std::span<const std::string> arguments);
 
 }  // namespace rakelight::cli

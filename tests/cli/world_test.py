@@ -41,6 +41,11 @@ BROKEN = [
     (WALL + "[render]\nedges = 'maybe'\n", 4, 1, "true or false"),
     (WALL + "[render]\noutput = 'b.png'\n", 4, 1, "for the command line alone"),
     (WALL + "[render]\nheight-map = '../secret.png'\n", 4, 1, "secret.png"),
+    (WALL + "[render]\nbump = 'paralax'\n", 4, 1, "did you mean 'parallax'?"),
+    (WALL + "[render]\ncamera-index = 'frnt'\n[[camera]]\nname = 'front'\nposition = [0, 0, 9]\n", 4, 1, "did you mean 'front'?"),
+    (WALL + "[render]\nheight-map = 'none.png'\n", 4, 1, "'none.png': there is no such file"),
+    (WALL + "[[material]]\nname = 'unused'\nnormal_texture = 'none.png'\n", 5, 18, "none.png"),
+    (WALL + "shading = 'flat'\n[[model]]\nfile = 'a.obj'\n", 3, 11, "2 parts are named 'a'"),
 ]
 
 
@@ -121,7 +126,36 @@ class Worlds(program.Case):
 
     def test_a_missing_model_is_not_found_by_its_name(self):
         self.write("w.scene.toml", "[[model]]\nfile = 'none.obj'\n")
-        self.check_refused(self.run_program("check", "w.scene.toml"), 3, "none.obj")
+        for arguments in (("check", "w.scene.toml"), ("render", "w.scene.toml", "-o", "a.png")):
+            self.check_refused(self.run_program(*arguments), 3, "w.scene.toml: line 2, column 8: 'none.obj'")
+
+    def test_an_option_of_the_command_line_against_one_of_the_world_names_both(self):
+        self.write("w.scene.toml", WALL + "[render]\nsamples = 4\n")
+        result = self.run_program("render", "w.scene.toml", "-o", "a.png", "--visibility", "painter")
+        self.check_refused(result, 2, "--samples 4 needs --visibility z-reversed", "'samples' is of w.scene.toml, line 4, column 1",
+                           "--visibility of the command line")
+        self.write("w.scene.toml", WALL + "[render]\nsamples = 4\nvisibility = 'painter'\n")
+        self.check_refused(self.run_program("render", "w.scene.toml", "-o", "a.png"), 4, "w.scene.toml: line 4, column 1")
+
+    def test_a_world_without_scene_in_its_ending_is_told_so(self):
+        self.write("mine.toml", WALL)
+        self.check_refused(self.run_program("check", "mine.toml"), 4, "world files end in .scene.toml")
+
+    def test_a_word_behind_a_switch_that_is_no_model_is_refused(self):
+        result = self.run_program("render", "a.obj", "--bump-self-shadow", "maybe", "-o", "b.png")
+        self.check_refused(result, 2, "--bump-self-shadow: unknown word 'maybe'; use one of: on, off")
+        self.write("plain")  # a model, if one of no known kind
+        self.assertNotEqual(self.run_program("render", "--shadows", "plain", "-o", "b.png").code, 2)
+        self.check_refused(self.run_program("render", "--shadows", "none.obj", "-o", "b.png"), 3, "none.obj")
+
+    def test_the_order_of_a_lights_properties_does_not_matter(self):
+        pictures = set()
+        for light in ("specular=0,0,0:color=1,1,1", "color=1,1,1:specular=0,0,0", "color=1,1,1"):
+            result = self.run_program("render", "builtin:sphere", "-o", "b.png", "--resolution", "40,40", "--lighting", "phong",
+                                      "--light", "directional:0,-1,-1:" + light)
+            self.assertEqual((result.code, result.err), (0, ""))
+            pictures.add((self.folder / "b.png").read_bytes())
+        self.assertEqual(len(pictures), 2)  # the last has a highlight
 
     def test_files_outside_of_the_folder_need_to_be_allowed(self):
         (self.folder / "deep").mkdir()
