@@ -124,7 +124,7 @@ public:
         scene_.lights.insert(scene_.lights.begin(), world.lights.begin(), world.lights.end());
         scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
         check_shading();
-        check_camera(world);
+        check_render(world);
         warn_of_twins(world, path_, context_.report());
         if (world.fog) scene_.fog = *world.fog;
         if (world.environment) scene_.environment = surroundings(*world.environment);
@@ -169,26 +169,29 @@ private:
                                 to_text(part.shading_place), "give this part another 'name'");
     }
 
-    /// The camera that [render] asks for is one of the scene's.
-    void check_camera(const WorldFile& world) const {
-        for (const WorldValue& value : world.render)
-            if (value.key == "camera-index" && value.words.size() == 1) try {
-                    find_camera(scene_, value.words[0]);
-                } catch (const Error& error) {
-                    throw Error(ErrorCode::bad_file, error.reason(), to_text(value.place), error.advice());
-                }
+    /// What [render] names is there: the camera and the pictures.
+    void check_render(const WorldFile& world) const {
+        for (const WorldValue& value : world.render) {
+            if (value.words.size() != 1) continue;
+            if (value.key == "camera-index") check_camera(value);
+            for (const char* key : {"texture-base-color", "texture-normal", "height-map", "hdri-file"})
+                if (value.key == key) checked_picture(path_, value.words[0], value.place, options_, context_);
+        }
+    }
+
+    void check_camera(const WorldValue& value) const {
+        try {
+            find_camera(scene_, value.words[0]);
+        } catch (const Error& error) {
+            throw Error(ErrorCode::bad_file, error.reason(), to_text(value.place), error.advice());
+        }
     }
 
     Environment surroundings(const WorldEnvironment& from) {
         Environment out = from.environment;
         if (from.file.empty()) return out;
-        try {
-            const std::string file = io::resolve_reference(path_, from.file, options_.allow_outside);
-            if (!io::is_regular_file(file)) throw Error(ErrorCode::not_found, "there is no such file").with_file(file);
-            out.image = io::image_from_file(from.file, path_, file);
-        } catch (const Error& error) {
-            throw at_place(error, from.file, from.place);
-        }
+        out.image =
+            io::image_from_file(from.file, path_, checked_picture(path_, from.file, from.place, options_, context_));
         return out;
     }
 

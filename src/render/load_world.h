@@ -13,6 +13,12 @@ namespace rakelight {
 /// @throws Error not_found, bad_file: with the place in the world file, a model's faults too
 Scene load_world(const std::string& path, const LoadOptions& options, Context& context);
 
+/// The path of a picture that a world names, which was decoded once.
+/// @param path  of the world file
+/// @throws Error not_found, bad_file: with its name and place
+std::string checked_picture(const std::string& path, const std::string& name, WorldPlace place,
+                            const LoadOptions& options, Context& context);
+
 /// What became of one [[model]] or [[primitive]].
 struct LoadedPart {
     const std::string& name;

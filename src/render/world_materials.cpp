@@ -57,16 +57,7 @@ private:
     }
 
     std::string checked(const WorldValue& value) {
-        try {
-            const std::string file = io::resolve_reference(path_, value.words[0], options_.allow_outside);
-            const io::Bytes bytes = io::read_file(file, context_);
-            io::decode_image(*bytes, context_);
-            context_.memory().release(bytes->size());
-            return file;
-        } catch (const Error& error) {
-            throw Error(error.code(), "'" + one_line(value.words[0], 80) + "': " + error.reason(), to_text(value.place),
-                        error.advice());
-        }
+        return checked_picture(path_, value.words[0], value.place, options_, context_);
     }
 
     Scene& scene_;
@@ -111,6 +102,19 @@ std::string why_unused(const WorldMaterial& from, const LoadedPart* covered, con
 }
 
 }  // namespace
+
+std::string checked_picture(const std::string& path, const std::string& name, WorldPlace place,
+                            const LoadOptions& options, Context& context) {
+    try {
+        const std::string file = io::resolve_reference(path, name, options.allow_outside);
+        const std::uint64_t before = context.memory().charged();
+        io::decode_image(*io::read_file(file, context), context);
+        context.memory().release(context.memory().charged() - before);
+        return file;
+    } catch (const Error& error) {
+        throw Error(error.code(), "'" + one_line(name, 80) + "': " + error.reason(), to_text(place), error.advice());
+    }
+}
 
 void apply_materials(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts,
                      const std::string& path, const LoadOptions& options, Context& context) {

@@ -43,7 +43,7 @@ BROKEN = [
     (WALL + "[render]\nheight-map = '../secret.png'\n", 4, 1, "secret.png"),
     (WALL + "[render]\nbump = 'paralax'\n", 4, 1, "did you mean 'parallax'?"),
     (WALL + "[render]\ncamera-index = 'frnt'\n[[camera]]\nname = 'front'\nposition = [0, 0, 9]\n", 4, 1, "did you mean 'front'?"),
-    (WALL + "[render]\nheight-map = 'none.png'\n", 4, 1, "'none.png': there is no such file"),
+    (WALL + "[render]\nheight-map = 'none.png'\n", 4, 1, "'none.png': "),
     (WALL + "[[material]]\nname = 'unused'\nnormal_texture = 'none.png'\n", 5, 18, "none.png"),
     (WALL + "shading = 'flat'\n[[model]]\nfile = 'a.obj'\n", 3, 11, "2 parts are named 'a'"),
 ]

@@ -170,6 +170,11 @@ TEST_F(LoadWorld, AFaultOfAFileThatTheWorldNamesCarriesWorldPlaceAndName) {
          "'no.png': ", ErrorCode::not_found},
         {model + "[[material]]\nname = 'unused'\nnormal_texture = 'no.png'\n", "line 5, column 18",
          "'no.png': ", ErrorCode::not_found},
+        {model + "[environment]\nfile = 'm.mtl'\n", "line 4, column 8", "'m.mtl': is not a picture",
+         ErrorCode::bad_file},
+        {model + "[render]\ntexture-normal = 'm.mtl'\n", "line 4, column 1", "'m.mtl': is not a picture",
+         ErrorCode::bad_file},
+        {model + "[render]\nhdri-file = 'no.hdr'\n", "line 4, column 1", "'no.hdr': ", ErrorCode::not_found},
         {model + "[[camera]]\nname = 'front'\nposition = [0, 0, 9]\n[render]\ncamera-index = 'frnt'\n",
          "line 7, column 1", "no camera 'frnt'", ErrorCode::bad_file},
     };
