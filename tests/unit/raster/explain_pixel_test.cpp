@@ -127,6 +127,7 @@ TEST(ExplainPixel, SumsAreThePicturesBitsUnderAllThatTheFullKernelHas) {
             s.viewer_at_infinity = lighting == Lighting::ward;
             SCOPED_TRACE(std::to_string(int(lighting)) + ", bump " + std::to_string(int(bump)));
             expect_all_explained(scene, s, busy_view(), 7);
+            if (bump != Bump::height) continue;
             s.shading = Shading::gouraud;
             expect_all_explained(scene, s, busy_view(), 9);
         }

@@ -189,7 +189,7 @@ TEST(BenchRender, RefusesWhatItCannotDo) {
     refused([](RenderBenchOptions& o) { o.triangles = 99; });
     refused([](RenderBenchOptions& o) { o.objects = 0; });
     refused([](RenderBenchOptions& o) { o.objects = 1000; });
-    refused([](RenderBenchOptions& o) { o.lights = 9; });
+    refused([](RenderBenchOptions& o) { o.lights = 10'001; });
     refused([](RenderBenchOptions& o) { o.frames = 0; });
     refused([](RenderBenchOptions& o) { o.engines = {"gl"}; });
     refused([](RenderBenchOptions& o) { o.engines = {}; });
