@@ -37,7 +37,7 @@ PUBLIC = {
     "vector": "math",
     "block": "image", "image": "image",
     "attributes": "geometry",
-    "scene": "scene", "words": "scene", "world": "io",
+    "scene": "scene", "light_limits": "scene", "words": "scene", "world": "io",
     "prepare": "prepare",
     "engine": "engines",
     "render": "render",

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <rakelight/light_limits.h>
+
 #include "values.h"
 
 namespace rakelight::cli {
@@ -24,8 +26,9 @@ void set_attenuation(const std::string& what, Light& light, std::string_view val
 
 void set_cone(const std::string& what, float& cone_rad, std::string_view value, bool may_be_zero) {
     const double degrees = number(what, value);
-    if (!((may_be_zero ? degrees >= 0 : degrees > 0) && degrees <= 90))
-        throw Error(ErrorCode::usage, what + ": the half angle must be more than 0 and at most 90 degrees");
+    if (!(degrees >= (may_be_zero ? 0 : least_cone_deg) && degrees <= 90))
+        throw Error(ErrorCode::usage,
+                    what + ": the half angle must be " + (may_be_zero ? "0" : "0.001") + " to 90 degrees");
     cone_rad = float(radians(degrees));
 }
 
@@ -67,8 +70,8 @@ constexpr Property properties[] = {
     {"range", placed, true, true,
      [](const std::string& what, Light& light, std::string_view value) {
          const double range = number(what, value);
-         if (!(range > 0 && range <= 1e30))
-             throw Error(ErrorCode::usage, what + ": must be more than 0 and at most 1e30");
+         if (!(range >= least_light_range && range <= 1e30))
+             throw Error(ErrorCode::usage, what + ": must be 1e-6 to 1e30 m");
          light.range = float(range);
      }},
     {"shadow", any, true, true,

@@ -12,6 +12,7 @@
 #include <rakelight/explain.h>
 #include <rakelight/image.h>
 #include <rakelight/inspect.h>
+#include <rakelight/light_limits.h>
 #include <rakelight/picture.h>
 #include <rakelight/prepare.h>
 #include <rakelight/render.h>

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rakelight/report.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -74,6 +75,13 @@ struct WorldEnvironment {
     WorldPlace place;
 };
 
+/// What is to be told of a world file that is not refused.
+struct WorldRemark {
+    Remark kind = Remark::note;
+    WorldPlace place;
+    std::string message;
+};
+
 /// What a world file says, in its order. Numbers are finite and in range; files are not looked at.
 struct WorldFile {
     std::vector<WorldModel> models;
@@ -84,6 +92,7 @@ struct WorldFile {
     std::optional<Fog> fog;
     std::optional<WorldEnvironment> environment;
     std::vector<WorldValue> render;  ///< options of the command line by name
+    std::vector<WorldRemark> remarks;  ///< load() adds them to the report
 };
 
 /// Whether a file is named as a world: "*.scene.toml" in any case.

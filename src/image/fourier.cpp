@@ -16,6 +16,15 @@ std::size_t smallest_factor(std::size_t n) {
 
 }  // namespace
 
+std::size_t friendly_length(std::size_t n) {
+    for (;; ++n) {
+        std::size_t rest = n;
+        for (const std::size_t factor : {2u, 3u, 5u})
+            while (rest % factor == 0) rest /= factor;
+        if (rest == 1) return n;
+    }
+}
+
 Fourier::Fourier(std::size_t n) : n_(n), turns_(n) {
     for (std::size_t k = 0; k < n; ++k) {
         const double angle = -2 * pi * double(k) / double(n);

@@ -28,4 +28,7 @@ private:
     std::vector<Complex> turns_;  ///< e^(-2 pi i k / n)
 };
 
+/// The least length >= n (>= 1) that has no factor but 2, 3 and 5.
+std::size_t friendly_length(std::size_t n);
+
 }  // namespace rakelight

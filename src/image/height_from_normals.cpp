@@ -7,6 +7,7 @@
 
 #include <rakelight/vector.h>
 
+#include "base/temporary_charges.h"
 #include "image/convert.h"
 #include "image/fourier.h"
 #include "math/flush_denormals.h"
@@ -25,7 +26,9 @@ struct Slopes {
 
 Slopes slopes_of(const Pixels& normals, bool green_down, Context& context) {
     Slopes s{std::size_t(normals.width), std::size_t(normals.height), {}};
-    context.memory().charge(s.width * s.height * sizeof(Complex) * 2, "height map");
+    const std::size_t largest = std::max(s.width * s.height, friendly_length(s.width) * friendly_length(s.height));
+    context.memory().charge(largest * sizeof(Complex) * 2,
+                            "height map");  // of every step: what it reads, what it makes
     s.values.resize(s.width * s.height);
     const std::vector<vec4> texels = to_rgba32f(normals, ColorSpace::linear, context);
     context.parallel_for(s.height, [&](std::size_t y) {
@@ -50,6 +53,37 @@ Slopes halved(const Slopes& s) {
                 sum = sum +
                       s.values[std::min(2 * y + k / 2, s.height - 1) * s.width + std::min(2 * x + k % 2, s.width - 1)];
             to.values[y * to.width + x] = {sum.re * 0.5, sum.im * 0.5};
+        }
+    return to;
+}
+
+/// Place between two texels of a row or column that goes on from its end to its start.
+struct Between {
+    std::size_t low, high;
+    double share;
+};
+Between between(std::size_t i, std::size_t from, std::size_t to) {
+    const double at = (double(i) + 0.5) * double(from) / double(to) + double(from) - 0.5, whole = std::floor(at);
+    return {std::size_t(whole) % from, (std::size_t(whole) + 1) % from, at - whole};
+}
+
+/// At sides that the transform is fast for, linearly between texels. A texel is narrower, so heights change less
+/// across.
+Slopes with_friendly_sides(Slopes s) {
+    Slopes to{friendly_length(s.width), friendly_length(s.height), {}};
+    if (to.width == s.width && to.height == s.height) return s;
+    to.values.resize(to.width * to.height);
+    const double x_scale = double(s.width) / double(to.width), y_scale = double(s.height) / double(to.height);
+    for (std::size_t y = 0; y < to.height; ++y)
+        for (std::size_t x = 0; x < to.width; ++x) {
+            const Between u = between(x, s.width, to.width), v = between(y, s.height, to.height);
+            const auto row = [&](std::size_t r) {
+                const Complex a = s.values[r * s.width + u.low], b = s.values[r * s.width + u.high];
+                return Complex{a.re + (b.re - a.re) * u.share, a.im + (b.im - a.im) * u.share};
+            };
+            const Complex a = row(v.low), b = row(v.high);
+            to.values[y * to.width + x] = {(a.re + (b.re - a.re) * v.share) * x_scale,
+                                           (a.im + (b.im - a.im) * v.share) * y_scale};
         }
     return to;
 }
@@ -112,15 +146,17 @@ Pixels gray(const Slopes& heights, double low, double range) {
 
 HeightsFromNormals heights_from_normals(const Pixels& normals, bool green_down, Context& context) {
     if (normals.width <= 0 || normals.height <= 0) return {};
+    const TemporaryCharges charges(context.memory());
     Slopes s = slopes_of(normals, green_down, context);
     while (s.width > largest_side || s.height > largest_side) s = halved(s);
+    s = with_friendly_sides(std::move(s));
     transform(s, context);
     divide(s);
     transform(s, context);  // of the conjugate: n times the conjugate of the heights, which are real
     const auto [low, high] = std::minmax_element(s.values.begin(), s.values.end(),
                                                  [](const Complex& a, const Complex& b) { return a.re < b.re; });
     const double bottom = low->re, range = high->re - bottom;
-    const double depth = range / double(s.values.size()) / double(s.width);
+    const double depth = range / double(s.values.size()) / double(normals.width);  // heights count texels of the map
     const bool is_flat = depth < 1e-6;
     return {gray(s, bottom, is_flat ? 0 : range), is_flat ? 0 : depth};
 }

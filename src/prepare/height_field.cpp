@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/temporary_charges.h"
 #include "math/functions.h"
 
 namespace rakelight {
@@ -54,10 +55,9 @@ std::shared_ptr<const HeightField> HeightFields::of(const TextureUse& use) {
     const Texture& texture = scene_.textures[use.texture];
     const auto [entry, is_new] = chains_.try_emplace(texture.image.get());
     if (is_new) try {
-            const std::uint64_t before = context_.memory().charged();
+            const TemporaryCharges charges(context_.memory());
             MipChain chain =
                 make_mip_chain(texture.image->decode(*texture.image, context_), ColorSpace::linear, context_);
-            context_.memory().release(context_.memory().charged() - before);
             if (!chain.levels.empty()) entry->second = std::make_shared<const MipChain>(std::move(chain));
         } catch (const Error& error) {
             context_.report().add(Remark::warning, texture.image->file, texture.image->name,

@@ -23,6 +23,7 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
 
 /// The Utah teapot from Newell's 32 Bezier patches, as six objects (rim, body, handle, spout, lid, bottom) with their
 /// patch u, v; no normals (prepare makes them). `divisions` quads a side of each patch, 1..256.
-Scene make_teapot(int divisions = 10);
+/// @param memory  is charged for the arrays before they are made; null: nobody counts
+Scene make_teapot(int divisions = 10, MemoryBudget* memory = nullptr);
 
 }  // namespace rakelight

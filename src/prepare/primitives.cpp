@@ -18,10 +18,24 @@ constexpr const char* shape_names[] = {"sphere", "cylinder", "cone", "torus", "p
 constexpr double most_triangles = 4e6, largest_m = 1e6;
 constexpr int most_divisions = 1024, most_objects = 1024;
 
+constexpr std::size_t vertex_bytes = 2 * sizeof(vec3) + sizeof(vec2), index_bytes = sizeof(std::uint32_t);
+
+void charge(MemoryBudget* memory, std::size_t bytes) {
+    if (memory) memory->charge(bytes, "a shape");
+}
+
 struct Arrays {
     std::vector<vec3> positions, normals;
     std::vector<vec2> texcoords;
     std::vector<std::uint32_t> indices;
+
+    std::size_t bytes() const { return positions.size() * vertex_bytes + indices.size() * index_bytes; }
+    /// Before anything is added, exactly what will be.
+    void reserve(std::size_t vertices, std::size_t triangles, MemoryBudget* memory) {
+        charge(memory, vertices * vertex_bytes + 3 * triangles * index_bytes);
+        positions.reserve(vertices), normals.reserve(vertices), texcoords.reserve(vertices);
+        indices.reserve(3 * triangles);
+    }
 };
 
 /// A point of what is turned about +Y: distance from the axis, height, normal in that plane, texture coordinate.
@@ -89,10 +103,12 @@ void check_count(double triangles) {
         throw Error(ErrorCode::usage, "the tolerance asks for more than 4 million triangles", {}, "say a larger one");
 }
 
-void add_sphere(double radius, double tolerance, Arrays& out) {
+void add_sphere(double radius, double tolerance, MemoryBudget* memory, Arrays& out) {
     // along and across add up: half of the tolerance each
     const double columns = pieces_of_circle(radius, tolerance / 2), rows = std::max(std::ceil(columns / 2), 2.0);
     check_count(2 * columns * rows);
+    const auto n = std::size_t(columns), m = std::size_t(rows);
+    out.reserve((m - 1) * (n + 1) + 2 * n, 2 * n * (m - 1), memory);
     std::vector<ProfilePoint> profile;
     for (int i = 0; i <= int(rows); ++i) {
         const bool is_pole = i == 0 || i == int(rows);
@@ -103,9 +119,11 @@ void add_sphere(double radius, double tolerance, Arrays& out) {
     Revolution(int(columns)).add(profile, CapUv::around, out);
 }
 
-void add_torus(double radius, double tube, double tolerance, Arrays& out) {
+void add_torus(double radius, double tube, double tolerance, MemoryBudget* memory, Arrays& out) {
     const double columns = pieces_of_circle(radius + tube, tolerance / 2), rows = pieces_of_circle(tube, tolerance / 2);
     check_count(2 * columns * rows);
+    const auto n = std::size_t(columns), m = std::size_t(rows);
+    out.reserve((m + 1) * (n + 1), 2 * n * m, memory);
     std::vector<ProfilePoint> profile;
     for (int i = 0; i <= int(rows); ++i) {
         const int at = i % int(rows);
@@ -115,9 +133,10 @@ void add_torus(double radius, double tube, double tolerance, Arrays& out) {
     Revolution(int(columns)).add(profile, CapUv::around, out);
 }
 
-void add_cylinder(double radius, double height, double tolerance, Arrays& out) {
+void add_cylinder(double radius, double height, double tolerance, MemoryBudget* memory, Arrays& out) {
     const double columns = pieces_of_circle(radius, tolerance), top = height / 2;
     check_count(4 * columns);
+    out.reserve(6 * std::size_t(columns) + 4, 4 * std::size_t(columns), memory);
     const Revolution turn{int(columns)};
     const ProfilePoint cap[] = {{0, top, 0, 1, 0}, {radius, top, 0, 1, 1}};
     const ProfilePoint side[] = {{radius, top, 1, 0, 0}, {radius, -top, 1, 0, 1}};
@@ -127,9 +146,10 @@ void add_cylinder(double radius, double height, double tolerance, Arrays& out) {
     turn.add(base, CapUv::bottom, out);
 }
 
-void add_cone(double radius, double height, double tolerance, Arrays& out) {
+void add_cone(double radius, double height, double tolerance, MemoryBudget* memory, Arrays& out) {
     const double columns = pieces_of_circle(radius, tolerance), top = height / 2;
     check_count(2 * columns);
+    out.reserve(4 * std::size_t(columns) + 2, 2 * std::size_t(columns), memory);
     const double slant = std::sqrt(radius * radius + height * height), n_rho = height / slant, n_y = radius / slant;
     const Revolution turn{int(columns)};
     const ProfilePoint side[] = {{0, top, n_rho, n_y, 0}, {radius, -top, n_rho, n_y, 1}};
@@ -138,7 +158,9 @@ void add_cone(double radius, double height, double tolerance, Arrays& out) {
     turn.add(base, CapUv::bottom, out);
 }
 
-void add_plane(double width, double depth, int divisions, Arrays& out) {
+void add_plane(double width, double depth, int divisions, MemoryBudget* memory, Arrays& out) {
+    const auto n = std::size_t(divisions);
+    out.reserve((n + 1) * (n + 1), 2 * n * n, memory);
     for (int row = 0; row <= divisions; ++row)
         for (int column = 0; column <= divisions; ++column) {
             const double u = double(column) / divisions, v = double(row) / divisions;
@@ -158,7 +180,7 @@ void check_length(double length, const char* what) {
         throw Error(ErrorCode::usage, std::string(what) + " must be more than 0 and at most 1e6 m");
 }
 
-Arrays arrays_of(const PrimitiveRequest& r) {
+Arrays arrays_of(const PrimitiveRequest& r, MemoryBudget* memory) {
     const bool is_plane = r.shape == PrimitiveShape::plane, is_torus = r.shape == PrimitiveShape::torus;
     const bool is_high = r.shape == PrimitiveShape::cylinder || r.shape == PrimitiveShape::cone;
     if (!is_plane) check_length(r.radius, "the radius");
@@ -175,37 +197,42 @@ Arrays arrays_of(const PrimitiveRequest& r) {
     Arrays out;
     switch (r.shape) {
         case PrimitiveShape::sphere:
-            add_sphere(r.radius, tolerance, out);
+            add_sphere(r.radius, tolerance, memory, out);
             break;
         case PrimitiveShape::cylinder:
-            add_cylinder(r.radius, r.height, tolerance, out);
+            add_cylinder(r.radius, r.height, tolerance, memory, out);
             break;
         case PrimitiveShape::cone:
-            add_cone(r.radius, r.height, tolerance, out);
+            add_cone(r.radius, r.height, tolerance, memory, out);
             break;
         case PrimitiveShape::torus:
-            add_torus(r.radius, r.tube_radius, tolerance, out);
+            add_torus(r.radius, r.tube_radius, tolerance, memory, out);
             break;
         case PrimitiveShape::plane:
-            add_plane(r.width, r.depth, r.divisions, out);
+            add_plane(r.width, r.depth, r.divisions, memory, out);
             break;
     }
     return out;
 }
 
 /// Triangles first..last-1 with the vertices that they use, in the order of their first use.
-Arrays part_of(const Arrays& all, std::size_t first, std::size_t last) {
-    Arrays out;
-    std::vector<std::uint32_t> number(all.positions.size(), none);
-    for (std::size_t i = 3 * first; i < 3 * last; ++i) {
-        const std::uint32_t v = all.indices[i];
-        if (number[v] == none) {
-            number[v] = std::uint32_t(out.positions.size());
-            out.positions.push_back(all.positions[v]);
-            out.normals.push_back(all.normals[v]);
-            out.texcoords.push_back(all.texcoords[v]);
+/// @param number  [all vertices] that are `none`, before and after
+Arrays part_of(const Arrays& all, std::size_t first, std::size_t last, std::vector<std::uint32_t>& number,
+               MemoryBudget* memory) {
+    std::vector<std::uint32_t> used;
+    for (std::size_t i = 3 * first; i < 3 * last; ++i)
+        if (std::uint32_t& n = number[all.indices[i]]; n == none) {
+            n = std::uint32_t(used.size());
+            used.push_back(all.indices[i]);
         }
-        out.indices.push_back(number[v]);
+    Arrays out;
+    out.reserve(used.size(), last - first, memory);
+    for (std::size_t i = 3 * first; i < 3 * last; ++i) out.indices.push_back(number[all.indices[i]]);
+    for (const std::uint32_t v : used) {
+        out.positions.push_back(all.positions[v]);
+        out.normals.push_back(all.normals[v]);
+        out.texcoords.push_back(all.texcoords[v]);
+        number[v] = none;
     }
     return out;
 }
@@ -244,9 +271,9 @@ std::optional<PrimitiveShape> primitive_named(std::string_view name) {
 
 const char* name_of(PrimitiveShape shape) { return shape_names[std::size_t(shape)]; }
 
-Scene make_primitive(const PrimitiveRequest& request) {
+Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory) {
     const std::string name = name_of(request.shape);
-    Arrays all = arrays_of(request);
+    Arrays all = arrays_of(request, memory);
     const std::size_t triangles = all.indices.size() / 3, objects = std::size_t(std::max(request.objects, 0));
     if (objects < 1 || objects > most_objects || objects > triangles)
         throw Error(ErrorCode::usage,
@@ -259,9 +286,11 @@ Scene make_primitive(const PrimitiveRequest& request) {
         add_object(name, std::move(all), scene);
         return scene;
     }
+    std::vector<std::uint32_t> number(all.positions.size(), none);
     for (std::size_t i = 0; i < objects; ++i)
         add_object(name + " " + std::to_string(i + 1),
-                   part_of(all, triangles * i / objects, triangles * (i + 1) / objects), scene);
+                   part_of(all, triangles * i / objects, triangles * (i + 1) / objects, number, memory), scene);
+    if (memory) memory->release(all.bytes());  // what was cut is gone
     return scene;
 }
 

@@ -85,6 +85,17 @@ void add_patch(const Patch& patch, int n, Arrays& out) {
         }
 }
 
+/// Of the arrays of all patches.
+std::size_t bytes_of(std::size_t n) {
+    constexpr std::size_t vertex = sizeof(vec3) + sizeof(vec2), index = sizeof(std::uint32_t);
+    std::size_t bytes = 0;
+    for (const Patch& patch : patches) {
+        const std::size_t pole = has_pole(patch) ? 1 : 0;
+        bytes += ((n + 1) * (n + 1) - pole) * vertex + (6 * n * n - pole * 3 * n) * index;
+    }
+    return bytes;
+}
+
 Material porcelain() {
     Material m;
     m.name = "porcelain";
@@ -99,12 +110,13 @@ Material porcelain() {
 
 }  // namespace
 
-Scene make_teapot(int divisions) {
+Scene make_teapot(int divisions, MemoryBudget* memory) {
     if (divisions < 1 || divisions > 256)
         throw Error(ErrorCode::usage, "divisions of the teapot must be 1 to 256, not " + std::to_string(divisions));
     Scene scene;
     scene.source = "builtin:teapot";
     scene.materials.push_back(porcelain());
+    if (memory) memory->charge(bytes_of(std::size_t(divisions)), "a shape");
     for (std::size_t part = 0; part < std::size(part_names); ++part) {
         Arrays arrays;
         for (const Patch& patch : patches)

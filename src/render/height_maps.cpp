@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "base/temporary_charges.h"
 #include "image/height_from_normals.h"
 
 namespace rakelight {
@@ -47,8 +48,8 @@ public:
 private:
     std::uint32_t make(const Texture& normal, const Material& m) {
         try {
-            const HeightsFromNormals made =
-                heights_from_normals(normal.image->decode(*normal.image, context_), m.green_down, context_);
+            const HeightsFromNormals made = heights_of(*normal.image, m.green_down);
+            context_.memory().charge(made.heights.bytes.size(), "height map");
             context_.report().add(Remark::guessed, scene_.source, m.name, said(made.depth));
             scene_.textures.push_back(
                 {normal.name + " (heights)", as_image(made.heights, *normal.image), normal.sampler});
@@ -58,6 +59,11 @@ private:
                                   "no height map made from the normal map: " + error.reason());
             return none;
         }
+    }
+
+    HeightsFromNormals heights_of(const EncodedImage& normals, bool green_down) {
+        const TemporaryCharges charges(context_.memory());
+        return heights_from_normals(normals.decode(normals, context_), green_down, context_);
     }
 
     Scene& scene_;

@@ -17,8 +17,8 @@ constexpr const char* builtin_prefix = "builtin:";
 Scene load(const std::string& path, const LoadOptions& options, Context& context) {
     if (path.starts_with(builtin_prefix)) {
         const std::string name = path.substr(std::strlen(builtin_prefix));
-        if (const auto shape = primitive_named(name)) return make_primitive({.shape = *shape});
-        if (name == "teapot") return make_teapot();
+        if (const auto shape = primitive_named(name)) return make_primitive({.shape = *shape}, &context.memory());
+        if (name == "teapot") return make_teapot(10, &context.memory());
         throw Error(ErrorCode::not_found, "there is no such built-in model", {},
                     "builtin:teapot, sphere, cylinder, cone, torus and plane are there")
             .with_file(path);

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/assert.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/reader.h"
@@ -64,14 +65,25 @@ Scene with_normals(Scene scene, const Part& part, Context& context) {
     return prepare_scene(scene, options, context);
 }
 
-Scene make_shape(const WorldPrimitive& p) {
-    if (p.type == "teapot") return make_teapot(p.divisions);
+/// What makes one shape equal to another, but for place and material.
+struct ShapeKey {
     PrimitiveRequest request;
-    request.shape = primitive_named(p.type).value_or(PrimitiveShape::sphere);
+    bool is_teapot = false;
+    std::string normals;
+    std::optional<double> crease_angle_rad;
+
+    auto operator<=>(const ShapeKey&) const = default;
+};
+
+ShapeKey key_of(const WorldPrimitive& p) {
+    PrimitiveRequest request;
+    const auto shape = primitive_named(p.type);
+    RL_ASSERT(shape || p.type == "teapot", "the reader lets no other types in");
+    request.shape = shape.value_or(PrimitiveShape::sphere);  // the teapot's says nothing
     request.radius = p.radius, request.tube_radius = p.tube_radius, request.height = p.height;
     request.width = p.width, request.depth = p.depth;
     request.divisions = p.divisions, request.objects = p.objects, request.tolerance = p.tolerance;
-    return make_primitive(request);
+    return {request, !shape, p.normals, p.crease_angle_rad};
 }
 
 /// A fault of a file that the world names, with the place where it does.
@@ -112,7 +124,7 @@ public:
 
     void add_primitive(const WorldPrimitive& shape) {
         try {
-            add(with_normals(make_shape(shape), shape, context_), shape);
+            add(make_shape(shape), shape);
         } catch (const Error& error) {  // lengths that do not fit together
             throw Error(ErrorCode::bad_file, error.reason(), to_text(shape.place), error.advice());
         }
@@ -146,6 +158,17 @@ private:
         } catch (const Error& error) {
             throw at_place(error, model.file, model.place);
         }
+    }
+
+    /// Equal shapes share their arrays.
+    const Scene& make_shape(const WorldPrimitive& shape) {
+        const ShapeKey key = key_of(shape);
+        const auto known = shapes_.find(key);
+        if (known != shapes_.end()) return known->second;
+        context_.throw_if_cancelled();
+        MemoryBudget* const memory = &context_.memory();
+        Scene made = key.is_teapot ? make_teapot(key.request.divisions, memory) : make_primitive(key.request, memory);
+        return shapes_.emplace(key, with_normals(std::move(made), shape, context_)).first->second;
     }
 
     template <class Part>
@@ -201,12 +224,14 @@ private:
     Scene scene_;
     std::vector<LoadedPart> parts_;
     std::map<std::string, Scene> loaded_;
+    std::map<ShapeKey, Scene> shapes_;
 };
 
 }  // namespace
 
 Scene load_world(const std::string& path, const LoadOptions& options, Context& context) {
     const WorldFile world = read_world(path, context);
+    for (const WorldRemark& r : world.remarks) context.report().add(r.kind, path, to_text(r.place), r.message);
     try {
         Assembly assembly(path, options, context);
         for (const WorldModel& model : world.models) assembly.add_model(model);

@@ -5,6 +5,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
+#include "math/up_of_view.h"
 #include "render/view.h"
 
 namespace rakelight {
@@ -47,10 +48,14 @@ void set_depths(Camera& camera, const Bounds& bounds) {
     camera.near = std::max(camera.near, 1e-4 * camera.far);
 }
 
-/// Whether `up` says nothing about the turn of a view along `direction`.
-bool is_along(dvec3 up, dvec3 direction) {
-    const dvec3 none_given{0, 0, 0};
-    return length(cross(normalize_or(up, none_given), normalize_or(direction, none_given))) < 1e-6;
+/// What is up in a view along `along`, with a remark where what was asked for, or is up otherwise, says nothing there.
+dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::string& file, Report& report) {
+    const dvec3 up = view.up.value_or(view.position ? dvec3{0, 1, 0} : base_up);
+    if (!is_along(up, along)) return up;
+    const NamedUp other = up_of_view(along);
+    report.add(view.up ? Remark::warning : Remark::guessed, file, "",
+               "the camera's up is along its view, " + other.name + " is up instead");
+    return other.up;
 }
 
 }  // namespace
@@ -73,9 +78,7 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     const dvec3 focal = view.focal_point.value_or(base_focal);
     const dvec3 eye = view.position.value_or(focal + base_z * distance);
     if (eye == focal) throw Error(ErrorCode::usage, "the camera's position and focal point are the same");
-    const dvec3 up = view.up.value_or(view.position ? dvec3{0, 1, 0} : base.to_world[1].xyz());
-    if (view.up && is_along(up, focal - eye))
-        context.report().add(Remark::guessed, file, "", "the camera's up is along its view, another one is used");
+    const dvec3 up = choose_up(view, base.to_world[1].xyz(), focal - eye, file, context.report());
     camera.to_world = look_at(eye, focal, up);
 
     // 3. Projection and depths.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands all around a picture's scene: the file's own, or what the caller asked for.
+#include "base/temporary_charges.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "render/picture_steps.h"
@@ -10,7 +11,7 @@ namespace {
 /// Decoded once, so that what the caller asked for is not left out silently; the engine decodes it again.
 ImageHandle environment_file(const std::string& path, Context& context) {
     try {
-        const std::uint64_t before = context.memory().charged();
+        const TemporaryCharges charges(context.memory());
         const io::Bytes bytes = io::read_file(path, context);
         const Pixels pixels = io::decode_image(*bytes, context);
         if (pixels.width != 2 * pixels.height)
@@ -18,7 +19,6 @@ ImageHandle environment_file(const std::string& path, Context& context) {
                                  "the environment is " + std::to_string(pixels.width) + " x " +
                                      std::to_string(pixels.height) +
                                      " pixels: equirectangular pictures are twice as wide as high");
-        context.memory().release(context.memory().charged() - before);
     } catch (const Error& error) {
         throw error.with_file(path);
     }

@@ -164,7 +164,7 @@ class Cli(program.Case):
                  ("--normals", "none"), ("--crease-angle", "181"), ("--crease-angle", "nan"), ("--crease-angle", "60deg"),
                  ("--camera-position", "1,2"), ("--camera-position", "1,2,inf"), ("--camera-view-angle", "180"), ("--view", "behind"),
                  ("--view", "front", "--camera-index", "0"), ("--light", "sun"), ("--light", "point"), ("--light", "point:0,0"),
-                 ("--light", "directional:0,0,0"), ("--light", "ambient:1,1,1:cutoff=3"), ("--light", "spot:0,0,1:cutoff=100"),
+                 ("--light", "directional:0,0,0"), ("--light", "ambient:1,1,1:cutoff=3"), ("--light", "spot:0,0,1:cutoff=100"), ("--light", "spot:0,0,1:cutoff=0.0001"), ("--light", "point:0,0,1:range=1e-7"),
                  ("--light", "point:0,0,0:attenuation=0,0,0"), ("--light", "ambient:-1,0,0"), ("--background", "purple"), ("--light", "ambient:1e39,0,0"), ("--light", "point:0,0,0:attenuation=0,1e39,0"),
                  ("--background", "2,0,0"), ("--channels", "depth,smell"), ("--threads", "0"), ("--threads", "two"),
                  ("--threads", "1025"), ("--max-memory", "lots"), ("--max-memory", "99999999999T"), ("--quiet", "--verbose"),

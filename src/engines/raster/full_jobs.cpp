@@ -83,7 +83,7 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
 bool has_classical_range(const FrontEnd& front) {
     const std::vector<Light>& lights = front.list.scene.lights;
     return std::any_of(lights.begin(), lights.end(), [](const Light& light) {
-        return light.units == LightUnits::classical && std::isfinite(light.range) && light.range > 0 &&
+        return light.units == LightUnits::classical && std::isfinite(light.range) &&
                (light.type == LightType::point || light.type == LightType::spot);
     });
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene lights -> what the lighting equations read: placed about the eye, angles as cosines.
+#include <algorithm>
 #include <cmath>
+
+#include <rakelight/light_limits.h>
 
 #include "engines/raster/draw_list.h"
 #include "math/functions.h"
@@ -60,7 +63,7 @@ std::vector<LightParameters> make_lights(const Scene& scene, const std::vector<d
         p.kind = kind_of(light.type);
         copy(p.position, cast<float>(position - eye));
         copy(p.direction, cast<float>(normalize_or(direction, {0, 0, -1})));
-        p.inverse_range = std::isfinite(light.range) && light.range > 0 ? 1.0f / light.range : 0.0f;
+        if (std::isfinite(light.range)) p.inverse_range = 1.0f / std::max(light.range, float(least_light_range));
         if (light.units == LightUnits::photometric)
             set_photometric(p, light);
         else

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <rakelight/light_limits.h>
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -70,7 +72,7 @@ Light read_light(const Value& source, std::uint32_t index) {
     if (light.color.x < 0 || light.color.y < 0 || light.color.z < 0) source.fail("its color must not be negative");
     light.intensity = source.real("intensity", 1);
     if (light.intensity < 0) source.fail("its intensity must not be negative");
-    if (source.has("range")) light.range = float(positive(source, "range"));
+    if (source.has("range")) light.range = std::max(float(positive(source, "range")), float(least_light_range));
     if (light.type != LightType::spot) return light;
     const Value spot = source.object("spot");
     light.inner_cone_rad = spot.real("innerConeAngle", 0);

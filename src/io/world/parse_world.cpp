@@ -22,7 +22,7 @@ constexpr std::pair<const char*, Reading> readings[] = {
     {"model", [](const SectionValues& v, WorldFile& w) { w.models.push_back(read_model(v, w)); }},
     {"primitive", [](const SectionValues& v, WorldFile& w) { w.primitives.push_back(read_primitive(v, w)); }},
     {"light", [](const SectionValues& v, WorldFile& w) { w.lights.push_back(read_light(v)); }},
-    {"camera", [](const SectionValues& v, WorldFile& w) { w.cameras.push_back(read_camera(v)); }},
+    {"camera", [](const SectionValues& v, WorldFile& w) { w.cameras.push_back(read_camera(v, w)); }},
     {"material", [](const SectionValues& v, WorldFile& w) { w.materials.push_back(read_material(v, w)); }},
     {"fog", [](const SectionValues& v, WorldFile& w) { w.fog = read_fog(v); }},
     {"environment", [](const SectionValues& v, WorldFile& w) { w.environment = read_environment(v); }},

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world/world_keys.h"
 
+#include <algorithm>
+
+#include <rakelight/light_limits.h>
+
+#include "base/assert.h"
+
 namespace rakelight::io::world {
 namespace {
 
-constexpr Range degrees_180{0, 180, true};
+constexpr Range degrees_180{0, 180, true}, cone_deg{least_cone_deg, 90};
 
 const std::vector<const char*> normal_words = {"auto", "file", "flat", "object", "model"};
 
@@ -112,14 +118,14 @@ std::vector<WorldKey> light_keys() {
         {"diffuse", Kind::color, "classical: its color (default 1)"},
         {"specular", Kind::color, "classical: the color of its highlights (default: as diffuse)"},
         {"attenuation", Kind::vector, "classical point, spot: 1 / (c + l d + q d^2) (default 1, 0, 0)", from_0},
-        {"cutoff_deg", Kind::number, "classical spot: half angle of its cone (default 90)", {0, 90}},
+        {"cutoff_deg", Kind::number, "classical spot: half angle of its cone (default 90)", cone_deg},
         {"exponent", Kind::number, "classical spot: cos^exponent off its axis (default 0)", {0, 1e9}},
         {"color", Kind::color, "photometric: its color (default 1)"},
         {"intensity_cd", Kind::number, "photometric point, spot: candela (default 1)", from_0},
         {"intensity_lux", Kind::number, "photometric directional: lux (default 1)", from_0},
         {"inner_cone_deg", Kind::number, "photometric spot: half angle of full light (default 0)", {0, 90}},
-        {"outer_cone_deg", Kind::number, "photometric spot: half angle of its cone (default 45)", {0.001, 90}},
-        {"range", Kind::number, "point, spot: where the light ends [m] (default: nowhere)", above_0},
+        {"outer_cone_deg", Kind::number, "photometric spot: half angle of its cone (default 45)", cone_deg},
+        {"range", Kind::number, "point, spot: where the light ends [m] (default: nowhere)", {least_light_range, 1e30}},
         {"casts_shadow", Kind::flag, "Whether --shadows makes it throw some (default: yes)"},
     };
 }
@@ -130,9 +136,10 @@ const std::vector<WorldSection>& sections() {
 }
 
 const WorldSection& section(std::string_view name) {
-    for (const WorldSection& s : sections())
-        if (s.name == name) return s;
-    return sections().front();
+    const auto found =
+        std::find_if(sections().begin(), sections().end(), [&](const WorldSection& s) { return s.name == name; });
+    RL_ASSERT(found != sections().end(), "there is no such section");
+    return *found;
 }
 
 }  // namespace rakelight::io::world

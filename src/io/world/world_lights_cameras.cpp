@@ -3,6 +3,7 @@
 
 #include "io/world/world_parts.h"
 #include "math/linear.h"
+#include "math/up_of_view.h"
 
 namespace rakelight::io::world {
 namespace {
@@ -66,6 +67,16 @@ void read_classical(const SectionValues& v, Light& light) {
     light.exponent = float(v.number("exponent", 0));
 }
 
+/// Another where it is along the view, which is remarked.
+dvec3 read_up(const SectionValues& v, dvec3 view, WorldFile& world) {
+    const dvec3 up = v.direction("up", {0, 1, 0});
+    if (!is_along(up, view)) return up;
+    const NamedUp other = up_of_view(view);
+    world.remarks.push_back({v.has("up") ? Remark::warning : Remark::guessed, v.place_of("up"),
+                             "the camera's up is along its view, " + other.name + " is up instead"});
+    return other.up;
+}
+
 }  // namespace
 
 Light read_light(const SectionValues& v) {
@@ -91,12 +102,12 @@ Light read_light(const SectionValues& v) {
     return light;
 }
 
-Camera read_camera(const SectionValues& v) {
+Camera read_camera(const SectionValues& v, WorldFile& world) {
     Camera camera;
     camera.name = v.text("name");
     const dvec3 position = v.vector("position", {0, 0, 0}), target = v.vector("target", {0, 0, 0});
     if (position == target) fail(v.place_of("position"), "'position' and 'target' must not be the same");
-    camera.to_world = look_at(position, target, v.direction("up", {0, 1, 0}));
+    camera.to_world = look_at(position, target, read_up(v, target - position, world));
     camera.vertical_fov_rad = radians(v.number("vertical_fov_deg", 40));
     if (v.has("horizontal_fov_deg")) {
         if (!v.has("vertical_fov_deg"))

@@ -8,7 +8,7 @@ namespace rakelight::io::world {
 WorldModel read_model(const SectionValues& values, WorldFile& world);  ///< `shading` becomes an option of the picture
 WorldPrimitive read_primitive(const SectionValues& values, WorldFile& world);
 Light read_light(const SectionValues& values);
-Camera read_camera(const SectionValues& values);
+Camera read_camera(const SectionValues& values, WorldFile& world);  ///< remarks of its up
 WorldMaterial read_material(const SectionValues& values, WorldFile& world);
 Fog read_fog(const SectionValues& values);
 WorldEnvironment read_environment(const SectionValues& values);

@@ -9,6 +9,8 @@
 
 #include <rakelight/vector.h>
 
+#include "image/fourier.h"
+
 using namespace rakelight;
 
 namespace {
@@ -91,10 +93,37 @@ TEST(HeightFromNormals, LargeMapsComeOutSmallerAndAsDeep) {
     const HeightsFromNormals got = heights_from_normals(normal_map(4096, 64, false), false, context);
     EXPECT_EQ(got.heights.width, 2048);
     EXPECT_EQ(got.heights.height, 32);
+    EXPECT_LT(error_of(heights_from_normals(normal_map(2304, 256, false), false, context)), 0.015);
 }
 
 TEST(HeightFromNormals, ThreadsChangeNoBit) {
     Context one({.threads = 1}), two({.threads = 2});
     const Pixels map = normal_map(50, 50, false);
     EXPECT_EQ(heights_from_normals(map, false, one).heights.bytes, heights_from_normals(map, false, two).heights.bytes);
+}
+
+TEST(HeightFromNormals, GivesBackAllThatItChargesToTheBudget) {
+    Context context;
+    heights_from_normals(normal_map(60, 35, false), false, context);
+    EXPECT_EQ(context.memory().charged(), 0);
+    Context small({.max_memory = 60 * 35 * 40});  // enough for the slopes, not for the texels too
+    EXPECT_THROW(heights_from_normals(normal_map(60, 35, false), false, small), Error);
+    EXPECT_EQ(small.memory().charged(), 0);
+}
+
+TEST(HeightFromNormals, SidesThatArePrimeAreStretchedToTheNextOf2And3And5) {
+    for (const auto& [n, friendly] : {std::pair<std::size_t, std::size_t>{1, 1}, {7, 8}, {97, 100}, {2039, 2048}})
+        EXPECT_EQ(friendly_length(n), friendly);
+    Context context;
+    const HeightsFromNormals prime = heights_from_normals(normal_map(509, 251, false), false, context);
+    EXPECT_EQ(prime.heights.width, 512);
+    EXPECT_EQ(prime.heights.height, 256);
+    EXPECT_LT(error_of(prime), 0.01);
+    const HeightsFromNormals near = heights_from_normals(normal_map(512, 256, false), false, context);
+    EXPECT_NEAR(prime.depth / near.depth, 1, 0.002);
+    double worst = 0;
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 512; ++x)
+            worst = std::fmax(worst, std::fabs(height_at(prime.heights, x, y) - height_at(near.heights, x, y)));
+    EXPECT_LT(worst, 0.005);
 }

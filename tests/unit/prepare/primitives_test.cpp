@@ -10,6 +10,7 @@
 #include <map>
 #include <tuple>
 
+#include <rakelight/context.h>
 #include <rakelight/error.h>
 
 #include "math/linear.h"
@@ -188,6 +189,21 @@ TEST(Primitives, TexturesAreUprightAndNotMirroredSeenFromOutside) {
 TEST(Primitives, NamesGoBothWays) {
     for (const PrimitiveShape shape : shapes) EXPECT_EQ(primitive_named(name_of(shape)), shape);
     EXPECT_FALSE(primitive_named("teapots").has_value());
+}
+
+TEST(Primitives, ChargeWhatTheirArraysHoldBeforeTheyAreMade) {
+    for (const PrimitiveShape shape : shapes)
+        for (const int objects : {1, 7}) {
+            PrimitiveRequest r = odd_sizes(shape);
+            r.objects = objects;
+            MemoryBudget memory;
+            std::uint64_t held = 0;
+            for (const Mesh& mesh : make_primitive(r, &memory).meshes)
+                held += mesh.positions.size() * 32 + mesh.indices.size() * 4;
+            EXPECT_EQ(memory.charged(), held) << name_of(shape) << objects;
+            MemoryBudget small(held - 1);
+            EXPECT_THROW(make_primitive(r, &small), Error) << name_of(shape) << objects;
+        }
 }
 
 TEST(Primitives, RefusesWhatCannotBe) {

@@ -67,6 +67,13 @@ TEST(Teapot, HasTwoTrianglesAQuadAndOneAtThePoles) {
 }
 
 TEST(Teapot, RefusesDivisionsOutsideItsRange) {
+    for (const int n : {1, 9}) {
+        MemoryBudget memory;
+        std::uint64_t held = 0;
+        for (const Mesh& mesh : make_teapot(n, &memory).meshes)
+            held += mesh.positions.size() * 20 + mesh.indices.size() * 4;
+        EXPECT_EQ(memory.charged(), held) << n;
+    }
     EXPECT_THROW(make_teapot(0), Error);
     EXPECT_THROW(make_teapot(-3), Error);
     EXPECT_THROW(make_teapot(257), Error);

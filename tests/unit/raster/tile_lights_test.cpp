@@ -170,4 +170,19 @@ TEST(ClassicalRange, IsTheWindowTimesTheAttenuationAndNothingBeyond) {
         }
 }
 
+TEST(ClassicalRange, ARangeOfNextToNothingIsNoLightWithoutAnEnd) {
+    Scene scene;
+    scene.materials = {matte()};
+    add_object(scene, square_mesh(0, 10));
+    for (const LightUnits units : {LightUnits::classical, LightUnits::photometric})
+        for (const double range : {1e-50, 1e-7, 0.5}) {
+            Light light;
+            light.units = units;
+            light.position = {0, 0, 1};
+            light.range = float(range);  // 1e-50 is 0
+            scene.lights = {light};
+            EXPECT_EQ(pixel(draw(scene, flat_camera(), {.width = 65, .height = 65}), 32, 32).y, 0) << range;
+        }
+}
+
 }  // namespace

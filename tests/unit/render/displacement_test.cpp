@@ -9,6 +9,7 @@
 
 #include "math/linear.h"
 #include "prepare/primitives.h"
+#include "render/height_maps.h"
 
 namespace rakelight {
 namespace {
@@ -93,6 +94,31 @@ TEST(Displacement, IsTheSameToTheBitForAnyNumberOfThreads) {
     const Scene sphere = with_bumps({.tolerance = 0.01, .objects = 16});
     const Frame one = draw(sphere, Bump::displacement, 0, 1), four = draw(sphere, Bump::displacement, 0, 4);
     EXPECT_TRUE(one.color == four.color);
+}
+
+ImageHandle dents(int side, double phase) {
+    auto image = std::make_shared<EncodedImage>();
+    image->decode = [side, phase](const EncodedImage&, Context&) {
+        Pixels p{.width = side, .height = side, .channels = 3};
+        p.bytes.assign(p.row_bytes() * std::size_t(side), std::byte(128));
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) p.row(y)[3 * x] = std::byte(int(128 + 60 * std::sin(x * 0.1 + phase)));
+        return p;
+    };
+    return image;
+}
+
+TEST(HeightMaps, ThatAreMadeOfManyNormalMapsHoldOnlyThemselvesInTheBudget) {
+    constexpr int side = 128, count = 12;
+    Scene scene;
+    for (int i = 0; i < count; ++i) {
+        scene.textures.push_back({"dents", dents(side, i), {}});
+        scene.materials.emplace_back().normal_texture.texture = std::uint32_t(i);
+    }
+    Context context({.max_memory = std::uint64_t(side * side * 80)});  // one needs 48 bytes a texel while it is made
+    scene = with_height_maps(std::move(scene), {.bump = Bump::steep}, context);
+    for (const Material& m : scene.materials) EXPECT_TRUE(m.height_texture);
+    EXPECT_EQ(context.memory().charged(), std::uint64_t(count * side * side * 2));
 }
 
 }  // namespace

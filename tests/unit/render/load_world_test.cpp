@@ -238,3 +238,42 @@ TEST_F(LoadWorld, FogAndSurroundingsAreInTheScene) {
     EXPECT_TRUE(s.environment->is_background);
     EXPECT_EQ(s.environment->image, nullptr);
 }
+
+TEST_F(LoadWorld, EqualShapesShareTheirArraysAndAreChargedOnce) {
+    const std::string sphere = "[[primitive]]\ntype = 'sphere'\ntolerance = 1e-4\n",
+                      pot = "[[primitive]]\ntype = 'teapot'\n";
+    Scene s = load_text(sphere + pot);
+    const std::uint64_t once = context_.memory().charged();
+    EXPECT_GT(once, s.meshes.at(0).positions.size() * 32);
+    s = load_text(sphere + "position = [3, 0, 0]\n" + sphere + pot + pot + "name = 'other'\n" + sphere);
+    EXPECT_EQ(s.meshes.at(0).positions.data(), s.meshes.at(1).positions.data());
+    EXPECT_LT(context_.memory().charged(), 2 * once + 10'000);  // the text's bytes besides
+}
+
+TEST_F(LoadWorld, ShapesBeyondTheBudgetAreRefusedWithTheirPlace) {
+    std::string text;
+    for (int i = 1; i <= 40; ++i)
+        text += "[[primitive]]\ntype = 'plane'\ndivisions = 256\nsize = [" + std::to_string(i) + ", 1]\n";
+    write("w.scene.toml", text);
+    Context small({.threads = 1, .max_memory = 20'000'000});  // a plane has 257^2 * 32 + 256^2 * 24 bytes: five fit
+    const Error error = error_of([&] { load((folder_ / "w.scene.toml").string(), {}, small); });
+    EXPECT_EQ(error.code(), ErrorCode::bad_file);
+    EXPECT_EQ(error.place(), "line 21, column 1");
+    EXPECT_NE(error.reason().find("a shape needs"), std::string::npos) << error.what();
+}
+
+TEST_F(LoadWorld, ACameraWhoseUpIsAlongItsViewHasAnotherAndSaysSo) {
+    const Scene s = load_text(
+        "[[model]]\nfile = 'b.obj'\n[[camera]]\nposition = [0, 3, 0]\n"
+        "[[camera]]\nposition = [0, -3, 0]\n[[camera]]\nposition = [2, 0, 0]\nup = [1, 0, 0]\n");
+    EXPECT_EQ(s.cameras.at(0).to_world[1].xyz(), (dvec3{0, 0, -1}));
+    EXPECT_EQ(s.cameras.at(1).to_world[1].xyz(), (dvec3{0, 0, 1}));
+    EXPECT_EQ(s.cameras.at(2).to_world[1].xyz(), (dvec3{0, 1, 0}));
+    const std::vector<ReportEntry> said = context_.report().entries();
+    ASSERT_EQ(said.size(), 3u);
+    EXPECT_EQ(said[0].remark, Remark::guessed);
+    EXPECT_EQ(said[0].place, "line 3, column 1");
+    EXPECT_NE(said[0].message.find("-Z is up instead"), std::string::npos);
+    EXPECT_EQ(said[2].remark, Remark::warning);
+    EXPECT_EQ(said[2].place, "line 9, column 6");
+}

@@ -162,6 +162,25 @@ TEST(ChooseCamera, AnotherUpStillFitsTheModel) {
     EXPECT_TRUE(context.report().entries().empty());
 }
 
+/// The up of the picture where it was replaced, and the remark of that.
+void expect_up(const ViewRequest& view, dvec3 up, Remark remark, const std::string& words) {
+    Context context;
+    const Camera c = choose_camera(two_squares(), view, aspect, context);
+    EXPECT_NEAR(length(c.to_world[1].xyz() - up), 0, 1e-12) << words;
+    ASSERT_EQ(context.report().entries().size(), 1u) << words;
+    EXPECT_EQ(context.report().entries()[0].remark, remark) << words;
+    EXPECT_NE(context.report().entries()[0].message.find(words), std::string::npos);
+}
+
+TEST(ChooseCamera, AnUpAlongTheViewIsReplacedByThatOfTheTopOrTheBottomAndSaid) {
+    const dvec3 middle{0, 0.5, 0};
+    expect_up({.position = dvec3{0, 5, 0}, .focal_point = middle}, {0, 0, -1}, Remark::guessed, "-Z is up");
+    expect_up({.position = dvec3{0, -5, 0}, .focal_point = middle}, {0, 0, 1}, Remark::guessed, "+Z is up");
+    expect_up({.position = dvec3{5, 0.5, 0}, .focal_point = middle, .up = dvec3{3, 0, 0}}, {0, 1, 0}, Remark::warning,
+              "+Y is up");
+    expect_up({.side = "bottom", .up = dvec3{0, 1, 0}}, {0, 0, 1}, Remark::warning, "along its view");
+}
+
 TEST(ChooseCamera, TheDefaultViewTurnsWithUp) {
     Context context;
     const Camera y = choose_camera(two_squares(), {}, aspect, context);
