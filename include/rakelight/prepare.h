@@ -43,6 +43,7 @@ struct PrepareOptions {
     /// Triangles turn clockwise as seen from their front: normals, tangents and texture coordinates are made for that
     /// side. Goes with RenderSettings::front_face; render() and render_picture() set it by that.
     bool clockwise_fronts = false;
+    Bump bump = Bump::automatic;  ///< of materials that name no technique: which maps act, and so must have a place
     Displacement displacement;
 };
 

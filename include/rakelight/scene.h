@@ -143,7 +143,7 @@ struct Material {
     std::optional<Relief> relief;    ///< absent: as the picture's settings say
     bool green_down = false;         ///< the normal map's green points to increasing v
     bool centered_normals = false;   ///< the normal map's byte 128 means exactly 0
-    std::optional<float> sigma_rad;  ///< Oren-Nayar: standard deviation of the facets' slopes; absent: from roughness
+    std::optional<float> sigma_rad;  ///< Oren-Nayar: standard deviation of the facets' angles; absent: from roughness
     std::optional<vec2>
         ward_alpha;  ///< Ward: widths along tangent and bitangent; absent: from roughness and anisotropy
     ClassicalParameters classical;            ///< meaningful when model is classical

@@ -16,6 +16,7 @@ enum class LightKind : int32_t {
 struct LightParameters {
     LightKind kind = LightKind::point;
     bool is_photometric = false;
+    bool casts_shadow = true;  ///< reliefs throw shadows upon themselves in it
     float position[3] = {0, 0, 0};
     float direction[3] = {0, 0, -1};  ///< unit, the way the light travels
     // classical

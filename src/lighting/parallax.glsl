@@ -88,12 +88,13 @@ RL_MAP_FN real refined_height(RL_IN(HeightMap) map, vec2 uv, vec2 along, real le
     return above + (below - above) * share;
 }
 
-// 1 where no height stands between the relief's point at uv, `height` and the light, else 0; uv is the point's own.
-RL_MAP_FN real relief_light(RL_IN(HeightMap) map, vec2 uv, real height, vec2 along, real layers, int most, real lod)
+// 1 where no height stands between the relief's point at uv, `height` and the light, else 0; uv is the point's own. `cosine`: of the
+// light to the polygon's normal; what is lit from under the polygon lies in its shadow.
+RL_MAP_FN real relief_light(RL_IN(HeightMap) map, vec2 uv, real height, vec2 along, real cosine, real layers, int most, real lod)
 {
     real room = 1.0f - height;
     real step_share = reciprocal(layers);
-    mask is_hidden = layers <= 0.0f;
+    mask is_hidden = layers <= 0.0f || cosine <= 0.0f;
     for (int i = 0; i < most; ++i) {
         real share = (real(float(i)) + 0.5f) * step_share;
         real up = room * share;

@@ -69,23 +69,39 @@ void note_flat_meshes(const Scene& scene, Report& report) {
     }
 }
 
-void warn_of_tangents(const Scene& scene, Report& report) {
+bool has_coordinates(const Mesh& mesh, std::uint32_t set) {
+    return set < mesh.texcoords.size() && !mesh.texcoords[set].empty();
+}
+
+/// Why maps and highlights that follow the texture coordinates do not on this mesh; null: they do, or there are none.
+const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump wanted) {
+    const Material& m = scene.materials[mesh.material];
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    const Bump bump = bump_of(m, wanted);
+    const bool heights = m.height_texture && reads_heights(bump), normals = m.normal_texture && bump != Bump::none,
+               stretched = m.ward_alpha || (m.model == MaterialModel::metallic_roughness && p.anisotropy > 0);
+    if (heights && !has_coordinates(mesh, m.height_texture.texcoord_set))
+        return "the height map is not used: the mesh has no texture coordinates for it";
+    if (normals && !heights && !has_coordinates(mesh, m.normal_texture.texcoord_set))
+        return "the normal map is not used: the mesh has no texture coordinates for it";
+    if (!heights && !normals && !p.clearcoat_normal_texture && !stretched) return nullptr;
+    const std::uint32_t set = tangent_set(scene, mesh, TangentWish::where_needed);
+    if (set == none) return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";
+    if (!mesh.tangents.empty() || spans_texture(mesh, set)) return nullptr;
+    return heights   ? "no triangle has an area in the height map: tangents have no direction"
+           : normals ? "no triangle has an area in the normal map: tangents have no direction"
+                     : "no triangle has an area in the texture: tangents have no direction";
+}
+
+void warn_of_tangents(const Scene& scene, Bump wanted, Report& report) {
     std::vector<bool> seen(scene.meshes.size(), false);
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         if (seen[instance.mesh] || !wants_tangents(scene, mesh)) continue;
         seen[instance.mesh] = true;
-        const std::uint32_t set = tangent_set(scene, mesh, TangentWish::where_needed);
-        const char* message = set == none ? "the normal map is not used: the mesh has no texture coordinates for it"
-                              : mesh.tangents.empty() && !spans_texture(mesh, set)
-                                  ? "no triangle has an area in the normal map: tangents have no direction"
-                                  : nullptr;
+        const char* const message = fault_of_coordinates(scene, mesh, wanted);
         if (message) report.add(Remark::warning, scene.source, Place{"mesh", instance.mesh, mesh.name}.text(), message);
     }
-}
-
-bool has_coordinates(const Mesh& mesh, std::uint32_t set) {
-    return set < mesh.texcoords.size() && !mesh.texcoords[set].empty();
 }
 
 /// What warn_of_tangents() is for normal maps.
@@ -120,7 +136,7 @@ Scene prepare_stages(const Scene& scene, const PrepareOptions& options, Context&
     const bool keep_normals = options.normals == NormalSource::automatic || options.normals == NormalSource::file;
     Scene out = repair_scene(scene, keep_normals, context);
     if (options.uv != UvProjection::none) out = project_texcoords(out, options.uv, context);
-    warn_of_tangents(out, context.report());
+    warn_of_tangents(out, options.bump, context.report());
     warn_of_textures(out, context.report());
     if (options.normals == NormalSource::automatic) note_flat_meshes(out, context.report());
     const SmoothRequest request = request_for(out, options);

@@ -31,6 +31,7 @@ Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Co
     const std::unique_ptr<Engine> engine = make_engine("soft");
     const PrepareOptions prepare{
         .clockwise_fronts = settings.front_face == FrontFace::clockwise,
+        .bump = settings.bump,
         .displacement = {.is_on = settings.bump == Bump::displacement, .relief = settings.relief}};
     scene = with_height_maps(std::move(scene), settings, context);
     engine->prepare(prepare_scene(scene, prepare, context), context);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/height_maps.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
 #include "base/temporary_charges.h"
 #include "image/height_from_normals.h"
+#include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
 
 bool wants_heights(const Material& m, const RenderSettings& settings) {
-    const Bump bump = m.bump == Bump::automatic ? settings.bump : m.bump;
-    return bump != Bump::automatic && bump != Bump::none && bump != Bump::normal && m.normal_texture &&
-           !m.height_texture;
+    return reads_heights(bump_of(m, settings.bump)) && m.normal_texture && !m.height_texture;
 }
 
 ImageHandle as_image(Pixels pixels, const EncodedImage& from) {
@@ -71,12 +71,26 @@ private:
     std::map<std::pair<std::uint32_t, bool>, std::uint32_t> made_;
 };
 
+/// A technique that finds no map changes nothing.
+void warn_of_no_heights(const Scene& scene, const RenderSettings& settings, Report& report) {
+    const auto has_heights = [](const Material& m) { return bool(m.height_texture); };
+    if (settings.bump != Bump::automatic && reads_heights(settings.bump) &&
+        std::none_of(scene.materials.begin(), scene.materials.end(), has_heights))
+        report.add(Remark::warning, scene.source, {},
+                   "no bumps: no material has a height map, nor a normal map that one can be made from");
+    for (const Material& m : scene.materials)
+        if (m.bump != Bump::automatic && reads_heights(m.bump) && !has_heights(m))
+            report.add(Remark::warning, scene.source, m.name,
+                       "no bumps: the material has no height map, nor a normal map that one can be made from");
+}
+
 }  // namespace
 
 Scene with_height_maps(Scene scene, const RenderSettings& settings, Context& context) {
     Maker maker(scene, context);
     for (Material& m : scene.materials)
         if (wants_heights(m, settings)) maker.give(m);
+    warn_of_no_heights(scene, settings, context.report());
     return scene;
 }
 

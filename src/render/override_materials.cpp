@@ -24,9 +24,18 @@ TextureUse add_texture(Scene& scene, const std::string& path, Context& context) 
     return use;
 }
 
+/// Base color as it is, not metallic. A classical material without a highlight (k_s = 0: many have never been given
+/// one) becomes an ordinary dielectric: who asks for a roughness is to see it.
+Material as_metallic_roughness(const Material& m) {
+    Material out = metallic_roughness_from_classical(m);
+    if (m.model == MaterialModel::classical && out.metallic_roughness.specular == 0)
+        out.metallic_roughness.specular = 1, out.metallic_roughness.specular_color = {1, 1, 1};
+    return out;
+}
+
 /// The factors of metallic-roughness materials, and those of every kind.
 void set_factors(Material& m, const MaterialOverrides& o) {
-    if (o.roughness || o.metallic) m = metallic_roughness_from_classical(m);
+    if (o.roughness || o.metallic) m = as_metallic_roughness(m);
     if (o.roughness) m.metallic_roughness.roughness = float(*o.roughness);
     if (o.metallic) m.metallic_roughness.metallic = float(*o.metallic);
     if (o.color) {

@@ -56,6 +56,7 @@ PrepareOptions prepare_options(const PictureRequest& request) {
     PrepareOptions prepare = request.prepare;
     prepare.all_tangents |= (request.settings.channels & channel_tangent) != 0;
     prepare.clockwise_fronts |= request.settings.front_face == FrontFace::clockwise;
+    prepare.bump = request.settings.bump;
     prepare.displacement.is_on |= request.settings.bump == Bump::displacement;
     prepare.displacement.relief = request.settings.relief;
     return prepare;

@@ -98,4 +98,12 @@ bool wants_tangents(const Material& m) {
            (m.model == MaterialModel::metallic_roughness && p.anisotropy > 0);
 }
 
+Bump bump_of(const Material& m, Bump wanted) {
+    const Bump bump = m.bump == Bump::automatic ? wanted : m.bump;
+    if (bump != Bump::automatic) return bump;
+    return m.normal_texture ? Bump::normal : m.height_texture ? Bump::height : Bump::none;
+}
+
+bool reads_heights(Bump bump) { return bump != Bump::none && bump != Bump::normal; }
+
 }  // namespace rakelight

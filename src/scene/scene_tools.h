@@ -75,4 +75,10 @@ Material metallic_roughness_from_classical(const Material& m);
 /// Whether something of a material acts along the tangent: a bump or normal map, an anisotropic highlight.
 bool wants_tangents(const Material& material);
 
+/// How a material's bumps act: as it says itself, else as the picture wants; never automatic: the map that it has
+/// decides.
+Bump bump_of(const Material& material, Bump wanted);
+/// Of a technique that is not automatic.
+bool reads_heights(Bump bump);
+
 }  // namespace rakelight

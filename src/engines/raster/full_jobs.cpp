@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/scene_tools.h"
+
 namespace rakelight::raster {
 namespace {
 
@@ -13,7 +15,10 @@ static_assert(relief_height == std::int32_t(Bump::height) && relief_parallax == 
               relief_limited == std::int32_t(Bump::parallax_limited) && relief_steep == std::int32_t(Bump::steep) &&
               relief_occlusion == std::int32_t(Bump::occlusion));
 
-bool reads_heights(Bump bump) { return bump != Bump::none && bump != Bump::normal && bump != Bump::displacement; }
+bool has_coordinates(const Mesh& mesh, const TextureSlot& slot) {
+    const auto set = std::size_t(slot.texcoord_set);
+    return slot.view && set < mesh.texcoords.size() && !mesh.texcoords[set].empty();
+}
 
 /// Steps of a march: what a file says, within what a picture can be waited for.
 std::int32_t steps(int wanted, int least) { return std::clamp(wanted, least, 1024); }
@@ -31,7 +36,7 @@ void set_scales(const TextureSlot& map, ReliefView& out) {
 }
 
 ReliefView relief_view(const Relief& r, Bump bump, float scale, const TextureSlot& map) {
-    if (!reads_heights(bump) || !map.view) return {};
+    if (!reads_heights(bump)) return {};
     ReliefView out{};
     out.technique = std::int32_t(bump);
     out.depth = r.depth * scale;
@@ -67,7 +72,7 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
                      : terms == BumpTerms::specular ? bump_specular
                                                     : bump_both;
     out.tangent_space = std::int32_t(s.tangent_space);
-    out.has_bumps = bump_of(front, draw) != Bump::none && (view.normal_map.view || view.height_map.view);
+    out.has_bumps = bump_of(front, draw) != Bump::none;
     out.normalize_frames = s.normalize_frames;
     out.green_down = m.green_down, out.centered_normals = m.centered_normals;
     out.relief = relief_view(m.relief.value_or(s.relief), bump_of(front, draw), m.height_scale, view.height_map);
@@ -119,10 +124,13 @@ Lighting lighting_of(const FrontEnd& front, std::uint32_t draw) {
 }
 
 Bump bump_of(const FrontEnd& front, std::uint32_t draw) {
-    const Material& m = material_of(front, draw);
-    const Bump wanted = m.bump == Bump::automatic ? front.settings.bump : m.bump;
-    if (wanted != Bump::automatic) return wanted;
-    return m.normal_texture ? Bump::normal : m.height_texture ? Bump::height : Bump::none;
+    const Bump wanted = bump_of(material_of(front, draw), front.settings.bump);
+    if (wanted == Bump::none || wanted == Bump::displacement) return Bump::none;
+    const Draw& d = front.list.draws[draw];
+    const MaterialView& view = front.list.materials[d.material].view;
+    const Mesh& mesh = front.list.scene.meshes[d.mesh];
+    if (reads_heights(wanted) && has_coordinates(mesh, view.height_map)) return wanted;
+    return has_coordinates(mesh, view.normal_map) ? Bump::normal : Bump::none;
 }
 
 void make_full_jobs(FrontEnd& front, const PictureEffects& effects) {

@@ -17,7 +17,8 @@ void make_full_jobs(FrontEnd& front, const PictureEffects& effects);
 const Material& material_of(const FrontEnd& front, std::uint32_t draw);
 /// What draws are lit by: the material's own, else the settings'; never automatic.
 Lighting lighting_of(const FrontEnd& front, std::uint32_t draw);
-/// Likewise; never automatic: the map that there is decides.
+/// Likewise: what acts on the draw, by the maps that could be read and that its mesh has texture coordinates for; none
+/// where displacement has made triangles of the bumps.
 Bump bump_of(const FrontEnd& front, std::uint32_t draw);
 /// Lighting in the tangent space of the vertices: their frames are wanted beside the records.
 bool wants_corner_frames(const FrontEnd& front, std::uint32_t draw);

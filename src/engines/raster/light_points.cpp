@@ -185,17 +185,17 @@ void remark_shadows(const FrontEnd& front, const LightPoints& points, Context& c
 }
 
 void remark_maps(const FrontEnd& front, const LightPoints& points, Context& context) {
-    if (front.settings.bump == Bump::none) return;
-    for (std::size_t d = 0; d < front.list.draws.size(); ++d) {
-        const MaterialView& m = front.list.materials[front.list.draws[d].material].view;
-        if (points.draws[d].sides == 0 || (!m.normal_map.view && !m.height_map.view)) continue;
-        context.report().add(
-            Remark::dropped, front.list.scene.source, {},
-            m.normal_map.view
-                ? "normal maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels"
-                : "height maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels");
-        return;
+    bool normals = false, heights = false;
+    for (std::uint32_t d = 0; d < front.list.draws.size(); ++d) {
+        const Bump bump = points.draws[d].sides == 0 ? Bump::none : bump_of(front, d);
+        normals = normals || bump == Bump::normal;
+        heights = heights || (bump != Bump::normal && bump != Bump::none);
     }
+    const char* const messages[] = {
+        "normal maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels",
+        "height maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels"};
+    if (normals) context.report().add(Remark::dropped, front.list.scene.source, {}, messages[0]);
+    if (heights) context.report().add(Remark::dropped, front.list.scene.source, {}, messages[1]);
 }
 
 }  // namespace

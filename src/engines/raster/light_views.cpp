@@ -61,6 +61,7 @@ std::vector<LightParameters> make_lights(const Scene& scene, const std::vector<d
         }
         LightParameters p;
         p.kind = kind_of(light.type);
+        p.casts_shadow = light.casts_shadow;
         copy(p.position, cast<float>(position - eye));
         copy(p.direction, cast<float>(normalize_or(direction, {0, 0, -1})));
         if (std::isfinite(light.range)) p.inverse_range = 1.0f / std::max(light.range, float(least_light_range));

@@ -146,8 +146,7 @@ ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParame
     out.specular_horizon = settings.specular_horizon;
     out.orthogonalize = settings.orthogonalize;
     out.anisotropy = settings.anisotropy;
-    const Bump bump = bump_of(front, draw);  // displaced meshes have their bumps in the triangles already
-    out.bump = bump != Bump::none && bump != Bump::displacement && !is_lit_at_corners(front, draw);
+    out.bump = bump_of(front, draw) != Bump::none && !is_lit_at_corners(front, draw);
     out.unlit = view.unlit || front.shading[draw] == Shading::unlit;
     out.orthographic = front.view.orthographic;
     out.affine = is_affine(front);

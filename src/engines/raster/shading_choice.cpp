@@ -3,6 +3,7 @@
 // its triangles.
 #include <algorithm>
 
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/light_points.h"
 
 namespace rakelight::raster {
@@ -38,11 +39,12 @@ Shading wanted(const FrontEnd& front, const Draw& draw, std::ptrdiff_t of_node) 
     return rule < 0 ? front.settings.shading : front.settings.shading_rules[std::size_t(rule)].shading;
 }
 
-/// Gouraud shading has neither shadows, nor the bumps of a normal map, nor a roughness that changes from pixel to
+/// Gouraud shading has neither shadows, nor bumps, nor a roughness that changes from pixel to
 /// pixel, nor layers.
-bool needs_pixels(const FrontEnd& front, const MaterialView& m) {
+bool needs_pixels(const FrontEnd& front, std::uint32_t draw) {
+    const MaterialView& m = front.list.materials[front.list.draws[draw].material].view;
     return front.settings.shadows || m.metallic_roughness_map.view || has_layers(m) ||
-           (front.settings.bump != Bump::none && (m.normal_map.view || m.height_map.view));
+           bump_of(front, draw) != Bump::none;
 }
 
 /// Whether no edge of a triangle that the whole picture (not only its window) may show is longer than this.
@@ -75,8 +77,7 @@ void choose_shading(FrontEnd& front, Context& context) {
         const Draw& draw = front.list.draws[d];
         Shading shading = wanted(front, draw, rules[draw.node]);
         if (shading == Shading::automatic) {
-            const bool is_fine = !front.clip[d].empty() &&
-                                 !needs_pixels(front, front.list.materials[draw.material].view) &&
+            const bool is_fine = !front.clip[d].empty() && !needs_pixels(front, std::uint32_t(d)) &&
                                  edges_are_within(front, std::uint32_t(d), automatic_gouraud_px);
             shading = is_fine ? Shading::gouraud : Shading::phong;
         }

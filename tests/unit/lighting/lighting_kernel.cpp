@@ -152,7 +152,7 @@ static void relief_of_step(vec3 p, vec3 v, vec3 l, const ReliefCase& c, float* c
     store(out[0] + at, there.x);
     store(out[1] + at, there.y);
     store(out[2] + at, height);
-    store(out[3] + at, relief_light(map, there, ground, relief_run(l) * real(c.depth),
+    store(out[3] + at, relief_light(map, there, ground, relief_run(l) * real(c.depth), l.z,
                                     relief_layers(l.z, c.min_steps, c.max_steps), c.max_steps, real(0.0f)));
 }
 

@@ -209,6 +209,30 @@ TEST(Relief, SelfShadowIsTheExactOneButForItsBorder) {
         }
 }
 
+TEST(Relief, LightFromUnderThePolygonIsHidden) {
+    Items items;
+    for (const double degrees : {89.0, 90.0, 91.0, 120.0, 180.0}) {
+        Item item;
+        item.p = {0.4f, 0.4f, 0};
+        item.v = towards(20, 0);
+        item.l = towards(degrees, 37);
+        if (degrees == 90) item.l.z = 0;  // the cosine of pi / 2 as rounded is not
+        items.push(item);
+    }
+    const auto expect_hidden = [&](const Kernel& kernel, const char* name) {
+        for (const int field : {field_constant, field_ramp, field_cap}) {
+            const Results got = find(kernel, items, relief_case(field, march_occlusion));
+            for (std::size_t i = 1; i < items.size(); ++i)
+                EXPECT_EQ(got[3][i], 0.0f) << name << " " << field << " " << i;
+        }
+        EXPECT_EQ(find(kernel, items, relief_case(field_constant, march_occlusion))[3][0], 1.0f) << name;
+    };
+    expect_hidden(scalar::kernel, "scalar");
+    if (is_available(Isa::sse2)) expect_hidden(sse2::kernel, "sse2");
+    if (is_available(Isa::avx2)) expect_hidden(avx2::kernel, "avx2");
+    if (is_available(Isa::avx512)) expect_hidden(avx512::kernel, "avx512");
+}
+
 TEST(Relief, EveryFlavourGivesTheScalarBits) {
     for (const int field : {field_ramp, field_step, field_cap})
         for (const int march : {march_plain, march_limited, march_steep, march_occlusion}) {

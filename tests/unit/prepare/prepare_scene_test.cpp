@@ -278,6 +278,27 @@ TEST(PrepareScene, WarnsWhereANormalMapCannotBeUsed) {
     EXPECT_EQ(remarks(beyond, Remark::warning, "no texture coordinates"), 1u);
 }
 
+TEST(PrepareScene, NamesTheMapThatCannotBeUsedAndOnlyWhereItWouldAct) {
+    Scene heights = scene_of({quad_mesh()});
+    test::give_texture(heights, &Material::height_texture);
+    const auto said = [](const Scene& scene, Bump bump) {
+        Context context;
+        prepare_scene(scene, {.bump = bump}, context);
+        return std::array{
+            remarks(context, Remark::warning, "the height map is not used: the mesh has no texture coordinates"),
+            remarks(context, Remark::warning, "the normal map is not used: the mesh has no texture coordinates")};
+    };
+    using Said = std::array<std::uint64_t, 2>;
+    for (const Bump bump : {Bump::automatic, Bump::height, Bump::parallax, Bump::parallax_limited, Bump::steep,
+                            Bump::occlusion, Bump::displacement})
+        EXPECT_EQ(said(heights, bump), (Said{1, 0})) << int(bump);
+    for (const Bump bump : {Bump::none, Bump::normal}) EXPECT_EQ(said(heights, bump), (Said{0, 0})) << int(bump);
+    Scene normals = scene_of({quad_mesh()});
+    test::give_texture(normals, &Material::normal_texture);
+    for (const Bump bump : {Bump::automatic, Bump::normal}) EXPECT_EQ(said(normals, bump), (Said{0, 1})) << int(bump);
+    EXPECT_EQ(said(normals, Bump::none), (Said{0, 0}));
+}
+
 TEST(PrepareScene, GivesFiniteTangentsAndAWarningWhereTheTextureHasNoArea) {
     Mesh mesh = quad_mesh();
     mesh.texcoords.emplace_back(std::vector<vec2>{{0, 0}, {1, 0}, {2, 0}, {3, 0}});

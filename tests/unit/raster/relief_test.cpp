@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "engines/raster/inspection.h"
 #include "math/isa.h"
 #include "unit/raster/drawn.h"
 
@@ -315,6 +316,52 @@ TEST(ReliefEngine, AutomaticTakesTheNormalMapElseTheHeightMap) {
     EXPECT_TRUE(same_bits(drawn(Bump::displacement), drawn(Bump::none)));  // the bumps are in the triangles
     scene.materials[0].bump = Bump::none;  // the material's own choice goes first
     EXPECT_TRUE(same_bits(drawn(Bump::steep), drawn(Bump::none)));
+}
+
+TEST(ReliefEngine, NoMapActsOnAMeshWithoutTextureCoordinates) {
+    Scene scene = square_with(waves());
+    scene.materials[0].base_color_texture = {};
+    const Camera camera = looking_from({1.1, 0.7, 2});
+    const auto expect_plain = [&] {
+        const Frame plain = draw(scene, camera, settings_of({Bump::none}));
+        for (const Bump bump : {Bump::automatic, Bump::height, Bump::normal, Bump::parallax, Bump::parallax_limited,
+                                Bump::steep, Bump::occlusion}) {
+            const Wanted wanted{bump, {.depth = 0.1f, .self_shadow = true, .limit_silhouette = true}};
+            EXPECT_TRUE(same_bits(draw(scene, camera, settings_of(wanted)), plain)) << int(bump);
+        }
+    };
+    scene.meshes[0].texcoords.clear();
+    expect_plain();
+    scene.materials[0].normal_texture = add_texture(scene, picture(normal_codes()));
+    expect_plain();
+    scene.meshes[0] = square_mesh(0);
+    scene.materials[0].normal_texture.texcoord_set = scene.materials[0].height_texture.texcoord_set = 1;
+    expect_plain();
+}
+
+TEST(ReliefEngine, LightsThatCastNoShadowPassReliefs) {
+    Scene scene = square_with(waves());
+    scene.lights = {directional({-1, -0.4, -0.5})};
+    const Camera camera = looking_from({0.3, 0.4, 3});
+    const Wanted open{Bump::occlusion, {.depth = 0.2f}},
+        shadowed{Bump::occlusion, {.depth = 0.2f, .self_shadow = true}};
+    const Frame without = draw(scene, camera, settings_of(open));
+    EXPECT_GT(difference(draw(scene, camera, settings_of(shadowed)), without), 1e-3);
+    const auto seen = [&](int x) {
+        Context context({.threads = 1});
+        const raster::Inspection inspection(scene, camera, settings_of(shadowed), context);
+        const raster::PixelExplanation e = inspection.explain(x, size / 2, context);
+        return e.layers.at(0).lights.at(0).seen;
+    };
+    const auto least_seen = [&] {
+        float least = 1;
+        for (int x = size / 4; x < 3 * size / 4; ++x) least = std::min(least, seen(x));
+        return least;
+    };
+    EXPECT_LT(least_seen(), 0.5f);
+    scene.lights[0].casts_shadow = false;
+    EXPECT_TRUE(same_bits(draw(scene, camera, settings_of(shadowed)), without));
+    EXPECT_EQ(least_seen(), 1.0f);
 }
 
 TEST(ReliefEngine, GreenDownMapsAreFlipped) {

@@ -145,6 +145,10 @@ TEST(AutomaticShading, IsPhongWhereANormalMapActsOrTheEyePlaneIsPassed) {
     RenderStats stats;
     draw(scene, plain, &stats);
     EXPECT_NE(stats.lighting_evaluations, stats.pixels_shaded);
+    scene.materials[0].bump = Bump::normal;  // its own wish goes before the picture's
+    EXPECT_TRUE(same_bits(draw(scene, plain), draw(scene, settings(Shading::phong))));
+    draw(scene, plain, &stats);
+    EXPECT_EQ(stats.lighting_evaluations, stats.pixels_shaded);
     Scene around = lit_scene();
     add_object(around, sphere(96, 0), scaling(dvec3{8, 8, 8}));  // the eye is in it
     draw(around, settings(Shading::automatic), &stats);

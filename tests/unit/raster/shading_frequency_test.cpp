@@ -402,6 +402,28 @@ TEST(ShadingFrequency, NormalMapsAreLeftOutAndItIsSaid) {
     EXPECT_EQ(draw_picture(scene, flat_camera(), without).remarks.size(), 0u);
 }
 
+TEST(ShadingFrequency, HeightMapsAreLeftOutAndItIsSaidAlsoOfMaterialsThatNameATechnique) {
+    Scene scene = scene_of(square_mesh(0), shiny());
+    const auto bumps = [](int x, int y) { return std::array<int, 3>{16 * x, 16 * x, 8 * x + y}; };
+    scene.materials[0].height_texture = add_texture(scene, picture(rgb_pixels(16, 16, bumps)));
+    const auto said = [&](Bump bump, Shading shading) {
+        RenderSettings s = settings_for(shading);
+        s.bump = bump;
+        const Picture p = draw_picture(scene, flat_camera(), s);
+        return p.remarks.empty() ? std::string()
+                                 : p.remarks.at(0).message.substr(0, 11) + std::to_string(p.remarks.size());
+    };
+    EXPECT_EQ(said(Bump::height, Shading::gouraud), "height maps1");
+    EXPECT_EQ(said(Bump::steep, Shading::flat), "height maps1");
+    EXPECT_EQ(said(Bump::height, Shading::phong), "");
+    EXPECT_EQ(said(Bump::normal, Shading::gouraud), "");  // there is none
+    EXPECT_EQ(said(Bump::none, Shading::gouraud), "");
+    scene.materials[0].bump = Bump::occlusion;
+    EXPECT_EQ(said(Bump::none, Shading::gouraud), "height maps1");
+    scene.materials[0].bump = Bump::none;
+    EXPECT_EQ(said(Bump::height, Shading::gouraud), "");
+}
+
 TEST(ShadingFrequency, TheBitsDoNotDependOnThreadsInstructionSetOrWindow) {
     Scene scene = scene_of(sphere(40, 60), shiny());
     scene.materials.push_back(single_sided());

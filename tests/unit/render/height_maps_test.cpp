@@ -71,3 +71,30 @@ TEST(HeightMaps, ANormalMapThatCannotBeReadLeavesTheMaterialAlone) {
     ASSERT_FALSE(context.report().entries().empty());
     EXPECT_EQ(context.report().entries()[0].message, "no height map made from the normal map: broken");
 }
+
+TEST(HeightMaps, ATechniqueThatFindsNoneIsAWarning) {
+    Scene scene;
+    scene.materials = {matte(), matte()};
+    const auto warnings = [&](Bump bump) {
+        Context context;
+        with_height_maps(scene, with(bump), context);
+        std::string places;
+        for (const ReportEntry& e : context.report().entries()) {
+            EXPECT_EQ(e.remark, Remark::warning);
+            EXPECT_EQ(e.message.rfind("no bumps: ", 0), 0u) << e.message;
+            places += "[" + e.place + "]";
+        }
+        return places;
+    };
+    for (const Bump bump :
+         {Bump::height, Bump::parallax, Bump::parallax_limited, Bump::steep, Bump::occlusion, Bump::displacement})
+        EXPECT_EQ(warnings(bump), "[]") << int(bump);
+    for (const Bump bump : {Bump::automatic, Bump::none, Bump::normal}) EXPECT_EQ(warnings(bump), "") << int(bump);
+    scene.materials[1].name = "wall";
+    scene.materials[1].bump = Bump::steep;
+    EXPECT_EQ(warnings(Bump::automatic), "[wall]");
+    scene.materials[0].height_texture = add_texture(scene, picture(normals()));
+    EXPECT_EQ(warnings(Bump::steep), "[wall]");
+    scene.materials[1].bump = Bump::automatic;
+    EXPECT_EQ(warnings(Bump::steep), "");
+}

@@ -88,6 +88,31 @@ TEST(OverrideMaterials, FactorsGoToEveryMaterialAndRoughnessMakesClassicalOnesMe
     }
 }
 
+TEST(OverrideMaterials, RoughnessGivesAClassicalMaterialWithoutHighlightThatOfAPlastic) {
+    Scene scene;
+    scene.materials.resize(2);
+    for (Material& m : scene.materials) {
+        m.model = MaterialModel::classical;
+        m.base_color = {0.2f, 0.4f, 0.6f, 1};
+    }
+    scene.materials[0].classical.specular = {0, 0, 0};
+    scene.materials[1].classical.specular = {0.01f, 0, 0};
+    scene.materials[1].specular_form = SpecularForm::normalized;
+    Context context;
+    const Scene rough = override_materials(scene, {.roughness = 0.1}, context);
+    const MetallicRoughnessParameters &made = rough.materials[0].metallic_roughness,
+                                      &kept = rough.materials[1].metallic_roughness;
+    EXPECT_EQ(rough.materials[0].model, MaterialModel::metallic_roughness);
+    EXPECT_EQ(rough.materials[0].base_color, (vec4{0.2f, 0.4f, 0.6f, 1}));
+    EXPECT_EQ(made.metallic, 0.0f);
+    EXPECT_EQ(made.roughness, 0.1f);
+    EXPECT_EQ(made.specular, 1.0f);
+    EXPECT_EQ(made.specular_color, (vec3{1, 1, 1}));
+    EXPECT_NEAR(kept.specular * kept.specular_color.x * 0.04f, 0.01f, 1e-6f);  // what the file says stays
+    EXPECT_EQ(kept.specular_color.y, 0.0f);
+    EXPECT_EQ(override_materials(scene, {.opacity = 0.5}, context).materials[0].model, MaterialModel::classical);
+}
+
 TEST(OverrideMaterials, AHeightMapAndTheReadingOfNormalMapsGoToEveryMaterial) {
     Scene scene;
     scene.materials.resize(2);

@@ -46,7 +46,7 @@ inline lit::LightTerms no_light() {
 
 /// 0..1: how much of light i is not in shadow.
 inline real seen_of(const ShadeJob& job, int32_t i, const FullPixels& f, const lit::LightSample& light) {
-    return shadow_factor(job, i, f.p, light) * relief_shadow(job, f.bumps, light);
+    return shadow_factor(job, i, f.p, light) * relief_shadow(job, i, f.bumps, light);
 }
 
 /// What light i adds at the pixel.

@@ -107,7 +107,8 @@ inline void set_sheen_and_coat(const MaterialView& m, const Pixels& p, const lit
     }
 }
 
-/// Oren-Nayar's terms. Slopes of a surface of facets with this alpha have the deviation alpha / sqrt(2).
+/// Oren-Nayar's terms. Slopes of a surface of Beckmann's facets with this alpha have the deviation alpha / sqrt(2),
+/// which is taken for that of their angles: the tangent for its angle, 0.71 for 0.62 at most.
 inline void set_slopes(const MaterialView& m, lit::MaterialSurface& s) {
     const real sigma = m.sigma >= 0.0f ? real(m.sigma) : s.roughness * s.roughness * real(0.707106781f);
     s.oren_nayar_a = lit::oren_nayar_a(sigma);

@@ -148,16 +148,17 @@ inline lit::LightSample sample_in_frame(const ShadeJob& job, int32_t i, const Pi
     return light;
 }
 
-/// 0..1: how much of the light passes the relief.
-inline real relief_shadow(const ShadeJob& job, const Bumps& bumps, const lit::LightSample& light) {
+/// 0..1: how much of light i passes the relief.
+inline real relief_shadow(const ShadeJob& job, int32_t i, const Bumps& bumps, const lit::LightSample& light) {
     if (!has_relief(job) || job.full->relief.self_shadow == 0) return real(1.0f);
+    if (!job.lights[i].casts_shadow || job.lights[i].kind == lighting::LightKind::ambient) return real(1.0f);
     const ReliefView& r = job.full->relief;
     const HeightPlace& at = bumps.point.place;
     const vec3 l = in_frame(bumps.frame, light.l);
     const vec2 along = to_map(r, lit::relief_run(l) * real(r.depth));
     const real ground = max(bumps.point.height, sample_height(at.map, at.uv, at.lod));
     const real layers(float(r.max_steps));  // few layers would show as teeth at the shadows' borders
-    return lit::relief_light(at.map, at.uv, ground, along, layers, r.max_steps, at.lod);
+    return lit::relief_light(at.map, at.uv, ground, along, l.z, layers, r.max_steps, at.lod);
 }
 
 }  // namespace rakelight::raster::RL_ISA
