@@ -188,6 +188,10 @@ void add_render_options(CLI::App& app, RenderWords& w) {
                        "auto (default: the file's, else as its format says, else model), file, flat, object (smooth "
                        "within each object), model (smooth over all objects: no seams)",
                        w);
+    add(app, "Bumps", "--displacement-edge", w.displacement_edge, "M",
+        "displacement: longer edges are cut, in meters (default: a 250th of the model's diagonal)");
+    add(app, "Bumps", "--displacement-triangles", w.displacement_triangles, "N",
+        "displacement: cutting stops before so many, 1 to 100000000 (default 4000000)");
     add(app, "Normals", "--uv", w.uv, "HOW",
         "Texture coordinates for models without: box, sphere, cylinder (default none)");
 

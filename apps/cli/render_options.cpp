@@ -168,6 +168,11 @@ void apply_normals(const RenderWords& w, PrepareOptions& p) {
                                                {"off", Orthogonalize::off}});
         p.measure_orthogonality = true;  // who chooses wants to know what it costs
     }
+    if (!w.displacement_edge.empty())
+        p.displacement.edge = number("--displacement-edge", w.displacement_edge, 1e-6, 1e6);
+    if (!w.displacement_triangles.empty())
+        p.displacement.most_triangles =
+            std::uint64_t(integer("--displacement-triangles", w.displacement_triangles, 1, 100'000'000));
     p.keep_instances = w.keep_instances;
     if (w.crease_angle.empty()) return;
     const double angle = number("--crease-angle", w.crease_angle);
