@@ -8,12 +8,9 @@ A sheet is a list of rows, a row a list of pictures: the arguments of `rakelight
 repository that is shown as it is. Only the standard library is needed."""
 import argparse
 import pathlib
-import subprocess
-import tempfile
 
-from png8 import read_rgb, write_rgb
+from sheet import PROGRAM, write_sheet
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 MAPS = "data/maps/"
 
 
@@ -70,35 +67,15 @@ SHEETS = {
 }
 
 
-def shown(picture, width, height, program, folder):
-    """Rows of RGB bytes, width by height."""
-    if isinstance(picture, str):
-        own_width, own_height, pixels = read_rgb(ROOT / picture)
-        column = [3 * (x * own_width // width) for x in range(width)]
-        return [b"".join(pixels[3 * own_width * (y * own_height // height) + c:][:3] for c in column) for y in range(height)]
-    out = pathlib.Path(folder) / "part.png"
-    subprocess.run([program, "render", *picture, "-o", out, "--resolution", f"{width},{height}", "--samples", "8", "--quiet"],
-                   check=True, cwd=ROOT)
-    _, _, pixels = read_rgb(out)
-    return [pixels[3 * width * y:3 * width * (y + 1)] for y in range(height)]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/rakelight")
+    parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     parser.add_argument("--only", choices=SHEETS)
     options = parser.parse_args()
-    program = options.program.resolve()
-    with tempfile.TemporaryDirectory() as folder:
-        for name, (width, height, rows) in SHEETS.items():
-            if options.only not in (None, name):
-                continue
-            sheet = b""
-            for row in rows:
-                parts = [shown(picture, width, height, program, folder) for picture in row]
-                sheet += b"".join(part[y] for y in range(height) for part in parts)
-            write_rgb(options.folder / f"bump-{name}.png", width * len(rows[0]), height * len(rows), sheet)
+    for name, (width, height, rows) in SHEETS.items():
+        if options.only in (None, name):
+            write_sheet(options.folder / f"bump-{name}.png", rows, width, height, options.program)
 
 
 if __name__ == "__main__":

@@ -8,12 +8,10 @@ The scene is made here: solids on a floor, or a row of columns. Only the standar
 import argparse
 import math
 import pathlib
-import subprocess
 import tempfile
 
-from png8 import read_rgb, write_rgb
+from sheet import PROGRAM, write_sheet
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 WIDTH, HEIGHT = 240, 160
 AMBIENT = ("--light", "ambient:0.12,0.12,0.14")
 SUN = ("--light", "directional:-1,-1.3,0.75:color=0.9,0.9,0.85:specular=0.2,0.2,0.2", *AMBIENT)
@@ -105,23 +103,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("subject", choices=("shadows", "fog"))
     parser.add_argument("picture", type=pathlib.Path)
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/rakelight")
+    parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     options = parser.parse_args()
     scene, camera, parts = (solids(), SOLIDS, SHADOWS) if options.subject == "shadows" else (columns(), COLUMNS, FOGS)
-    rows, stride = b"", 3 * WIDTH
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "m.mtl").write_text("".join(f"newmtl {m}\nKd {c}\nKs 0.3 0.3 0.3\nNs 30\n" for m, c in (
             ("floor", "0.8 0.78 0.74"), ("red", "0.8 0.35 0.3"), ("blue", "0.35 0.5 0.8"), ("gray", "0.7 0.7 0.7"))))
         (folder / "scene.obj").write_text("\n".join(scene.lines) + "\n")
-        pictures = []
-        for arguments in parts:
-            subprocess.run([options.program.resolve(), "render", folder / "scene.obj", *camera, *arguments, "-o", folder / "part.png",
-                            "--resolution", f"{WIDTH},{HEIGHT}", "--samples", "8", "--quiet"], check=True)
-            pictures.append(read_rgb(folder / "part.png")[2])
-    for first in range(0, len(pictures), 4):
-        rows += b"".join(part[y * stride:(y + 1) * stride] for y in range(HEIGHT) for part in pictures[first:first + 4])
-    write_rgb(options.picture, WIDTH * 4, HEIGHT * len(pictures) // 4, rows)
+        pictures = [(folder / "scene.obj", *camera, *arguments) for arguments in parts]
+        write_sheet(options.picture, [pictures[first:first + 4] for first in range(0, len(pictures), 4)], WIDTH, HEIGHT, options.program)
 
 
 if __name__ == "__main__":

@@ -7,12 +7,9 @@
 Four columns, a row a subject: see ROWS. Only the standard library is needed."""
 import argparse
 import pathlib
-import subprocess
-import tempfile
 
-from png8 import read_rgb, write_rgb
+from sheet import PROGRAM, write_sheet
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 TEAPOT = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0", "--camera-view-angle", "29")
 SOLIDS = ("tests/golden/models/solids.obj", "--view", "default", "--camera-view-angle", "40")  # without texture coordinates
 AMBIENT = ("--light", "ambient:0.1,0.1,0.1")
@@ -31,19 +28,9 @@ WIDTH, HEIGHT = 240, 160
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("picture", type=pathlib.Path)
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/rakelight")
+    parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     options = parser.parse_args()
-    program, stride, rows = options.program.resolve(), 3 * WIDTH, b""
-    with tempfile.TemporaryDirectory() as folder:
-        for scene, *row in ROWS:
-            parts = []
-            for arguments in row:
-                picture = pathlib.Path(folder) / "part.png"
-                subprocess.run([program, "render", *scene, *arguments, "-o", picture, "--resolution", f"{WIDTH},{HEIGHT}", "--samples", "8", "--quiet"],
-                               check=True, cwd=ROOT)
-                parts.append(read_rgb(picture)[2])
-            rows += b"".join(part[y * stride:(y + 1) * stride] for y in range(HEIGHT) for part in parts)
-    write_rgb(options.picture, WIDTH * 4, HEIGHT * len(ROWS), rows)
+    write_sheet(options.picture, [[(*scene, *arguments) for arguments in row] for scene, *row in ROWS], WIDTH, HEIGHT, options.program)
 
 
 if __name__ == "__main__":

@@ -7,12 +7,9 @@
 Only the standard library is needed."""
 import argparse
 import pathlib
-import subprocess
-import tempfile
 
-from png8 import read_rgb, write_rgb
+from sheet import PROGRAM, write_sheet
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENE = ("data/materials/spheres.gltf", "--camera-position", "-0.45,0,5", "--camera-focal-point", "-0.45,0,0", "--camera-view-angle", "24", "--light",
          "directional:0.6,-0.6,-0.8", "--light", "directional:-0.8,-0.2,-0.4:color=0.25,0.25,0.3", "--light", "ambient:0.12,0.12,0.12")
 PLASTIC, METAL = ("--color", "0.75,0.3,0.2", "--metallic", "0"), ("--color", "0.9,0.75,0.45", "--metallic", "1")
@@ -25,19 +22,10 @@ WIDTH, HEIGHT = 80, 80
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("picture", type=pathlib.Path)
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/rakelight")
+    parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     options = parser.parse_args()
-    program, stride, rows = options.program.resolve(), 3 * WIDTH, b""
-    with tempfile.TemporaryDirectory() as folder:
-        for row in ROWS:
-            parts = []
-            for roughness in COLUMNS:
-                picture = pathlib.Path(folder) / "part.png"
-                subprocess.run([program, "render", *SCENE, *row, "--roughness", roughness, "-o", picture, "--resolution", f"{WIDTH},{HEIGHT}",
-                                "--samples", "4", "--quiet"], check=True, cwd=ROOT)
-                parts.append(read_rgb(picture)[2])
-            rows += b"".join(part[y * stride:(y + 1) * stride] for y in range(HEIGHT) for part in parts)
-    write_rgb(options.picture, WIDTH * len(COLUMNS), HEIGHT * len(ROWS), rows)
+    rows = [[(*SCENE, *row, "--roughness", roughness) for roughness in COLUMNS] for row in ROWS]
+    write_sheet(options.picture, rows, WIDTH, HEIGHT, options.program, samples=4)
 
 
 if __name__ == "__main__":
