@@ -9,7 +9,9 @@
 #include "engines/raster/channels_tile.h"
 #include "engines/raster/inspect_samples.h"
 #include "engines/raster/multisample.h"
+#include "engines/raster/raster_engine.h"
 #include "support/thrown_error.h"
+#include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"
 
 using namespace rakelight;
@@ -79,6 +81,24 @@ private:
     Context& context_;
 };
 
+/// Fails, or cancels the run, in the middle of the picture.
+class BadSink final : public Sink {
+public:
+    explicit BadSink(Context* to_cancel) : to_cancel_(to_cancel) {}
+    void begin(int, int, Window, std::uint32_t) override {}
+    void tile(const Tile&) override {
+        if (++tiles_ != 5) return;
+        if (!to_cancel_) throw Error(ErrorCode::failed, "disk full");
+        to_cancel_->cancel();
+    }
+    void end_pass(int) override { has_ended = true; }
+    bool has_ended = false;
+
+private:
+    Context* to_cancel_;
+    std::atomic<int> tiles_{0};
+};
+
 }  // namespace
 
 TEST(Cancel, VisibilityOfATileLooksAtItByEveryMethodAndAtEverySample) {
@@ -144,4 +164,27 @@ TEST(Cancel, ATileThatWasCutIsNotDelivered) {
         error_of([&] { engine->render(camera_at_origin(), {.width = 128, .height = 64}, sink, context); });
     EXPECT_EQ(error.reason(), "cancelled");
     EXPECT_EQ(sink.tiles, 1);
+}
+
+TEST(Cancel, AnErrorOfTheSinkAndACancelComeOutAndLeaveTheEngineUsable) {
+    const Scene scene = busy_scene();
+    const RenderSettings settings{.width = 512, .height = 512};
+    const Frame reference = draw(scene, busy_view(), settings);
+    for (const int threads : {1, 4})
+        for (const bool cancels : {false, true}) {
+            Context first({.threads = threads}), second({.threads = threads});
+            auto engine = raster::make_engine();
+            engine->prepare(scene, first);
+            BadSink bad(cancels ? &first : nullptr);
+            try {
+                engine->render(busy_view(), settings, bad, first);
+                FAIL() << "nothing was thrown";
+            } catch (const Error& error) {
+                EXPECT_EQ(error.reason(), cancels ? "cancelled" : "disk full");
+            }
+            EXPECT_FALSE(bad.has_ended);
+            Frame frame;
+            engine->render(busy_view(), settings, frame, second);
+            EXPECT_TRUE(same_bits(frame, reference));
+        }
 }
