@@ -88,6 +88,47 @@ void warn_of_display_colors(const WorldMaterial& from, const std::string& path, 
     }
 }
 
+/// A picture of what is not there where a number is 0.
+struct Multiplied {
+    const char *picture, *factor;
+    bool (*is_zero)(const Material&);
+};
+
+bool is_black(vec3 c) { return c.x <= 0 && c.y <= 0 && c.z <= 0; }
+bool has_no_coat(const Material& m) { return m.metallic_roughness.clearcoat <= 0; }
+bool has_no_sheen(const Material& m) { return is_black(m.metallic_roughness.sheen_color); }
+
+constexpr Multiplied multiplied[] = {
+    {"emission_texture", "emission", [](const Material& m) { return is_black(m.emission); }},
+    {"specular_texture", "specular", [](const Material& m) { return is_black(m.classical.specular); }},
+    {"anisotropy_texture", "anisotropy", [](const Material& m) { return m.metallic_roughness.anisotropy <= 0; }},
+    {"clearcoat_texture", "clearcoat", has_no_coat},
+    {"clearcoat_roughness_texture", "clearcoat", has_no_coat},
+    {"clearcoat_roughness_texture", "clearcoat_roughness",
+     [](const Material& m) { return m.metallic_roughness.clearcoat_roughness <= 0; }},
+    {"clearcoat_normal_texture", "clearcoat", has_no_coat},
+    {"sheen_color_texture", "sheen_color", has_no_sheen},
+    {"sheen_roughness_texture", "sheen_color", has_no_sheen},
+    {"sheen_roughness_texture", "sheen_roughness",
+     [](const Material& m) { return m.metallic_roughness.sheen_roughness <= 0; }}};
+
+/// A picture shows nothing where what it multiplies is 0, as it is unless said.
+/// @param changed  materials of the scene that have it
+void warn_of_idle_pictures(const Scene& scene, const std::vector<std::uint32_t>& changed, const WorldMaterial& from,
+                           const std::string& path, Report& report) {
+    const auto is_idle = [&](const Multiplied& entry) {
+        return std::all_of(changed.begin(), changed.end(),
+                           [&](std::uint32_t i) { return entry.is_zero(scene.materials[i]); });
+    };
+    for (const WorldValue& value : from.values)
+        for (const Multiplied& entry : multiplied)
+            if (value.key == entry.picture && is_idle(entry)) {
+                report.add(Remark::warning, path, to_text(value.place),
+                           "'" + value.key + "' has no effect: '" + entry.factor + "' is 0");
+                break;
+            }
+}
+
 /// @param covered  a part that has such materials under one of the world's own; null: none
 std::string why_unused(const WorldMaterial& from, const LoadedPart* covered, const Scene& scene) {
     const std::string name = one_line(from.name, 40);
@@ -124,12 +165,14 @@ void apply_materials(Scene& scene, const WorldFile& world, const std::vector<Loa
     for (const WorldMaterial& from : world.materials) {
         warn_of_display_colors(from, path, context.report());
         bool is_used = false;
+        std::vector<std::uint32_t> changed;
         const LoadedPart* covered = nullptr;  // has what is to be changed, but all of it is the world's own
         for (const LoadedPart& part : parts) {
             if (!from.model.empty() && from.model != part.name) continue;
             for (std::uint32_t i = part.first_material; i < part.end_material; ++i) {
                 if (from.name != "*" && from.name != scene.materials[i].name) continue;
                 work.change(scene.materials[i], from);
+                changed.push_back(i);
                 if (part.material.empty())
                     is_used = true;
                 else
@@ -142,8 +185,10 @@ void apply_materials(Scene& scene, const WorldFile& world, const std::vector<Loa
             own.emplace(from.name, std::uint32_t(scene.materials.size()));
             Material made = new_material(from);
             work.change(made, from);
+            changed.push_back(std::uint32_t(scene.materials.size()));
             scene.materials.push_back(std::move(made));
         }
+        if (!changed.empty()) warn_of_idle_pictures(scene, changed, from, path, context.report());
         if (is_used || is_asked_for) continue;
         work.check(from);
         context.report().add(Remark::warning, path, to_text(from.place), why_unused(from, covered, scene));

@@ -46,8 +46,33 @@ std::vector<MaterialKey> pictures() {
              [](C& c) { c.material.emission_texture = c.picture; }),
         file("specular_texture", "classical: multiplies specular", Of::classical,
              [](C& c) { c.material.classical.specular_texture = c.picture; }),
-        file("metallic_roughness_texture", "Green multiplies the roughness, blue the metalness", Of::metallic_roughness,
+    };
+}
+
+/// Those of metallic-roughness materials, with the channels that glTF reads.
+std::vector<MaterialKey> layer_pictures() {
+    const auto file = [](const char* name, const char* help, void (*set)(C&)) {
+        return MaterialKey{{name, Kind::file, help}, Of::metallic_roughness, set};
+    };
+    return {
+        file("metallic_roughness_texture", "Green multiplies the roughness, blue the metalness",
              [](C& c) { c.material.metallic_roughness.texture = c.picture; }),
+        file("specular_factor_texture", "Its alpha multiplies specular_factor",
+             [](C& c) { c.material.metallic_roughness.specular_texture = c.picture; }),
+        file("specular_color_texture", "Multiplies specular_color",
+             [](C& c) { c.material.metallic_roughness.specular_color_texture = c.picture; }),
+        file("anisotropy_texture", "Red and green are the direction, blue multiplies anisotropy",
+             [](C& c) { c.material.metallic_roughness.anisotropy_texture = c.picture; }),
+        file("clearcoat_texture", "Red multiplies clearcoat",
+             [](C& c) { c.material.metallic_roughness.clearcoat_texture = c.picture; }),
+        file("clearcoat_roughness_texture", "Green multiplies clearcoat_roughness",
+             [](C& c) { c.material.metallic_roughness.clearcoat_roughness_texture = c.picture; }),
+        file("clearcoat_normal_texture", "Normal map of the clearcoat alone",
+             [](C& c) { c.material.metallic_roughness.clearcoat_normal_texture = c.picture; }),
+        file("sheen_color_texture", "Multiplies sheen_color",
+             [](C& c) { c.material.metallic_roughness.sheen_color_texture = c.picture; }),
+        file("sheen_roughness_texture", "Its alpha multiplies sheen_roughness",
+             [](C& c) { c.material.metallic_roughness.sheen_roughness_texture = c.picture; }),
     };
 }
 
@@ -129,6 +154,8 @@ std::vector<MaterialKey> metallic_roughness() {
                [](C& c) { c.material.metallic_roughness.clearcoat = c.number(); }),
         factor("clearcoat_roughness", "KHR_materials_clearcoat", from_0_to_1,
                [](C& c) { c.material.metallic_roughness.clearcoat_roughness = c.number(); }),
+        factor("clearcoat_normal_scale", "How strongly the clearcoat's normal map bumps (default 1)", {-100, 100},
+               [](C& c) { c.material.metallic_roughness.clearcoat_normal_scale = c.number(); }),
         color("sheen_color", "KHR_materials_sheen",
               [](C& c) { c.material.metallic_roughness.sheen_color = c.color(); }),
         factor("sheen_roughness", "KHR_materials_sheen", from_0_to_1,
@@ -210,7 +237,8 @@ const std::vector<MaterialKey>& material_setters() {
     static const std::vector<MaterialKey> all = [] {
         std::vector<MaterialKey> keys;
         // Pictures first: texture_scale and the like act on them. Color before ambient.
-        for (std::vector<MaterialKey> (*part)() : {pictures, general, classical, metallic_roughness, lighting, bumps})
+        for (std::vector<MaterialKey> (*part)() :
+             {pictures, layer_pictures, general, classical, metallic_roughness, lighting, bumps})
             for (MaterialKey& key : part()) keys.push_back(std::move(key));
         return keys;
     }();
