@@ -258,7 +258,7 @@ std::string sum_text(const ShadedLayer& layer) {
     if (t.has_fog) {
         add("  before the fog", t.before_fog);
         add("  color of the fog", t.fog_color);
-        table.add({"  share seen through " + digits(t.fog_distance) + " m of it", digits(t.fog_share)});
+        table.add({"  share seen through " + digits(t.fog_distance) + " m of it", digits(t.fog_share), "", ""});
     }
     add("= color of the surface", t.color);
     return table.text("  ");
