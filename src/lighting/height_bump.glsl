@@ -2,6 +2,11 @@
 // Source: Blinn 1978, "Simulation of Wrinkled Surfaces", N' = N + (F_u (N x P_v) - F_v (N x P_u)) / |N|: in an orthonormal
 // frame the normal (-dF/dt, -dF/db, 1) of a height F along the normal.
 
+// log2(sqrt(3) / 2): how much finer than a pixel's level its slope is read. Box of the level (variance w^2 / 12 of a texel's
+// width w), linear filter (w^2 / 6) and difference (w^2 / 12) together are then as wide, along the slope, as box and linear
+// filter of a normal map at the pixel's level.
+#define RL_SLOPE_DETAIL -0.20751875f
+
 // Change of height per unit of u and of v, by differences over width_u, width_v: those of a texel of the level that is read,
 // so that the slope is filtered as the height is and has no steps where the map is magnified.
 RL_MAP_FN vec2 height_slope(RL_IN(HeightMap) map, vec2 uv, real width_u, real width_v, real lod)

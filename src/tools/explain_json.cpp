@@ -173,6 +173,7 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
                 {"tangent", list(t.tangent)},
                 {"handedness", double(t.handedness)},
                 {"normal_texel", list(t.mapped)},
+                {"normal_is_of_slopes", t.is_of_slopes != 0},
                 {"facing", double(t.facing)},
                 {"normal", list(t.normal)},
                 {"to_viewer", list(t.view)}};

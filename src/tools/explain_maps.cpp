@@ -55,6 +55,12 @@ std::string probes_text(const ShadedLayer& layer) {
            table.text("    ");
 }
 
+std::string slopes_text(const ShadedLayer& layer) {
+    if (!layer.trace.is_of_slopes) return "";
+    return "    The height map's slope is read: differences over a texel of that level, along u and along v; its value "
+           "here is\n    the mean of these four heights\n";
+}
+
 }  // namespace
 
 std::string maps_text(const ExplainedPixel& e, const ShadedLayer& layer) {
@@ -73,7 +79,8 @@ std::string maps_text(const ExplainedPixel& e, const ShadedLayer& layer) {
         table.add(std::move(cells));
     }
     if (table.empty()) return "";
-    return "  Maps, filtered and linear\n" + table.text("    ") + probes_text(layer) + texels_text(layer);
+    return "  Maps, filtered and linear\n" + table.text("    ") + slopes_text(layer) + probes_text(layer) +
+           texels_text(layer);
 }
 
 }  // namespace rakelight

@@ -121,6 +121,10 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
         values.add("tangent", t.tangent, t.handedness < 0 ? "handedness -1" : "handedness +1");
         values.add("normal, decoded texel", t.mapped, "tangent space, not yet unit");
     }
+    if (t.is_of_slopes) {
+        values.add("tangent", t.tangent, t.handedness < 0 ? "handedness -1" : "handedness +1");
+        values.add("normal of the slopes", t.mapped, "tangent space of the seen side, not yet unit");
+    }
     if (!t.is_lit_at_corners) {
         values.add("normal that is lit (n)", t.normal, t.facing < 0 ? "turned to the viewer's side" : "");
         values.add("to the viewer (v)", t.view);

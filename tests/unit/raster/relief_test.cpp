@@ -72,10 +72,15 @@ TEST(ReliefEngine, FromBehindABumpIsADent) {
 
 TEST(ReliefEngine, OutlinesStayThoseOfTheMeshUnlessTheyAreToBeLimited) {
     const Camera camera = looking_from({1.6, 0.4, 1});
-    const Scene scene = square_with(waves());
+    Scene scene = square_with(waves());
+    scene.materials[0].normal_texture = add_texture(scene, picture(normal_codes()));
     const Frame plain = draw(scene, camera, settings_of({Bump::none}));
-    for (const Bump bump : {Bump::height, Bump::parallax, Bump::parallax_limited, Bump::steep, Bump::occlusion})
-        EXPECT_EQ(draw(scene, camera, settings_of({bump})).object, plain.object);
+    for (const Bump bump :
+         {Bump::height, Bump::normal, Bump::parallax, Bump::parallax_limited, Bump::steep, Bump::occlusion}) {
+        const Frame bumpy = draw(scene, camera, settings_of({bump}));
+        EXPECT_EQ(bumpy.object, plain.object);
+        EXPECT_FALSE(same_bits(bumpy, plain)) << "nothing was bumped";
+    }
     const Frame limited =
         draw(scene, camera, settings_of({Bump::occlusion, {.depth = 0.1f, .limit_silhouette = true}}));
     std::size_t gone = 0, grown = 0;
@@ -207,6 +212,7 @@ TEST(ReliefEngine, EveryInstructionSetAndNumberOfThreadsGivesTheSameBits) {
         for (const TangentSpace space : {TangentSpace::world, TangentSpace::vertex}) {
             RenderSettings s = settings_of({bump, {.depth = 0.1f, .self_shadow = true, .limit_silhouette = true}});
             s.tangent_space = space;
+            s.anisotropy = bump == Bump::height ? 8 : 1;
             const auto with = [&](Isa isa, int threads) {
                 setenv("RAKELIGHT_ISA", name(isa), 1);
                 Frame f = draw(scene, camera, s, threads);

@@ -48,12 +48,43 @@ inline vec2 to_map(const ReliefView& r, vec2 d) {
 }
 inline vec2 to_uv(const ReliefView& r, vec2 d) { return vec2(real(r.to_uv[0]) * d.x, real(r.to_uv[1]) * d.y); }
 
-/// Normal of the relief in (tangent, bitangent, normal on the seen side), not unit.
-inline vec3 relief_normal(const ReliefView& r, const HeightPlace& place) {
+/// The level that slopes of a pixel, or of one probe of it, are read at; not below the largest picture.
+inline real slope_level(const TextureView& t, real lod) {
+    return clamp(lod + real(RL_SLOPE_DETAIL), real(0.0f), real(float(t.levels - 1)));
+}
+
+/// Change of height per unit of u and of v at one place.
+inline vec2 slope_at(const HeightMap& map, vec2 uv, real lod) {
+    const TextureView& t = *map.view;
+    const real level = slope_level(t, lod), texel = exp2(level);
+    return lit::height_slope(map, uv, texel * real(1.0f / float(t.width[0])), texel * real(1.0f / float(t.height[0])),
+                             level);
+}
+
+/// Where slopes are read: as texel() would read a normal map there, along the longer side of the footprint.
+inline Probes slope_probes(const HeightPlace& place, const TexCoords& c, int32_t most) {
     const TextureView& t = *place.map.view;
-    const real texel = exp2(clamp(place.lod, real(0.0f), real(float(t.levels - 1))));
-    const vec2 slope = lit::height_slope(place.map, place.uv, texel * real(1.0f / float(t.width[0])),
-                                         texel * real(1.0f / float(t.height[0])), place.lod);
+    Probes p = probes_of(t, c, t.mip == 0 || t.levels == 1 ? 1 : most);
+    p.lod = select(p.is_stretched, p.lod, place.lod);
+    return p;
+}
+
+/// The mean slope of what the pixel covers. `c`: the map's own coordinates, for their change from pixel to pixel.
+inline vec2 filtered_slope(const HeightPlace& place, const TexCoords& c, int32_t most) {
+    if (most <= 1) return slope_at(place.map, place.uv, place.lod);
+    const Probes p = slope_probes(place, c, most);
+    vec2 sum(real(0.0f), real(0.0f));
+    for (int32_t i = 0; any_lane(real(float(i)) < p.count); ++i) {
+        const vec2 slope = slope_at(place.map, p.place(place.uv, i), p.lod);
+        const mask is_probe = real(float(i)) < p.count;
+        sum.x = sum.x + select(is_probe, slope.x, real(0.0f));
+        sum.y = sum.y + select(is_probe, slope.y, real(0.0f));
+    }
+    return sum * p.inverse;
+}
+
+/// Normal of a relief of that slope in (tangent, bitangent, normal on the seen side), not unit.
+inline vec3 relief_normal(const ReliefView& r, vec2 slope) {
     const real depth = real(r.depth);
     return lit::bumped_normal(depth * (slope.x * real(r.to_map[0][0]) + slope.y * real(r.to_map[1][0])),
                               depth * (slope.x * real(r.to_map[0][1]) + slope.y * real(r.to_map[1][1])));

@@ -119,13 +119,26 @@ inline vec3 mapped_normal(const ShadeJob& job, const Pixels& p) {
     return v;
 }
 
+/// The normal is that of the heights, not of a normal map.
+inline bool uses_slopes(const ShadeJob& job) {
+    return has_relief(job) && (job.full->relief.technique == relief_height || job.material->normal_map.view == nullptr);
+}
+
+/// The heights' normal in (tangent, bitangent, normal on the seen side), not unit.
+inline vec3 sloped_normal(const ShadeJob& job, const Pixels& p, const HeightPlace& place) {
+    const TextureSlot& slot = job.material->height_map;
+    TexCoords room;
+    const TexCoords& c = transformed(slot, p.texcoords[slot.texcoord_set == 0 ? 0 : 1], room);
+    return relief_normal(job.full->relief, filtered_slope(place, c, p.anisotropy));
+}
+
 /// The normal that the maps give, on the side that is lit.
 inline vec3 bumped_normal(const ShadeJob& job, const Pixels& p, const Bumps& bumps) {
     const Frame& f = bumps.frame;
     const bool has_normal_map = job.material->normal_map.view != nullptr;
     if (job.bump == 0) return f.n * f.side;
-    if (has_relief(job) && (job.full->relief.technique == relief_height || !has_normal_map))
-        return lit::perturb_normal(f.n * f.side, f.t, f.w * f.side, relief_normal(job.full->relief, bumps.point.place));
+    if (uses_slopes(job))
+        return lit::perturb_normal(f.n * f.side, f.t, f.w * f.side, sloped_normal(job, p, bumps.point.place));
     if (!has_normal_map) return f.n * f.side;
     const bool is_in_world = job.full->tangent_space == space_world;
     const vec3 n =

@@ -19,7 +19,7 @@ int32_t wrapped(int32_t i, int32_t size, int32_t mode) {
 
 void put_texel(const TextureView& t, int32_t texel, int32_t probe, float weight, TracedTexels& out) {
     if (!(weight > 0.0f) || out.count == most_texels) return;
-    TracedTexel& to = out.texel[out.count++];
+    TracedTexel& to = out.texel[out.count];
     to.probe = probe;
     to.level = 0;
     const auto begin = [&t](int32_t level) { return t.origin[level] - t.width[level] - 3; };  // of its border
@@ -27,6 +27,13 @@ void put_texel(const TextureView& t, int32_t texel, int32_t probe, float weight,
     const int32_t place = texel - begin(to.level), stride = t.width[to.level] + 2;
     to.x = wrapped(place % stride - 1, t.width[to.level], t.wrap_u);
     to.y = wrapped(place / stride - 1, t.height[to.level], t.wrap_v);
+    for (int32_t i = 0; i < out.count; ++i) {
+        TracedTexel& known = out.texel[i];
+        if (known.probe != probe || known.level != to.level || known.x != to.x || known.y != to.y) continue;
+        known.weight += weight;
+        return;
+    }
+    ++out.count;
     to.weight = weight;
     Footprint alone{};
     alone.taps[0].texel = texel;
@@ -88,8 +95,51 @@ void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out,
     }
 }
 
+/// The mip level that sample() reads at a level of detail.
+float level_read(const TextureView& t, float lod) {
+    if (t.mip == 0 || t.levels == 1) return 0.0f;
+    const float level = clamp(lod, 0.0f, float(t.levels - 1));
+    return t.mip == 1 ? float(to_int(level + 0.5f)) : level;
+}
+
+/// How the height map is read where the ray arrives: four heights a probe where the normal is that of its slopes.
+void trace_heights(const ShadeJob& job, const FullPixels& f, TracedTexture& out, TracedTexels* texels) {
+    const HeightPlace& place = f.bumps.point.place;
+    const TextureSlot& slot = job.material->height_map;
+    const TextureView& t = *slot.view;
+    const bool is_slope = uses_slopes(job);
+    TexCoords room;
+    TexCoords at = transformed(slot, f.p.texcoords[slot.texcoord_set == 0 ? 0 : 1], room);
+    Probes probes{};
+    probes.count = probes.inverse = 1.0f, probes.lod = place.lod;
+    if (is_slope && f.p.anisotropy > 1) probes = slope_probes(place, at, f.p.anisotropy);
+    const real level = is_slope ? slope_level(t, probes.lod) : probes.lod;
+    const real half = is_slope ? 0.5f * exp2(level) : 0.0f;
+    const vec2 ways[4] = {vec2(half / float(t.width[0]), 0.0f), vec2(-half / float(t.width[0]), 0.0f),
+                          vec2(0.0f, half / float(t.height[0])), vec2(0.0f, -half / float(t.height[0]))};
+    out.is_used = 1;
+    out.u = place.uv.x, out.v = place.uv.y;
+    out.probes = to_int(probes.count);
+    out.axis_u = out.axis_v = 0;
+    if (out.probes > 1) out.axis_u = probes.axis.x, out.axis_v = probes.axis.y;
+    out.level_of_detail = probes.lod;
+    out.level = level_read(t, level);
+    const int32_t heights = is_slope ? 4 : 1;
+    const real share = 1.0f / float(heights * out.probes);
+    vec4 sum(0.0f);
+    for (int32_t i = 0; i < out.probes; ++i)
+        for (int32_t k = 0; k < heights; ++k) {
+            at.uv = (out.probes > 1 ? probes.place(place.uv, i) : place.uv) + ways[k];
+            const Footprint footprint = footprint_of(t, at, level, true);
+            sum = sum + sample(t, footprint) * share;
+            if (texels != nullptr) trace_texels(t, footprint, i, share, *texels);
+        }
+    put(out.value, sum);
+}
+
 /// The normal map where it acts: not where lighting is not evaluated at pixels, nor with bumps off.
-void trace_maps(const ShadeJob& job, const Pixels& p, PixelTrace& out, TracedTexels* texels) {
+void trace_maps(const ShadeJob& job, const FullPixels& f, PixelTrace& out, TracedTexels* texels) {
+    const Pixels& p = f.p;
     const MaterialView& m = *job.material;
     const TextureSlot* const slots[traced_maps] = {
         &m.base_color_map,          &m.normal_map,           &m.emission_map,
@@ -101,13 +151,18 @@ void trace_maps(const ShadeJob& job, const Pixels& p, PixelTrace& out, TracedTex
     const bool has_layers = job.full != nullptr && is_pbr(job), has_heights = job.full != nullptr && has_relief(job);
     for (int i = 0; i < traced_maps; ++i) {
         if (texels != nullptr) texels[i].count = 0;
-        if (i == traced_normal && job.bump == 0) continue;
+        TracedTexels* const its_texels = texels != nullptr ? &texels[i] : nullptr;
+        if (i == traced_normal && (job.bump == 0 || (has_heights && uses_slopes(job)))) continue;
         if (i == traced_height ? !has_heights : i > traced_height && !has_layers) continue;
-        trace_texture(*slots[i], p, out.map[i], texels != nullptr ? &texels[i] : nullptr);
+        if (i == traced_height)
+            trace_heights(job, f, out.map[i], its_texels);
+        else
+            trace_texture(*slots[i], p, out.map[i], its_texels);
     }
 }
 
-void trace_normal(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
+void trace_normal(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
+    const Pixels& p = f.p;
     const MaterialView& m = *job.material;
     const SignedVector normal = normal_at(p.records, p.b), tangent = tangent_at(p.records, p.b);
     const vec3 n = safe_normalize(normal.v);
@@ -115,6 +170,12 @@ void trace_normal(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
     put(out.mapped, vec3(0.0f, 0.0f, 1.0f));
     out.handedness = tangent.sign;
     out.facing = normal.sign;
+    out.is_of_slopes = job.full != nullptr && uses_slopes(job);
+    if (out.is_of_slopes) {
+        put(out.tangent, f.bumps.frame.t);
+        put(out.mapped, sloped_normal(job, p, f.bumps.point.place));
+        return;
+    }
     if (job.bump == 0 || m.normal_map.view == nullptr) return;
     const vec3 across = lit::orthogonal_tangent(n, tangent.v);
     put(out.tangent, job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across));
@@ -328,11 +389,11 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, Tr
         find_plain(*job, f);
     const Pixels& p = f.p;
     trace_place(p, out);
-    trace_maps(*job, p, out, texels);
+    trace_maps(*job, f, out, texels);
     put(out.vertex_color, interpolate_color(p.records, p.b));
     put(out.paint, f.base.paint);
     put(out.base_color, f.base.color);
-    trace_normal(*job, p, out);
+    trace_normal(*job, f, out);
     trace_surface(*job->material, f.surface.base, out);
     put(out.emission, f.emission);
     if (job->full != nullptr) trace_full(*job, f, out);

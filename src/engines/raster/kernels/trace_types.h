@@ -14,7 +14,7 @@ struct TracedTexel {
     float weight;         ///< all of a sample's come to 1
     float value[4];       ///< linear
 };
-inline constexpr int most_texels = 16 * 8;  ///< 2 x 2 of two levels, of 16 probes
+inline constexpr int most_texels = 16 * 8 * 4;  ///< 2 x 2 of two levels, of 16 probes, of the four heights of a slope
 /// What one texture's value came from. Texels with a weight of 0 are left out.
 struct TracedTexels {
     int32_t count;
@@ -30,7 +30,7 @@ struct TracedTexture {
     float
         level_of_detail;   ///< log2 of texels a pixel, of a probe where there are several; over 0 the picture is shrunk
     float level;           ///< of the mip chain that was read; a fraction lies between two
-    float value[4];        ///< filtered, linear
+    float value[4];        ///< filtered, linear; of slopes: the mean of the heights that they are differences of
 };
 
 /// The maps in the order of MaterialView.
@@ -81,6 +81,7 @@ struct PixelTrace {
     float interpolated[3];    ///< unit normal before the map and before facing
     float tangent[3];         ///< unit, as used by the normal map; 0 without one
     float mapped[3];          ///< decoded texel in tangent space, not unit; 0, 0, 1 without a map
+    int32_t is_of_slopes;     ///< `mapped` is the normal of the height map's slopes, on the side that is seen
     float normal[3];          ///< that is lit
     float handedness, facing;
     float view[3];            ///< unit, to the viewer
