@@ -39,6 +39,8 @@ std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int
         if (out->pixel.has_marks)
             context.report().add(Remark::warning, request.input, {},
                                  "lines or points of the model lie about this pixel: only its surfaces are explained");
+        const vec3 displayed = ToneCurve(request.tone)(out->pixel.color.xyz());
+        out->displayed = {displayed.x, displayed.y, displayed.z, out->pixel.color.w};
         out->codes = codes(out->pixel.color, request.settings.background.w < 1, request.tone);
         return out;
     } catch (const std::bad_alloc&) {

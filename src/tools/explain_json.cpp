@@ -200,16 +200,10 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
 Json pixel_json(const ExplainedPixel& e) {
     const RenderSettings& settings = e.engine->settings();
     const raster::PixelExplanation& p = e.pixel;
-    Json out = {{"width", settings.width},
-                {"height", settings.height},
-                {"background", list(p.background)},
-                {"is_background", p.layers.empty()},
-                {"color", list(p.color)},
-                {"sum", list(p.sum)},
-                {"codes", e.codes},
-                {"samples", samples_json(e)},
-                {"triangles", Json::array()},
-                {"layers", Json::array()}};
+    Json out = {{"width", settings.width},           {"height", settings.height}, {"background", list(p.background)},
+                {"is_background", p.layers.empty()}, {"color", list(p.color)},    {"sum", list(p.sum)},
+                {"displayed", list(e.displayed)},    {"codes", e.codes},          {"samples", samples_json(e)},
+                {"triangles", Json::array()},        {"layers", Json::array()}};
     for (const CoveringTriangle& t : p.triangles) out["triangles"].push_back(triangle_json(e, t));
     for (const ShadedLayer& layer : p.layers) out["layers"].push_back(layer_json(e, layer));
     return out;

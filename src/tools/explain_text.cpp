@@ -312,6 +312,7 @@ std::string to_text(const ExplainedPixel& e) {
               p.layers.empty()       ? "background"
               : p.samples.size() > 1 ? "the mean of its samples"
                                      : "");
+    if (!(e.displayed == p.color)) color.add("displayed", e.displayed, "with exposure and tone curve");
     text += color.text("  ");
     text += "  sRGB code ";
     for (const std::uint8_t code : e.codes) text += " " + digits(int(code));

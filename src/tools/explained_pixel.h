@@ -16,6 +16,7 @@ struct ExplainedPixel {
     std::string file;
     std::unique_ptr<const raster::Inspection> engine;  ///< the scene, for names
     raster::PixelExplanation pixel;
+    vec4 displayed;  ///< linear, with exposure and tone curve, as it is encoded
     std::vector<std::uint8_t> codes;
 };
 

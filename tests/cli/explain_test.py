@@ -48,6 +48,17 @@ class Explain(program.Case):
                     self.assertEqual(row["codes"], list(png(picture)[3][y][3 * x:3 * x + 3]), (model, options, x, y))
                     self.assertEqual(row["sum"], row["color"])
 
+    def test_exposure_and_tone_curve_are_said_where_they_act(self):
+        options = ("--tone-mapping", "reinhard", "--exposure", "1")
+        plain, curved = self.explain("builtin:teapot", 48, 32), self.explain("builtin:teapot", 48, 32, *options)
+        self.assertEqual(plain["displayed"], plain["color"])
+        self.assertEqual(curved["color"], plain["color"])
+        luminance = sum(2 * w * c for w, c in zip((0.2126, 0.7152, 0.0722), plain["color"]))
+        for light, shown in zip(plain["color"], curved["displayed"][:3]):
+            self.assertAlmostEqual(shown, 2 * light / (1 + luminance), 6)
+        words = [self.run_program("explain", "builtin:teapot", "--pixel", "48,32", "--resolution", "%d,%d" % SIZE, *o).out for o in ((), options)]
+        self.assertEqual(["displayed" in text for text in words], [False, True])
+
     def test_a_normal_map_is_listed_where_it_acts(self):
         bricks = pathlib.Path(__file__).resolve().parents[2] / "data/bricks/normal.png"
         for options, acts in (((), True), (("--bump", "none"), False), (("--shading", "flat"), False), (("--shading", "gouraud"), False)):

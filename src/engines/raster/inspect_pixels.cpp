@@ -34,6 +34,29 @@ void allocate(PixelStageData& d, std::size_t pixels, std::size_t lights) {
     }
 }
 
+bool any_job(const FrontEnd& front, const auto& holds) {
+    return std::any_of(front.full.begin(), front.full.end(), holds);
+}
+
+/// What only some pictures have.
+void allocate_effects(PixelStageData& d, std::size_t pixels, const FrontEnd& front, std::size_t all_lights) {
+    if (d.lights.size() < all_lights) d.other_lights.assign(pixels, {});
+    if (any_job(front, [](const FullJob& job) { return job.environment != nullptr; })) {
+        d.around_diffuse.assign(pixels, {});
+        d.around_specular.assign(pixels, {});
+    }
+    if (any_job(front, [](const FullJob& job) { return job.fog.kind != 0; })) {
+        d.fog.assign(pixels, {});
+        d.fog_share.assign(pixels, 1);
+    }
+    if (any_job(front, [](const FullJob& job) { return job.shadows || job.relief.self_shadow; }))
+        d.seen.assign(d.lights.size(), std::vector<float>(pixels, -1));
+    if (any_job(front, [](const FullJob& job) { return job.relief.technique >= relief_parallax; })) {
+        d.relief_shift.assign(pixels, {});
+        d.relief_height.assign(pixels, -1);
+    }
+}
+
 void allocate_layers(PixelStageData& d, std::size_t pixels) {
     d.opaque.assign(pixels, {});
     d.layer_count.assign(pixels, 0);
@@ -159,6 +182,7 @@ private:
             last = v.triangle;
             out_.normal[p] = rgb(pixel.trace.normal);
             add_terms(p, pixel, 1, 0);
+            note_effects(p, v.triangle->draw, pixel);
         }
     }
 
@@ -209,18 +233,48 @@ private:
         return {pixel, batch.unlit == 0};
     }
 
-    /// What trace() left, laid over the terms that are there.
+    /// Shadows, fog and relief at the visible surface.
+    void note_effects(std::size_t p, std::uint32_t draw, const Traced& pixel) {
+        const bool is_lit_here = pixel.is_lit && !pixel.trace.is_lit_at_corners;
+        for (std::size_t i = 0; i < out_.seen.size(); ++i)
+            if (is_lit_here) out_.seen[i][p] = lights_[i].seen;
+        if (!out_.fog.empty()) out_.fog_share[p] = share_through_fog(pixel.trace);
+        const TracedTexture& heights = pixel.trace.map[traced_height];
+        if (out_.relief_shift.empty() || !heights.is_used) return;
+        const int set = of_.list().materials[of_.list().draws[draw].material].view.height_map.texcoord_set == 0 ? 0 : 1;
+        const float(&flat)[2] = pixel.trace.texcoord[set], (&bumped)[2] = pixel.trace.relief_texcoord[set];
+        out_.relief_shift[p] = {bumped[0] - flat[0], bumped[1] - flat[1]};
+        out_.relief_height[p] = heights.value[0];
+    }
+
+    static float share_through_fog(const PixelTrace& t) { return t.has_fog ? t.fog_share : 1; }
+
+    /// What trace() left, laid over the terms that are there. Of a surface in fog, what is seen of it.
     void add_terms(std::size_t p, const Traced& pixel, float own, float under) {
-        const auto add = [&](vec3& to, const float(&term)[3]) { to = rgb(term) * own + to * under; };
-        const float(&base)[4] = pixel.trace.base_color;
-        const float own_color[3] = {base[0], base[1], base[2]}, no_color[3] = {};
-        add(out_.own_color[p], pixel.is_lit ? no_color : own_color);
-        add(out_.emission[p], pixel.trace.emission);
+        const PixelTrace& t = pixel.trace;
+        const float share = share_through_fog(t);
+        const auto lay = [&](vec3& to, vec3 term) { to = term * own + to * under; };
+        const auto add = [&](vec3& to, const float(&term)[3]) { lay(to, rgb(term) * share); };
+        lay(out_.own_color[p], pixel.is_lit ? vec3{} : vec3{t.base_color[0], t.base_color[1], t.base_color[2]} * share);
+        add(out_.emission[p], t.emission);
         for (std::size_t i = 0; i < out_.lights.size(); ++i) {
             add(out_.lights[i].ambient[p], lights_[i].ambient);
             add(out_.lights[i].diffuse[p], lights_[i].diffuse);
             add(out_.lights[i].specular[p], lights_[i].specular);
         }
+        if (!out_.other_lights.empty()) lay(out_.other_lights[p], terms_of_other_lights() * share);
+        if (!out_.around_diffuse.empty()) {
+            add(out_.around_diffuse[p], t.environment[0]);
+            add(out_.around_specular[p], t.environment[2]);
+        }
+        if (!out_.fog.empty()) lay(out_.fog[p], rgb(t.fog_color) * (1 - share));
+    }
+
+    vec3 terms_of_other_lights() const {
+        vec3 sum{};
+        for (std::size_t i = out_.lights.size(); i < lights_.size(); ++i)
+            sum += rgb(lights_[i].ambient) + rgb(lights_[i].diffuse) + rgb(lights_[i].specular);
+        return sum;
     }
 
     /// The terms of flat and Gouraud shading: those of the corners, interpolated, times what the pixel reflects.
@@ -265,6 +319,7 @@ PixelStageData inspect_pixels(const Inspection& of, const Inspection::Geometry& 
     PixelStageData out;
     const std::size_t pixels = std::size_t(of.settings().width) * std::size_t(of.settings().height);
     allocate(out, pixels, std::min(max_lights, of.lights().size()));
+    allocate_effects(out, pixels, drawn.front, of.lights().size());
     if (std::any_of(of.list().materials.begin(), of.list().materials.end(),
                     [](const DrawMaterial& m) { return m.view.blend != 0; }))
         allocate_layers(out, pixels);

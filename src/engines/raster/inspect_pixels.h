@@ -31,8 +31,20 @@ struct PixelStageData {
     /// As Scene::lights but at most `max_lights`: what the terms of the visible surface and of those that are laid over
     /// it come to in the picture. A layer's count by its alpha, those behind it by what it lets through.
     std::vector<TermPictures> lights;
-    std::vector<vec3> emission;   ///< the same
+    std::vector<vec3> other_lights;  ///< the same, of all lights beyond `max_lights` together; empty: there are none
+    std::vector<vec3> emission;      ///< the same
     std::vector<vec3> own_color;  ///< the same, of surfaces that are not lit, and of the background behind layers
+    /// The same, of the light from all around: what is reflected diffusely, and the gloss. Empty: there is none.
+    std::vector<vec3> around_diffuse, around_specular;
+    std::vector<vec3> fog;         ///< the same, of the fog's own light; empty: there is none
+    std::vector<float> fog_share;  ///< 0..1: how much of the visible surface is seen through the fog; empty as `fog`
+    /// As `lights`: 0..1, how much of it reaches the visible surface; < 0 where nothing is lit at the pixel. Empty:
+    /// nothing throws shadows.
+    std::vector<std::vector<float>> seen;
+    /// How far the relief of a height map moves the coordinates that the visible surface's textures are read at, and
+    /// the height there, 0..1 as the map has it, < 0 where there is no relief. Empty: no material has one.
+    std::vector<vec2> relief_shift;
+    std::vector<float> relief_height;
     std::vector<vec4> opaque;               ///< the picture before blended surfaces; empty where no material blends
     std::vector<std::uint8_t> layer_count;  ///< blended surfaces laid over the pixel, at most 255; empty with `opaque`
     std::vector<BlendedLayer> layers;       ///< the first of each pixel, as many as there are, at most most_layers
@@ -50,7 +62,8 @@ struct PixelStageData {
     const std::vector<vec4>& centers() const { return center_color.empty() ? color : center_color; }
 };
 
-/// Runs the pixel stages. Memory: about 60 bytes a pixel and 36 for each light.
+/// Runs the pixel stages. Memory: about 60 bytes a pixel, 36 for each light, 16 to 24 for each of the light from all
+/// around, fog and relief.
 /// @param open   geometry with what culling drops
 /// @param drawn  geometry without it
 /// @throws Error failed: cancelled

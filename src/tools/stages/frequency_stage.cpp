@@ -4,7 +4,7 @@
 
 #include "engines/raster/inspect_shading.h"
 #include "math/color.h"
-#include "tools/stages/plot.h"
+#include "tools/stages/paint.h"
 
 namespace rakelight::stages {
 namespace {
@@ -21,10 +21,10 @@ constexpr Frequency frequencies[] = {
 };
 
 /// Root of the mean square over all channels, [1/255] as displayed.
-double difference(const std::vector<vec4>& a, const std::vector<vec4>& b) {
+double difference(const Sources& of, const std::vector<vec4>& a, const std::vector<vec4>& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        const Code p = display(a[i].xyz()), q = display(b[i].xyz());
+        const Code p = shown(of, a[i].xyz()), q = shown(of, b[i].xyz());
         for (const int d : {p.r - q.r, p.g - q.g, p.b - q.b}) sum += double(d) * d;
     }
     return a.empty() ? 0 : std::sqrt(sum / (3 * double(a.size())));
@@ -37,17 +37,17 @@ Stage frequency_stage(const Sources& of, Context& context) {
     s.text =
         "The sum over the lights can be made once a face (flat), once a vertex (Gouraud) or once a pixel (Phong), or "
         "not at all (own color). The rarer it is, the more the shape of the triangles shows: highlights "
-        "and the cones of spot lights that lie between the vertices are lost. Normal maps act in Phong shading alone.";
+        "and the cones of spot lights that lie between the vertices are lost. Normal maps, height bumps and shadows "
+        "act in Phong shading alone.";
     s.columns = {"shading", "lighting is evaluated", "evaluations", "difference to phong [1/255]"};
     s.rows_note = "Evaluations, and the root of the mean square difference of the pictures as displayed";
     const raster::ShadedPicture phong = draw_shaded(of.engine, Shading::phong, context);
     for (const Frequency& f : frequencies) {
         const raster::ShadedPicture drawn =
             f.shading == Shading::phong ? phong : draw_shaded(of.engine, f.shading, context);
-        Canvas canvas(of.engine.settings().width, of.engine.settings().height, ground);
-        for (int y = 0, p = 0; y < canvas.height(); ++y)
-            for (int x = 0; x < canvas.width(); ++x, ++p) canvas.set(x, y, display(drawn.color[std::size_t(p)].xyz()));
-        s.rows.push_back({f.name, f.evaluated, drawn.stats.lighting_evaluations, difference(drawn.color, phong.color)});
+        Canvas canvas = paint(of, [&](std::size_t p) { return shown(of, drawn.color[p].xyz()); });
+        s.rows.push_back(
+            {f.name, f.evaluated, drawn.stats.lighting_evaluations, difference(of, drawn.color, phong.color)});
         s.pictures.push_back(
             {std::string("shading-") + f.name,
              std::string(f.caption) + " " + std::to_string(drawn.stats.lighting_evaluations) + " evaluations.",

@@ -2,24 +2,12 @@
 // The stages that pixels go through: pictures of the engine's channels, and their totals.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
-#include "tools/stages/stage.h"
-#include "tools/texture_uses.h"
+#include "tools/stages/paint.h"
 
 namespace rakelight::stages {
 namespace {
-
-constexpr Code ground{16, 18, 24};
-
-Canvas paint(const Sources& of, const std::function<Code(std::size_t)>& color) {
-    Canvas canvas(of.engine.settings().width, of.engine.settings().height, ground);
-    std::size_t p = 0;
-    for (int y = 0; y < canvas.height(); ++y)
-        for (int x = 0; x < canvas.width(); ++x) canvas.set(x, y, color(p++));
-    return canvas;
-}
 
 std::uint64_t count(const std::vector<std::uint16_t>& overdraw) {
     return std::uint64_t(std::count_if(overdraw.begin(), overdraw.end(), [](std::uint16_t n) { return n > 0; }));
@@ -42,7 +30,7 @@ Stage culling_stage(const Sources& of) {
         const bool is_drawn = (faces & 4) != 0;
         if (faces & 1) return is_drawn ? Code{120, 60, 60} : Code{240, 70, 60};
         if (faces & 2) return is_drawn ? Code{60, 70, 130} : Code{80, 110, 250};
-        return is_drawn ? Code{110, 110, 110} : ground;
+        return is_drawn ? Code{110, 110, 110} : backdrop;
     });
     s.pictures.push_back({"culled", "Red: a face seen from behind was dropped here; blue: one from the front. Bright where nothing else covers the pixel, dull where something does; gray: nothing was dropped.", std::move(canvas)});
     return s;
@@ -73,7 +61,7 @@ Stage coverage_stage(const Sources& of) {
         {"coverage",
          "Opaque triangles over each pixel: blue 1, over green and yellow to white " +
              std::to_string(std::min<int>(most, 12)) + " and more.",
-         paint(of, [&](std::size_t p) { return overdraw[p] == 0 ? ground : heat(overdraw[p] * scale); })});
+         paint(of, [&](std::size_t p) { return overdraw[p] == 0 ? backdrop : heat(overdraw[p] * scale); })});
     return s;
 }
 
@@ -85,8 +73,10 @@ Stage depth_stage(const Sources& of) {
         if (std::isfinite(d)) low = std::min(low, double(d)), high = std::max(high, double(d));
     if (std::isfinite(low)) s.numbers = {{"nearest [m]", low}, {"farthest [m]", high}};
     s.pictures.push_back({"depth", "Light is near, dark is far.", paint(of, [&](std::size_t p) {
-        return std::isfinite(distance[p]) ? gray(high > low ? 1 - 0.85 * (double(distance[p]) - low) / (high - low) : 1) : ground;
-    })});
+                              return std::isfinite(distance[p])
+                                         ? gray(high > low ? 1 - 0.85 * (double(distance[p]) - low) / (high - low) : 1)
+                                         : backdrop;
+                          })});
     return s;
 }
 
@@ -94,8 +84,12 @@ Stage visibility_stage(const Sources& of) {
     Stage s{.id = "visibility", .title = "Visibility", .text = "What is left is one triangle a pixel: only these are shaded, whatever the overdraw. Each triangle, and each object, has a color of its own."};
     const raster::DrawList& list = of.engine.list();
     const std::vector<std::uint32_t>&draw = of.pixels.draw, &triangle = of.pixels.triangle;
-    s.pictures.push_back({"triangles", "Visible triangles.", paint(of, [&](std::size_t p) { return draw[p] == none ? ground : color_of_number(triangle[p] * 7 + draw[p] * 131); })});
-    s.pictures.push_back({"objects", "Visible objects.", paint(of, [&](std::size_t p) { return draw[p] == none ? ground : color_of_number(list.draws[draw[p]].node); })});
+    s.pictures.push_back({"triangles", "Visible triangles.", paint(of, [&](std::size_t p) {
+                              return draw[p] == none ? backdrop : color_of_number(triangle[p] * 7 + draw[p] * 131);
+                          })});
+    s.pictures.push_back({"objects", "Visible objects.", paint(of, [&](std::size_t p) {
+                              return draw[p] == none ? backdrop : color_of_number(list.draws[draw[p]].node);
+                          })});
     std::vector<std::uint64_t> pixels(list.scene.nodes.size(), 0);
     std::vector<std::uint64_t> seen;
     for (std::size_t p = 0; p < draw.size(); ++p)
@@ -115,9 +109,10 @@ Stage visibility_stage(const Sources& of) {
 
 Stage normal_stage(const Sources& of) {
     Stage s{.id = "normal", .title = "Normals", .text = "The vertices' normals, interpolated with perspective, bent by the normal map where the material has one, and turned to the viewer's side. Lighting uses this one."};
-    s.pictures.push_back({"normal", "Red, green and blue are x, y and z of the world, from -1 to 1.", paint(of, [&](std::size_t p) {
-        return of.pixels.draw[p] == none ? ground : color_of_normal(of.pixels.normal[p]);
-    })});
+    s.pictures.push_back(
+        {"normal", "Red, green and blue are x, y and z of the world, from -1 to 1.", paint(of, [&](std::size_t p) {
+             return of.pixels.draw[p] == none ? backdrop : color_of_normal(of.pixels.normal[p]);
+         })});
     const double inf = std::numeric_limits<double>::infinity();
     double sum[3] = {}, low[3] = {inf, inf, inf}, high[3] = {-inf, -inf, -inf};
     std::uint64_t n = 0;
@@ -139,75 +134,15 @@ Stage normal_stage(const Sources& of) {
     return s;
 }
 
-/// Mean and largest value of a term over the pixels that show something.
-Json totals(const Sources& of, const std::vector<vec3>& term) {
-    dvec3 sum{}, most{};
-    std::uint64_t n = 0;
-    for (std::size_t p = 0; p < term.size(); ++p) {
-        if (!of.pixels.shows(p)) continue;
-        const dvec3 v = {double(term[p].x), double(term[p].y), double(term[p].z)};
-        sum = sum + v;
-        most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
-        ++n;
-    }
-    const double scale = n > 0 ? 1.0 / double(n) : 0;
-    return {sum.x * scale, sum.y * scale, sum.z * scale, most.x, most.y, most.z};
-}
-
-bool is_black(const std::vector<vec3>& term) {
-    return std::all_of(term.begin(), term.end(), [](vec3 v) { return v.x == 0 && v.y == 0 && v.z == 0; });
-}
-
-Stage lighting_stage(const Sources& of) {
-    Stage s{.id = "lighting",
-            .title = "Lighting, term by term",
-            .text =
-                "Each light adds an ambient term (k ambient times its color), a diffuse one (k diffuse, its color, the "
-                "cosine n.l) and a specular one (k specular, its color, the lobe). "
-                "Their sum with the emission and the own color of what is not lit is the pixel. Where blended surfaces "
-                "are laid over, a term is what it "
-                "comes to in the picture: a layer's own counts by its alpha, those behind by what it lets through. "
-                "Terms that are black everywhere have no picture."};
-    if (of.engine.settings().shading == Shading::flat || of.engine.settings().shading == Shading::gouraud)
-        s.text +=
-            " Here lighting is evaluated once a face or vertex: what is interpolated from there is multiplied by the "
-            "pixel's own k.";
-    s.columns = {"term", "mean red", "mean green", "mean blue", "largest red", "largest green", "largest blue"};
-    const auto add = [&](const std::string& name, const std::string& file, const std::vector<vec3>& term) {
-        Json row = {name};
-        for (const Json& v : totals(of, term)) row.push_back(v);
-        s.rows.push_back(std::move(row));
-        if (!is_black(term))
-            s.pictures.push_back(
-                {file, name, paint(of, [&](std::size_t p) { return of.pixels.shows(p) ? display(term[p]) : ground; })});
-    };
-    if (!is_black(of.pixels.own_color))
-        add("Own color of what is not lit, and of the background behind layers", "own-color", of.pixels.own_color);
-    add("Emission", "emission", of.pixels.emission);
-    for (std::size_t i = 0; i < of.pixels.lights.size(); ++i) {
-        const raster::TermPictures& t = of.pixels.lights[i];
-        const Light& light = of.engine.list().scene.lights[i];
-        const std::string number = std::to_string(i), name = "Light " + number + " (" + name_of(light.type) + (light.name.empty() ? "" : ", " + light.name) + "): ";
-        add(name + "ambient", "light-" + number + "-ambient", t.ambient);
-        add(name + "diffuse", "light-" + number + "-diffuse", t.diffuse);
-        add(name + "specular", "light-" + number + "-specular", t.specular);
-    }
-    s.rows_note = "Linear values over the pixels that show a surface";
-    const std::size_t all = of.engine.lights().size();
-    s.numbers["lights"] = all;
-    if (all > of.pixels.lights.size()) s.numbers["lights shown"] = of.pixels.lights.size();
-    return s;
-}
-
 Stage blending_stage(const Sources& of) {
     Stage s{.id = "blended", .title = "Blended surfaces, layer by layer"};
     s.text =
         "Surfaces that are seen through are laid over what is opaque, of each pixel the farthest first: color = alpha "
         "* own color + (1 - alpha) * what is behind. Each is lit as the opaque ones are; "
-        "explain names the triangles and the terms of one pixel.";
+        "explain names the triangles and the terms of one pixel. Shown with the exposure and the tone curve.";
     const raster::PixelStageData& d = of.pixels;
-    const auto shown = [&](const std::vector<vec4>& color) {
-        return paint(of, [&](std::size_t p) { return display(color[p].xyz()); });
+    const auto picture_of = [&](const std::vector<vec4>& color) {
+        return paint(of, [&](std::size_t p) { return shown(of, color[p].xyz()); });
     };
     const auto blended =
         std::count_if(d.layer_count.begin(), d.layer_count.end(), [](std::uint8_t n) { return n > 0; });
@@ -215,7 +150,7 @@ Stage blending_stage(const Sources& of) {
     s.pictures.push_back({"blended-0",
                           blended == 0 ? "Nothing is laid over: this is the picture of the opaque surfaces."
                                        : "The opaque surfaces alone.",
-                          shown(blended == 0 ? d.centers() : d.opaque)});
+                          picture_of(blended == 0 ? d.centers() : d.opaque)});
     s.columns = {"layer, the farthest first", "pixels", "least alpha", "mean alpha", "greatest alpha"};
     for (std::size_t k = 0; k < d.layers.size(); ++k) {
         const std::string number = std::to_string(k + 1);
@@ -229,22 +164,12 @@ Stage blending_stage(const Sources& of) {
         }
         s.rows.push_back({k + 1, pixels, low, sum / double(pixels), high});
         s.pictures.push_back(
-            {"blended-" + number, "After layer " + number + " of each pixel.", shown(d.layers[k].color)});
+            {"blended-" + number, "After layer " + number + " of each pixel.", picture_of(d.layers[k].color)});
         s.pictures.push_back(
             {"blended-" + number + "-alpha", "The alpha of layer " + number + ": black 0, white 1.",
-             paint(of, [&](std::size_t p) { return d.layer_count[p] <= k ? ground : gray(d.layers[k].alpha[p]); })});
+             paint(of, [&](std::size_t p) { return d.layer_count[p] <= k ? backdrop : gray(d.layers[k].alpha[p]); })});
     }
     s.rows_note = d.layers.empty() ? "" : "Alpha over the pixels that have the layer";
-    return s;
-}
-
-Stage picture_stage(const Sources& of) {
-    Stage s{.id = "picture", .title = "The picture", .text = "The sums of the terms, blended surfaces laid over them far to near, then tone mapping: linear light clamped to 0..1 and encoded as sRGB with 8 bits. "
-            "It is the picture that rakelight render writes, to the bit."};
-    std::uint64_t clamped = 0;
-    for (const vec4& c : of.pixels.color) clamped += c.x > 1 || c.y > 1 || c.z > 1;
-    s.numbers["pixels brighter than 1, clamped"] = clamped;
-    s.pictures.push_back({"picture", "The picture.", paint(of, [&](std::size_t p) { return display(of.pixels.color[p].xyz()); })});
     return s;
 }
 
@@ -258,9 +183,12 @@ std::vector<Stage> pixel_stages(const Sources& of) {
     stages.push_back(depth_precision_stage(of));
     stages.push_back(visibility_stage(of));
     stages.push_back(normal_stage(of));
+    if (!of.pixels.relief_shift.empty()) stages.push_back(relief_stage(of));
+    if (!of.pixels.seen.empty()) stages.push_back(shadow_stage(of));
     stages.push_back(lighting_stage(of));
     stages.push_back(blending_stage(of));
     if (of.engine.settings().samples > 1) stages.push_back(samples_stage(of));
+    stages.push_back(tone_stage(of));
     stages.push_back(picture_stage(of));
     return stages;
 }

@@ -4,22 +4,13 @@
 
 #include "engines/raster/inspect_samples.h"
 #include "engines/raster/tile.h"
-#include "tools/stages/stage.h"
+#include "tools/stages/paint.h"
 
 namespace rakelight::stages {
 namespace {
 
-constexpr Code ground{16, 18, 24};
 constexpr int enlarged_px = 16;  ///< side of the part that is shown enlarged; divides a tile's
 constexpr int cell_px = 48;      ///< one of its pixels: 3 a step of sample_positions()
-
-Canvas paint(const Sources& of, const auto& color) {
-    Canvas canvas(of.engine.settings().width, of.engine.settings().height, ground);
-    std::size_t p = 0;
-    for (int y = 0; y < canvas.height(); ++y)
-        for (int x = 0; x < canvas.width(); ++x) canvas.set(x, y, color(p++));
-    return canvas;
-}
 
 /// Where samples differ most, so that there is something to see.
 Window liveliest_part(const Sources& of) {
@@ -47,17 +38,17 @@ void square(Canvas& canvas, int x, int y, int side, Code color) {
 Picture enlarged(const Sources& of) {
     const raster::SampleColors part = inspect_samples(of.engine, of.drawn, liveliest_part(of));
     const int samples = of.engine.settings().samples, width = of.engine.settings().width;
-    Canvas canvas(part.window.width * cell_px, part.window.height * cell_px, ground);
+    Canvas canvas(part.window.width * cell_px, part.window.height * cell_px, backdrop);
     std::size_t next = 0;
     for (int y = 0; y < part.window.height; ++y)
         for (int x = 0; x < part.window.width; ++x) {
             const auto p = std::size_t(y + part.window.y) * std::size_t(width) + std::size_t(x + part.window.x);
-            square(canvas, x * cell_px, y * cell_px, cell_px, display(of.pixels.color[p].xyz()));
+            square(canvas, x * cell_px, y * cell_px, cell_px, shown(of, of.pixels.color[p].xyz()));
             for (const raster::SamplePosition at : raster::sample_positions(samples)) {
                 const int middle_x = x * cell_px + cell_px / 2 + 3 * at.x,
                           middle_y = y * cell_px + cell_px / 2 + 3 * at.y;
-                square(canvas, middle_x - 3, middle_y - 3, 7, ground);
-                square(canvas, middle_x - 2, middle_y - 2, 5, display(part.color[next++].xyz()));
+                square(canvas, middle_x - 3, middle_y - 3, 7, backdrop);
+                square(canvas, middle_x - 2, middle_y - 2, 5, shown(of, part.color[next++].xyz()));
             }
         }
     const std::string corner = std::to_string(part.window.x) + "," + std::to_string(part.window.y);
@@ -102,13 +93,13 @@ Stage samples_stage(const Sources& of) {
                               std::to_string(std::min(samples, 4)) + " and more.",
                           paint(of, [&](std::size_t p) {
                               return d.triangles_shown[p] == 0
-                                         ? ground
+                                         ? backdrop
                                          : heat(double(d.triangles_shown[p]) / std::min(samples, 4));
                           })});
     s.pictures.push_back({"samples-difference",
                           "The greatest difference between samples of the pixel, as light: what the mean makes smooth.",
                           paint(of, [&](std::size_t p) {
-                              return display(vec3{1, 1, 1} * d.sample_spread[p]);
+                              return exposed(of, vec3{1, 1, 1} * d.sample_spread[p]);
                           })});
     s.pictures.push_back(enlarged(of));
     return s;

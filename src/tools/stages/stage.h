@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engines/raster/inspect_pixels.h"
+#include "image/tone_curves.h"
 #include "tools/stages/canvas.h"
 
 namespace rakelight::stages {
@@ -36,6 +37,8 @@ struct Sources {
     const raster::Inspection::Geometry& open;   ///< with what culling drops
     const raster::Inspection::Geometry& drawn;
     const raster::PixelStageData& pixels;
+    ToneSettings tone;
+    ToneCurve curve{tone}, exposure{{ToneMapping::none, tone.exposure_ev}};
 };
 
 /// Vertices before the projection: model, world, camera.
@@ -50,6 +53,16 @@ std::vector<Stage> screen_stages(const Sources& of);
 Stage depth_precision_stage(const Sources& of);
 /// What the samples of a picture with several a pixel show.
 Stage samples_stage(const Sources& of);
+/// How far height maps move what textures are read at; where a material has one.
+Stage relief_stage(const Sources& of);
+/// Where which light is in shadow, and the shadow maps; where something throws shadows.
+Stage shadow_stage(const Sources& of);
+/// Each light's terms.
+Stage lighting_stage(const Sources& of);
+/// Exposure, tone curve, codes.
+Stage tone_stage(const Sources& of);
+/// What `rakelight render` draws.
+Stage picture_stage(const Sources& of);
 /// The picture with each shading frequency.
 Stage frequency_stage(const Sources& of, Context& context);
 /// Pixels: culled faces, coverage, depth, visibility, normals, terms of the lights, the picture.

@@ -29,7 +29,7 @@ StagesResult write(const PictureRequest& request, Context& context) {
                              "the model has no triangles: its lines and points are in the last stage alone");
     const raster::Inspection::Geometry open(*engine, {}, true, context), drawn(*engine, {}, false, context);
     const raster::PixelStageData pixels = raster::inspect_pixels(*engine, open, drawn, most_lights, context);
-    const stages::Sources sources{*engine, open, drawn, pixels};
+    const stages::Sources sources{*engine, open, drawn, pixels, request.tone};
     std::vector<stages::Stage> all;
     for (const auto part : {stages::space_stages, stages::projection_stages, stages::clip_stages, stages::screen_stages,
                             stages::pixel_stages})

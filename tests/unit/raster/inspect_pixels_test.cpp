@@ -30,14 +30,84 @@ struct Looked {
     raster::Inspection inspection;
     raster::Inspection::Geometry open, drawn;
     raster::PixelStageData data;
-    Looked(const Scene& scene, const RenderSettings& s)
+    Looked(const Scene& scene, const RenderSettings& s, std::size_t max_lights = 8)
         : inspection(scene, busy_view(), s, context),
           open(inspection, {}, true, context),
           drawn(inspection, {}, false, context),
-          data(inspect_pixels(inspection, open, drawn, 8, context)) {}
+          data(inspect_pixels(inspection, open, drawn, max_lights, context)) {}
 };
 
+/// Light from all around and fog, too.
+Scene busy_scene_in_fog() {
+    Scene scene = busy_scene();
+    scene.environment = Environment{.intensity = 0.5f, .is_background = false};
+    scene.fog = {FogKind::exponential, {0.4f, 0.3f, 0.6f}, 0, 1, 0.2f};
+    return scene;
+}
+
+vec3 sum_of_terms(const raster::PixelStageData& d, std::size_t p) {
+    vec3 sum = d.emission[p] + d.own_color[p];
+    for (const raster::TermPictures& t : d.lights) sum += t.ambient[p] + t.diffuse[p] + t.specular[p];
+    for (const std::vector<vec3>* term : {&d.other_lights, &d.around_diffuse, &d.around_specular, &d.fog})
+        if (!term->empty()) sum += (*term)[p];
+    return sum;
+}
+
 }  // namespace
+
+TEST(InspectPixels, TermsOfLightsSurroundingsAndFogAddUpToThePictureInShadowToo) {
+    const Scene scene = busy_scene_in_fog();
+    for (const Shading shading : {Shading::phong, Shading::gouraud, Shading::flat}) {
+        RenderSettings s = settings(1);
+        s.shading = shading;
+        s.shadows = true;
+        s.shadow_size = 256;
+        const Looked looked(scene, s, shading == Shading::flat ? 8 : 2);
+        EXPECT_EQ(looked.data.other_lights.empty(), shading == Shading::flat);
+        int shown = 0;
+        for (std::size_t p = 0; p < looked.data.color.size(); ++p) {
+            if (!looked.data.shows(p)) continue;
+            ++shown;
+            const vec3 sum = sum_of_terms(looked.data, p);
+            const vec4 color = looked.data.color[p];
+            const float tolerance = 2e-5f * (1 + color.x + color.y + color.z);
+            EXPECT_NEAR(sum.x, color.x, tolerance) << p;
+            EXPECT_NEAR(sum.y, color.y, tolerance) << p;
+            EXPECT_NEAR(sum.z, color.z, tolerance) << p;
+        }
+        EXPECT_GT(shown, 4000);
+    }
+}
+
+TEST(InspectPixels, ShadowFogAndReliefAreThoseOfThePixel) {
+    RenderSettings s = settings(1);
+    s.shadows = true;
+    s.bump = Bump::steep;
+    Scene scene = busy_scene_in_fog();
+    scene.materials[0].height_texture = scene.materials[0].base_color_texture;
+    const Looked looked(scene, s);
+    Context context({.threads = 1});
+    int dark = 0, foggy = 0, moved = 0;
+    for (int p = 30; p < width * height; p += 97) {
+        const raster::PixelExplanation e = looked.inspection.explain(p % width, p / width, context);
+        const auto at = std::size_t(p);
+        if (e.samples[0].triangle == SIZE_MAX) continue;
+        const raster::ShadedLayer& layer = e.layers[0];
+        const raster::PixelTrace& t = layer.trace;
+        EXPECT_EQ(looked.data.fog_share[at], t.fog_share);
+        foggy += t.fog_share < 0.8f;
+        for (std::size_t i = 0; i < 5; ++i)
+            EXPECT_EQ(looked.data.seen[i][at], layer.is_unlit ? -1 : layer.lights[i].seen) << p;
+        if (!layer.is_unlit) dark += layer.lights[0].seen < 0.5f;
+        if (!t.map[raster::traced_height].is_used) continue;
+        EXPECT_EQ(looked.data.relief_height[at], t.map[raster::traced_height].value[0]);
+        EXPECT_EQ(looked.data.relief_shift[at].x, t.relief_texcoord[0][0] - t.texcoord[0][0]);
+        moved += looked.data.relief_shift[at].x != 0;
+    }
+    EXPECT_GT(dark, 3);
+    EXPECT_GT(foggy, 3);
+    EXPECT_GT(moved, 3);
+}
 
 TEST(InspectPixels, TermsOfAllLightsAddUpToThePictureAlsoWhereSurfacesAreLaidOver) {
     const Scene scene = busy_scene();

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of the rendered one's size, and light as it is shown.
+#pragma once
+#include "tools/stages/stage.h"
+
+namespace rakelight::stages {
+
+inline constexpr Code backdrop{16, 18, 24};  ///< where nothing is
+
+/// @param color  Code of a pixel's number, row by row
+Canvas paint(const Sources& of, const auto& color) {
+    Canvas canvas(of.engine.settings().width, of.engine.settings().height, backdrop);
+    std::size_t p = 0;
+    for (int y = 0; y < canvas.height(); ++y)
+        for (int x = 0; x < canvas.width(); ++x) canvas.set(x, y, color(p++));
+    return canvas;
+}
+
+/// Light as the picture has it: with its exposure and tone curve.
+inline Code shown(const Sources& of, vec3 light) { return display(of.curve(light)); }
+/// With the exposure alone, clamped: terms that are shown so add up.
+inline Code exposed(const Sources& of, vec3 light) { return display(of.exposure(light)); }
+
+}  // namespace rakelight::stages
