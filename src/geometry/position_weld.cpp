@@ -9,6 +9,7 @@
 
 #include "geometry/face_vote.h"
 #include "geometry/fast_memory.h"
+#include "geometry/position_hash.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -39,22 +40,16 @@ Place place_of(const AttributeInput& input, WeldKey key, std::uint32_t mesh, std
     return place;
 }
 
-// Mixed so that both the high bits (partition) and the low ones (table) depend on every coordinate; floats widened to
-// double have 29 low zero bits.
-std::uint32_t hash_of(const Place& place) {
-    const auto mix = [](std::uint64_t h, std::uint64_t bits) {
-        h = (h ^ bits ^ (bits >> 32)) * 0x9e3779b97f4a7c15ull;
-        return h ^ (h >> 29);
-    };
-    std::uint64_t h = mix(place.object, std::bit_cast<std::uint64_t>(place.position.x));
-    h = mix(h, std::bit_cast<std::uint64_t>(place.position.y));
-    h = mix(h, std::bit_cast<std::uint64_t>(place.position.z));
-    if (place.normal != vec3{}) {
-        h = mix(h, std::bit_cast<std::uint32_t>(place.normal.x));
-        h = mix(h, std::bit_cast<std::uint32_t>(place.normal.y));
-        h = mix(h, std::bit_cast<std::uint32_t>(place.normal.z));
-    }
-    h *= 0xbf58476d1ce4e5b9ull;
+// Both the high bits (partition) and the low ones (table) depend on every coordinate.
+std::uint32_t hash_of(const Place& place, HashKey key) {
+    std::uint64_t h =
+        hash_of_bits({std::bit_cast<std::uint64_t>(place.position.x), std::bit_cast<std::uint64_t>(place.position.y),
+                      std::bit_cast<std::uint64_t>(place.position.z)},
+                     place.object, key);
+    if (place.normal != vec3{})
+        h = hash_of_bits({std::bit_cast<std::uint32_t>(place.normal.x), std::bit_cast<std::uint32_t>(place.normal.y),
+                          std::bit_cast<std::uint32_t>(place.normal.z)},
+                         h, key);
     return std::uint32_t(h ^ (h >> 32));
 }
 
@@ -93,7 +88,7 @@ private:
     // 0: not a place; partition and slot are taken from different ends of the rest.
     std::uint32_t hash_at(std::uint32_t m, std::uint32_t vertex) const {
         const Place place = place_of(input_, key_, m, vertex - input_.vertex_base[m]);
-        return is_finite(place.position) ? std::max(1u, hash_of(place)) : 0;
+        return is_finite(place.position) ? std::max(1u, hash_of(place, hash_key_)) : 0;
     }
 
     void partition() {
@@ -156,6 +151,7 @@ private:
 
     const AttributeInput& input_;
     WeldKey key_;
+    HashKey hash_key_ = hash_key_of_this_run();
     Context& context_;
     std::vector<Chunk> chunks_;
     std::uint32_t shift_ = 32, partitions_ = 1;
