@@ -108,12 +108,20 @@ std::string find_import_helper() {
 namespace {
 
 /// The two ends of a pipe, neither of them a standard stream (which may be closed here, and is set anew in the child).
+/// Both are closed where it fails.
 void open_pipe(int (&ends)[2]) {
-    if (pipe2(ends, O_CLOEXEC) != 0) throw Error(ErrorCode::failed, std::string("no pipe for the import helper: ") + std::strerror(errno));
+    const auto failed = [] {
+        return Error(ErrorCode::failed, std::string("no pipe for the import helper: ") + std::strerror(errno));
+    };
+    if (pipe2(ends, O_CLOEXEC) != 0) throw failed();
     for (int& end : ends) {
         if (end > 2) continue;
         const int moved = fcntl(end, F_DUPFD_CLOEXEC, 3);
-        if (moved < 0) throw Error(ErrorCode::failed, std::string("no pipe for the import helper: ") + std::strerror(errno));
+        if (moved < 0) {
+            const Error error = failed();  // before close() changes errno
+            for (const int open : ends) close(open);
+            throw error;
+        }
         close(end);
         end = moved;
     }

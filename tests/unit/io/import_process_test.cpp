@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A helper that crashes, hangs, lies or is not there: each becomes one clear error. Small scripts play the helper.
+#include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 
 #include "import_support.h"
+#include "io/import/helper_process.h"
 #include "io/import/stream_format.h"
 
 namespace rakelight::io::test {
@@ -111,6 +116,38 @@ TEST_F(ImportProcess, TheHelperGetsNoStreamsOfTheProgram) {
     for (int fd; in >> fd;) open.push_back(fd);
     EXPECT_GE(open.size(), 3u);
     for (int fd : open) EXPECT_TRUE(fd <= 2 || fd >= 10) << fd;  // shells keep their script at 10 or above
+}
+
+/// [fds] that are open here, below the limit.
+int open_files(int limit) {
+    int count = 0;
+    for (int fd = 0; fd < limit; ++fd) count += ::fcntl(fd, F_GETFD) >= 0;
+    return count;
+}
+
+/// With standard input closed and one more file free below the limit, a pipe can be made but not moved off the standard
+/// streams. @return how many files more are open after the failure; negative: it did not fail
+int files_left_open_by_a_failed_pipe(const std::string& model) {
+    constexpr int limit = 64;
+    const rlimit files{limit, limit};
+    ::setrlimit(RLIMIT_NOFILE, &files);
+    int last = -1;
+    for (int fd; (fd = ::open("/dev/null", O_RDONLY)) >= 0;) last = fd;
+    ::close(STDIN_FILENO);
+    ::close(last);
+    const int before = open_files(limit);
+    Context context({.threads = 1});
+    try {
+        HelperProcess("/bin/true", model, {}, context);
+    } catch (const Error&) {
+        return open_files(limit) - before;
+    }
+    return -1;
+}
+
+TEST_F(ImportProcess, AFailedPipeLeavesNoFileOpen) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";  // files of this process stay as they are
+    EXPECT_EXIT(std::_Exit(files_left_open_by_a_failed_pipe(model_) & 0xff), testing::ExitedWithCode(0), "");
 }
 
 TEST_F(ImportProcess, ACancelledRunEndsTheHelper) {
