@@ -84,6 +84,9 @@ const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump want
         return "the height map is not used: the mesh has no texture coordinates for it";
     if (normals && !heights && !has_coordinates(mesh, m.normal_texture.texcoord_set))
         return "the normal map is not used: the mesh has no texture coordinates for it";
+    const bool coats = m.model == MaterialModel::metallic_roughness && p.clearcoat > 0 && p.clearcoat_normal_texture;
+    if (coats && !heights && !normals && !has_coordinates(mesh, p.clearcoat_normal_texture.texcoord_set))
+        return "the normal map of the clearcoat is not used: the mesh has no texture coordinates for it";
     if (!heights && !normals && !p.clearcoat_normal_texture && !stretched) return nullptr;
     const std::uint32_t set = tangent_set(scene, mesh, TangentWish::where_needed);
     if (set == none) return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";

@@ -54,6 +54,25 @@ void add_draws(DrawList& list) {
         }
 }
 
+/// Meshes without the texture coordinates of their clearcoat's normal map get a material without that map, which would
+/// tilt all of the coat by one of its texels.
+void drop_coat_normals(DrawList& list) {
+    std::map<std::uint32_t, std::uint32_t> without;  // by the material with it
+    for (Draw& draw : list.draws) {
+        const Mesh& mesh = list.scene.meshes[draw.mesh];
+        const TextureSlot& map = list.materials[draw.material].view.clearcoat_normal_map;
+        const auto set = std::size_t(map.texcoord_set);
+        if (!map.view || (set < mesh.texcoords.size() && !mesh.texcoords[set].empty())) continue;
+        const auto [known, is_new] = without.try_emplace(draw.material, std::uint32_t(list.materials.size()));
+        if (is_new) {
+            DrawMaterial plain = list.materials[draw.material];
+            plain.view.clearcoat_normal_map = {};
+            list.materials.push_back(plain);
+        }
+        draw.material = known->second;
+    }
+}
+
 }  // namespace
 
 void fill_materials(DrawList& list, TextureCache& textures, Context& context);  // material_views.cpp
@@ -64,6 +83,7 @@ DrawList make_draw_list(const Scene& scene, TextureCache& textures, Context& con
     list.node_to_world = world_matrices(scene);
     add_draws(list);
     fill_materials(list, textures, context);
+    drop_coat_normals(list);
     for (const Draw& draw : list.draws)
         if (!scene.meshes[draw.mesh].colors.empty()) list.materials[draw.material].view.vertex_colors = 1;
     return list;

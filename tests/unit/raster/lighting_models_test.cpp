@@ -2,6 +2,7 @@
 // Lighting models of more parameters in the soft engine: the same bits everywhere, and pixels against closed forms.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -51,6 +52,21 @@ TEST(LightingModels, EveryInstructionSetAndAnyThreadsGiveTheSameBits) {
             }
             unsetenv("RAKELIGHT_ISA");
         }
+}
+
+TEST(LightingModels, AClearcoatsNormalMapDoesNothingOnAMeshWithoutItsCoordinates) {
+    Scene scene = busy_scene();
+    MetallicRoughnessParameters& p = scene.materials[1].metallic_roughness;
+    p.clearcoat = 1, p.clearcoat_roughness = 0.2f;
+    const auto drawn = [&](Scene s) { return draw(s, busy_view(), settings_for(Lighting::automatic)); };
+    Scene with_map = scene;
+    const auto tilted = [](int, int) { return std::array{250, 128, 160}; };
+    with_map.materials[1].metallic_roughness.clearcoat_normal_texture =
+        add_texture(with_map, picture(rgb_pixels(4, 4, tilted)));
+    EXPECT_FALSE(same_bits(drawn(with_map), drawn(scene)));
+    for (Scene* const s : {&scene, &with_map})
+        for (Mesh& mesh : s->meshes) mesh.texcoords.clear();
+    EXPECT_TRUE(same_bits(drawn(with_map), drawn(scene)));
 }
 
 /// A square that faces an orthographic camera, lit along the view.
