@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <rakelight/world.h>
+
 #include "console.h"
 #include "interrupt.h"
 #include "options.h"
@@ -80,6 +82,15 @@ void apply_smooth(const BenchWords& w, SmoothBenchOptions& o) {
     o.brute_force = w.brute_force;
 }
 
+std::vector<std::string> arguments_of_pictures(const BenchWords& w) {
+    std::vector<std::string> arguments;
+    for (const auto& [option, word] :
+         {std::pair("--resolution", &w.resolution), {"--samples", &w.samples}, {"--shading", &w.shading}})
+        if (!word->empty()) arguments.push_back(std::string(option) + "=" + *word);
+    add_arguments(w.surface, arguments);
+    return arguments;
+}
+
 void apply_render(const BenchWords& w, RenderBenchOptions& o) {
     refuse("render", {{"--order", w.order}, {"--weight", w.weight}, {"--crease-angle", w.crease_angle}, {"--tolerance", w.tolerance},
                       {"--repetitions", w.repetitions}, {"--with", w.with}});
@@ -107,13 +118,7 @@ void apply_render(const BenchWords& w, RenderBenchOptions& o) {
         o.settings.width = size[0], o.settings.height = size[1];
     }
     if (!w.samples.empty()) o.settings.samples = word<int>("--samples", w.samples, {{"1", 1}, {"4", 4}, {"8", 8}});
-    if (!w.shading.empty())
-        o.settings.shading = word<Shading>("--shading", w.shading,
-                                           {{"unlit", Shading::unlit},
-                                            {"flat", Shading::flat},
-                                            {"gouraud", Shading::gouraud},
-                                            {"phong", Shading::phong},
-                                            {"auto", Shading::automatic}});
+    if (!w.shading.empty()) o.settings.shading = word("--shading", w.shading, shading_words);
     apply(w.surface, o.settings);
 }
 
@@ -126,7 +131,9 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
         app.add_option(name, word, help)->type_name(type)->group(group);
     };
     app.add_option("WHAT", w.what, "What to measure: smooth (normals and tangents) or render (pictures)")->type_name("")->required();
-    app.add_option("SCENE", w.scene, "For render: a model file, or builtin:teapot (default: a scene made by formulas)")->type_name("");
+    app.add_option("SCENE", w.scene,
+                   "For render: a model or world file, or builtin:teapot (default: a scene made by formulas)")
+        ->type_name("");
     add("Measurement", "--triangles", w.triangles, "N", "Size of the model that is made; 100k, 10M (default: smooth 1M, render 100k)");
     add("Measurement", "--objects", w.objects, "N",
         "Objects that it has (default: smooth 16, render 100; fewer where triangles are few)");
@@ -152,6 +159,8 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
 
 void apply(const BenchWords& w, BenchRequest& request) {
     request.is_render = w.what == "render";
+    request.has_engines = !w.engines.empty();
+    request.picture_arguments = arguments_of_pictures(w);
     if (request.is_render) return apply_render(w, request.render);
     if (w.what != "smooth") throw Error(ErrorCode::usage, "bench measures smooth or render, not '" + one_line(w.what, 80) + "'");
     apply_smooth(w, request.smooth);
@@ -167,6 +176,25 @@ std::uint64_t memory_for(const BenchRequest& r) {
 
 }  // namespace
 
+/// How a picture of the world is made by its [render] and the command line; data channels and windows are left out.
+void take_world(const Options& options, RenderBenchOptions& o) {
+    std::vector<std::string> arguments = options.bench.picture_arguments;
+    Context quiet({.threads = 1});
+    const WorldFile world = read_world(o.scene, quiet);
+    const bool says_size = std::ranges::find(world.render, "resolution", &WorldValue::key) != world.render.end() ||
+                           std::ranges::any_of(arguments, [](const auto& a) { return a.starts_with("--resolution="); });
+    if (!says_size)
+        arguments.push_back("--resolution=" + std::to_string(o.settings.width) + "," +
+                            std::to_string(o.settings.height));
+    const PictureRequest picture = request_of_world(arguments, o.scene, options.picture.load.allow_outside);
+    o.picture = picture;
+    o.load = picture.load;
+    o.settings = picture.settings;
+    o.settings.channels = 0;
+    o.settings.window = {};
+    if (!options.bench.has_engines) o.engines = {picture.engine};
+}
+
 int run_bench(const Options& options) {
     ProgressLine progress("bench", options.loudness);
     const BenchRequest& request = options.bench;
@@ -178,6 +206,7 @@ int run_bench(const Options& options) {
     if (request.is_render) {
         RenderBenchOptions render = request.render;
         render.load = options.picture.load;
+        if (is_world_file(render.scene)) take_world(options, render);
         const RenderBenchReport report = bench_render(render, context);
         text = options.json ? to_json(report) : to_text(report);
     } else {

@@ -2,6 +2,7 @@
 // The verb `bench`: measurements of the program itself.
 #pragma once
 #include <string>
+#include <vector>
 
 #include <rakelight/bench.h>
 
@@ -32,6 +33,9 @@ struct BenchRequest {
     bool is_render = false;
     SmoothBenchOptions smooth;
     RenderBenchOptions render;
+    /// Those of the command line that `rakelight render` has too; a world's [render] has to give way to them.
+    std::vector<std::string> picture_arguments;
+    bool has_engines = false;  ///< --engine was given
 };
 
 /// @throws Error usage: a wrong value, or an option of what is not measured

@@ -315,6 +315,14 @@ static Options parse_help(int argc, const char* const* argv) {
     return parse(argc > 2 ? 3 : 2, words);
 }
 
+/// Whether the command line says how the whole is shaded: parts of a world then have no shading of their own.
+static bool shades_the_whole(const CLI::App& verb) {
+    const CLI::Option* const shading = verb.get_option_no_throw("--shading");
+    return shading && std::ranges::any_of(shading->results(), [](const std::string& word) {
+               return !word.starts_with("material:") && !word.starts_with("object:");
+           });
+}
+
 /// @param world  whose options come behind those of the command line; null: none
 static Options parse_with(int argc, const char* const* argv, const WorldOptions* world) {
     check_words(argc, argv);
@@ -345,9 +353,13 @@ static Options parse_with(int argc, const char* const* argv, const WorldOptions*
     for (const VerbEntry& verb : verbs) {
         if (!app.got_subcommand(std::string(verb.name))) continue;
         options.verb = verb.verb;
-        if (world)
-            add_world_options(*app.get_subcommand(std::string(verb.name)), *app.get_subcommand("render"), *world);
+        CLI::App& sub = *app.get_subcommand(std::string(verb.name));
+        const bool is_for_all = shades_the_whole(sub);
+        std::vector<std::string> overridden;
+        if (world) overridden = add_world_options(sub, *app.get_subcommand("render"), *world);
         verb.read(words, options);
+        options.picture.load.overridden = std::move(overridden);
+        options.picture.settings.own_shading = !is_for_all;
     }
     options.arguments.assign(argv, argv + argc);
     return finish(std::move(options), common);
@@ -384,9 +396,13 @@ InputRequest request_for(const Options& options, const std::string& input) {
     return request;
 }
 
+PictureRequest request_of_world(std::vector<std::string> arguments, const std::string& world, bool allow_outside) {
+    arguments.insert(arguments.begin(), {"rakelight", "render", world, "--output=picture.png"});
+    return parse_for_world(arguments, world, allow_outside);
+}
+
 void check_world_options(const Options& options, const std::string& input) {
-    if (is_world_file(input))
-        parse_for_world({"rakelight", "render", input, "-o", "picture.png"}, input, options.picture.load.allow_outside);
+    if (is_world_file(input)) request_of_world({}, input, options.picture.load.allow_outside);
 }
 
 }  // namespace rakelight::cli

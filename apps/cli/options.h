@@ -49,6 +49,9 @@ Options parse(int argc, const char* const* argv);
 /// The request for an input: as the command line says, and for a world file by its [render], too.
 InputRequest request_for(const Options& options, const std::string& input);
 
+/// How `rakelight render` would draw a world. @param arguments  options. @throws Error bad_file, usage
+PictureRequest request_of_world(std::vector<std::string> arguments, const std::string& world, bool allow_outside);
+
 /// Reads [render] of a world as `rakelight render` would; nothing for other files. @throws Error bad_file
 void check_world_options(const Options& options, const std::string& input);
 

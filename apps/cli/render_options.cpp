@@ -55,14 +55,7 @@ void apply_channels(const RenderWords& w, PictureRequest& request) {
                     "let --output end in .exr, or add --channels");
 }
 
-Shading shading_word(std::string_view text) {
-    return word<Shading>("--shading", text,
-                         {{"unlit", Shading::unlit},
-                          {"flat", Shading::flat},
-                          {"gouraud", Shading::gouraud},
-                          {"phong", Shading::phong},
-                          {"auto", Shading::automatic}});
-}
+Shading shading_word(std::string_view text) { return word("--shading", text, shading_words); }
 
 /// HOW, material:NAME=HOW, object:NAME=HOW. Names may hold any character: the last '=' ends them.
 void apply_shading(const RenderWords& w, RenderSettings& s) {

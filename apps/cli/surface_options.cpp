@@ -95,6 +95,11 @@ void add_surface_options(CLI::App& app, SurfaceWords& words, const char* group) 
 
 const char* first_given(const SurfaceWords& words) { return first_given<W>(table, words); }
 
+void add_arguments(const SurfaceWords& words, std::vector<std::string>& arguments) {
+    for (const auto& entry : table)
+        if (!(words.*entry.word).empty()) arguments.push_back(std::string(entry.name) + "=" + words.*entry.word);
+}
+
 void apply(const SurfaceWords& words, RenderSettings& settings) {
     apply_models(words, settings);
     apply_bumps(words, settings);

@@ -2,6 +2,7 @@
 // Options about how surfaces answer light: lighting models, bumps, shadows. All go to RenderSettings.
 #pragma once
 #include <string>
+#include <vector>
 
 #include <rakelight/engine.h>
 
@@ -25,6 +26,9 @@ void add_surface_options(CLI::App& app, SurfaceWords& words, const char* group =
 
 /// The name of one that was given; null: none was.
 const char* first_given(const SurfaceWords& words);
+
+/// Those that were given as arguments of a command line.
+void add_arguments(const SurfaceWords& words, std::vector<std::string>& arguments);
 
 /// @throws Error usage
 void apply(const SurfaceWords& words, RenderSettings& settings);

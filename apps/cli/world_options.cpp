@@ -85,18 +85,26 @@ void give(CLI::Option& option, const WorldValue& value, const WorldOptions& worl
 
 }  // namespace
 
-void add_world_options(CLI::App& verb, const CLI::App& render, const WorldOptions& world) {
+std::vector<std::string> add_world_options(CLI::App& verb, const CLI::App& render, const WorldOptions& world) {
     std::vector<std::string> given;  // several values of one option may stand apart in the world
     for (const CLI::Option* option : verb.get_options())
         if (option->count() > 0) given.push_back(option->get_name());
     std::vector<const WorldValue*> accepted;
+    std::vector<std::string> overridden;
     for (const WorldValue& value : world.render) {
         check_known(render, value);
-        if (!is_excluded(verb, value.key)) accepted.push_back(&value);
+        if (is_excluded(verb, value.key))
+            overridden.push_back(value.key);
+        else
+            accepted.push_back(&value);
     }
     for (const WorldValue* value : accepted) {
         CLI::Option* const option = verb.get_option_no_throw("--" + value->key);
-        if (!option || std::find(given.begin(), given.end(), option->get_name()) != given.end()) continue;
+        if (!option) continue;
+        if (std::find(given.begin(), given.end(), option->get_name()) != given.end()) {
+            overridden.push_back(value->key);
+            continue;
+        }
         if (option->get_group() == "Heat map" && verb.get_option("--heatmap")->count() == 0) continue;
         try {
             give(*option, *value, world);
@@ -104,6 +112,7 @@ void add_world_options(CLI::App& verb, const CLI::App& render, const WorldOption
             fail(*value, "'" + value->key + "': " + one_line(error.what(), 200));
         }
     }
+    return overridden;
 }
 
 /// Whether a text names an option, and not only one that begins like it.

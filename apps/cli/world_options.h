@@ -3,6 +3,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <vector>
 
 #include <rakelight/world.h>
 
@@ -22,8 +23,9 @@ struct WorldOptions {
 /// Gives the options of a verb the world's values, where the command line gave none.
 /// @param verb    that was parsed
 /// @param render  the verb that has all of them; what only that one has is left out
+/// @return the options of the world whose place others of the command line take
 /// @throws Error bad_file with line and column: no such option, or a value that it does not take
-void add_world_options(CLI::App& verb, const CLI::App& render, const WorldOptions& world);
+std::vector<std::string> add_world_options(CLI::App& verb, const CLI::App& render, const WorldOptions& world);
 
 /// The error with the place of the option that it is about, if that is one of the world's. Where one of the command
 /// line is the other half of it, both are named, and the mistake is one of usage.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <rakelight/attributes.h>
-#include <rakelight/render.h>
+#include <rakelight/picture.h>
 
 namespace rakelight {
 
@@ -72,6 +72,9 @@ struct RenderBenchOptions {
     std::vector<std::string> engines = {"soft"};  ///< see make_engine(); each once or more often
     std::uint32_t frames = 15;          ///< counted pictures of each engine, 1 to 10 000, after one that is not counted
     RenderSettings settings = {.width = 1920, .height = 1080};  ///< back faces of the built-in scene are culled whatever it says
+    /// Of a scene file: its materials, normals, view, lights, surroundings and tone, as a picture of it would have
+    /// them. Input, load options, settings and output are those of here.
+    PictureRequest picture;
     std::string output;       ///< picture file for what the first engine drew; empty: none
     std::string export_file;  ///< .glb file for the scene; empty: none
 };
@@ -100,8 +103,9 @@ struct RenderBenchReport {
     std::vector<RenderBenchRow> rows;
 };
 
-/// Draws the scene again and again, through its first camera or one fitted to it, into display values as a picture file
-/// takes them. A model file is prepared as a picture of it would be; where it has no lights, the default rig lights it.
+/// Draws the scene again and again, through its first camera or one fitted to it unless `picture` says else, into
+/// display values as a picture file takes them. A model file is prepared as a picture of it would be; where it has no
+/// lights, the default rig lights it.
 /// @throws Error usage: options out of range, an engine that is not there; what load() and make_engine() throw
 RenderBenchReport bench_render(const RenderBenchOptions& options, Context& context);
 

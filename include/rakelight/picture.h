@@ -90,8 +90,9 @@ struct PictureRequest {
     std::optional<Fog> fog;                    ///< in place of the scene's
     ToneSettings tone;                         ///< of 8-bit pictures; EXR and HDR stay linear
     std::string hdri_file;      ///< equirectangular picture, takes the place of the scene's environment; empty: none
-    bool hdri_ambient = false;  ///< the environment (without a file: the built-in studio) gives light
-    bool hdri_skybox = false;   ///< it is the background
+    /// Whether the environment (without a file: the scene's, else the built-in studio) gives light, and whether it is
+    /// the background; absent: as the scene says, else not.
+    std::optional<bool> hdri_ambient, hdri_skybox;
     RenderSettings settings;  ///< channels go into files by `channel_files`; a window makes the picture as large as the
                               ///< window; alpha is written when background.w < 1
     std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits

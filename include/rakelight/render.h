@@ -13,6 +13,9 @@ namespace rakelight {
 
 struct LoadOptions {
     bool allow_outside = false;  ///< references may leave the model's own folder tree
+    /// Options in [render] of a world file whose place others have taken, such as "camera-index": what they name need
+    /// not be there.
+    std::vector<std::string> overridden;
 };
 
 /// Loads a model file or one of builtin:teapot, sphere, cylinder, cone, torus, plane. What was changed, guessed or

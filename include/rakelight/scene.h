@@ -118,6 +118,10 @@ struct MetallicRoughnessParameters {
     TextureUse sheen_color_texture, sheen_roughness_texture;
 };
 
+/// How often lighting is evaluated. Automatic: Gouraud for a mesh none of whose triangles has an edge longer than
+/// automatic_gouraud_px (engine.h) on the picture, else Phong; Phong also where normal or roughness maps act.
+enum class Shading : std::uint8_t { unlit, flat, gouraud, phong, automatic };
+
 struct Material {
     std::string name;
     MaterialModel model = MaterialModel::metallic_roughness;
@@ -138,6 +142,7 @@ struct Material {
     Lighting lighting = Lighting::automatic;  ///< automatic: as the picture's settings say
     SpecularForm specular_form = SpecularForm::automatic;
     std::optional<WardForm> ward_form;
+    std::optional<Shading> shading;  ///< absent: as its node, or as the picture's settings say
     Bump bump = Bump::automatic;  ///< automatic: as the picture's settings say
     BumpTerms bump_terms = BumpTerms::automatic;
     std::optional<Relief> relief;    ///< absent: as the picture's settings say
@@ -211,6 +216,7 @@ struct Node {
     std::uint32_t skin = none;
     std::vector<float> morph_weights;
     std::uint32_t source_node = none;   ///< index in the file (glTF)
+    std::optional<Shading> shading;     ///< of it and of all that hangs from it; absent: as its parent
 };
 
 struct Skin {

@@ -43,7 +43,8 @@ struct WorldModel {
     std::string normals;   ///< "auto", "file", "flat", "object", "model"; empty: as the picture's options say
     std::optional<double> crease_angle_rad;
     bool lights = false, cameras = false;  ///< whether the model's own come along
-    WorldPlace place, material_place, shading_place;  ///< of `file`, `material`, `shading` (nowhere: has none)
+    std::optional<Shading> shading;
+    WorldPlace place, material_place;  ///< of `file`, `material`
 };
 
 /// A shape that is made by formula.
@@ -58,7 +59,8 @@ struct WorldPrimitive {
     std::string material;
     std::string normals;
     std::optional<double> crease_angle_rad;
-    WorldPlace place, material_place, shading_place;
+    std::optional<Shading> shading;
+    WorldPlace place, material_place;
 };
 
 /// Changes to materials, or a material of the world's own.

@@ -44,6 +44,21 @@ void check_memory(const std::vector<AttributeMesh>& meshes, Context& context) {
     context.memory().check(bytes, "normals and tangents of all instances");
 }
 
+/// All meshes that get vertices of their own, with normals and tangents that they had none of, together.
+/// @param numbers  of the meshes, as `results` has them
+void check_split(const Scene& scene, const std::vector<std::uint32_t>& numbers,
+                 const std::vector<MeshAttributes>& results, Context& context) {
+    std::uint64_t bytes = 0;
+    for (std::size_t r = 0; r < results.size(); ++r) {
+        const Mesh& mesh = scene.meshes[numbers[r]];
+        const std::uint64_t added = results[r].source_vertex.size(), all = mesh.positions.size() + added;
+        bytes += results[r].normals.size() * sizeof(vec3) + results[r].tangents.size() * sizeof(vec4) +
+                 results[r].indices.size() * sizeof(std::uint32_t);
+        if (added > 0) bytes += all * vertex_bytes(mesh);
+    }
+    context.memory().check(bytes, "vertices with normals of their own");
+}
+
 Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_normals, Context& context) {
     Mesh mesh = source;
     mesh.tangents = {};
@@ -154,6 +169,7 @@ Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& c
     const bool new_normals = request.attributes.normals;
     Computed computed = compute(scene, numbers, meshes, options_for(request, meshes), context);
     std::vector<MeshAttributes>& results = computed.attributes;
+    check_split(scene, numbers, results, context);
     report_faults(scene, numbers, results, request.attributes, context.report());
     if (new_normals) warn_of_parting_vertices(scene, s.instances, world, context.report());
 

@@ -17,6 +17,8 @@ void extend(Block<T>& block, std::span<const std::uint32_t> source_vertex) {
 }
 
 /// Bytes a vertex over all arrays.
+}  // namespace
+
 std::uint64_t vertex_bytes(const Mesh& mesh) {
     std::uint64_t bytes = sizeof(vec3);
     if (!mesh.normals.empty()) bytes += sizeof(vec3);
@@ -25,8 +27,6 @@ std::uint64_t vertex_bytes(const Mesh& mesh) {
     if (!mesh.influences.empty()) bytes += sizeof(JointInfluence);
     return bytes + mesh.texcoords.size() * sizeof(vec2) + mesh.targets.size() * 3 * sizeof(vec3);
 }
-
-}  // namespace
 
 void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<const std::uint32_t> source_vertex, Context& context) {
     if (!indices.empty()) {

@@ -53,6 +53,25 @@ bool lacks_normals(const Scene& scene) {
     });
 }
 
+/// [bytes] of arrays that `made` has and `source` has not.
+std::uint64_t new_bytes(const Scene& made, const Scene& source) {
+    std::set<const void*> known;
+    std::uint64_t bytes = 0;
+    const auto count = [&](const auto& block) {
+        if (!block.empty() && known.insert(block.identity()).second) bytes += block.size() * sizeof(block[0]);
+    };
+    for (const Scene* scene : {&source, &made}) {
+        bytes = 0;
+        for (const Mesh& m : scene->meshes) {
+            count(m.positions), count(m.normals), count(m.tangents), count(m.colors), count(m.indices);
+            count(m.influences);
+            for (const Block<vec2>& set : m.texcoords) count(set);
+            for (const MorphTarget& t : m.targets) count(t.positions), count(t.normals), count(t.tangents);
+        }
+    }
+    return bytes;
+}
+
 /// The normals that the world asks for, or that only this model's format means.
 template <class Part>
 Scene with_normals(Scene scene, const Part& part, Context& context) {
@@ -62,7 +81,9 @@ Scene with_normals(Scene scene, const Part& part, Context& context) {
     options.normals = normals_of(part.normals);
     if (part.crease_angle_rad) options.crease_angle_rad = *part.crease_angle_rad;
     if (part.crease_angle_rad && part.normals.empty()) options.normals = NormalSource::model;
-    return prepare_scene(scene, options, context);
+    Scene made = prepare_scene(scene, options, context);
+    context.memory().charge(new_bytes(made, scene), "normals of the world's own");
+    return made;
 }
 
 /// What makes one shape equal to another, but for place and material.
@@ -73,6 +94,14 @@ struct ShapeKey {
     std::optional<double> crease_angle_rad;
 
     auto operator<=>(const ShapeKey&) const = default;
+};
+
+/// What makes one model equal to another, but for place and material.
+struct ModelKey {
+    std::string file, normals;
+    std::optional<double> crease_angle_rad;
+
+    auto operator<=>(const ModelKey&) const = default;
 };
 
 ShapeKey key_of(const WorldPrimitive& p) {
@@ -115,7 +144,7 @@ public:
     }
 
     void add_model(const WorldModel& model) {
-        Scene part = with_normals(load_file(model), model, context_);
+        Scene part = load_prepared(model);
         name_default_material(part);  // so that [[material]] finds it
         if (!model.lights) part.lights.clear();
         if (!model.cameras) part.cameras.clear();
@@ -135,7 +164,6 @@ public:
         apply_materials(scene_, world, parts_, path_, options_, context_);
         scene_.lights.insert(scene_.lights.begin(), world.lights.begin(), world.lights.end());
         scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
-        check_shading();
         check_render(world);
         warn_of_twins(world, path_, context_.report());
         if (world.fog) scene_.fog = *world.fog;
@@ -160,6 +188,14 @@ private:
         }
     }
 
+    /// With the normals that it asks for, which are made once too.
+    const Scene& load_prepared(const WorldModel& model) {
+        const ModelKey key{model.file, model.normals, model.crease_angle_rad};
+        const auto known = prepared_.find(key);
+        if (known != prepared_.end()) return known->second;
+        return prepared_.emplace(key, with_normals(load_file(model), model, context_)).first->second;
+    }
+
     /// Equal shapes share their arrays.
     const Scene& make_shape(const WorldPrimitive& shape) {
         const ShapeKey key = key_of(shape);
@@ -174,28 +210,19 @@ private:
     template <class Part>
     void add(const Scene& part, const Part& of) {
         const auto first_mesh = std::uint32_t(scene_.meshes.size()), first_node = std::uint32_t(scene_.nodes.size());
-        const Node root = root_node(of.name, of.placement);
+        Node root = root_node(of.name, of.placement);
+        root.shading = of.shading;
         const MergeOffsets by = merge_scene(scene_, part, &root);
         const auto end_material = std::uint32_t(by.materials + part.materials.size());
         parts_.push_back({of.name, by.materials, end_material, first_mesh, std::uint32_t(scene_.meshes.size()),
-                          first_node, std::uint32_t(scene_.nodes.size()), of.shading_place, of.material});
-    }
-
-    /// Rules of shading go by name: no object inside of another model may have that of a part with one.
-    void check_shading() const {
-        for (const LoadedPart& part : parts_)
-            for (std::uint32_t n = 0; part.shading_place.line > 0 && n < scene_.nodes.size(); ++n)
-                if ((n < part.first_node || n >= part.end_node) && scene_.nodes[n].name == part.name)
-                    throw Error(ErrorCode::bad_file,
-                                "'shading' goes by name, and an object of another model is named '" +
-                                    one_line(part.name, 40) + "' too",
-                                to_text(part.shading_place), "give this part another 'name'");
+                          first_node, std::uint32_t(scene_.nodes.size()), of.material});
     }
 
     /// What [render] names is there: the camera and the pictures.
     void check_render(const WorldFile& world) const {
         for (const WorldValue& value : world.render) {
-            if (value.words.size() != 1) continue;
+            const std::vector<std::string>& others = options_.overridden;
+            if (value.words.size() != 1 || std::find(others.begin(), others.end(), value.key) != others.end()) continue;
             if (value.key == "camera-index") check_camera(value);
             for (const char* key : {"texture-base-color", "texture-normal", "height-map", "hdri-file"})
                 if (value.key == key) checked_picture(path_, value.words[0], value.place, options_, context_);
@@ -224,6 +251,7 @@ private:
     Scene scene_;
     std::vector<LoadedPart> parts_;
     std::map<std::string, Scene> loaded_;
+    std::map<ModelKey, Scene> prepared_;
     std::map<ShapeKey, Scene> shapes_;
 };
 

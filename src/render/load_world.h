@@ -25,7 +25,6 @@ struct LoadedPart {
     std::uint32_t first_material = 0, end_material = 0;  ///< in the scene; those behind are the world's own
     std::uint32_t first_mesh = 0, end_mesh = 0;
     std::uint32_t first_node = 0, end_node = 0;
-    WorldPlace shading_place;     ///< nowhere: has none
     const std::string& material;  ///< for all of it, or empty
 };
 

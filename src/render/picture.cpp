@@ -62,6 +62,22 @@ PrepareOptions prepare_options(const PictureRequest& request) {
     return prepare;
 }
 
+Scene scene_of_request(const PictureRequest& request, Context& context) {
+    Scene scene = load(request.input, request.load, context);
+    scene = override_materials(scene, request.materials, context);
+    scene = with_height_maps(std::move(scene), request.settings, context);
+    return with_environment(std::move(scene), request, context);
+}
+
+ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context) {
+    check_drawable(scene);
+    warn_of_unknown_names(scene, request.settings, context.report());
+    const double aspect = double(request.settings.width) / double(request.settings.height);
+    const Camera camera = choose_camera(scene, request.view, aspect, context);
+    scene = prepare_scene(with_lights(std::move(scene), request, camera), prepare_options(request), context);
+    return {std::move(scene), camera};
+}
+
 Window whole_window(const RenderSettings& s) {
     return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
 }
@@ -97,18 +113,11 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     PictureResult result{.file = request.input, .output = request.output};
     Stopwatch watch;
     context.progress("load", 0);
-    Scene scene = load(request.input, request.load, context);
-    scene = override_materials(scene, request.materials, context);
-    scene = with_height_maps(std::move(scene), request.settings, context);
-    scene = with_environment(std::move(scene), request, context);
+    Scene loaded = scene_of_request(request, context);
     result.load_ms = watch.lap_ms();
 
     context.progress("prepare", 0);
-    check_drawable(scene);
-    warn_of_unknown_names(scene, request.settings, context.report());
-    const double aspect = double(request.settings.width) / double(request.settings.height);
-    const Camera camera = choose_camera(scene, request.view, aspect, context);
-    scene = prepare_scene(with_lights(std::move(scene), request, camera), prepare_options(request), context);
+    const auto [scene, camera] = ready_scene(std::move(loaded), request, context);
     engine.prepare(scene, context);
     result.view_range = view_range(scene, camera);
     result.triangles = triangle_count(scene);

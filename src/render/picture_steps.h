@@ -20,6 +20,18 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
 /// What is made ready, with what the settings ask for.
 PrepareOptions prepare_options(const PictureRequest& request);
 
+/// The model of a request as it is asked for: its materials, height maps and surroundings.
+Scene scene_of_request(const PictureRequest& request, Context& context);
+
+/// What an engine takes.
+struct ReadyScene {
+    Scene scene;
+    Camera camera;
+};
+/// Chooses the camera, sets the lights and prepares. @param scene  of scene_of_request()
+/// @throws Error bad_file: nothing to draw
+ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context);
+
 /// Warns of rules for shading that fit nothing in the scene.
 void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, Report& report);
 

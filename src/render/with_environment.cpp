@@ -28,15 +28,20 @@ ImageHandle environment_file(const std::string& path, Context& context) {
 }  // namespace
 
 Scene with_environment(Scene scene, const PictureRequest& request, Context& context) {
-    if (request.hdri_file.empty() && !request.hdri_ambient && !request.hdri_skybox) return scene;
+    const bool is_wanted =
+        !request.hdri_file.empty() || request.hdri_ambient.value_or(false) || request.hdri_skybox.value_or(false);
+    const bool is_changed = scene.environment && (request.hdri_ambient || request.hdri_skybox);
+    if (!is_wanted && !is_changed) return scene;
     Environment environment = scene.environment.value_or(Environment{.is_light = false, .is_background = false});
     if (!request.hdri_file.empty()) environment.image = environment_file(request.hdri_file, context);
-    environment.is_light |= request.hdri_ambient;
-    environment.is_background |= request.hdri_skybox;
-    if (!environment.is_light && !environment.is_background)
+    environment.is_light = request.hdri_ambient.value_or(environment.is_light);
+    environment.is_background = request.hdri_skybox.value_or(environment.is_background);
+    const bool is_unseen = !environment.is_light && !environment.is_background;
+    if (is_unseen && is_wanted)
         context.report().add(Remark::warning, request.hdri_file, {},
                              "nothing shows the environment: --hdri-ambient lights by it, --hdri-skybox shows it");
-    scene.environment = std::move(environment);
+    scene.environment.reset();
+    if (!is_unseen) scene.environment = std::move(environment);
     return scene;
 }
 

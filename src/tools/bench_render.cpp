@@ -7,7 +7,6 @@
 
 #include <rakelight/picture.h>
 
-#include "render/drawable.h"
 #include "render/engines.h"
 #include "render/picture_sink.h"
 #include "render/picture_steps.h"
@@ -70,17 +69,14 @@ void check(const RenderBenchOptions& o) {
 class RenderBench {
 public:
     RenderBench(const RenderBenchOptions& options, Context& context)
-        : options_(options), context_(context), settings_(options.settings) {
-        const bool is_built_in = options.scene.empty();
-        scene_ = is_built_in ? make_bench_scene(options.triangles, options.objects, options.lights, context)
-                             : load(options.scene, options.load, context);
-        check_drawable(scene_);
-        if (is_built_in)
-            settings_.cull = Cull::back;  // all of it is closed; of classical materials both sides are drawn else
-        if (!options.export_file.empty()) export_bench_scene(scene_, options.export_file, context);
-        camera_ = choose_camera(scene_, {}, double(options.settings.width) / double(options.settings.height), context);
-        if (!is_built_in && scene_.lights.empty()) scene_.lights = default_lights(camera_.to_world);
-        scene_ = prepare_scene(scene_, {}, context);
+        : options_(options),
+          context_(context),
+          settings_(options.settings),
+          sink_(PixelFormat{}, options.picture.tone) {
+        if (options.scene.empty())
+            take_built_in();
+        else
+            take_file();
     }
 
     RenderBenchReport run() {
@@ -104,6 +100,26 @@ public:
     }
 
 private:
+    void take_built_in() {
+        scene_ = make_bench_scene(options_.triangles, options_.objects, options_.lights, context_);
+        settings_.cull = Cull::back;  // all of it is closed; of classical materials both sides are drawn else
+        if (!options_.export_file.empty()) export_bench_scene(scene_, options_.export_file, context_);
+        camera_ = choose_camera(scene_, {}, double(settings_.width) / double(settings_.height), context_);
+        scene_ = prepare_scene(scene_, {}, context_);
+    }
+
+    void take_file() {
+        PictureRequest request = options_.picture;
+        request.input = options_.scene;
+        request.load = options_.load;
+        request.settings = settings_;
+        Scene loaded = scene_of_request(request, context_);
+        if (!options_.export_file.empty()) export_bench_scene(loaded, options_.export_file, context_);
+        ReadyScene ready = ready_scene(std::move(loaded), request, context_);
+        scene_ = std::move(ready.scene);
+        camera_ = ready.camera;
+    }
+
     void add_engine(const std::string& name, const Scene& scene) {
         Measured& m = measured_.emplace_back();
         m.engine = make_engine(name);
@@ -132,6 +148,7 @@ private:
         PictureRequest request;
         request.output = options_.output;
         request.settings = settings_;
+        request.tone = options_.picture.tone;
         PictureResult result;
         draw_to_files(*measured_.front().engine, camera_, request, result, context_);
     }
@@ -167,7 +184,7 @@ private:
     RenderSettings settings_;
     Scene scene_;
     Camera camera_;
-    PictureSink sink_{PixelFormat{}};  ///< display values, three bytes a pixel
+    PictureSink sink_;  ///< display values, three bytes a pixel
     std::vector<Measured> measured_;
 };
 

@@ -45,7 +45,7 @@ BROKEN = [
     (WALL + "[render]\ncamera-index = 'frnt'\n[[camera]]\nname = 'front'\nposition = [0, 0, 9]\n", 4, 1, "did you mean 'front'?"),
     (WALL + "[render]\nheight-map = 'none.png'\n", 4, 1, "'none.png': "),
     (WALL + "[[material]]\nname = 'unused'\nnormal_texture = 'none.png'\n", 5, 18, "none.png"),
-    (WALL + "shading = 'flat'\n[[model]]\nfile = 'a.obj'\n", 3, 11, "2 parts are named 'a'"),
+    (WALL + "shading = 'smooth'\n", 3, 11, "unknown word 'smooth'"),
 ]
 
 
@@ -93,11 +93,56 @@ class Worlds(program.Case):
         self.assertEqual(self.render(WALL + lights)[3][6][24], 170)  # 0.4 of light as sRGB
 
     def test_shading_of_a_part_goes_to_that_part(self):
-        text = WALL + "[[model]]\nfile = 'a.obj'\nname = 'b'\nshading = 'unlit'\nposition = [3, 0, 0]\n[render]\nresolution = [40, 20]\nview = 'front'\n"
+        # Two of one name: what says it is meant, not what is called so.
+        text = WALL + "[[model]]\nfile = 'a.obj'\nshading = 'unlit'\nposition = [3, 0, 0]\n[render]\nresolution = [40, 20]\nview = 'front'\n"
         self.write("w.scene.toml", text)
-        run = self.run_program("render", "w.scene.toml", "-o", "a.png", "--json")
-        stats = json.loads(run.out)["rows"][0]["stats"]
-        self.assertEqual(stats["lighting_evaluations"] * 2, stats["pixels_covered"])
+
+        def lit(*options):  # pixels that lighting was evaluated at, of those that are covered
+            run = self.run_program("render", "w.scene.toml", "-o", "a.png", "--json", *options)
+            stats = json.loads(run.out)["rows"][0]["stats"]
+            return stats["lighting_evaluations"] / stats["pixels_covered"]
+
+        self.assertEqual(lit(), 0.5)
+        self.assertEqual(lit("--shading", "phong"), 1)  # of the command line: for the whole
+        self.assertEqual(lit("--shading", "object:nobody=flat"), 0.5)
+        self.write("w.scene.toml", text + "shading = 'phong'\n")  # of the world: for parts that say nothing
+        self.assertEqual(lit(), 0.5)
+
+    def test_what_render_names_need_not_be_there_where_the_command_line_takes_its_place(self):
+        self.write("b.scene.toml", "[[model]]\nfile = 'a.obj'\n[render]\nresolution = [16, 12]\ncamera-index = 'none'\n[[camera]]\nname = 'front'\nposition = [0, 0, 9]\n")
+        self.check_refused(self.run_program("render", "b.scene.toml", "-o", "b.png"), 4, "there is no camera 'none'")
+        for options in (("--camera-index", "front"), ("--view", "front"), ("--camera-position", "0,0,9")):
+            result = self.run_program("render", "b.scene.toml", "-o", "b.png", *options)
+            self.assertEqual((result.code, result.err), (0, ""), options)
+        self.write("c.scene.toml", WALL + "[render]\nresolution = [16, 12]\nhdri-file = 'none.exr'\nhdri-ambient = true\n")
+        self.check_refused(self.run_program("render", "c.scene.toml", "-o", "c.png"), 3, "none.exr")
+        self.run_program("render", "b.scene.toml", "-o", "sky.hdr", "--view", "front", "--resolution", "16,8")
+        result = self.run_program("render", "c.scene.toml", "-o", "c.png", "--hdri-file", "sky.hdr")
+        self.assertEqual((result.code, result.err), (0, ""))
+
+    def test_an_environment_of_a_world_can_be_switched_off(self):
+        world = WALL + "[environment]\n[render]\nresolution = [16, 12]\nview = 'front'\ncolor = '#ffffff'\n"
+        plain = self.render(world.replace("[environment]\n", ""))
+        self.assertNotEqual(self.render(world), plain)
+        self.assertEqual(self.render(world, "--hdri-ambient", "off", "--hdri-skybox", "off"), plain)
+        background = self.render(world)[3][0][:3]
+        unlit = self.render(world, "--hdri-ambient", "off")
+        self.assertEqual(unlit[3][0][:3], background)
+        self.assertEqual(unlit[3][6][24:27], plain[3][6][24:27])
+        self.assertEqual(self.render(world + "hdri-ambient = false\nhdri-skybox = false\n"), plain)
+
+    def test_bench_draws_the_picture_that_the_world_asks_for(self):
+        text = WALL + "[[camera]]\nposition = [0, 0, 9]\n[[camera]]\nname = 'side'\nposition = [4, 0, 9]\n[render]\n"
+        text += "resolution = [24, 12]\ncamera-index = 'side'\nlight = ['ambient:0.3,0.2,0.1']\nexposure = 1\nbackground = '#102030'\nchannels = 'depth'\n"
+        expected = self.render(text)
+        result = self.run_program("bench", "render", "w.scene.toml", "--frames", "1", "-o", "b.png", "--json")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(png(self.folder / "b.png"), expected)
+        self.run_program("bench", "render", "w.scene.toml", "--frames", "1", "-o", "b.png", "--resolution", "12,6", "--shading", "unlit")
+        self.assertEqual(png(self.folder / "b.png"), self.render(text, "--resolution", "12,6", "--shading", "unlit"))
+        self.write("v.scene.toml", WALL)
+        sizes = json.loads(self.run_program("bench", "render", "v.scene.toml", "--frames", "1", "--json").out)
+        self.assertEqual((sizes["width"], sizes["height"]), (1920, 1080))
 
     def test_every_verb_that_takes_a_scene_takes_a_world(self):
         self.write("w.scene.toml", WALL + "[render]\nresolution = [16, 12]\nchannels = 'depth'\n")

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often lighting is evaluated on each draw: by the settings, by rules for objects and materials, or by the size of
-// its triangles.
+// How often lighting is evaluated on each draw: by the settings, by rules for objects and materials, by what the scene
+// says of them, or by the size of its triangles.
 #include <algorithm>
+#include <optional>
 
 #include "engines/raster/full_jobs.h"
 #include "engines/raster/light_points.h"
@@ -18,25 +19,42 @@ std::ptrdiff_t last_rule(const RenderSettings& settings, ShadingRule::Of of, con
     return known;
 }
 
-/// [nodes] the last rule that fits, -1: none. A node's own name counts, and those of all it hangs from; parents come
-/// first.
-std::vector<std::ptrdiff_t> rules_of_nodes(const FrontEnd& front) {
+/// What nodes are to be shaded like, with all that hangs from them.
+struct NodeChoice {
+    std::ptrdiff_t rule = -1;    ///< the last that fits its name or one of those that it hangs from; -1: none
+    std::optional<Shading> own;  ///< its own, else that of the nearest node above that has one
+};
+
+/// [nodes] Parents come first.
+std::vector<NodeChoice> choices_of_nodes(const FrontEnd& front) {
     const std::vector<Node>& nodes = front.list.scene.nodes;
-    std::vector<std::ptrdiff_t> rules(nodes.size());
+    std::vector<NodeChoice> choices(nodes.size());
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-        const std::ptrdiff_t inherited = nodes[n].parent == none ? -1 : rules[nodes[n].parent];
-        rules[n] = last_rule(front.settings, ShadingRule::Of::object, nodes[n].name, inherited);
+        const NodeChoice above = nodes[n].parent == none ? NodeChoice{} : choices[nodes[n].parent];
+        choices[n] = {last_rule(front.settings, ShadingRule::Of::object, nodes[n].name, above.rule),
+                      nodes[n].shading ? nodes[n].shading : above.own};
     }
-    return rules;
+    return choices;
 }
 
-/// @param of_node  the last rule for the draw's object, -1: none
-Shading wanted(const FrontEnd& front, const Draw& draw, std::ptrdiff_t of_node) {
-    const std::uint32_t material = front.list.materials[draw.material].scene_material;
-    const std::ptrdiff_t rule = material == none ? of_node
-                                                 : last_rule(front.settings, ShadingRule::Of::material,
-                                                             front.list.scene.materials[material].name, of_node);
-    return rule < 0 ? front.settings.shading : front.settings.shading_rules[std::size_t(rule)].shading;
+Shading wanted(const FrontEnd& front, const Draw& draw, const NodeChoice& of_node) {
+    const RenderSettings& s = front.settings;
+    const std::uint32_t number = front.list.materials[draw.material].scene_material;
+    const Material* const material = number == none ? nullptr : &front.list.scene.materials[number];
+    const std::ptrdiff_t rule =
+        material ? last_rule(s, ShadingRule::Of::material, material->name, of_node.rule) : of_node.rule;
+    if (rule >= 0) return s.shading_rules[std::size_t(rule)].shading;
+    if (s.own_shading && material && material->shading) return *material->shading;
+    return s.own_shading && of_node.own ? *of_node.own : s.shading;
+}
+
+/// Whether what the settings say of the whole is what all of it is shaded like.
+bool is_all_alike(const FrontEnd& front) {
+    const auto has_own = [](const auto& one) { return one.shading.has_value(); };
+    const Scene& scene = front.list.scene;
+    return front.settings.shading != Shading::automatic && front.settings.shading_rules.empty() &&
+           !(front.settings.own_shading && (std::any_of(scene.nodes.begin(), scene.nodes.end(), has_own) ||
+                                            std::any_of(scene.materials.begin(), scene.materials.end(), has_own)));
 }
 
 /// Gouraud shading has neither shadows, nor bumps, nor a roughness that changes from pixel to
@@ -69,13 +87,12 @@ bool edges_are_within(const FrontEnd& front, std::uint32_t number, double pixels
 }  // namespace
 
 void choose_shading(FrontEnd& front, Context& context) {
-    const Shading for_all = front.settings.shading;
-    front.shading.assign(front.list.draws.size(), for_all);
-    if (for_all != Shading::automatic && front.settings.shading_rules.empty()) return;
-    const std::vector<std::ptrdiff_t> rules = rules_of_nodes(front);
+    front.shading.assign(front.list.draws.size(), front.settings.shading);
+    if (is_all_alike(front)) return;
+    const std::vector<NodeChoice> choices = choices_of_nodes(front);
     context.parallel_for(front.list.draws.size(), [&](std::size_t d) {
         const Draw& draw = front.list.draws[d];
-        Shading shading = wanted(front, draw, rules[draw.node]);
+        Shading shading = wanted(front, draw, choices[draw.node]);
         if (shading == Shading::automatic) {
             const bool is_fine = !front.clip[d].empty() && !needs_pixels(front, std::uint32_t(d)) &&
                                  edges_are_within(front, std::uint32_t(d), automatic_gouraud_px);

@@ -183,9 +183,10 @@ std::vector<MaterialKey> lighting() {
         {{"sigma_deg", Kind::number, "Oren-Nayar: roughness of its facets", {0, 90}},
          Of::all,
          [](C& c) { c.material.sigma_rad = radians(c.number()); }},
-        {{"shading", Kind::word, "As --shading", any_number, {"unlit", "flat", "gouraud", "phong", "auto"}},
+        {{"shading", Kind::word, "How often its lighting is evaluated, before that of its model and --shading",
+          any_number, names_of<Shading>(shading_words)},
          Of::all,
-         nullptr},
+         [](C& c) { c.material.shading = value_of(shading_words, c.word()); }},
     };
 }
 

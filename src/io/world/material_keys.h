@@ -28,7 +28,7 @@ struct MaterialKey {
     void (*set)(MaterialChange&);
 };
 
-/// All but name and model; `shading` has no setter, since it is an option of the picture.
+/// All but name and model.
 const std::vector<MaterialKey>& material_setters();
 const MaterialKey* find_material_key(std::string_view name);
 

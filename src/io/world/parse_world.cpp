@@ -19,11 +19,11 @@ constexpr std::size_t most_bytes = 4u << 20, most_entries = 10'000;
 using Reading = void (*)(const SectionValues& values, WorldFile& world);
 
 constexpr std::pair<const char*, Reading> readings[] = {
-    {"model", [](const SectionValues& v, WorldFile& w) { w.models.push_back(read_model(v, w)); }},
-    {"primitive", [](const SectionValues& v, WorldFile& w) { w.primitives.push_back(read_primitive(v, w)); }},
+    {"model", [](const SectionValues& v, WorldFile& w) { w.models.push_back(read_model(v)); }},
+    {"primitive", [](const SectionValues& v, WorldFile& w) { w.primitives.push_back(read_primitive(v)); }},
     {"light", [](const SectionValues& v, WorldFile& w) { w.lights.push_back(read_light(v)); }},
     {"camera", [](const SectionValues& v, WorldFile& w) { w.cameras.push_back(read_camera(v, w)); }},
-    {"material", [](const SectionValues& v, WorldFile& w) { w.materials.push_back(read_material(v, w)); }},
+    {"material", [](const SectionValues& v, WorldFile& w) { w.materials.push_back(read_material(v)); }},
     {"fog", [](const SectionValues& v, WorldFile& w) { w.fog = read_fog(v); }},
     {"environment", [](const SectionValues& v, WorldFile& w) { w.environment = read_environment(v); }},
 };

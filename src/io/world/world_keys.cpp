@@ -21,11 +21,8 @@ std::vector<WorldKey> placed(std::vector<WorldKey> keys) {
     keys.push_back({"material", Kind::text, "Name of a [[material]] for all of it"});
     keys.push_back({"normals", Kind::word, "Whose normals count, as --normals", any_number, normal_words});
     keys.push_back({"crease_angle_deg", Kind::number, "Edges bent more stay sharp, as --crease-angle", {0, 180}});
-    keys.push_back({"shading",
-                    Kind::word,
-                    "How often its lighting is evaluated, as --shading",
-                    any_number,
-                    {"unlit", "flat", "gouraud", "phong", "auto"}});
+    keys.push_back({"shading", Kind::word, "How often its lighting is evaluated, before --shading", any_number,
+                    names_of<Shading>(shading_words)});
     return keys;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/error.h>
 #include <rakelight/words.h>
 #include <rakelight/world.h>
 
@@ -61,12 +62,13 @@ std::vector<const char*> names_of(std::span<const Word<T>> words) {
     for (const Word<T>& word : words) names.push_back(word.name);
     return names;
 }
-/// @param name  that was checked to be one of `words`
+/// @throws Error bad_file: `name` is none of the words; a key's own words (WorldKey::words) were checked before
 template <class T, std::size_t n>
 T value_of(const Word<T> (&words)[n], std::string_view name) {
     for (const Word<T>& word : words)
         if (name == word.name) return word.value;
-    return words[0].value;
+    throw Error(ErrorCode::bad_file,
+                "'" + one_line(std::string(name), 40) + "' is not one of the words that may stand here");
 }
 
 }  // namespace rakelight::io::world

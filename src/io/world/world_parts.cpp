@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <set>
 
 #include "io/world/material_keys.h"
@@ -19,32 +18,21 @@ WorldPlacement read_placement(const SectionValues& v) {
     return placement;
 }
 
-/// As `--shading` has it.
-void add_shading(const SectionValues& v, const std::string& of, WorldFile& world) {
-    if (!v.has("shading")) return;
-    world.render.push_back({.key = "shading",
-                            .words = {of + "=" + v.text("shading")},
-                            .numbers = {},
-                            .is_array = true,
-                            .place = v.place_of("shading")});
-}
-
 template <class Part>
-void read_common(const SectionValues& v, Part& part, WorldFile& world) {
+void read_common(const SectionValues& v, Part& part) {
     part.place = v.place_of("file");
     part.material_place = v.place_of("material");
-    if (v.has("shading")) part.shading_place = v.place_of("shading");
+    if (v.has("shading")) part.shading = value_of(shading_words, v.text("shading"));
     part.name = v.text("name", part.name);
     part.placement = read_placement(v);
     part.material = v.text("material");
     part.normals = v.text("normals");
     if (v.has("crease_angle_deg")) part.crease_angle_rad = radians(v.number("crease_angle_deg", 0));
-    add_shading(v, "object:" + part.name, world);
 }
 
 }  // namespace
 
-WorldModel read_model(const SectionValues& v, WorldFile& world) {
+WorldModel read_model(const SectionValues& v) {
     WorldModel model;
     model.file = v.text("file");
     if (is_world_file(model.file)) fail(v.place_of("file"), "a world does not stand in another");
@@ -52,11 +40,11 @@ WorldModel read_model(const SectionValues& v, WorldFile& world) {
         model.file.starts_with("builtin:") ? model.file.substr(8) : std::filesystem::path(model.file).stem().string();
     model.lights = v.flag("lights", false);
     model.cameras = v.flag("cameras", false);
-    read_common(v, model, world);
+    read_common(v, model);
     return model;
 }
 
-WorldPrimitive read_primitive(const SectionValues& v, WorldFile& world) {
+WorldPrimitive read_primitive(const SectionValues& v) {
     WorldPrimitive shape;
     shape.type = shape.name = v.text("type");
     const auto only_for = [&](const char* key, std::initializer_list<const char*> types) {
@@ -76,11 +64,11 @@ WorldPrimitive read_primitive(const SectionValues& v, WorldFile& world) {
     shape.divisions = int(v.number("divisions", shape.type == "teapot" ? 10 : 1));
     shape.objects = int(v.number("objects", 1));
     shape.tolerance = v.number("tolerance", shape.tolerance);
-    read_common(v, shape, world);
+    read_common(v, shape);
     return shape;
 }
 
-WorldMaterial read_material(const SectionValues& v, WorldFile& world) {
+WorldMaterial read_material(const SectionValues& v) {
     WorldMaterial material{.name = v.text("name"), .model = v.text("model"), .values = {}, .place = v.place()};
     const WorldValue* of_classical = nullptr;
     const WorldValue* of_other = nullptr;
@@ -94,14 +82,8 @@ WorldMaterial read_material(const SectionValues& v, WorldFile& world) {
     if (of_classical && of_other)
         fail(of_other->place, "'" + of_classical->key + "' is of classical materials, '" + of_other->key +
                                   "' of metallic-roughness ones: a material is one of them");
-    if (v.has("shading") && material.name == "*")
-        fail(v.place_of("shading"), "'shading' needs the name of a material", "or say it of the [[model]]");
-    if (v.has("shading") && v.has("model"))
-        fail(v.place_of("shading"), "'shading' goes to the materials of that name in all models, 'model' to one",
-             "leave one of them out, or say 'shading' of the [[model]]");
     if (const WorldValue* const steps = v.find("bump_steps"); steps && steps->numbers[0] > steps->numbers[1])
         fail(steps->place, "'bump_steps': the first must not be more than the second");
-    add_shading(v, "material:" + material.name, world);
     return material;
 }
 
@@ -134,25 +116,6 @@ WorldEnvironment read_environment(const SectionValues& v) {
     return out;
 }
 
-/// Rules of shading go by name, so a part with one has its name for itself.
-static void check_shading(const WorldFile& world) {
-    struct Named {
-        const std::string& name;
-        WorldPlace shading_place;
-    };
-    std::vector<Named> parts;
-    for (const WorldModel& m : world.models) parts.push_back({m.name, m.shading_place});
-    for (const WorldPrimitive& p : world.primitives) parts.push_back({p.name, p.shading_place});
-    std::map<std::string_view, int> count;
-    for (const Named& part : parts) ++count[part.name];
-    for (const Named& part : parts)
-        if (part.shading_place.line > 0 && count[part.name] > 1)
-            fail(part.shading_place,
-                 "'shading' goes by name, and " + std::to_string(count[part.name]) + " parts are named '" +
-                     one_line(part.name, 40) + "'",
-                 "give this one a 'name' of its own");
-}
-
 /// Two [[material]] of one name for the same models, or of one that a part takes as its material.
 static void check_materials(const WorldFile& world) {
     std::set<std::string_view> asked_for;
@@ -168,7 +131,6 @@ static void check_materials(const WorldFile& world) {
 }
 
 void check_names(const WorldFile& world) {
-    check_shading(world);
     check_materials(world);
     std::vector<const char*> materials, models;
     for (const WorldMaterial& m : world.materials) materials.push_back(m.name.c_str());

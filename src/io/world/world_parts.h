@@ -5,11 +5,11 @@
 
 namespace rakelight::io::world {
 
-WorldModel read_model(const SectionValues& values, WorldFile& world);  ///< `shading` becomes an option of the picture
-WorldPrimitive read_primitive(const SectionValues& values, WorldFile& world);
+WorldModel read_model(const SectionValues& values);
+WorldPrimitive read_primitive(const SectionValues& values);
 Light read_light(const SectionValues& values);
 Camera read_camera(const SectionValues& values, WorldFile& world);  ///< remarks of its up
-WorldMaterial read_material(const SectionValues& values, WorldFile& world);
+WorldMaterial read_material(const SectionValues& values);
 Fog read_fog(const SectionValues& values);
 WorldEnvironment read_environment(const SectionValues& values);
 

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <rakelight/world.h>
 
+#include <rakelight/words.h>
 #include <cmath>
 #include <limits>
 
+#include "io/world/world_keys.h"
 #include "math/linear.h"
 #include "support/thrown_error.h"
 
@@ -87,13 +89,21 @@ TEST(ParseWorld, HexColorsAreAsSeenAndNumbersAreLight) {
     EXPECT_EQ(w.materials.at(1).values.at(0).numbers, (std::vector<double>{0.5, 2, 0}));
 }
 
-TEST(ParseWorld, ShadingOfPartsBecomesAnOptionOfThePicture) {
+TEST(ParseWorld, ShadingIsOfThePartThatSaysItWhateverItsName) {
     const WorldFile w = parse_world(
-        "[[primitive]]\ntype = 'teapot'\nname = 'pot'\nshading = 'flat'\n[[material]]\nname = 'gold'\nshading = "
-        "'unlit'\n");
-    ASSERT_EQ(w.render.size(), 2u);
-    EXPECT_EQ(w.render[0].words, std::vector<std::string>{"object:pot=flat"});
-    EXPECT_EQ(w.render[1].words, std::vector<std::string>{"material:gold=unlit"});
+        "[[primitive]]\ntype = 'teapot'\nshading = 'flat'\n[[primitive]]\ntype = 'teapot'\n[[model]]\nfile = "
+        "'teapot.obj'\nshading = 'gouraud'\n[[material]]\nname = '*'\nmodel = 'teapot'\nshading = 'unlit'\n");
+    EXPECT_EQ(w.primitives.at(0).shading, Shading::flat);
+    EXPECT_EQ(w.primitives.at(1).shading, std::nullopt);
+    EXPECT_EQ(w.models.at(0).shading, Shading::gouraud);
+    EXPECT_EQ(w.materials.at(0).values.at(0).words, std::vector<std::string>{"unlit"});
+    EXPECT_TRUE(w.render.empty());
+}
+
+TEST(ParseWorld, AWordOfNoListIsAnErrorAndNotTheFirstOfTheList) {
+    EXPECT_EQ(io::world::value_of(shading_words, "flat"), Shading::flat);
+    EXPECT_THROW(io::world::value_of(shading_words, "flatt"), Error);
+    EXPECT_THROW(io::world::value_of(shading_words, ""), Error);
 }
 
 TEST(ParseWorld, WorldFilesAreKnownByTheirEnding) {
@@ -143,10 +153,8 @@ TEST(ParseWorld, EveryFaultIsSaidWithItsLineAndColumn) {
         {"[=]\n", "line 3, column 2", "not TOML"},  // toml++ asserts these three
         {"[.[light]]\n", "line 3, column 2", "not TOML"},
         {"[[.5, 1]\n", "line 3, column 3", "not TOML"},
-        {"[[primitive]]\ntype = 'teapot'\nshading = 'flat'\n", "line 5, column 11", "2 parts are named 'teapot'"},
-        {"[[primitive]]\ntype = 'cone'\nname = 'a'\n[[model]]\nfile = 'a.obj'\nshading = 'unlit'\n",
-         "line 8, column 11", "2 parts are named 'a'"},
-        {"[[material]]\nname = 'a'\nmodel = 'teapot'\nshading = 'flat'\n", "line 6, column 11", "'model' to one"},
+        {"[[material]]\nname = 'a'\nmodel = 'teapot'\nshading = 'flatt'\n", "line 6, column 11",
+         "unknown word 'flatt'"},
         {"[[material]]\nname = 'a'\n[[material]]\nname = 'a'\n", "line 5, column 1", "second [[material]] named 'a'"},
         {"[[primitive]]\ntype = 'cone'\nmaterial = 'a'\n[[material]]\nname = 'a'\n[[material]]\nname = 'a'\nmodel "
          "= 'teapot'\n",

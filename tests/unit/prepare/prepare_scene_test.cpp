@@ -456,5 +456,33 @@ TEST(PrepareScene, SharesEverythingWhenNothingNeedsDoingWhateverTurnItsFrontsHav
     for (const Mesh& m : after.meshes) EXPECT_TRUE(m.indices.identity() == mesh.indices.identity());
 }
 
+TEST(PrepareScene, SaysThatAClearcoatsNormalMapIsNotUsedWithoutCoordinates) {
+    Scene scene = scene_of({quad_mesh()});
+    const TextureUse use = test::give_texture(scene, &Material::emission_texture);
+    Material& m = scene.materials[0];
+    m.emission_texture = {};
+    m.metallic_roughness.clearcoat = 1;
+    m.metallic_roughness.clearcoat_normal_texture = use;
+    Context context;
+    prepare_scene(scene, {}, context);
+    EXPECT_EQ(remarks(context, Remark::warning, "the normal map of the clearcoat is not used"), 1u);
+    m.metallic_roughness.clearcoat = 0;  // nothing reads it
+    Context without;
+    prepare_scene(scene, {}, without);
+    EXPECT_EQ(remarks(without, Remark::warning, "clearcoat"), 0u);
+}
+
+TEST(PrepareScene, FlatNormalsOfAllMeshesTogetherStayWithinTheMemoryBudget) {
+    Scene scene = scene_of({test::ball_mesh(32, 32), test::ball_mesh(32, 32), test::ball_mesh(32, 32)});
+    const std::size_t vertices = scene.meshes[0].positions.size(), corners = scene.meshes[0].indices.size();
+    for (Mesh& mesh : scene.meshes) mesh.texcoords.assign(100, std::vector<vec2>(vertices));
+    // A flat face has vertices of its own: a position, a normal and 100 texture coordinates.
+    const std::uint64_t bytes = corners * (24 + 800);
+    Context enough({.max_memory = 4 * bytes}), for_two({.max_memory = 2 * bytes + bytes / 2});
+    EXPECT_EQ(prepare_scene(scene, by(NormalSource::flat), enough).meshes[2].positions.size(), corners);
+    EXPECT_THROW(prepare_scene(scene, by(NormalSource::flat), for_two), Error);
+    EXPECT_NO_THROW(prepare_scene(scene, by(NormalSource::model), for_two));  // no vertex splits
+}
+
 }  // namespace
 }  // namespace rakelight

@@ -195,6 +195,34 @@ TEST(ShadingRules, ReachWhatHangsFromAnObjectAndTheLastOneThatFitsCounts) {
     EXPECT_TRUE(same_bits(draw(scene, s), draw(scene, settings(Shading::gouraud))));
 }
 
+TEST(OwnShading, OfANodeReachesWhatHangsFromItAndAMaterialsGoesBeforeIt) {
+    Scene scene = sphere_scene(8);
+    scene.nodes.insert(scene.nodes.begin(), Node{});
+    scene.nodes[1].parent = 0;
+    scene.nodes[0].shading = Shading::flat;
+    const auto is_drawn_like = [&](Shading expected, const RenderSettings& s) {
+        return same_bits(draw(scene, s), draw(sphere_scene(8), settings(expected)));
+    };
+    EXPECT_TRUE(is_drawn_like(Shading::flat, settings(Shading::phong)));
+    scene.nodes[1].shading = Shading::unlit;
+    EXPECT_TRUE(is_drawn_like(Shading::unlit, settings(Shading::phong)));
+    scene.materials[0].shading = Shading::gouraud;
+    EXPECT_TRUE(is_drawn_like(Shading::gouraud, settings(Shading::phong)));
+}
+
+TEST(OwnShading, GivesWayToRulesByNameAndToSettingsThatAreForTheWhole) {
+    Scene scene = sphere_scene(8);
+    scene.nodes[0].name = "ball";
+    scene.nodes[0].shading = Shading::flat;
+    scene.materials[0].shading = Shading::unlit;
+    RenderSettings s = settings(Shading::phong);
+    s.shading_rules = {{ShadingRule::Of::object, "ball", Shading::gouraud}};
+    EXPECT_TRUE(same_bits(draw(scene, s), draw(sphere_scene(8), settings(Shading::gouraud))));
+    s.shading_rules.clear();
+    s.own_shading = false;
+    EXPECT_TRUE(same_bits(draw(scene, s), draw(sphere_scene(8), settings(Shading::phong))));
+}
+
 TEST(ShadingRules, OfAnObjectAndOfWhatItHangsFromTheLaterCounts) {
     Scene scene = sphere_scene(8);
     for (const char* name : {"model", "part"}) {

@@ -62,6 +62,31 @@ TEST_F(LoadWorld, AFileThatStandsTwiceSharesItsArrays) {
     EXPECT_EQ(s.nodes.at(2).name, "second");
 }
 
+TEST_F(LoadWorld, EqualNormalsOfAFileAreMadeOnceAndOthersCountAsMemory) {
+    write("fan.obj", [] {  // all faces have a vertex in common: flat normals take three times the vertices
+        std::string text = "v 0 0 1\n";
+        for (int i = 0; i < 2000; ++i) text += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+        for (int i = 2; i <= 2000; ++i) text += "f 1 " + std::to_string(i) + " " + std::to_string(i + 1) + "\n";
+        return text;
+    }());
+    const auto world = [](int count, double angle_step) {
+        std::string text;
+        for (int i = 0; i < count; ++i)
+            text += "[[model]]\nfile = 'fan.obj'\nnormals = 'model'\ncrease_angle_deg = " +
+                    std::to_string(1 + i * angle_step) + "\n";
+        return text;
+    };
+    const Scene s = load_text(world(3, 0));
+    EXPECT_EQ(s.meshes.at(0).normals, s.meshes.at(2).normals);
+    const std::uint64_t bytes = context_.memory().charged();
+    load_text(world(40, 0));
+    const std::uint64_t same = context_.memory().charged() - bytes;
+    load_text(world(40, 0.5));
+    const std::uint64_t others = context_.memory().charged() - bytes - same;
+    EXPECT_LT(same, bytes + 100'000);
+    EXPECT_GT(others, same + 39 * 2000 * sizeof(vec3));
+}
+
 TEST_F(LoadWorld, MaterialsAreChangedByNameAndByModel) {
     const Scene s = load_text(
         "[[model]]\nfile = 'a.obj'\n[[model]]\nfile = 'a.obj'\nname = 'other'\n"
@@ -187,13 +212,31 @@ TEST_F(LoadWorld, AFaultOfAFileThatTheWorldNamesCarriesWorldPlaceAndName) {
     }
 }
 
-TEST_F(LoadWorld, ShadingOfAPartIsRefusedWhereAnObjectOfAnotherModelHasItsName) {
-    write("named.obj", "o b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const std::string both = "[[model]]\nfile = 'named.obj'\n[[model]]\nfile = 'b.obj'\n";
-    const Error error = error_of([&] { load_text(both + "shading = 'flat'\n"); });
-    EXPECT_EQ(error.place(), "line 5, column 11");
-    EXPECT_EQ(load_text(both + "shading = 'flat'\nname = 'c'\n").meshes.size(), 2u);
-    EXPECT_EQ(load_text("[[model]]\nfile = 'named.obj'\nname = 'b'\nshading = 'flat'\n").meshes.size(), 1u);
+TEST_F(LoadWorld, ShadingGoesToThePartThatSaysItAndToNoTwin) {
+    const Scene s = load_text(
+        "[[model]]\nfile = 'a.obj'\nshading = 'flat'\n[[model]]\nfile = 'a.obj'\nname = 'b'\n[[model]]\nfile = "
+        "'a.obj'\nname = 'b'\nshading = 'unlit'\n");
+    std::vector<std::optional<Shading>> of_parts;
+    for (const Node& node : s.nodes)
+        if (node.parent == none) of_parts.push_back(node.shading);
+    EXPECT_EQ(of_parts, (std::vector<std::optional<Shading>>{Shading::flat, std::nullopt, Shading::unlit}));
+}
+
+TEST_F(LoadWorld, ShadingOfAMaterialGoesToThatOfItsModelAlone) {
+    const std::string both = "[[model]]\nfile = 'a.obj'\n[[model]]\nfile = 'b.obj'\n";
+    const Scene s = load_text(both + "[[material]]\nname = '*'\nmodel = 'b'\nshading = 'gouraud'\n");
+    ASSERT_EQ(s.materials.size(), 2u);
+    EXPECT_EQ(s.materials[0].shading, std::nullopt);
+    EXPECT_EQ(s.materials[1].shading, Shading::gouraud);
+}
+
+TEST_F(LoadWorld, WhatRenderNamesNeedNotBeThereWhereOthersTakeItsPlace) {
+    for (const std::string key : {"camera-index", "hdri-file", "height-map"}) {
+        const std::string text = "[[model]]\nfile = 'a.obj'\n[render]\n" + key + " = 'none.png'\n";
+        EXPECT_THROW(load_text(text), Error) << key;
+        EXPECT_THROW(load_text(text, {.overridden = {"resolution"}}), Error) << key;
+        EXPECT_NO_THROW(load_text(text, {.overridden = {key}})) << key;
+    }
 }
 
 TEST_F(LoadWorld, WhatHasNoEffectOrIsNotWhatItSeemsIsWarnedOf) {
