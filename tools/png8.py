@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """8-bit RGB and RGBA PNG in and out with the standard library alone, for the small tools beside."""
+import collections
 import struct
 import zlib
 
@@ -64,15 +65,49 @@ def write_rgb(path, width, height, pixels):
     write_pixels(path, width, height, 3, pixels)
 
 
+def palette_of(counts, most):
+    """{color: its place in a palette of at most so many colors}, the palette: by cutting the set with the widest component,
+    weighed by its pixels, at the middle of those (Heckbert 1982, "Color image quantization for frame buffer display")."""
+    def spread(box):
+        return max((max(c[k] for c in box) - min(c[k] for c in box), k) for k in range(3))
+    boxes = [sorted(counts)]
+    widest = [spread(boxes[0])]
+    while len(boxes) < most and max(widest)[0] > 0:
+        i = max(range(len(boxes)), key=lambda j: widest[j][0] * sum(counts[c] for c in boxes[j]) ** 0.5)
+        box = sorted(boxes[i], key=lambda c: c[widest[i][1]])
+        half, passed, cut = sum(counts[c] for c in box) / 2, 0, 1
+        for cut in range(1, len(box)):
+            passed += counts[box[cut - 1]]
+            if passed >= half:
+                break
+        boxes[i:i + 1] = [box[:cut], box[cut:]]
+        widest[i:i + 1] = [spread(box[:cut]), spread(box[cut:])]
+    mean = [bytes(round(sum(c[k] * counts[c] for c in box) / sum(counts[c] for c in box)) for k in range(3)) for box in boxes]
+    return {c: i for i, box in enumerate(boxes) for c in box}, mean
+
+
+def write_indexed(path, width, height, pixels, most=256):
+    """RGB rows as a picture of at most so many colors: a third of the size, for sheets of few hues."""
+    cells = [pixels[i:i + 3] for i in range(0, len(pixels), 3)]
+    place, palette = palette_of(collections.Counter(cells), most)
+    rows = b"".join(b"\0" + bytes(place[c] for c in cells[width * y:width * (y + 1)]) for y in range(height))
+    write_chunks(path, struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0), rows, chunk(b"PLTE", b"".join(palette)))
+
+
+def chunk(kind, body):
+    return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+
+def write_chunks(path, header, rows, between=b""):
+    with open(path, "wb") as out:
+        out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + between + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+
+
 def write_pixels(path, width, height, channels, pixels):
     """channels: 3 RGB or 4 RGBA."""
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
     rows, previous, stride = [], bytes(width * channels), width * channels
     for y in range(height):
         row = pixels[y * stride:(y + 1) * stride]
         rows.append(b"\2" + bytes((a - b) & 255 for a, b in zip(row, previous)))
         previous = row
-    with open(path, "wb") as out:
-        out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2 if channels == 3 else 6, 0, 0, 0)) +
-                  chunk(b"IDAT", zlib.compress(b"".join(rows), 9)) + chunk(b"IEND", b""))
+    write_chunks(path, struct.pack(">IIBBBBB", width, height, 8, 2 if channels == 3 else 6, 0, 0, 0), b"".join(rows))
