@@ -31,16 +31,25 @@ std::string said(double depth) {
     return text;
 }
 
+/// Where parts of a picture stand side by side, as atlases have them, their heights fit nowhere: what is a step in the
+/// texture alone would be one in the geometry.
+constexpr const char* displaced =
+    "displaced by heights made from the normal map: how high its parts stand to one another is guessed, borders of its "
+    "texture may bulge; a height map or --bump occlusion does not";
+
 /// One height map for each picture, whichever materials use it.
 class Maker {
 public:
-    Maker(Scene& scene, Context& context) : scene_(scene), context_(context) {}
+    Maker(Scene& scene, const RenderSettings& settings, Context& context)
+        : scene_(scene), settings_(settings), context_(context) {}
 
     void give(Material& m) {
         const Texture normal = scene_.textures[m.normal_texture.texture];
         const auto [made, is_new] = made_.try_emplace({m.normal_texture.texture, m.green_down}, none);
         if (is_new) made->second = make(normal, m);
         if (made->second == none) return;
+        if (bump_of(m, settings_.bump) == Bump::displacement)
+            context_.report().add(Remark::warning, scene_.source, m.name, displaced);
         m.height_texture = m.normal_texture;
         m.height_texture.texture = made->second;
     }
@@ -67,6 +76,7 @@ private:
     }
 
     Scene& scene_;
+    const RenderSettings& settings_;
     Context& context_;
     std::map<std::pair<std::uint32_t, bool>, std::uint32_t> made_;
 };
@@ -87,7 +97,7 @@ void warn_of_no_heights(const Scene& scene, const RenderSettings& settings, Repo
 }  // namespace
 
 Scene with_height_maps(Scene scene, const RenderSettings& settings, Context& context) {
-    Maker maker(scene, context);
+    Maker maker(scene, settings, context);
     for (Material& m : scene.materials)
         if (wants_heights(m, settings)) maker.give(m);
     warn_of_no_heights(scene, settings, context.report());

@@ -48,6 +48,26 @@ TEST(HeightMaps, AreMadeOnceForATechniqueThatReadsThemAndSaid) {
     EXPECT_EQ(heights.channels, 1);
 }
 
+TEST(HeightMaps, DisplacementByHeightsThatWereGuessedIsAWarningForEachMaterial) {
+    Scene scene = scene_with_normal_map();
+    scene.materials[0].name = "atlas";
+    scene.materials[1].height_texture = scene.materials[1].normal_texture;
+    const auto warnings = [&](Bump bump) {
+        Context context;
+        with_height_maps(scene, with(bump), context);
+        std::string places;
+        for (const ReportEntry& e : context.report().entries())
+            if (e.remark == Remark::warning) places += "[" + e.place + "] " + e.message.substr(0, 45);
+        return places;
+    };
+    EXPECT_EQ(warnings(Bump::displacement), "[atlas] displaced by heights made from the normal map");
+    EXPECT_EQ(warnings(Bump::occlusion), "");
+    scene.materials[0].bump = Bump::displacement;
+    EXPECT_EQ(warnings(Bump::steep), "[atlas] displaced by heights made from the normal map");
+    scene.materials[0].height_texture = scene.materials[0].normal_texture;
+    EXPECT_EQ(warnings(Bump::displacement), "");
+}
+
 TEST(HeightMaps, AreNotMadeWhereNobodyReadsThemOrOneIsThere) {
     for (const Bump bump : {Bump::automatic, Bump::none, Bump::normal}) {
         Context context;
