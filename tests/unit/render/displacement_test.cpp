@@ -80,9 +80,11 @@ TEST(Displacement, NoPixelOfTheBackgroundShowsThroughAPlaneOrASphereOfSixteenObj
 }
 
 TEST(Displacement, ChangesTheOutlineWhereFakeBumpsDoNot) {
-    const Scene sphere = with_bumps({.tolerance = 0.005});
+    Scene sphere = with_bumps({.tolerance = 0.005});
+    for (Material& m : sphere.materials) m.normal_texture = m.height_texture;
     const std::vector<bool> base = outline(draw(sphere, Bump::none, channel_object));
-    for (const Bump fake : {Bump::height, Bump::parallax, Bump::steep, Bump::occlusion})
+    for (const Bump fake :
+         {Bump::height, Bump::normal, Bump::parallax, Bump::parallax_limited, Bump::steep, Bump::occlusion})
         EXPECT_EQ(outline(draw(sphere, fake, channel_object)), base) << int(fake);
     const std::vector<bool> displaced = outline(draw(sphere, Bump::displacement, channel_object));
     int differs = 0;
