@@ -58,10 +58,14 @@ FACES = (MAPS + "two_faces.obj", "--camera-position", "0,2,3", "--camera-focal-p
 SHEET = (MAPS + "sheet.obj", *maps("brick"), "--bump", "normal", "--normals", "model", "--crease-angle", "180", "--tangents", "published",
          "--orthogonalize", "off", "--light", "point:0.5,0.6,1.1:attenuation=0.6,0.2,0.2", "--light", "ambient:0.1,0.1,0.1",
          "--camera-position", "0.7,0.5,3.4", "--camera-focal-point", "0,0,0", "--camera-view-angle", "32")
+FRAMES_OF = {"vertex": ("--tangent-space", "vertex"), "transposed": ("--tangent-space", "transposed"), "world, frames not unit": ("--normalize-frames", "off")}
 ASLANT = wall_at(*VIEWS[1])
 SETTINGS = (("occlusion", "--bump-bias", "0"), ("occlusion", "--bump-bias", "0.5"), ("occlusion", "--bump-bias", "1"), ("occlusion", "--bump-polarity", "depth"),
-            ("steep", *FEW), ("steep", "--bump-steps", "48,96"), *(("occlusion", "--bump-steps", "2,4", "--bump-refinement", n) for n in "05"))
-WORDS = ("bias 0", "bias 0.5", "bias 1", "polarity depth", "steep, steps 4,12", "steep, steps 48,96", "steps 2,4, refinement 0", "steps 2,4, refinement 5")
+            ("steep", *FEW), ("steep", "--bump-steps", "48,96"), *(("occlusion", "--bump-steps", "2,4", "--bump-refinement", n) for n in "05"),
+            ("occlusion", "--bump-depth", "0.02"), ("occlusion", "--bump-depth", "0.12"), ("occlusion", "--bump-depth", "0.12", "--bump-silhouette"),
+            ("normal", "--normal-scale", "2.5"))
+WORDS = ("bias 0", "bias 0.5", "bias 1", "polarity depth", "steep, steps 4,12", "steep, steps 48,96", "steps 2,4, refinement 0", "steps 2,4, refinement 5",
+         "depth 0.02", "depth 0.12", "depth 0.12, silhouette", "normal map, scale 2.5")
 RAKING = ("--camera-position", "0,0,3.3", "--camera-focal-point", "0,0,0", "--light", "directional:-0.3,-1,-0.16", "--light", "ambient:0.12,0.12,0.12", "--bump", "normal")
 GREEN = (MAPS + "wall.obj", *maps("brick"), *RAKING, "--camera-view-angle", "24")
 ZERO = (MAPS + "wall.obj", *maps("dents"), *RAKING, "--camera-view-angle", "34")
@@ -69,8 +73,8 @@ SPHERE = ("builtin:sphere", *maps("brick"), "--camera-position", "2.2,1.6,3.4", 
 SHEETS = {
     "bump-techniques": (240, 104, [[(*wall_at(*view), "--bump", *how) for view in VIEWS] for how in TECHNIQUES.values()],
                         {"lines": list(TECHNIQUES), "columns": [f"{view[0]} degrees" for view in VIEWS], "colors": 64}),
-    "bump-settings": (240, 104, [[(*ASLANT, "--bump", *how) for how in SETTINGS[i:i + 4]] for i in (0, 4)],
-                      {"below": [WORDS[:4], WORDS[4:]], "colors": 64}),
+    "bump-settings": (240, 104, [[(*ASLANT, "--bump", *how) for how in SETTINGS[i:i + 4]] for i in (0, 4, 8)],
+                      {"below": [WORDS[i:i + 4] for i in (0, 4, 8)], "colors": 64}),
     "bump-codes": (192, 192, [[GREEN, (*GREEN, "--normal-map-green", "down"), ZERO, (*ZERO, "--normal-map-zero", "128"),
                                (ZERO, (*ZERO, "--normal-map-zero", "128"), 16)]],
                    {"below": [["green up", "green down", "zero 127.5", "zero 128", "difference, times 16"]], "colors": 128}),
@@ -95,9 +99,9 @@ SHEETS = {
     "bump-faces": (420, 200, [[FACES]]),
     "bump-moving": (176, 120, [[(*TEAPOT, *lamp_at(place), *SHINY, *MODEL, *maps("leather"), "--bump", how) for place in FRAMES]
                           for how in ("none", "normal")], {"colors": 128}),
-    "bump-tangents": (256, 200, [[(*SHEET, "--tangent-space", space) for space in ("world", "vertex", "transposed")],
-                                 [(*SHEET, "--tangent-space", "pixel"), *((SHEET, (*SHEET, "--tangent-space", space), 4) for space in ("vertex", "transposed"))]],
-                      {"below": [["world", "vertex", "transposed"], ["pixel", "vertex - world, times 4", "transposed - world, times 4"]], "colors": 256}),
+    "bump-tangents": (208, 162, [[(*SHEET, *how) for how in ((), *FRAMES_OF.values())],
+                                 [(*SHEET, "--tangent-space", "pixel"), *((SHEET, (*SHEET, *how), 4) for how in FRAMES_OF.values())]],
+                      {"below": [["world", *FRAMES_OF], ["pixel", *["its difference, times 4"] * 3]], "colors": 256}),
 }
 
 
