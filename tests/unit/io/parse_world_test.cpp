@@ -100,6 +100,20 @@ TEST(ParseWorld, ShadingIsOfThePartThatSaysItWhateverItsName) {
     EXPECT_TRUE(w.render.empty());
 }
 
+TEST(ParseWorld, LettersBeyondAsciiStandInTextsAndCommentsAndNotInKeys) {
+    for (const std::string letter :
+         {"\xc2\xa1", "\xc3\xa9", "\xd1\x9a", "\xd2\x99", "\xd2\x9a", "\xe2\x80\xb0", "\xe6\x97\xa5"}) {
+        const WorldFile w = with_teapot("[[camera]]  # " + letter + "\nposition = [1, 1, 1]\nname = \"\"\"a\\\n  " +
+                                        letter + "\"\"\"\n");
+        EXPECT_EQ(w.cameras.at(0).name, "a" + letter);
+        for (const std::string& text :
+             {letter + " = 1\n", "[" + letter + "]\n", "[" + letter + "x'\n", "a = 1" + letter + "\n"}) {
+            const Error error = error_of([&] { with_teapot(text); });
+            EXPECT_TRUE(error.place().starts_with("line 3, column ")) << text << error.place();
+        }
+    }
+}
+
 TEST(ParseWorld, AWordOfNoListIsAnErrorAndNotTheFirstOfTheList) {
     EXPECT_EQ(io::world::value_of(shading_words, "flat"), Shading::flat);
     EXPECT_THROW(io::world::value_of(shading_words, "flatt"), Error);
