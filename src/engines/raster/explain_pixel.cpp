@@ -7,6 +7,7 @@
 #include "engines/raster/blend.h"
 #include "engines/raster/coverage.h"
 #include "engines/raster/environment_maps.h"
+#include "engines/raster/explained_triangles.h"
 #include "engines/raster/full_jobs.h"
 #include "engines/raster/inspection.h"
 #include "engines/raster/multisample.h"
@@ -16,8 +17,6 @@
 
 namespace rakelight::raster {
 namespace {
-
-constexpr std::size_t nothing = SIZE_MAX;
 
 /// The stages of one pixel: a window of that size lies in one tile.
 class PixelStages {
@@ -37,15 +36,15 @@ public:
         out_.y = y_;
         out_.background = background();
         for (const SamplePosition at : sample_positions(of_.settings().samples))
-            out_.samples.push_back({at, nothing, out_.background});
+            out_.samples.push_back({at, no_triangle, out_.background});
         find_covering();
         find_visible_triangles();
         find_blended();
         for (const std::size_t i : order_) shade(i);
         out_.sum = resolved();
         draw();
-        summarize();
-        sort_by_depth();
+        summarize(out_, of_);
+        sort_by_depth(out_);
         out_.has_marks = !drawn_.marks.is_empty() && !drawn_.marks.items.empty();
         return std::move(out_);
     }
@@ -152,7 +151,7 @@ private:
         }
         for (std::size_t k = 0; k < out_.samples.size(); ++k) {
             const std::size_t i = out_.samples[k].triangle;
-            if (i == nothing) continue;
+            if (i == no_triangle) continue;
             covered_sample(i, k)->fate = Fate::visible;
             if (std::find(order_.begin(), order_.end(), i) == order_.end()) order_.push_back(i);
         }
@@ -187,7 +186,7 @@ private:
 
     bool is_before_visible(std::size_t i, const CoveredSample& c, double order) {
         const std::size_t visible = out_.samples[std::size_t(c.sample)].triangle;
-        if (visible == nothing) return true;
+        if (visible == no_triangle) return true;
         double standing = 0;
         const std::vector<CoveredSample>& its = out_.triangles[visible].samples;
         for (std::size_t k = 0; k < its.size(); ++k)
@@ -243,37 +242,6 @@ private:
             if (shade_opaque(job, 0, scratch_)) blend_transparent(job, 0, scratch_);
         }
         out_.color = scratch_.color[std::size_t((y_ - oy_) * tile_size + x_ - ox_)];
-    }
-
-    /// Each triangle's own fate, and the numbers of its nearest sample.
-    void summarize() {
-        for (CoveringTriangle& t : out_.triangles) {
-            const auto nearest = std::max_element(
-                t.samples.begin(), t.samples.end(),
-                [](const CoveredSample& a, const CoveredSample& b) { return a.depth_key < b.depth_key; });
-            t.depth_key = nearest->depth_key;
-            t.distance = of_.distance_of(t.depth_key);
-            t.alpha = nearest->alpha;
-            t.fate = t.samples[0].fate;
-            for (const CoveredSample& c : t.samples) t.fate = std::min(t.fate, c.fate);
-        }
-    }
-
-    void sort_by_depth() {
-        std::vector<std::size_t> order(out_.triangles.size()), place(order.size());
-        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
-            return out_.triangles[a].depth_key > out_.triangles[b].depth_key;
-        });
-        std::vector<CoveringTriangle> sorted;
-        for (const std::size_t i : order) {
-            place[i] = sorted.size();
-            sorted.push_back(std::move(out_.triangles[i]));
-        }
-        out_.triangles = std::move(sorted);
-        for (ShadedLayer& layer : out_.layers) layer.triangle = place[layer.triangle];
-        for (SeenSample& s : out_.samples)
-            if (s.triangle != nothing) s.triangle = place[s.triangle];
     }
 
     const Inspection& of_;

@@ -14,7 +14,7 @@ Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSet
     view_ = view_of(list_, camera, settings_);
     const dvec3 eye = view_.camera_to_world[3].xyz();
     lights_ = make_lights(list_.scene, list_.node_to_world, eye);
-    shadows_ = ShadowMaps(list_, settings_, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights_, context);
+    shadows_.update(list_, settings_, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights_, context);
 }
 
 bool Inspection::is_culled(std::uint32_t draw, bool is_back) const {

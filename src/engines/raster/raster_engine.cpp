@@ -183,6 +183,7 @@ public:
         list_ = make_draw_list(scene, textures_, context);
         environments_.update(list_, context);
         open_surfaces_.forget();
+        shadows_.forget();
     }
 
     RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {
@@ -203,9 +204,9 @@ public:
         Binned binned = settings.surfaces ? set_up_and_bin(front, grid, std::move(binned_), context) : nothing(grid);
         const dvec3 eye = view.camera_to_world[3].xyz();
         std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, eye);
-        const ShadowMaps shadows(list_, settings, *kernels_, *geometry_kernels_, eye, lights, context);
+        shadows_.update(list_, settings, *kernels_, *geometry_kernels_, eye, lights, context);
         const LightReach reach(lights);
-        make_full_jobs(front, {.shadows = shadows.data()});
+        make_full_jobs(front, {.shadows = shadows_.data()});
         LightPoints points = light_points(front, binned, lights, *kernels_, std::move(points_), context);
         const Marks marks = make_marks(front, grid, context);
         front.stats.times.front_end = clock.lap();
@@ -281,6 +282,7 @@ private:
     EnvironmentCache environments_;
     DrawList list_;
     OpenSurfaces open_surfaces_;
+    ShadowMaps shadows_;
     ScratchPool pool_;
     // Memory of the picture before, used again.
     std::vector<ClipVertices> clip_;

@@ -21,11 +21,6 @@ constexpr double widest_spot = radians(60.0);  ///< half angle; wider ones have 
 constexpr std::uint64_t bytes_per_texel = sizeof(float) + sizeof(std::int32_t);
 constexpr float nothing_parallel = -3e38f;  ///< nearness where nothing is
 
-/// Axes of a map: x to the right, y up, z the way it looks.
-struct MapAxes {
-    dvec3 x, y, z;
-};
-
 /// As the faces of kernels/shadow.h: about +x, -x, +y, -y, +z, -z.
 constexpr MapAxes cube[6] = {{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},  {{0, 0, -1}, {0, 1, 0}, {-1, 0, 0}},
                              {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},  {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
@@ -48,13 +43,6 @@ dmat4 placed(const MapAxes& a, dvec3 at) {
 
 /// The share of a map that is left when the filter is to stay inside of it: [texels] a side.
 double inner_share(const RenderSettings& s) { return 1 - 2.0 * (s.shadow_filter + 2) / s.shadow_size; }
-
-/// What one map sees.
-struct MapCamera {
-    Camera camera;
-    MapAxes axes;
-    dvec3 eye;
-};
 
 /// Parallel, about everything that is drawn.
 MapCamera directional_camera(const Bounds& bounds, dvec3 direction, const RenderSettings& settings) {
@@ -262,38 +250,50 @@ void check_memory(std::uint64_t maps, const RenderSettings& settings, Context& c
 
 }  // namespace
 
-ShadowMaps::ShadowMaps(const DrawList& list, const RenderSettings& settings, const Kernels& kernels,
-                       const GeometryKernels& geometry_kernels, dvec3 eye, std::vector<LightParameters>& lights,
-                       Context& context) {
-    if (!settings.shadows || list.draws.empty()) return;
-    if (!(list.bounds.diagonal() < largest_scene)) {
-        context.report().add(Remark::warning, list.scene.source, {}, "the scene is too large for shadows");
-        return;
-    }
-    std::vector<std::pair<std::size_t, std::vector<MapCamera>>> planned;  // light, cameras
-    std::uint64_t maps = 0;
-    for (std::size_t i = 0; i < lights.size(); ++i) {
+void ShadowMaps::forget() {
+    maps_.clear();
+    views_.clear();
+    size_ = 0;
+}
+
+void ShadowMaps::plan(const DrawList& list, const RenderSettings& settings, Context& context) {
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < list.scene.lights.size(); ++i) {
         const Light& light = list.scene.lights[i];
         if (light.type == LightType::ambient || !light.casts_shadow) continue;
-        planned.emplace_back(i, cameras_of(list, light, settings));
-        maps += planned.back().second.size();
+        maps_.push_back({.light = i, .cameras = cameras_of(list, light, settings)});
+        count += maps_.back().cameras.size();
     }
-    check_memory(maps, settings, context);
-    const RenderSettings of_map = map_settings(settings);
-    const std::size_t texels = std::size_t(settings.shadow_size) * std::size_t(settings.shadow_size);
-    for (const auto& [light, cameras] : planned) {
-        nearness_.push_back(std::make_unique_for_overwrite<float[]>(texels * cameras.size()));
-        slopes_.push_back(std::make_unique_for_overwrite<std::int32_t[]>(texels * cameras.size()));
-        View view;
-        for (std::size_t face = 0; face < cameras.size(); ++face)
-            draw_map(list, cameras[face], of_map, kernels, geometry_kernels,
-                     {nearness_.back().get() + face * texels, slopes_.back().get() + face * texels}, view, context);
-        lights[light].shadow = std::int32_t(views_.size());
-        views_.push_back(view_for(cameras[0], view, cameras.size(), settings, eye));
+    check_memory(count, settings, context);
+}
+
+void ShadowMaps::update(const DrawList& list, const RenderSettings& settings, const Kernels& kernels,
+                        const GeometryKernels& geometry_kernels, dvec3 eye, std::vector<LightParameters>& lights,
+                        Context& context) {
+    const bool is_wanted = settings.shadows && !list.draws.empty(), fits = list.bounds.diagonal() < largest_scene;
+    if (is_wanted && !fits)
+        context.report().add(Remark::warning, list.scene.source, {}, "the scene is too large for shadows");
+    if (!is_wanted || !fits) return forget();
+    if (size_ != settings.shadow_size || filter_ != settings.shadow_filter) {
+        forget();
+        plan(list, settings, context);
+        const RenderSettings of_map = map_settings(settings);
+        const std::size_t texels = std::size_t(settings.shadow_size) * std::size_t(settings.shadow_size);
+        for (Maps& m : maps_) {
+            m.nearness = std::make_unique_for_overwrite<float[]>(texels * m.cameras.size());
+            m.slopes = std::make_unique_for_overwrite<std::int32_t[]>(texels * m.cameras.size());
+            for (std::size_t face = 0; face < m.cameras.size(); ++face, ++drawn_)
+                draw_map(list, m.cameras[face], of_map, kernels, geometry_kernels,
+                         {m.nearness.get() + face * texels, m.slopes.get() + face * texels}, m.view, context);
+        }
+        size_ = settings.shadow_size, filter_ = settings.shadow_filter;  // all are there: nothing was thrown
     }
-    for (std::size_t i = 0; i < views_.size(); ++i) {
-        views_[i].nearness = nearness_[i].get();
-        views_[i].slopes = slopes_[i].get();
+    views_.clear();
+    for (const Maps& m : maps_) {
+        lights[m.light].shadow = std::int32_t(views_.size());
+        ShadowView& view = views_.emplace_back(view_for(m.cameras[0], m.view, m.cameras.size(), settings, eye));
+        view.nearness = m.nearness.get();
+        view.slopes = m.slopes.get();
     }
 }
 

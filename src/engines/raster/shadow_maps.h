@@ -8,35 +8,61 @@
 #include <rakelight/engine.h>
 
 #include "engines/raster/draw_list.h"
+#include "engines/raster/view.h"
 
 namespace rakelight::raster {
 
+/// Axes of a map: x to the right, y up, z the way it looks.
+struct MapAxes {
+    dvec3 x, y, z;
+};
+
+/// What one map sees.
+struct MapCamera {
+    Camera camera;
+    MapAxes axes;
+    dvec3 eye;
+};
+
 class ShadowMaps {
 public:
-    ShadowMaps() = default;
     /// Draws the maps of the lights that cast shadows, where the settings ask for them. Opaque surfaces throw shadows
     /// from both their sides, masked ones where their texture is opaque, blended ones none; lines and points none.
     /// A directional light has one parallel map about all that is drawn; a spot of at most 60 degrees about its axis
-    /// one in perspective; other spots and point lights six.
+    /// one in perspective; other spots and point lights six. Maps of the call before are kept where they would be the
+    /// same: they depend on the list and on the settings' size and filter, not on the eye.
+    /// @param list    the one of the call before, unless forget() came between
     /// @param eye     what `lights` are about
     /// @param lights  as Scene::lights; their `shadow` is set
     /// @throws Error usage: the maps need more than half of what MemoryBudget grants; failed: cancelled
     /// The same bits for any number of threads and instruction set; the picture's window does not count.
-    ShadowMaps(const DrawList& list, const RenderSettings& settings, const Kernels& kernels,
-               const GeometryKernels& geometry_kernels, dvec3 eye, std::vector<lighting::LightParameters>& lights,
-               Context& context);
-    ShadowMaps(const ShadowMaps&) = delete;
-    ShadowMaps& operator=(const ShadowMaps&) = delete;
-    ShadowMaps(ShadowMaps&&) = default;
-    ShadowMaps& operator=(ShadowMaps&&) = default;
+    void update(const DrawList& list, const RenderSettings& settings, const Kernels& kernels,
+                const GeometryKernels& geometry_kernels, dvec3 eye, std::vector<lighting::LightParameters>& lights,
+                Context& context);
+    /// The list is another one from now on.
+    void forget();
+
+    std::uint64_t drawn() const { return drawn_; }  ///< maps so far
 
     /// [maps] LightParameters::shadow says which; null: no shadows. They point into this.
     const ShadowView* data() const { return views_.empty() ? nullptr : views_.data(); }
 
 private:
+    /// The maps of one light.
+    struct Maps {
+        std::size_t light = 0;
+        std::vector<MapCamera> cameras;
+        View view{};  ///< of the last of them
+        std::unique_ptr<float[]> nearness;
+        std::unique_ptr<std::int32_t[]> slopes;
+    };
+
+    void plan(const DrawList& list, const RenderSettings& settings, Context& context);
+
     std::vector<ShadowView> views_;
-    std::vector<std::unique_ptr<float[]>> nearness_;  ///< of each view
-    std::vector<std::unique_ptr<std::int32_t[]>> slopes_;
+    std::vector<Maps> maps_;     ///< of each view
+    int size_ = 0, filter_ = 0;  ///< of what is there; size 0: nothing is
+    std::uint64_t drawn_ = 0;
 };
 
 }  // namespace rakelight::raster

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shadow maps are kept from picture to picture where they would be the same, and drawn again where they would not.
+#include <gtest/gtest.h>
+
+#include "engines/raster/shadow_maps.h"
+#include "unit/raster/shadow_scenes.h"
+
+using namespace rakelight;
+using namespace rakelight::test;
+
+namespace {
+
+Scene ball_on_floor(const Light& light) {
+    Scene scene;
+    scene.materials = {matte()};
+    scene.lights = {light};
+    add_square(scene, 4, lying());
+    add_object(scene, sphere_mesh(16, 32), translation(dvec3{0, 1, 0}));
+    return scene;
+}
+
+RenderSettings shadowed(int size = 64) {
+    return {.width = 64, .height = 48, .shadows = true, .shadow_size = size, .background = {0, 0, 0, 1}};
+}
+
+const Camera from_left = looking({-4, 4, 5}, {0, 0.5, 0}), from_right = looking({5, 3, 3}, {0, 0.5, 0});
+
+/// One engine that draws picture after picture.
+class Drawing {
+public:
+    explicit Drawing(const Scene& scene) { take(scene); }
+    void take(const Scene& scene) { engine_->prepare(scene, context_); }
+    Frame operator()(const Camera& camera, const RenderSettings& settings) {
+        Frame frame;
+        engine_->render(camera, settings, frame, context_);
+        return frame;
+    }
+
+private:
+    Context context_{{.threads = 2}};
+    std::unique_ptr<Engine> engine_ = raster::make_engine();
+};
+
+}  // namespace
+
+TEST(ShadowReuse, PicturesOfOneEngineAreThoseOfAnEngineEach) {
+    const Scene scene = ball_on_floor(lamp({2, 5, 1}));
+    Drawing drawing(scene);
+    RenderSettings biased = shadowed(), soft = shadowed(), part = shadowed(), without = shadowed();
+    biased.shadow_bias = 9;
+    soft.shadow_filter = 4;
+    part.window = {10, 7, 30, 20};
+    without.shadows = false;
+    for (const Camera& camera : {from_left, from_right, from_left})
+        for (const RenderSettings& s : {shadowed(), biased, soft, part, shadowed(96), without, shadowed()})
+            EXPECT_TRUE(same_bits(drawing(camera, s), draw(scene, camera, s)));
+}
+
+TEST(ShadowReuse, ASceneThatWasEditedHasNewMaps) {
+    Scene scene = ball_on_floor(lamp({2, 5, 1}));
+    Drawing drawing(scene);
+    const Frame before = drawing(from_left, shadowed());
+    scene.lights[0].position = {-2, 5, 1};
+    drawing.take(scene);
+    const Frame after = drawing(from_left, shadowed());
+    EXPECT_FALSE(same_bits(before, after));
+    EXPECT_TRUE(same_bits(after, draw(scene, from_left, shadowed())));
+    scene.nodes[1].local.matrix = translation(dvec3{1, 1, 0});
+    drawing.take(scene);
+    EXPECT_TRUE(same_bits(drawing(from_left, shadowed()), draw(scene, from_left, shadowed())));
+}
+
+TEST(ShadowReuse, MapsAreDrawnOnceForAllCamerasAndAgainForAnotherSizeOrFilter) {
+    using namespace rakelight::raster;
+    Context context({.threads = 1});
+    TextureCache textures;
+    const DrawList list = make_draw_list(ball_on_floor(lamp({2, 5, 1})), textures, context);
+    ShadowMaps maps;
+    const auto drawn_for = [&](dvec3 eye, const RenderSettings& s) {
+        const std::uint64_t before = maps.drawn();
+        std::vector<lighting::LightParameters> lights = make_lights(list.scene, list.node_to_world, eye);
+        maps.update(list, s, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights, context);
+        EXPECT_EQ(lights[0].shadow, s.shadows ? 0 : -1);
+        return maps.drawn() - before;
+    };
+    EXPECT_EQ(drawn_for({0, 0, 9}, shadowed()), 6u);  // a point light
+    EXPECT_EQ(drawn_for({5, 0, 0}, shadowed()), 0u);
+    RenderSettings other = shadowed();
+    other.shadow_bias = 3, other.width = 17, other.window = {1, 2, 3, 4};
+    EXPECT_EQ(drawn_for({5, 0, 0}, other), 0u);
+    other.shadow_filter = 2;
+    EXPECT_EQ(drawn_for({5, 0, 0}, other), 6u);
+    EXPECT_EQ(drawn_for({5, 0, 0}, shadowed(128)), 6u);
+    other.shadows = false;
+    EXPECT_EQ(drawn_for({5, 0, 0}, other), 0u);
+    EXPECT_EQ(maps.data(), nullptr);
+    EXPECT_EQ(drawn_for({5, 0, 0}, shadowed(128)), 6u);
+    maps.forget();
+    EXPECT_EQ(drawn_for({5, 0, 0}, shadowed(128)), 6u);
+}
+
+TEST(ShadowReuse, AfterACancelledPictureTheMapsAreWhole) {
+    using namespace rakelight::raster;
+    const Scene scene = ball_on_floor(lamp({2, 5, 1}));
+    Context context({.threads = 1}), cancelled({.threads = 1});
+    cancelled.cancel();
+    auto engine = make_engine();
+    engine->prepare(scene, context);
+    Frame frame;
+    EXPECT_THROW(engine->render(from_left, shadowed(), frame, cancelled), Error);
+    engine->render(from_left, shadowed(), frame, context);
+    EXPECT_TRUE(same_bits(frame, draw(scene, from_left, shadowed())));
+}
