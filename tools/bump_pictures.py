@@ -69,10 +69,13 @@ WORDS = ("bias 0", "bias 0.5", "bias 1", "polarity depth", "steep, steps 4,12", 
 RAKING = ("--camera-position", "0,0,3.3", "--camera-focal-point", "0,0,0", "--light", "directional:-0.3,-1,-0.16", "--light", "ambient:0.12,0.12,0.12", "--bump", "normal")
 GREEN = (MAPS + "wall.obj", *maps("brick"), *RAKING, "--camera-view-angle", "24")
 ZERO = (MAPS + "wall.obj", *maps("dents"), *RAKING, "--camera-view-angle", "34")
+FLOOR = ("data/visibility/floor.obj", "--height-map", MAPS + "brick_height.png", "--bump", "height", "--bump-depth", "0.03", "--light", "directional:-1,-0.5,-0.3",
+         "--camera-position", "0,0.3,3.3", "--camera-focal-point", "0,0,0", "--camera-view-angle", "16")
 SPHERE = ("builtin:sphere", *maps("brick"), "--camera-position", "2.2,1.6,3.4", "--camera-focal-point", "0,0,0", "--camera-view-angle", "29")
 SHEETS = {
     "bump-techniques": (240, 104, [[(*wall_at(*view), "--bump", *how) for view in VIEWS] for how in TECHNIQUES.values()],
                         {"lines": list(TECHNIQUES), "columns": [f"{view[0]} degrees" for view in VIEWS], "colors": 64}),
+    "bump-grazing": (384, 176, [[FLOOR, (*FLOOR, "--anisotropy", "16")]], {"below": [["anisotropy 1", "anisotropy 16"]], "colors": 128}),
     "bump-settings": (240, 104, [[(*ASLANT, "--bump", *how) for how in SETTINGS[i:i + 4]] for i in (0, 4, 8)],
                       {"below": [WORDS[i:i + 4] for i in (0, 4, 8)], "colors": 64}),
     "bump-codes": (192, 192, [[GREEN, (*GREEN, "--normal-map-green", "down"), ZERO, (*ZERO, "--normal-map-zero", "128"),
