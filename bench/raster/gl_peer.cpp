@@ -149,7 +149,10 @@ public:
         Pixels p;
         p.width = settings_.width, p.height = settings_.height, p.channels = 3;
         p.bytes.resize(p.row_bytes() * std::size_t(p.height));
-        for (int y = 0; y < p.height; ++y) std::memcpy(p.row(y), sink_.color_row(y), p.row_bytes());
+        for (int y = 0; y < p.height; ++y) {
+            const std::byte* const row = sink_.color_row(y);
+            for (int x = 0; x < p.width; ++x) std::memcpy(p.row(y) + 3 * x, row + 4 * x, 3);
+        }
         return p;
     }
 
@@ -158,7 +161,7 @@ private:
     Context& context_;
     Camera camera_;
     std::unique_ptr<Engine> engine_;
-    PictureSink sink_{PixelFormat{}};
+    PictureSink sink_{PixelFormat{.channels = 4}};  ///< as the other side's target: sRGB codes, four bytes a pixel
     RenderStats stats_;
 };
 

@@ -26,19 +26,19 @@ const SrgbEncoder& SrgbEncoder::instance() {
 }
 
 SrgbEncoder::SrgbEncoder() {
-    constexpr std::uint32_t first = std::bit_cast<std::uint32_t>(srgb_lowest), none = 1u << srgb_bucket_bits;
-    table_.fill(none);
+    constexpr std::uint32_t bucket = 1u << srgb_bucket_bits;
+    table_.fill(0);
     for (std::uint32_t code = 1; code <= 255; ++code) {
         const std::uint32_t hint = std::bit_cast<std::uint32_t>(linear_from_srgb((float(code) - 0.25f) / 255.0f));
-        const std::uint32_t above = first_bits_of(code, hint) - first;
+        const std::uint32_t above = first_bits_of(code, hint);
         std::uint32_t& entry = table_[above >> srgb_bucket_bits];
-        RL_ASSERT(entry == none, "two steps in one bucket");
-        entry = above & (none - 1);
+        RL_ASSERT(entry == 0, "two steps in one bucket");
+        entry = bucket - (above & (bucket - 1));
     }
     std::uint32_t code = 0;
     for (std::uint32_t& entry : table_) {
-        const bool has_step = entry != none;
-        entry |= code << 24;
+        const bool has_step = entry != 0;
+        entry += code << srgb_bucket_bits;
         code += has_step ? 1 : 0;
     }
 }

@@ -10,7 +10,7 @@
 namespace rakelight {
 
 /// A table keyed by the upper bits of the float. Each octave is cut into 128 buckets, so fine that at most one of the 255
-/// places where the code steps up falls into a bucket: one look-up and one comparison give the correctly rounded code.
+/// places where the code steps up falls into a bucket: one look-up and one sum give the correctly rounded code.
 /// (Giesen 2012, "Exact float to sRGB8 conversions", has the idea with interpolated slopes.)
 class SrgbEncoder {
 public:
@@ -18,15 +18,13 @@ public:
 
     /// NaN and negative give 0, over 1 gives 255.
     std::uint32_t operator()(float linear) const {
-        const float low = linear > srgb_lowest ? linear : srgb_lowest;  // NaN too
-        const float clamped = low < srgb_highest ? low : srgb_highest;
-        const std::uint32_t above = std::bit_cast<std::uint32_t>(clamped) - std::bit_cast<std::uint32_t>(srgb_lowest);
-        const std::uint32_t entry = table_[above >> srgb_bucket_bits];
-        return (entry >> 24) + std::uint32_t((above & 0xFFFFu) >= (entry & 0x1FFFFu));
+        const float low = linear > 0.0f ? linear : 0.0f;  // NaN too
+        const std::uint32_t bits = std::bit_cast<std::uint32_t>(low < srgb_highest ? low : srgb_highest);
+        return (table_[bits >> srgb_bucket_bits] + (bits & 0xFFFFu)) >> srgb_bucket_bits;
     }
 
-    /// [srgb_buckets] the code at the bucket's lower end in the upper 8 bits; in the lower 17 the place in the bucket
-    /// where it goes up by one, 0x10000 where it does not.
+    /// [srgb_buckets] 2^16 times the code at the bucket's lower end, and what is missing to the next code where it goes up
+    /// in the bucket: with the place in the bucket added, bits 16 to 23 are the code.
     const std::uint32_t* table() const { return table_.data(); }
 
 private:

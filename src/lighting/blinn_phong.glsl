@@ -2,14 +2,12 @@
 // Source: Blinn 1977, "Models of Light Reflection for Computer Synthesized Pictures": (n.h)^exponent, h halfway between l, v.
 // Normalized: Giesen 2009, "Phong and Blinn-Phong Normalization Factors": the exact integral at normal incidence.
 
-// n.h, -1..1; 0 where l = -v: no halfway direction.
+// n.h, -1..1 but for a rounding; goes to 0 where l comes to -v within 1e-6 (no halfway direction). NaN where l + v is not
+// finite; no lobe comes of that.
 RL_FN real blinn_phong_n_dot_h(vec3 n, vec3 l, vec3 v)
 {
     vec3 twice_h = l + v;
-    real squared = dot(twice_h, twice_h);
-    mask has_direction = squared >= 1e-12f;
-    real n_dot_h = dot(n, twice_h) * reciprocal(sqrt(squared));
-    return select(has_direction, clamp(n_dot_h, -1.0f, 1.0f), 0.0f);
+    return dot(n, twice_h) * reciprocal(sqrt(max(dot(twice_h, twice_h), 1e-12f)));
 }
 
 // [1], 0..1; exponent >= 1. Textbook form: times k_s and the light's color, no cosine, no energy factor.

@@ -5,6 +5,7 @@
 // Entry points (real, mask, vec3 are wide; everything pure, noexcept, no memory):
 //   unlit(base_color, emission)                             -> radiance
 //   decode_normal(texel, scale), decode_normal_centered     -> tangent-space normal, not unit (light_sum never sees it)
+//   decode_twice_normal(2 texel)                            -> the same as decode_normal(texel, 1)
 //   orthogonal_tangent(n, t)                                -> unit tangent across n (Gram-Schmidt)
 //   perturb_normal(n, t, w, m)                              -> unit normal: t m.x + cross(n, t) w m.y + n m.z
 //   height_slope, bumped_normal(slope_t, slope_b)           -> tangent-space normal of a height map, not unit

@@ -7,6 +7,12 @@ RL_FN vec3 decode_normal(vec3 texel, real scale)
     return vec3((2.0f * texel.x - 1.0f) * scale, (2.0f * texel.y - 1.0f) * scale, 2.0f * texel.z - 1.0f);
 }
 
+// The same for twice the texel and scale 1.
+RL_FN vec3 decode_twice_normal(vec3 twice_texel)
+{
+    return twice_texel - vec3(1.0f);
+}
+
 // The other reading of a byte: 128 means exactly 0, 1 and 255 mean -1 and +1.
 RL_FN vec3 decode_normal_centered(vec3 texel, real scale)
 {

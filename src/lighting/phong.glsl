@@ -6,13 +6,17 @@
 // 2^-126. Relative error under n 2^-24.
 RL_FN real whole_power(real x, int n)
 {
-    real result = 1.0f;
     real square = x;
-    for (int rest = n; rest > 0; rest = rest >> 1) {
+    int rest = n;
+    for (; (rest & 1) == 0; rest = rest >> 1) {
+        square = square * square;
+    }
+    real result = square;
+    for (rest = rest >> 1; rest > 0; rest = rest >> 1) {
+        square = square * square;
         if ((rest & 1) != 0) {
             result = result * square;
         }
-        square = square * square;
     }
     return select(result >= 1.17549435e-38f, result, 0.0f);
 }

@@ -86,6 +86,9 @@ inline real min(real x, real y) { return real(half::min(x.a, y.a), half::min(x.b
 inline integer min(integer x, integer y) { return integer(half::min(x.a, y.a), half::min(x.b, y.b)); }
 inline real max(real x, real y) { return real(half::max(x.a, y.a), half::max(x.b, y.b)); }
 inline integer max(integer x, integer y) { return integer(half::max(x.a, y.a), half::max(x.b, y.b)); }
+inline integer low_in_both_halves(integer x) {
+    return integer(half::low_in_both_halves(x.a), half::low_in_both_halves(x.b));
+}
 inline integer add16(integer x, integer y) { return integer(half::add16(x.a, y.a), half::add16(x.b, y.b)); }
 inline integer sub16(integer x, integer y) { return integer(half::sub16(x.a, y.a), half::sub16(x.b, y.b)); }
 inline integer scale16(integer x, integer y) { return integer(half::scale16(x.a, y.a), half::scale16(x.b, y.b)); }

@@ -55,6 +55,7 @@ inline integer look_up(const int32_t* table, integer index) { return table[index
 
 // Two 16-bit numbers a lane. Sums wrap round.
 inline integer join16(int32_t low, int32_t high) { return int32_t((uint32_t(low) & 0xffffu) | (uint32_t(high) << 16)); }
+inline integer low_in_both_halves(integer x) { return join16(x, x); }
 inline integer add16(integer a, integer b) { return join16(int32_t(uint32_t(a) + uint32_t(b)), (a >> 16) + (b >> 16)); }
 inline integer sub16(integer a, integer b) { return join16(int32_t(uint32_t(a) - uint32_t(b)), (a >> 16) - (b >> 16)); }
 /// a times b / 32768, rounded to the nearest, halves up; b not -32768.

@@ -153,15 +153,26 @@ inline mask select(mask m, mask a, mask b) { return (m && a) || (!m && b); }
 // --------------------------------------------------------------------------------------------------------------
 
 #if defined(RL_ISA_avx512)
+inline integer low_in_both_halves(integer x) {
+    const __m512i order = _mm512_set4_epi32(0x0d0c0d0c, 0x09080908, 0x05040504, 0x01000100);
+    return integer(IntegerBatch(_mm512_shuffle_epi8(x.v, order)));
+}
 inline integer add16(integer a, integer b) { return integer(IntegerBatch(_mm512_add_epi16(a.v, b.v))); }
 inline integer sub16(integer a, integer b) { return integer(IntegerBatch(_mm512_sub_epi16(a.v, b.v))); }
 /// a times b / 32768, rounded to the nearest, halves up; b not -32768.
 inline integer scale16(integer a, integer b) { return integer(IntegerBatch(_mm512_mulhrs_epi16(a.v, b.v))); }
 #elif defined(RL_ISA_avx2)
+inline integer low_in_both_halves(integer x) {
+    const __m128i order = _mm_set_epi32(0x0d0c0d0c, 0x09080908, 0x05040504, 0x01000100);
+    return integer(IntegerBatch(_mm256_shuffle_epi8(x.v, _mm256_broadcastsi128_si256(order))));
+}
 inline integer add16(integer a, integer b) { return integer(IntegerBatch(_mm256_add_epi16(a.v, b.v))); }
 inline integer sub16(integer a, integer b) { return integer(IntegerBatch(_mm256_sub_epi16(a.v, b.v))); }
 inline integer scale16(integer a, integer b) { return integer(IntegerBatch(_mm256_mulhrs_epi16(a.v, b.v))); }
 #else
+inline integer low_in_both_halves(integer x) {
+    return integer(IntegerBatch(_mm_shufflehi_epi16(_mm_shufflelo_epi16(x.v, 0xa0), 0xa0)));
+}
 inline integer add16(integer a, integer b) { return integer(IntegerBatch(_mm_add_epi16(a.v, b.v))); }
 inline integer sub16(integer a, integer b) { return integer(IntegerBatch(_mm_sub_epi16(a.v, b.v))); }
 inline integer scale16(integer a, integer b) {  // _mm_mulhrs_epi16 came with SSSE3

@@ -224,6 +224,7 @@ vec3 decoded(const char* operation, vec3 texel, float scale) {
 TEST(NormalMap, DecodesBothReadingsOfAByte) {
     EXPECT_EQ(decoded("decode_normal", {1, 0, 1}, 0.5f), (vec3{0.5f, -0.5f, 1}));
     EXPECT_EQ(decoded("decode_normal", {0.5f, 0.5f, 1}, 1), (vec3{0, 0, 1}));
+    EXPECT_EQ(decoded("decode_twice_normal", {2, 0.5f, 1.25f}, 1), decoded("decode_normal", {1, 0.25f, 0.625f}, 1));
     const vec3 centered = decoded("decode_normal_centered", {128 / 255.0f, 1, 1 / 255.0f}, 1);
     EXPECT_NEAR(centered.x, 0, 1e-6);
     EXPECT_NEAR(centered.y, 1, 1e-6);

@@ -155,7 +155,7 @@ TEST(WideLighting, NothingThatGoesInGivesNaN) {
                 ASSERT_FALSE(std::isnan(results[c][i])) << "model " << choice.model << " column " << c << " item " << i;
     }
     for (const char* operation :
-         {"orthogonal_tangent", "perturb_normal", "blinn_phong_n_dot_h", "phong_lobe", "blinn_phong_lobe",
+         {"orthogonal_tangent", "perturb_normal", "blinn_phong_lobe_of_vectors", "phong_lobe", "blinn_phong_lobe",
           "classical_attenuation", "classical_spot", "photometric_attenuation", "photometric_spot"}) {
         const Results results = run(scalar::kernel, operation, items);
         for (std::size_t c = 0; c < results.width(); ++c)

@@ -34,7 +34,8 @@ struct Records {
     template <int n, class Use>
     void each(size_t member_offset, const Use& use) const {
         const int32_t at = int32_t(member_offset / sizeof(float));
-        for (int p = 0; p < parts; ++p) {
+#pragma GCC unroll 2
+        for (int p = 0; p < parts; ++p) {  // what the parts make stays in registers
             part::real a[n];
             get(of[p], at, a);
             use(p, a);
@@ -153,10 +154,11 @@ struct TexCoords {
     vec2 uv, dx, dy;
 };
 
-inline void find_texcoords(const Records& r, const Barycentrics& b, int set, TexCoords& to) {
+template <int set>
+inline void find_texcoords_of(const Records& r, const Barycentrics& b, TexCoords& to) {
     static_assert(offsetof(ShadeTriangle, slope0) == offsetof(ShadeTriangle, texcoord0) + 6 * sizeof(float));
     static_assert(offsetof(ShadeTriangle, slope1) == offsetof(ShadeTriangle, texcoord1) + 6 * sizeof(float));
-    const size_t at = set == 0 ? offsetof(ShadeTriangle, texcoord0) : offsetof(ShadeTriangle, texcoord1);
+    constexpr size_t at = set == 0 ? offsetof(ShadeTriangle, texcoord0) : offsetof(ShadeTriangle, texcoord1);
     r.each<10>(at, [&](int p, const part::real(&a)[10]) {
         const part::real b1 = part_of(b.b1, p), b2 = part_of(b.b2, p), w = part_of(b.w, p);
         const part::real per_w_dx = part_of(b.per_w_dx, p), per_w_dy = part_of(b.per_w_dy, p);
@@ -168,6 +170,10 @@ inline void find_texcoords(const Records& r, const Barycentrics& b, int set, Tex
         part_of(to.dy.x, p) = (a[7] - u * per_w_dy) * w;
         part_of(to.dy.y, p) = (a[9] - v * per_w_dy) * w;
     });
+}
+
+inline void find_texcoords(const Records& r, const Barycentrics& b, int set, TexCoords& to) {
+    set == 0 ? find_texcoords_of<0>(r, b, to) : find_texcoords_of<1>(r, b, to);
 }
 
 }  // namespace rakelight::raster::RL_ISA

@@ -34,8 +34,9 @@ inline Level level_at(const TextureView& t, integer number) {
     const auto look_up_real = [number](const float* table) {
         return real_from_bits(look_up(reinterpret_cast<const int32_t*>(table), number));
     };
-    return {look_up(t.origin, number), look_up(t.stride, number), look_up_real(t.fixed_width),
-            look_up_real(t.fixed_height)};
+    const real width = look_up_real(t.fixed_width);
+    return {look_up(t.origin, number), look_up(t.stride, number), width,
+            t.width[0] == t.height[0] ? width : look_up_real(t.fixed_height)};
 }
 inline Level largest_level(const TextureView& t) {
     return {integer(t.origin[0]), integer(t.stride[0]), real(t.fixed_width[0]), real(t.fixed_height[0])};
@@ -51,7 +52,6 @@ inline real wrap_coordinate(real u, int mode) {
     return clamp(u, real(0.0f), real(1.0f));
 }
 
-inline integer in_both_halves(integer weight) { return weight | (weight << 16); }
 
 /// The first of two neighbors on one axis, -1..size - 1 or by rounding `size`, and the second one's weight.
 struct Neighbors {
@@ -60,7 +60,7 @@ struct Neighbors {
 
 inline Neighbors neighbors(real wrapped, real fixed_size) {
     const integer fixed = to_int(wrapped * fixed_size) - integer(1 << (fraction_bits - 1));
-    return {fixed >> fraction_bits, in_both_halves(fixed & integer((1 << fraction_bits) - 1))};
+    return {fixed >> fraction_bits, low_in_both_halves(fixed) & integer(0x7fff7fff)};
 }
 
 /// The texel that holds the point.
@@ -88,6 +88,10 @@ inline Taps taps_of(const Level& level, real u, real v, bool linear) {
 /// maximum of the two lengths).
 inline real level_of_detail(const TextureView& t, const TexCoords& c) {
     const real w = real(float(t.width[0])), h = real(float(t.height[0]));
+    if (t.width[0] == t.height[0]) {
+        const real squared = max(dot(c.dx, c.dx), dot(c.dy, c.dy));
+        return real(0.5f) * log2_coarse(squared * (w * w));
+    }
     const real ux = c.dx.x * w, vx = c.dx.y * h, uy = c.dy.x * w, vy = c.dy.y * h;
     const real squared = max(ux * ux + vx * vx, uy * uy + vy * vy);
     return real(0.5f) * log2_coarse(squared);
@@ -116,7 +120,7 @@ inline void find_footprint(const TextureView& t, const TexCoords& c, real lod, b
     f.taps[0] = taps_of(level_at(t, lower), u, v, linear);
     if (t.mip == 1) return;
     f.has_two_levels = true;
-    f.between = in_both_halves(to_int((level - to_real(lower)) * real(float(1 << fraction_bits))));
+    f.between = low_in_both_halves(to_int((level - to_real(lower)) * real(float(1 << fraction_bits))));
     f.taps[1] = taps_of(level_at(t, min(lower + integer(1), integer(t.levels - 1))), u, v, linear);
 }
 
@@ -192,10 +196,15 @@ inline auto filtered(const Reader& read, const Footprint& f) {
     return f.has_two_levels ? mix(first, filtered_level(read, f.taps[1], f.linear), f.between) : first;
 }
 
-inline vec4 sample(const TextureView& t, const Footprint& f) {
-    if (t.rgba32f != nullptr) return filtered(FloatTexels{t.rgba32f}, f);
-    const Texels texels = t.rgba16 != nullptr ? filtered(ColorTexels{t.rgba16}, f) : filtered(DataTexels{t.rgba8}, f);
-    const real scale(t.rgba16 != nullptr ? 1.0f / 32767.0f : 1.0f / (255.0f * 128.0f));
+inline Texels filtered_codes(const TextureView& t, const Footprint& f) {
+    return t.rgba16 != nullptr ? filtered(ColorTexels{t.rgba16}, f) : filtered(DataTexels{t.rgba8}, f);
+}
+
+/// 0..1 but for floats, times a power of two. Inline, so that channels which nobody reads cost nothing.
+[[gnu::always_inline]] inline vec4 sample(const TextureView& t, const Footprint& f, float times = 1.0f) {
+    if (t.rgba32f != nullptr) return filtered(FloatTexels{t.rgba32f}, f) * real(times);
+    const Texels texels = filtered_codes(t, f);
+    const real scale(times * (t.rgba16 != nullptr ? 1.0f / 32767.0f : 1.0f / (255.0f * 128.0f)));
     const integer low(0xffff);
     return vec4(to_real(texels.red_blue & low) * scale, to_real(texels.green_alpha & low) * scale,
                 to_real(shift_right_logical(texels.red_blue, 16)) * scale,

@@ -19,18 +19,26 @@ struct Block {
     static constexpr int32_t most = lanes < 32 ? 4 : 2;
     int32_t count;  ///< of vectors
     Pixels pixels[most];
-    BaseColor base[most];
-    lit::Surface surface[most];
+    lit::Surface surface[most];  ///< unlit: only `diffuse`, its own color
+    real alpha[most];            ///< where it is stored
     vec3 radiance[most];
 };
+
+inline void find_reflectance(const ShadeJob& job, const Pixels& p, lit::Surface& surface, real& alpha) {
+    const BaseColor base = base_color(*job.material, p);
+    if (job.unlit != 0)
+        surface.diffuse = rgb(base.color);
+    else
+        set_reflectance(job, p, base, surface);
+    if (job.srgb8 == nullptr) alpha = base.color.w;
+}
 
 inline void find_surfaces(const ShadeJob& job, int32_t first, Block& b) {
     const MaterialView& m = *job.material;
     const bool needs_normal = (job.lit == nullptr && job.unlit == 0) || job.normal_x != nullptr;
     for (int32_t k = 0; k < b.count; ++k) b.pixels[k].find(job, first + k * lanes);
     for (int32_t k = 0; k < b.count; ++k) find_texcoords(m, b.pixels[k]);
-    for (int32_t k = 0; k < b.count; ++k) b.base[k] = base_color(m, b.pixels[k]);
-    for (int32_t k = 0; k < b.count; ++k) set_reflectance(job, b.pixels[k], b.base[k], b.surface[k]);
+    for (int32_t k = 0; k < b.count; ++k) find_reflectance(job, b.pixels[k], b.surface[k], b.alpha[k]);
     if (!needs_normal) return;
     for (int32_t k = 0; k < b.count; ++k) b.surface[k].n = shading_normal(job, b.pixels[k]);
     for (int32_t k = 0; k < b.count; ++k) b.surface[k].v = to_viewer(job, b.pixels[k].position);
@@ -40,7 +48,7 @@ inline void light_surfaces(const ShadeJob& job, Block& b) {
     for (int32_t k = 0; k < b.count; ++k) b.radiance[k] = emission_of(*job.material, b.pixels[k]);
     if (job.unlit != 0 || job.lit != nullptr) {
         for (int32_t k = 0; k < b.count; ++k)
-            b.radiance[k] = job.unlit != 0 ? lit::unlit(rgb(b.base[k].color), b.radiance[k])
+            b.radiance[k] = job.unlit != 0 ? lit::unlit(b.surface[k].diffuse, b.radiance[k])
                                            : add_interpolated(b.radiance[k], job, b.pixels[k], b.surface[k]);
         return;
     }
@@ -55,7 +63,7 @@ inline int32_t store_block(const ShadeJob& job, int32_t first, Block& b) {
     int32_t not_finite = 0;
     for (int32_t k = 0; k < b.count; ++k) {
         const int32_t at = first + k * lanes;
-        not_finite += store_finite(job, at, b.radiance[k], b.base[k].color.w);
+        not_finite += store_finite(job, at, b.radiance[k], b.alpha[k]);
         if (job.normal_x != nullptr) store_normal(job, at, b.surface[k].n);
     }
     return not_finite;

@@ -15,13 +15,11 @@ inline real only_finite(real v, int32_t alive, int32_t& not_finite) {
     return select(is_finite, v, real(0.0f));
 }
 
-/// Linear -> correctly rounded sRGB codes: SrgbEncoder (image/srgb_encoder.h) for a vector.
+/// Linear -> correctly rounded sRGB codes, in bits 16 to 23 (those below are anything): SrgbEncoder
+/// (image/srgb_encoder.h) for a vector.
 inline integer srgb8(const uint32_t* table, real linear) {
-    const real clamped = min(max(linear, real(srgb_lowest)), real(srgb_highest));
-    const integer above = bits_of(clamped) - bits_of(real(srgb_lowest));
-    const integer entry = gather_i(table, shift_right_logical(above, srgb_bucket_bits));
-    const mask is_over = (above & integer(0xffff)) >= (entry & integer(0x1ffff));
-    return shift_right_logical(entry, 24) + select(is_over, integer(1), integer(0));
+    const integer bits = bits_of(min(max(linear, real(0.0f)), real(srgb_highest)));
+    return gather_i(table, shift_right_logical(bits, srgb_bucket_bits)) + (bits & integer(0xffff));
 }
 
 inline void store_colors(const ShadeJob& job, int32_t first, vec3 radiance, real alpha) {
@@ -32,8 +30,9 @@ inline void store_colors(const ShadeJob& job, int32_t first, vec3 radiance, real
         store(job.alpha + first, alpha);
         return;
     }
-    const integer codes = srgb8(job.srgb_table, radiance.x) | (srgb8(job.srgb_table, radiance.y) << 8) |
-                          (srgb8(job.srgb_table, radiance.z) << 16) | integer(int32_t(0xff000000u));
+    const integer codes = shift_right_logical(srgb8(job.srgb_table, radiance.x), 16) |
+                          (shift_right_logical(srgb8(job.srgb_table, radiance.y), 8) & integer(0xff00)) |
+                          (srgb8(job.srgb_table, radiance.z) & integer(0xff0000)) | integer(int32_t(0xff000000u));
     store(reinterpret_cast<int32_t*>(job.srgb8 + first), codes);
 }
 

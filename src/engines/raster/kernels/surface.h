@@ -45,8 +45,8 @@ inline vec4 texel(const TextureSlot& slot, const Pixels& p) {
 }
 
 inline void find_texcoords(const MaterialView& m, Pixels& p) {
-    for (int set = 0; set < 2; ++set)
-        if (m.uses_texcoords[set] != 0) find_texcoords(p.records, p.b, set, p.texcoords[set]);
+    if (m.uses_texcoords[0] != 0) find_texcoords_of<0>(p.records, p.b, p.texcoords[0]);
+    if (m.uses_texcoords[1] != 0) find_texcoords_of<1>(p.records, p.b, p.texcoords[1]);
     p.shares_footprint = m.shares_footprint != 0 && p.anisotropy <= 1;
     if (!p.shares_footprint) return;
     const TextureView& t = *m.base_color_map.view;
@@ -60,19 +60,25 @@ inline vec3 normal_texel(const MaterialView& m, const Pixels& p) {
     return rgb(p.shares_footprint ? sample(*m.normal_map.view, p.footprint) : texel(m.normal_map, p));
 }
 
+/// In tangent space, not unit.
+inline vec3 decoded_normal(const MaterialView& m, const Pixels& p) {
+    if (p.shares_footprint && m.normal_scale == 1.0f)
+        return lit::decode_twice_normal(rgb(sample(*m.normal_map.view, p.footprint, 2.0f)));
+    return lit::decode_normal(normal_texel(m, p), real(m.normal_scale));
+}
+
 /// What the surface is painted with, vertex color times texture, and that times the material's factor; alpha with the opacity map.
 struct BaseColor {
     vec4 paint, color;
 };
 
-inline BaseColor base_color(const MaterialView& m, const Pixels& p) {
+[[gnu::always_inline]] inline BaseColor base_color(const MaterialView& m, const Pixels& p) {
     BaseColor base;
     const real one(1.0f);
-    base.paint = m.vertex_colors != 0 ? interpolate_color(p.records, p.b) : vec4(one, one, one, one);
-    if (p.shares_footprint)
-        base.paint = base.paint * sample(*m.base_color_map.view, p.footprint);
-    else if (m.base_color_map.view != nullptr)
-        base.paint = base.paint * texel(m.base_color_map, p);
+    base.paint = vec4(one, one, one, one);
+    if (m.base_color_map.view != nullptr)
+        base.paint = p.shares_footprint ? sample(*m.base_color_map.view, p.footprint) : texel(m.base_color_map, p);
+    if (m.vertex_colors != 0) base.paint = interpolate_color(p.records, p.b) * base.paint;
     base.color = vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * base.paint;
     if (m.opacity_map.view != nullptr) base.color.w = base.color.w * texel(m.opacity_map, p).x;
     return base;
@@ -81,13 +87,15 @@ inline BaseColor base_color(const MaterialView& m, const Pixels& p) {
 /// Interpolated normal, bumped by the map, on the side that is lit.
 inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
     const MaterialView& m = *job.material;
+    const bool is_mapped = job.bump != 0 && m.normal_map.view != nullptr;
+    vec3 mapped;
+    if (is_mapped) mapped = decoded_normal(m, p);
     const SignedVector normal = normal_at(p.records, p.b);
     vec3 n = safe_normalize(normal.v);
-    if (job.bump != 0 && m.normal_map.view != nullptr) {
+    if (is_mapped) {
         const SignedVector tangent = tangent_at(p.records, p.b);
         const vec3 across = lit::orthogonal_tangent(n, tangent.v);
         const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across);
-        const vec3 mapped = lit::decode_normal(normal_texel(m, p), real(m.normal_scale));
         n = lit::perturb_normal(n, t, tangent.sign, mapped);
     }
     return n * normal.sign;
