@@ -7,17 +7,6 @@
 namespace rakelight::io::obj {
 namespace {
 
-/// Finalizer of SplitMix64 (Steele, Lea & Flood 2014): every bit of the input reaches every bit of the result.
-std::uint64_t mixed(std::uint64_t x) {
-    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-    return x ^ (x >> 31);
-}
-
-std::uint64_t hash_of(const Corner& c) {
-    return mixed(mixed((std::uint64_t(c.position) << 32 | c.texcoord) + 0x9E3779B97F4A7C15u) + c.normal);
-}
-
 template <class T>
 std::vector<T> reserved(std::size_t count, Context& context) {
     context.memory().charge(count * sizeof(T), "the meshes of an OBJ file");
@@ -28,10 +17,14 @@ std::vector<T> reserved(std::size_t count, Context& context) {
 
 }  // namespace
 
+std::uint64_t hash_of(const Corner& c, HashKey key) {
+    return folded_product((std::uint64_t(c.position) << 32 | c.texcoord) ^ key.a, c.normal ^ key.b);
+}
+
 std::uint32_t CornerTable::index_of(const Corner& corner, MemoryBudget& budget) {
     if (2 * (corners_.size() + 1) > slots_.size()) grow(budget);
     const std::size_t mask = slots_.size() - 1;
-    for (std::size_t slot = hash_of(corner) & mask;; slot = (slot + 1) & mask) {
+    for (std::size_t slot = hash_of(corner, key_) & mask;; slot = (slot + 1) & mask) {
         if (slots_[slot] == none) {
             if (corners_.size() >= none - 1)
                 throw Error(ErrorCode::bad_file, "a mesh has more than 4294967294 vertices");
@@ -48,7 +41,7 @@ void CornerTable::grow(MemoryBudget& budget) {
     budget.charge(size * sizeof(std::uint32_t), "the faces of an OBJ file");
     slots_.assign(size, none);
     for (std::uint32_t i = 0; i < corners_.size(); ++i) {
-        std::size_t slot = hash_of(corners_[i]) & (size - 1);
+        std::size_t slot = hash_of(corners_[i], key_) & (size - 1);
         while (slots_[slot] != none) slot = (slot + 1) & (size - 1);
         slots_[slot] = i;
     }
@@ -56,7 +49,8 @@ void CornerTable::grow(MemoryBudget& budget) {
 
 std::size_t MeshSet::Hash::operator()(const MeshKey& key) const {
     const std::uint64_t kind = std::uint64_t(key.topology) << 1 | std::uint64_t(key.has_normals);
-    return std::size_t(mixed(mixed(std::uint64_t(key.object) << 32 | key.material) + kind));
+    const HashKey secret = hash_key_of_this_run();
+    return std::size_t(folded_product((std::uint64_t(key.object) << 32 | key.material) ^ secret.a, kind ^ secret.b));
 }
 
 GrowingMesh& MeshSet::mesh(const MeshKey& key) {

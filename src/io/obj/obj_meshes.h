@@ -9,6 +9,7 @@
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
 
+#include "base/hash_key.h"
 #include "io/obj/obj_remarks.h"
 #include "io/obj/obj_vertices.h"
 
@@ -31,6 +32,8 @@ void push_charged(std::vector<T>& array, const T& value, MemoryBudget& budget) {
     array.push_back(value);
 }
 
+std::uint64_t hash_of(const Corner& corner, HashKey key);
+
 /// Numbers unique corners in order of first use. Expected O(1) a corner.
 class CornerTable {
 public:
@@ -39,6 +42,7 @@ public:
 
 private:
     void grow(MemoryBudget& budget);
+    HashKey key_ = hash_key_of_this_run();
     std::vector<Corner> corners_;
     std::vector<std::uint32_t> slots_;  ///< open addressing, a power of two, at most half full
 };

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "base/hash_key.h"
 #include "io/beside.h"
 #include "io/file.h"
 #include "io/obj/material_files.h"
@@ -38,9 +39,8 @@ public:
 private:
     struct Hash {
         std::size_t operator()(const std::array<std::uint32_t, 3>& k) const {
-            std::uint64_t h = 0;
-            for (const std::uint32_t word : k) h = (h ^ word) * 0x9E3779B97F4A7C15u, h ^= h >> 29;
-            return std::size_t(h);
+            const HashKey key = hash_key_of_this_run();
+            return std::size_t(folded_product((std::uint64_t(k[0]) << 32 | k[1]) ^ key.a, k[2] ^ key.b));
         }
     };
     std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, Hash> numbers_;

@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include "io/obj/obj_meshes.h"
 #include "math/color.h"
 #include "obj_fixture.h"
 #include "scene/scene_tools.h"
@@ -252,6 +253,27 @@ TEST_F(ObjFaces, MemoryIsChargedBeforeItIsAskedFor) {
     EXPECT_THROW(read_obj(path, {}, small), Error);
     Context large({.max_memory = 4'000'000});
     EXPECT_NO_THROW(read_obj(path, {}, large));
+}
+
+/// Finalizer of SplitMix64: a good hash that everybody can compute.
+std::uint64_t splitmix(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return x ^ (x >> 31);
+}
+
+TEST_F(ObjFaces, CornersMadeToMeetInOneSlotDoNot) {
+    std::vector<obj::Corner> corners;
+    for (std::uint32_t p = 0; corners.size() < 1000; ++p)
+        for (std::uint32_t t = 0; t < 1000; ++t)
+            if ((splitmix(splitmix((std::uint64_t(p) << 32 | t) + 0x9E3779B97F4A7C15u) + 7) & 0xfff) == 0)
+                corners.push_back({p, t, 7});
+    for (const HashKey key : {hash_key_of_this_run(), HashKey{0x243f6a8885a308d3u, 0x13198a2e03707344u}}) {
+        std::set<std::uint64_t> slots;
+        for (const obj::Corner& c : corners) slots.insert(obj::hash_of(c, key) & 0xfff);
+        // 1000 balls in 4096 bins: 4096 (1 - e^(-1000/4096)) = 887 of them are hit, with a deviation of about 10.
+        EXPECT_GT(slots.size(), 800u);
+    }
 }
 
 TEST_F(ObjFaces, ACancelledRunStops) {

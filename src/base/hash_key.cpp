@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/position_hash.h"
+#include "base/hash_key.h"
 
 #include <sys/auxv.h>
 
 #include <chrono>
 #include <cstring>
 
-namespace rakelight::geometry {
+namespace rakelight {
 
 HashKey hash_key_of_this_run() {
     static const HashKey key = [] {
@@ -25,4 +25,4 @@ HashKey hash_key_of_this_run() {
     return key;
 }
 
-}  // namespace rakelight::geometry
+}  // namespace rakelight
