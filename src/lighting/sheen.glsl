@@ -25,9 +25,9 @@ RL_FN real sheen_fit(real x, real alpha)
 
 RL_FN real sheen_lambda(real cosine, real alpha)
 {
-    real low = sheen_fit(cosine, alpha);
-    real high = 2.0f * sheen_fit(0.5f, alpha) - sheen_fit(1.0f - cosine, alpha);
-    return exp(select(cosine < 0.5f, low, high));
+    mask is_low = cosine < 0.5f;
+    real fit = sheen_fit(select(is_low, cosine, 1.0f - cosine), alpha);
+    return exp(select(is_low, fit, 2.0f * sheen_fit(0.5f, alpha) - fit));
 }
 
 // [1/sr] per unit of the sheen color; 0 where l or v is below the horizon. 0 < alpha <= 1.
