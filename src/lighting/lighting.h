@@ -15,7 +15,8 @@
 //   add_light(sum, surface, sample, reflection)             -> sum + the light's ambient + diffuse + specular
 //   light_terms(surface, sample, reflection)                -> the three terms apart
 //   lobe_scale(exponent, reflection)                        -> a surface's energy factor, for all its lights
-//   fog_factor(kind, distance, start, end, density)         -> what is left of a color behind fog
+//   fan_width, facet_ray(n, t, v, width, place)            -> FacetRay: where a brushed surface mirrors its
+//   surroundings fog_factor(kind, distance, start, end, density)         -> what is left of a color behind fog
 //   lambert_brdf, phong_brdf, blinn_phong_brdf, ..._lobe    -> the models themselves [1/sr], [1]
 //
 // A pixel: Surface s {n, v, k_a, k_d, k_s, exponent, lobe_scale}; Reflection r {RL_BLINN_PHONG, RL_TEXTBOOK, 1};
@@ -39,6 +40,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/oren_nayar.glsl"
 #include "lighting/ward.glsl"
 #include "lighting/ggx.glsl"
+#include "lighting/facet_fan.glsl"
 #include "lighting/clearcoat.glsl"
 #include "lighting/sheen.glsl"
 #include "lighting/normal_map.glsl"

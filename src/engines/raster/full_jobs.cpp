@@ -59,6 +59,13 @@ FogView fog_view(const Fog& fog) {
     return out;
 }
 
+bool has_ambient_light(const FrontEnd& front) {
+    const std::vector<Light>& lights = front.list.scene.lights;
+    return std::any_of(lights.begin(), lights.end(), [](const Light& light) {
+        return light.units == LightUnits::classical && light.ambient != vec3{0, 0, 0};
+    });
+}
+
 FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects& effects) {
     const RenderSettings& s = front.settings;
     const Material& m = material_of(front, draw);
@@ -79,6 +86,7 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
     out.shadows = effects.shadows;
     const std::optional<Environment>& environment = front.list.scene.environment;
     if (front.list.environment && environment->is_light) out.environment = &front.list.environment_view;
+    out.has_light_around = effects.is_explained || out.environment != nullptr || has_ambient_light(front);
     out.fog = fog_view(front.list.scene.fog);
     out.albedo = lighting::albedo_tables();
     return out;

@@ -8,6 +8,7 @@ namespace rakelight::raster {
 /// What is made once for a picture and read by all its draws.
 struct PictureEffects {
     const ShadowView* shadows = nullptr;  ///< [maps]; null: none
+    bool is_explained = false;            ///< also what adds nothing is found
 };
 
 /// Fills FrontEnd::full and needs_full.

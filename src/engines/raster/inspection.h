@@ -110,7 +110,7 @@ public:
     const View& view() const { return view_; }
     const RenderSettings& settings() const { return settings_; }
     const std::vector<lighting::LightParameters>& lights() const { return lights_; }
-    PictureEffects effects() const { return {.shadows = shadows_.data()}; }
+    PictureEffects effects() const { return {.shadows = shadows_.data(), .is_explained = true}; }
     /// [m] distance along the view axis of a depth key.
     float distance_of(float key) const { return float(view_.distance_of(double(key))); }
     /// Whether culling drops what is seen from behind (or from the front) of a draw.

@@ -13,13 +13,9 @@ TEST(Anisotropy, GivesTheValuesOfTheTable) {
     expect_values_of_the_table("ggx_anisotropic_brdf", &MaterialRow::ggx_anisotropic);
 }
 
-TEST(Anisotropy, IsReciprocal) {
-    expect_reciprocal("ggx_anisotropic_brdf");
-}
+TEST(Anisotropy, IsReciprocal) { expect_reciprocal("ggx_anisotropic_brdf"); }
 
-TEST(Anisotropy, AWideTangentStretchesTheHighlightAlongIt) {
-    expect_a_wide_tangent_to_stretch("ggx_anisotropic_brdf");
-}
+TEST(Anisotropy, AWideTangentStretchesTheHighlightAlongIt) { expect_a_wide_tangent_to_stretch("ggx_anisotropic_brdf"); }
 
 TEST(Anisotropy, EqualWidthsAreTheIsotropicLobe) {
     expect_equal_widths_to_be_isotropic("ggx_anisotropic_brdf");

@@ -9,21 +9,15 @@
 namespace rakelight::lighting_test {
 namespace {
 
-TEST(BlinnPhong, GivesTheValuesOfTheTable) {
-    expect_values_of_the_table(blinn_phong);
-}
+TEST(BlinnPhong, GivesTheValuesOfTheTable) { expect_values_of_the_table(blinn_phong); }
 
-TEST(BlinnPhong, AWholeExponentGivesTheLobeOfTheSameExponent) {
-    expect_whole_exponents_to_agree(blinn_phong);
-}
+TEST(BlinnPhong, AWholeExponentGivesTheLobeOfTheSameExponent) { expect_whole_exponents_to_agree(blinn_phong); }
 
 TEST(BlinnPhong, NormalizedFormReflectsAllAtNormalIncidenceAndNeverMoreThanAll) {
     expect_energy_of_the_normalized_form(blinn_phong);
 }
 
-TEST(BlinnPhong, NormalizedFormIsReciprocal) {
-    expect_normalized_form_is_reciprocal(blinn_phong);
-}
+TEST(BlinnPhong, NormalizedFormIsReciprocal) { expect_normalized_form_is_reciprocal(blinn_phong); }
 
 TEST(BlinnPhong, OppositeLightAndViewerHaveNoHalfwayDirection) {
     Items items;

@@ -64,8 +64,7 @@ TEST(Clearcoat, OverAWhiteSurfaceNoMoreLeavesThanComes) {
         }
         const Results r = material(scalar::kernel, items, {pbr, 2, 0, 0, 0, 1});
         double share = 0;  // radiance for irradiance pi cos l
-        for (std::size_t i = 0; i < out.v.size(); ++i)
-            share += double(r[3][i] + r[6][i]) / pi_d * out.solid_angle[i];
+        for (std::size_t i = 0; i < out.v.size(); ++i) share += double(r[3][i] + r[6][i]) / pi_d * out.solid_angle[i];
         EXPECT_LE(share, 1.002) << angle;
         EXPECT_GE(share, 0.3) << angle;
     }

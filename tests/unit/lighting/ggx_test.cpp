@@ -11,13 +11,9 @@
 namespace rakelight::lighting_test {
 namespace {
 
-TEST(Ggx, GivesTheValuesOfTheTable) {
-    expect_values_of_the_table("ggx_brdf", &MaterialRow::ggx);
-}
+TEST(Ggx, GivesTheValuesOfTheTable) { expect_values_of_the_table("ggx_brdf", &MaterialRow::ggx); }
 
-TEST(Ggx, IsReciprocal) {
-    expect_reciprocal("ggx_brdf");
-}
+TEST(Ggx, IsReciprocal) { expect_reciprocal("ggx_brdf"); }
 
 TEST(Ggx, MetallicRoughnessWithCompensationIsReciprocal) {
     Random random;

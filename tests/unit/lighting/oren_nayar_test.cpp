@@ -9,13 +9,9 @@
 namespace rakelight::lighting_test {
 namespace {
 
-TEST(OrenNayar, GivesTheValuesOfTheTable) {
-    expect_values_of_the_table("oren_nayar_brdf", &MaterialRow::oren_nayar);
-}
+TEST(OrenNayar, GivesTheValuesOfTheTable) { expect_values_of_the_table("oren_nayar_brdf", &MaterialRow::oren_nayar); }
 
-TEST(OrenNayar, IsReciprocal) {
-    expect_reciprocal("oren_nayar_brdf");
-}
+TEST(OrenNayar, IsReciprocal) { expect_reciprocal("oren_nayar_brdf"); }
 
 TEST(OrenNayar, WithoutSlopesIsLambertToTheBit) {
     Items items;

@@ -15,21 +15,15 @@ double textbook_albedo(double degrees_in) {
     return albedo({phong, textbook, 1}, beam(degrees_in), out, {});
 }
 
-TEST(Phong, GivesTheValuesOfTheTable) {
-    expect_values_of_the_table(phong);
-}
+TEST(Phong, GivesTheValuesOfTheTable) { expect_values_of_the_table(phong); }
 
-TEST(Phong, AWholeExponentGivesTheLobeOfTheSameExponent) {
-    expect_whole_exponents_to_agree(phong);
-}
+TEST(Phong, AWholeExponentGivesTheLobeOfTheSameExponent) { expect_whole_exponents_to_agree(phong); }
 
 TEST(Phong, NormalizedFormReflectsAllAtNormalIncidenceAndNeverMoreThanAll) {
     expect_energy_of_the_normalized_form(phong);
 }
 
-TEST(Phong, NormalizedFormIsReciprocal) {
-    expect_normalized_form_is_reciprocal(phong);
-}
+TEST(Phong, NormalizedFormIsReciprocal) { expect_normalized_form_is_reciprocal(phong); }
 
 TEST(Phong, TextbookFormHasTheKnownAlbedos) {
     // Exponent 1: (2/3) ((pi - t) cos t + sin t) / (pi cos t): 2/3 at normal incidence, 1.18 at 75 degrees: not energy

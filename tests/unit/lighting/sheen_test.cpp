@@ -10,13 +10,9 @@
 namespace rakelight::lighting_test {
 namespace {
 
-TEST(Sheen, GivesTheValuesOfTheTable) {
-    expect_values_of_the_table("sheen_brdf", &MaterialRow::sheen);
-}
+TEST(Sheen, GivesTheValuesOfTheTable) { expect_values_of_the_table("sheen_brdf", &MaterialRow::sheen); }
 
-TEST(Sheen, IsReciprocal) {
-    expect_reciprocal("sheen_brdf");
-}
+TEST(Sheen, IsReciprocal) { expect_reciprocal("sheen_brdf"); }
 
 TEST(Sheen, DarkensTheMaterialBelowByItsAlbedo) {
     Items items;

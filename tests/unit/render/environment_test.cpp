@@ -9,45 +9,14 @@
 
 #include <rakelight/render.h>
 
-#include "image/environment.h"
 #include "math/isa.h"
 #include "math/linear.h"
-#include "prepare/primitives.h"
+#include "unit/render/environment_scenes.h"
 
 namespace rakelight {
 namespace {
 
-ImageHandle panorama(const std::function<vec3(dvec3)>& light, int height = 64) {
-    auto image = std::make_shared<EncodedImage>();
-    image->name = "all around";
-    image->decode = [light, height](const EncodedImage&, Context&) {
-        Pixels p{.width = 2 * height, .height = height, .channels = 3, .component = Component::f32, .is_linear = true};
-        p.bytes.resize(p.row_bytes() * std::size_t(height));
-        for (int y = 0; y < p.height; ++y)
-            for (int x = 0; x < p.width; ++x) {
-                const vec3 c = light(equirectangular_direction((x + 0.5) / p.width, (y + 0.5) / p.height));
-                std::memcpy(p.row(y) + std::size_t(x) * sizeof c, &c, sizeof c);
-            }
-        return p;
-    };
-    return image;
-}
-ImageHandle even(float radiance) {
-    return panorama([radiance](dvec3) { return vec3{radiance, radiance, radiance}; });
-}
-
-Scene sphere_in(Environment environment, const std::function<void(Material&)>& change) {
-    Scene scene = make_primitive({.tolerance = 1e-4});
-    change(scene.materials[0]);
-    scene.environment = std::move(environment);
-    return scene;
-}
-
-Frame draw(const Scene& scene, RenderSettings settings = {}, int threads = 2) {
-    settings.width = 96, settings.height = 80;
-    Context context({.threads = threads});
-    return render(scene, settings, context);
-}
+using namespace test;
 
 void expect_everywhere(const Frame& f, float wanted, double tolerance) {
     int covered = 0;

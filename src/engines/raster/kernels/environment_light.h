@@ -47,6 +47,37 @@ inline vec3 mirrored_about(vec3 n, vec3 v) {
     return n * (n_dot_v + n_dot_v) - v;
 }
 
+inline constexpr int fan_facets = 16;
+
+/// Of a surface that is rougher along one axis: each facet of the fan mirrors a lobe as wide as the surface is across,
+/// or as they are apart. Lanes of equal widths have `even`.
+inline vec3 mirrored_by_fan(const EnvironmentView& e, const lit::MaterialSurface& s, vec3 even) {
+    const mask is_along_t = s.alpha_x > s.alpha_y, is_uneven = is_along_t | (s.alpha_y > s.alpha_x);
+    if (no_lane(is_uneven)) return even;
+    const vec3 t = select(is_along_t, s.tangent, s.bitangent);
+    const real wide = min(max(s.alpha_x, s.alpha_y), real(1.0f)), narrow = min(min(s.alpha_x, s.alpha_y), wide);
+    const real width = lit::fan_width(wide, narrow);
+    const real roughness = sqrt(max(narrow, width * real(1.2f / float(fan_facets))));
+    vec3 sum = vec3(real(0.0f));
+    real weights(0.0f);
+    for (int i = 0; i < fan_facets; ++i) {
+        const real place((float(i) + 0.5f) / float(fan_facets));
+        const lit::FacetRay ray = lit::facet_ray(s.base.n, t, s.base.v, width, place);
+        sum = sum + mirrored(e, ray.l, roughness) * ray.weight;
+        weights = weights + ray.weight;
+    }
+    const mask has_fan = is_uneven & (weights > real(1e-6f));
+    return select(has_fan, sum / max(weights, real(1e-6f)), even);
+}
+
+/// What the glossy lobe about the surface's mirror direction mirrors.
+inline vec3 glossy(const ShadeJob& job, const EnvironmentView& e, const lit::MaterialSurface& s,
+                   const lit::MaterialTraits& traits) {
+    const vec3 even = mirrored(e, mirrored_about(s.base.n, s.base.v), s.roughness);
+    const bool has_axes = job.reflection_model == RL_WARD || (is_pbr(job) && traits.is_anisotropic != 0);
+    return has_axes ? mirrored_by_fan(e, s, even) : even;
+}
+
 /// `ambient`: diffuse reflection, `specular`: gloss, sheen and coat, as finish_surface() has weighed them.
 inline lit::LightTerms environment_terms(const ShadeJob& job, const lit::MaterialSurface& s) {
     const EnvironmentView& e = *job.full->environment;
@@ -54,7 +85,7 @@ inline lit::LightTerms environment_terms(const ShadeJob& job, const lit::Materia
     lit::LightTerms terms;
     terms.ambient = s.around_diffuse * irradiance(e, s.diffuse_n);
     terms.diffuse = vec3(real(0.0f));
-    terms.specular = s.around_specular * mirrored(e, mirrored_about(s.base.n, s.base.v), s.roughness);
+    terms.specular = s.around_specular * glossy(job, e, s, traits);
     if (traits.has_sheen != 0) terms.specular = terms.specular + s.around_sheen * irradiance(e, s.base.n);
     if (traits.has_coat != 0)
         terms.specular =

@@ -78,11 +78,12 @@ inline void set_widths(const ShadeJob& job, const Pixels& p, lit::MaterialSurfac
     s.alpha_x = s.alpha_y = alpha;
     if (job.reflection_model == RL_WARD && m.ward_alpha[0] > 0.0f) {
         s.alpha_x = max(real(m.ward_alpha[0]), real(1e-3f)), s.alpha_y = max(real(m.ward_alpha[1]), real(1e-3f));
+        s.roughness = sqrt(sqrt(s.alpha_x * s.alpha_y));
     } else if (m.metallic_roughness != 0 && m.anisotropy > 0.0f) {
         real strength = real(m.anisotropy);
         if (m.anisotropy_map.view != nullptr) strength = strength * texel(m.anisotropy_map, p).z;
         s.alpha_x = mix(alpha, real(1.0f), strength * strength);
-        s.roughness = sqrt(sqrt(s.alpha_x * s.alpha_y));
+        s.roughness = select(s.alpha_x > alpha, sqrt(sqrt(s.alpha_x * s.alpha_y)), s.roughness);
     }
 }
 
@@ -179,25 +180,34 @@ inline vec3 coat_normal(const MaterialView& m, const Pixels& p, const LobeFrame&
     return lit::perturb_normal(frame.n, lit::orthogonal_tangent(frame.n, frame.t), frame.handedness, mapped);
 }
 
+/// What the layers reflect of light from all around, towards the viewer.
+inline void set_pbr_around(const ShadeJob& job, const Pixels& p, const lit::MaterialTraits& traits, real lobe,
+                           lit::MaterialSurface& s) {
+    const lighting::AlbedoTables& t = job.full->albedo;
+    lit::ViewAlbedo albedo;
+    albedo.lobe = lobe;
+    albedo.grazing = lobe * look_up_table(t.grazing, grazing_place(dot(s.base.n, s.base.v), s.roughness));
+    albedo.coat = real(0.0f);
+    if (traits.has_coat != 0) albedo.coat = lobe_albedo(t, dot(s.coat_n, s.base.v), sqrt(s.coat_alpha));
+    s = lit::pbr_around(s, albedo, occlusion_of(*job.material, p));
+}
+
+/// The tables are read only for what is there: layers, light between the facets, light from all around.
 inline void set_pbr_albedos(const ShadeJob& job, const Pixels& p, const lit::MaterialTraits& traits,
                             lit::MaterialSurface& s) {
     const lighting::AlbedoTables& t = job.full->albedo;
     const real n_dot_v = dot(s.base.n, s.base.v), zero(0.0f), one(1.0f);
-    lit::ViewAlbedo albedo;
-    albedo.lobe = lobe_albedo(t, n_dot_v, s.roughness);
-    albedo.grazing = albedo.lobe * look_up_table(t.grazing, grazing_place(n_dot_v, s.roughness));
-    s.albedo = select(n_dot_v > zero, albedo.lobe, one);  // nothing comes from under the horizon
-    s.albedo_mean = lobe_mean(t, s.roughness);
     s.scattering = vec3(zero);
-    if (traits.has_scattering != 0) s.scattering = lit::scattering_color(s.base.specular, s.f90, s.albedo_mean);
-    s.sheen_albedo = albedo.coat = zero;
+    s.sheen_albedo = zero;
+    s.albedo = s.albedo_mean = one;
     if (traits.has_sheen != 0) s.sheen_albedo = sheen_albedo(t, n_dot_v, s.sheen_alpha);
-    if (traits.has_coat != 0) {
-        const real coat_n_dot_v = dot(s.coat_n, s.base.v);
-        s.coat_reflectance = lit::coat_reflectance(s.coat_reflectance, coat_n_dot_v);
-        albedo.coat = lobe_albedo(t, coat_n_dot_v, sqrt(s.coat_alpha));
-    }
-    s = lit::pbr_around(s, albedo, occlusion_of(*job.material, p));
+    if (traits.has_coat != 0) s.coat_reflectance = lit::coat_reflectance(s.coat_reflectance, dot(s.coat_n, s.base.v));
+    if (job.full->has_light_around == 0 && traits.has_scattering == 0) return;
+    const real lobe = lobe_albedo(t, n_dot_v, s.roughness);
+    s.albedo = select(n_dot_v > zero, lobe, one);  // nothing comes from under the horizon
+    s.albedo_mean = lobe_mean(t, s.roughness);
+    if (traits.has_scattering != 0) s.scattering = lit::scattering_color(s.base.specular, s.f90, s.albedo_mean);
+    if (job.full->has_light_around != 0) set_pbr_around(job, p, traits, lobe, s);
 }
 
 /// Metallic-roughness materials under Phong and Blinn-Phong mirror surroundings by Karis 2013's split sum, and are
