@@ -8,7 +8,8 @@
   spheres.gltf  one sphere of 528 triangles, placed twice: large and small
   layers.gltf   six spheres of one shape: plastic, with a clearcoat, cloth; metal, brushed up and around
   checker.png   red grows with u, green with v downwards, every other field darker
-  disc.png      alpha falls evenly from 1 in the middle to 0 at the rim of a disc"""
+  disc.png      alpha falls evenly from 1 in the middle to 0 at the rim of a disc
+and data/lighting/fields.png: fields of black and white"""
 import base64
 import json
 import math
@@ -179,6 +180,8 @@ def main():
     size = 64
     write_rgb(FOLDER / "checker.png", size, size, bytes(
         int(c * (1 if (x // 8 + y // 8) % 2 else 0.55)) for y in range(size) for x in range(size) for c in (60 + 3 * x, 60 + 3 * y, 110)))
+    write_rgb(FOLDER.parent / "lighting/fields.png", size, size, bytes(
+        255 if (x // 8 + y // 8) % 2 else 0 for y in range(size) for x in range(size) for _ in range(3)))
     radius = [[math.hypot(x - 31.5, y - 31.5) / 32 for x in range(size)] for y in range(size)]
     write_pixels(FOLDER / "disc.png", size, size, 4, b"".join(bytes((240, 150, 30, round(255 * max(0, 1 - r)))) for row in radius for r in row))
     for name, model in (("colors", colors()), ("alpha", alpha()), ("sides", sides()), ("spheres", spheres()), ("layers", layers())):

@@ -1,22 +1,55 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Lighting models (rows) by roughness (columns) on a sphere, for docs/lighting-models.md.
+"""Lighting models by roughness on a sphere, two rows of five beside each other, for docs/lighting-models.md.
 
   model_pictures.py [--program build/release/rakelight] OUT.png
 
-Only the standard library is needed."""
+Each sphere is a world file with one material. Only the standard library is needed."""
 import argparse
 import pathlib
+import tempfile
 
 from sheet import PROGRAM, write_sheet
 
-SCENE = ("data/materials/spheres.gltf", "--camera-position", "-0.45,0,5", "--camera-focal-point", "-0.45,0,0", "--camera-view-angle", "24", "--light",
-         "directional:0.6,-0.6,-0.8", "--light", "directional:-0.8,-0.2,-0.4:color=0.25,0.25,0.3", "--light", "ambient:0.12,0.12,0.12")
-PLASTIC, METAL = ("--color", "0.75,0.3,0.2", "--metallic", "0"), ("--color", "0.9,0.75,0.45", "--metallic", "1")
-ROWS = ((*PLASTIC, "--lighting", "oren-nayar"), (*PLASTIC, "--lighting", "ward"), (*PLASTIC, "--lighting", "pbr"), (*METAL, "--lighting", "pbr"),
-        (*PLASTIC, "--lighting", "blinn-phong"), (*METAL, "--lighting", "blinn-phong"))
+WORLD = """[[primitive]]
+type = "sphere"
+material = "m"
+
+[[camera]]
+position = [0, 0, 5]
+target = [0, 0, 0]
+orthographic_height = 2.1
+
+[[light]]
+type = "directional"
+direction = [0.6, -0.6, -0.8]
+
+[[light]]
+type = "directional"
+direction = [-0.8, -0.2, -0.4]
+diffuse = [0.25, 0.25, 0.3]
+
+[[light]]
+type = "ambient"
+ambient = [0.12, 0.12, 0.12]
+
+[render]
+background = "#6f707a"
+
+[[material]]
+name = "m"
+"""
+PLASTIC, METAL, STEEL = "color = [0.52, 0.07, 0.03]\nmetallic = 0", "color = [0.79, 0.52, 0.17]\nmetallic = 1", "color = [0.6, 0.58, 0.55]\nmetallic = 1"
+ROUGH = "roughness = {}"
+MODELS = (f'{PLASTIC}\n{ROUGH}\nlighting = "oren-nayar"', f'{PLASTIC}\n{ROUGH}\nlighting = "phong"',
+          f'{PLASTIC}\n{ROUGH}\nlighting = "blinn-phong"', f'{METAL}\n{ROUGH}\nlighting = "blinn-phong"',
+          f'{PLASTIC}\n{ROUGH}\nlighting = "ward"', f'{METAL}\n{ROUGH}\nlighting = "ward"',
+          f'{PLASTIC}\n{ROUGH}\nlighting = "pbr"', f'{METAL}\n{ROUGH}\nlighting = "pbr"',
+          f'{STEEL}\n{ROUGH}\nanisotropy = 0.8\nlighting = "pbr"', f'{STEEL}\n{ROUGH}\nanisotropy = 0.8\nanisotropy_rotation_deg = 90\nlighting = "pbr"',
+          f'{PLASTIC}\nroughness = 0.7\nclearcoat = 1\nclearcoat_roughness = {{}}\nlighting = "pbr"',
+          'color = [0.03, 0.06, 0.2]\nmetallic = 0\nroughness = 0.9\nsheen_color = [0.8, 0.7, 0.6]\nsheen_roughness = {}\nlighting = "pbr"')
 COLUMNS = ("0.1", "0.3", "0.5", "0.7", "1")
-WIDTH, HEIGHT = 80, 80
+WIDTH, HEIGHT = 52, 52
 
 
 def main():
@@ -24,8 +57,15 @@ def main():
     parser.add_argument("picture", type=pathlib.Path)
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     options = parser.parse_args()
-    rows = [[(*SCENE, *row, "--roughness", roughness) for roughness in COLUMNS] for row in ROWS]
-    write_sheet(options.picture, rows, WIDTH, HEIGHT, options.program, samples=4)
+    with tempfile.TemporaryDirectory() as folder:
+        cells = []
+        for m, model in enumerate(MODELS):
+            for c, column in enumerate(COLUMNS):
+                file = pathlib.Path(folder) / f"{m}-{c}.scene.toml"
+                file.write_text(WORLD + model.format(column) + "\n")
+                cells.append((str(file),))
+        rows = [cells[first:first + 2 * len(COLUMNS)] for first in range(0, len(cells), 2 * len(COLUMNS))]
+        write_sheet(options.picture, rows, WIDTH, HEIGHT, options.program, samples=4)
 
 
 if __name__ == "__main__":
