@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Lighting models by roughness on a sphere, two rows of five beside each other, for docs/lighting-models.md.
+"""Lighting models (rows) by roughness (columns) on a sphere, for docs/lighting-models.md.
 
   model_pictures.py [--program build/release/rakelight] OUT.png
 
@@ -41,15 +41,22 @@ name = "m"
 """
 PLASTIC, METAL, STEEL = "color = [0.52, 0.07, 0.03]\nmetallic = 0", "color = [0.79, 0.52, 0.17]\nmetallic = 1", "color = [0.6, 0.58, 0.55]\nmetallic = 1"
 ROUGH = "roughness = {}"
-MODELS = (f'{PLASTIC}\n{ROUGH}\nlighting = "oren-nayar"', f'{PLASTIC}\n{ROUGH}\nlighting = "phong"',
-          f'{PLASTIC}\n{ROUGH}\nlighting = "blinn-phong"', f'{METAL}\n{ROUGH}\nlighting = "blinn-phong"',
-          f'{PLASTIC}\n{ROUGH}\nlighting = "ward"', f'{METAL}\n{ROUGH}\nlighting = "ward"',
-          f'{PLASTIC}\n{ROUGH}\nlighting = "pbr"', f'{METAL}\n{ROUGH}\nlighting = "pbr"',
-          f'{STEEL}\n{ROUGH}\nanisotropy = 0.8\nlighting = "pbr"', f'{STEEL}\n{ROUGH}\nanisotropy = 0.8\nanisotropy_rotation_deg = 90\nlighting = "pbr"',
-          f'{PLASTIC}\nroughness = 0.7\nclearcoat = 1\nclearcoat_roughness = {{}}\nlighting = "pbr"',
-          'color = [0.03, 0.06, 0.2]\nmetallic = 0\nroughness = 0.9\nsheen_color = [0.8, 0.7, 0.6]\nsheen_roughness = {}\nlighting = "pbr"')
+MODELS = {  # what stands left of the row: its material
+    "oren-nayar": f'{PLASTIC}\n{ROUGH}\nlighting = "oren-nayar"',
+    "phong": f'{PLASTIC}\n{ROUGH}\nlighting = "phong"',
+    "blinn-phong": f'{PLASTIC}\n{ROUGH}\nlighting = "blinn-phong"',
+    "blinn-phong, metal": f'{METAL}\n{ROUGH}\nlighting = "blinn-phong"',
+    "ward": f'{PLASTIC}\n{ROUGH}\nlighting = "ward"',
+    "ward, metal": f'{METAL}\n{ROUGH}\nlighting = "ward"',
+    "pbr": f'{PLASTIC}\n{ROUGH}\nlighting = "pbr"',
+    "pbr, metal": f'{METAL}\n{ROUGH}\nlighting = "pbr"',
+    "brushed up": f'{STEEL}\n{ROUGH}\nanisotropy = 0.8',
+    "brushed around": f'{STEEL}\n{ROUGH}\nanisotropy = 0.8\nanisotropy_rotation_deg = 90',
+    "clearcoat": f'{PLASTIC}\nroughness = 0.7\nclearcoat = 1\nclearcoat_roughness = {{}}',
+    "sheen": 'color = [0.03, 0.06, 0.2]\nmetallic = 0\nroughness = 0.9\nsheen_color = [0.8, 0.7, 0.6]\nsheen_roughness = {}',
+}
 COLUMNS = ("0.1", "0.3", "0.5", "0.7", "1")
-WIDTH, HEIGHT = 52, 52
+WIDTH, HEIGHT = 64, 64
 
 
 def main():
@@ -58,14 +65,13 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        cells = []
-        for m, model in enumerate(MODELS):
-            for c, column in enumerate(COLUMNS):
-                file = pathlib.Path(folder) / f"{m}-{c}.scene.toml"
+        rows = []
+        for m, model in enumerate(MODELS.values()):
+            files = [pathlib.Path(folder) / f"{m}-{c}.scene.toml" for c in range(len(COLUMNS))]
+            for file, column in zip(files, COLUMNS):
                 file.write_text(WORLD + model.format(column) + "\n")
-                cells.append((str(file),))
-        rows = [cells[first:first + 2 * len(COLUMNS)] for first in range(0, len(cells), 2 * len(COLUMNS))]
-        write_sheet(options.picture, rows, WIDTH, HEIGHT, options.program, samples=4)
+            rows.append([(str(file),) for file in files])
+        write_sheet(options.picture, rows, WIDTH, HEIGHT, options.program, samples=4, columns=COLUMNS, lines=tuple(MODELS), colors=256)
 
 
 if __name__ == "__main__":

@@ -92,7 +92,8 @@ void draw_plot(Canvas& canvas, int left, const std::vector<Curve>& curves, int l
         text_at(x_of(degrees_in), bottom + 8, "%.0f", degrees_in);
     }
     for (int i = 0; i <= 7; ++i) {
-        canvas.line({double(left), y_of(0.2 * i)}, {double(left + plot_width), y_of(0.2 * i)}, i == 5 ? unit_line : grid);
+        canvas.line({double(left), y_of(0.2 * i)}, {double(left + plot_width), y_of(0.2 * i)},
+                    i == 5 ? unit_line : grid);
         text_at(left - 22, y_of(0.2 * i) - label_height / 2, "%.1f", 0.2 * i);
     }
     for (const Curve& curve : curves) {

@@ -9,6 +9,7 @@
 #include "math/isa.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"
+#include "unit/raster/facing_square.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -67,31 +68,6 @@ TEST(LightingModels, AClearcoatsNormalMapDoesNothingOnAMeshWithoutItsCoordinates
     for (Scene* const s : {&scene, &with_map})
         for (Mesh& mesh : s->meshes) mesh.texcoords.clear();
     EXPECT_TRUE(same_bits(drawn(with_map), drawn(scene)));
-}
-
-/// A square that faces an orthographic camera, lit along the view.
-Scene facing_square(const Material& m, vec3 ambient = {0, 0, 0}, vec3 color = {1, 1, 1}) {
-    Scene scene;
-    scene.materials = {m};
-    add_object(scene, square_mesh(0));
-    Light around;
-    around.type = LightType::ambient;
-    around.ambient = ambient;
-    scene.lights = {directional({0, 0, -1}, color), around};
-    return scene;
-}
-
-Material metallic(float metal, float roughness, vec3 base = {0.5f, 0.25f, 1}) {
-    Material m;
-    m.base_color = {base.x, base.y, base.z, 1};
-    m.metallic_roughness.metallic = metal, m.metallic_roughness.roughness = roughness;
-    return m;
-}
-
-vec4 middle(const Scene& scene, Lighting lighting, bool compensated = false, Shading shading = Shading::phong) {
-    RenderSettings s{.width = 32, .height = 32, .shading = shading, .lighting = lighting};
-    s.multiple_scattering = compensated;
-    return pixel(draw(scene, flat_camera(), s), 16, 16);
 }
 
 TEST(LightingModels, PbrIsTheFormulaOfGltfWhereLightAndViewerFaceTheSurface) {

@@ -25,9 +25,12 @@ Frame lamp_in_cylinder(const std::function<void(Material&)>& change) {
     m.metallic_roughness.metallic = 1;
     m.metallic_roughness.roughness = 0.2f;
     change(m);
-    scene.environment =
-        Environment{.image = panorama([](dvec3 d) { return d.z > 0.99 ? vec3{1, 1, 1} : vec3{0, 0, 0}; }, 256),
-                    .is_background = false};
+    scene.environment = Environment{.image = panorama(
+                                        [](dvec3 d) {
+                                            return d.z > 0.99 ? vec3{1, 1, 1} : vec3{0, 0, 0};
+                                        },
+                                        256),
+                                    .is_background = false};
     Camera camera;
     camera.to_world = translation(dvec3{0, 0, 3});
     camera.vertical_fov_rad = 0.75;
