@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -107,8 +108,8 @@ void ProgressLine::show(std::string_view stage, double fraction) {
     if (now - start_s_ < patience_s || now - last_s_ < pause_s) return;
     last_s_ = now;
     shown_ = true;
-    const int percent = int(std::clamp(fraction, 0.0, 1.0) * 100 + 0.5);
-    std::fprintf(stderr, "\r\033[K%s: %.*s %d%%", file_.c_str(), int(stage.size()), stage.data(), percent);
+    const long percent = std::lround(std::clamp(fraction, 0.0, 1.0) * 100);
+    std::fprintf(stderr, "\r\033[K%s: %.*s %ld%%", file_.c_str(), int(stage.size()), stage.data(), percent);
 }
 
 }  // namespace rakelight::cli

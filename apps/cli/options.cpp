@@ -376,6 +376,7 @@ static PictureRequest parse_for_world(const std::vector<std::string>& arguments,
     Context context({.threads = 1});
     const WorldOptions world{path, read_world(path, context).render, allow_outside};
     std::vector<const char*> argv;
+    argv.reserve(arguments.size());
     for (const std::string& word : arguments) argv.push_back(word.c_str());
     try {
         return parse_with(int(argv.size()), argv.data(), &world).picture;

@@ -59,7 +59,7 @@ std::string resolved(const CLI::Option& option, const std::string& word, const W
                      const WorldOptions& world) {
     if (option.get_type_name() != "FILE") return word;
     try {
-        const std::string file = resolve_in_world(world.path, word, world.allow_outside);
+        std::string file = resolve_in_world(world.path, word, world.allow_outside);
         std::error_code ignored;
         if (!std::filesystem::is_regular_file(file, ignored))
             throw Error(ErrorCode::not_found, "'" + one_line(word, 80) + "': there is no such file");
