@@ -28,8 +28,9 @@ public:
 
     /// @param pixel  of the tile
     double key(std::size_t pixel) const {
-        const double plane = double(c_.depth_0) + double(c_.depth_x) * double(pixel % tile_size) +
-                             double(c_.depth_y) * double(pixel / tile_size);
+        const std::size_t column = pixel % tile_size, row = pixel / tile_size;
+        const double plane =
+            double(c_.depth_0) + double(c_.depth_x) * double(column) + double(c_.depth_y) * double(row);
         const double from_below = plane > double(c_.depth_low) ? plane : double(c_.depth_low);  // NaN: the farthest
         return std::min(from_below, double(c_.depth_high));
     }
