@@ -204,7 +204,7 @@ WorldPlace SectionValues::place_of(std::string_view key) const {
     return value ? value->place : place_;
 }
 
-std::string SectionValues::text(std::string_view key, std::string otherwise) const {
+std::string SectionValues::text(std::string_view key, const std::string& otherwise) const {
     const WorldValue* const value = find(key);
     return value ? value->words[0] : otherwise;
 }

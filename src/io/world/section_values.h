@@ -28,7 +28,7 @@ public:
     bool has(std::string_view key) const { return find(key) != nullptr; }
     WorldPlace place_of(std::string_view key) const;  ///< of the table where it is not given
 
-    std::string text(std::string_view key, std::string otherwise = {}) const;
+    std::string text(std::string_view key, const std::string& otherwise = {}) const;
     double number(std::string_view key, double otherwise) const;
     bool flag(std::string_view key, bool otherwise) const;
     dvec3 vector(std::string_view key, dvec3 otherwise) const;
