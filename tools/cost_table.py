@@ -58,8 +58,8 @@ LAYERS = {"plain": "", "anisotropy": "anisotropy = 0.6\n", "clearcoat": "clearco
           "sheen": "sheen_color = [0.5, 0.4, 0.4]\nsheen_roughness = 0.5\n"}
 PLAIN = "Blinn-Phong (the plain kernel)"
 MODELS = {
-    PLAIN: [],
-    "own color": ["--shading", "unlit"],
+    PLAIN: ["--lighting", "blinn-phong"],
+    "own color": ["--shading", "unlit", "--lighting", "blinn-phong"],
     "Lambert": ["--lighting", "lambert"],
     "Phong": ["--lighting", "phong"],
     "Blinn-Phong, full kernel": ["--lighting", "blinn-phong", "--viewer-infinity"],
@@ -129,7 +129,7 @@ def print_walls(options, folder):
 def print_teapots(options, folder):
     teapot = folder / "teapot.scene.toml"
     cases = {name: (teapot, ["--bump", "none", *words]) for name, words in MODELS.items()}
-    cases |= {name: (teapot, words) for name, words in BUMPS.items() if name != "no bumps"}
+    cases |= {name: (teapot, [*MODELS[PLAIN], *words]) for name, words in BUMPS.items() if name != "no bumps"}
     pictures = fastest(options, cases, lambda row: row["median_ms"])
     print("\n| teapot, 720p | pictures a second |\n|---|---:|")
     for case, t in pictures.items():
