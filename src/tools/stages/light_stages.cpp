@@ -120,7 +120,10 @@ Stage relief_stage(const Sources& of) {
         "followed to where it meets the relief, and all textures are read there instead of at the point of the "
         "polygon. What moves is the coordinates alone: outlines and depth stay those of the polygon.";
     const std::vector<vec2>& shift = of.pixels.relief_shift;
-    const auto length_of = [&](std::size_t p) { return std::hypot(double(shift[p].x), double(shift[p].y)); };
+    const auto length_of = [&](std::size_t p) {
+        const double x = double(shift[p].x), y = double(shift[p].y);
+        return std::sqrt(x * x + y * y);
+    };
     double most = 0, sum = 0;
     std::uint64_t n = 0;
     for (std::size_t p = 0; p < shift.size(); ++p) {
