@@ -30,13 +30,9 @@ int run_check(const Options& options) {
         CheckRow& row = rows.emplace_back();
         row.file = file;
         const int code = run_file(options, file, row, [&](Context& context) {
-            row.summary = summarize(load(file, options.picture.load, context));
-            try {
-                check_world_options(options, file);
-            } catch (...) {
-                row.summary.reset();
-                throw;
-            }
+            const Scene scene = load(file, options.picture.load, context);
+            check_world_options(options, file, scene, context);
+            row.summary = summarize(scene);
         });
         worst = std::max(worst, code);
         if (!options.json && row.summary) print_data(to_text(file, *row.summary));

@@ -41,10 +41,8 @@ int run_explain(const Options& options) {
         if (CancelOnInterrupt::happened()) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(file);
         } else {
-            const int code = run_file(options, file, row, [&](Context& c) {
-                if (input.error) throw *input.error;
-                row.pixel = explain(input.picture, row.x, row.y, c);
-            });
+            const int code = run_input(options, input, row,
+                                       [&](Context& c) { row.pixel = explain(input.picture, row.x, row.y, c); });
             worst = std::max(worst, code);
         }
         if (!options.json && row.pixel) print_data((rows.empty() ? "" : "\n") + to_text(*row.pixel));

@@ -130,10 +130,8 @@ int run_inspect(const Options& options) {
             rows.push_back(std::move(row));
             continue;
         }
-        worst = std::max(worst, run_file(options, row.file, row, [&](Context& c) {
-                             if (input.error) throw *input.error;
-                             inspect_file(options, picture, row, c);
-                         }));
+        worst = std::max(worst,
+                         run_input(options, input, row, [&](Context& c) { inspect_file(options, picture, row, c); }));
         if (!options.json && row.inspection) print_data((rows.empty() ? "" : "\n") + to_text(*row.inspection));
         worst = std::max(worst, print_failures(row));
         if (!row.heat_map.empty())

@@ -31,10 +31,7 @@ int run_render(const Options& options) {
             row.error = not_begun(request.input);
             continue;
         }
-        const int code = run_file(options, request.input, row, [&](Context& c) {
-            if (input.error) throw *input.error;
-            row.result = render_picture(request, c);
-        });
+        const int code = run_input(options, input, row, [&](Context& c) { row.result = render_picture(request, c); });
         if (code == 0) print_note(summary(row.result), options.loudness);
         if (code == 0 && options.stats && !options.json) print_data(stats_text(row.result));
         worst = std::max(worst, code);

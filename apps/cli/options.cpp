@@ -370,11 +370,13 @@ Options parse(int argc, const char* const* argv) {
     return parse_with(argc, argv, nullptr);
 }
 
-/// The command line again, with the options of a world.
-static PictureRequest parse_for_world(const std::vector<std::string>& arguments, const std::string& path,
-                                      bool allow_outside) {
+static WorldOptions read_options(const std::string& path, bool allow_outside) {
     Context context({.threads = 1});
-    const WorldOptions world{path, read_world(path, context).render, allow_outside};
+    return {path, read_world(path, context).render, allow_outside};
+}
+
+/// The command line again, with the options of a world.
+static PictureRequest parse_for_world(const std::vector<std::string>& arguments, const WorldOptions& world) {
     std::vector<const char*> argv;
     argv.reserve(arguments.size());
     for (const std::string& word : arguments) argv.push_back(word.c_str());
@@ -388,8 +390,10 @@ static PictureRequest parse_for_world(const std::vector<std::string>& arguments,
 InputRequest request_for(const Options& options, const std::string& input) {
     InputRequest request{options.picture, {}};
     try {
-        if (is_world_file(input))
-            request.picture = parse_for_world(options.arguments, input, options.picture.load.allow_outside);
+        if (is_world_file(input)) {
+            request.world = read_options(input, options.picture.load.allow_outside);
+            request.picture = parse_for_world(options.arguments, *request.world);
+        }
     } catch (const Error& error) {
         request.error = error;
     }
@@ -399,11 +403,19 @@ InputRequest request_for(const Options& options, const std::string& input) {
 
 PictureRequest request_of_world(std::vector<std::string> arguments, const std::string& world, bool allow_outside) {
     arguments.insert(arguments.begin(), {"rakelight", "render", world, "--output=picture.png"});
-    return parse_for_world(arguments, world, allow_outside);
+    return parse_for_world(arguments, read_options(world, allow_outside));
 }
 
-void check_world_options(const Options& options, const std::string& input) {
-    if (is_world_file(input)) request_of_world({}, input, options.picture.load.allow_outside);
+void check_world_options(const Options& options, const std::string& input, const Scene& scene, Context& context) {
+    if (!is_world_file(input)) return;
+    const std::vector<std::string> arguments = {"rakelight", "render", input, "-o", "picture.png"};
+    const WorldOptions world = read_options(input, options.picture.load.allow_outside);
+    const PictureRequest request = parse_for_world(arguments, world);
+    try {
+        check_picture(scene, request, context);
+    } catch (const Error& error) {
+        throw at_option(error, world, arguments);
+    }
 }
 
 }  // namespace rakelight::cli

@@ -14,6 +14,7 @@
 #include "inspect_verb.h"
 #include "smooth_verb.h"
 #include "stages_verb.h"
+#include "world_options.h"
 
 namespace rakelight::cli {
 
@@ -41,6 +42,7 @@ struct Options {
 struct InputRequest {
     PictureRequest picture;
     std::optional<Error> error;
+    std::optional<WorldOptions> world;  ///< of a world file
 };
 
 /// @throws Error usage, one line
@@ -52,8 +54,9 @@ InputRequest request_for(const Options& options, const std::string& input);
 /// How `rakelight render` would draw a world. @param arguments  options. @throws Error bad_file, usage
 PictureRequest request_of_world(std::vector<std::string> arguments, const std::string& world, bool allow_outside);
 
-/// Reads [render] of a world as `rakelight render` would; nothing for other files. @throws Error bad_file
-void check_world_options(const Options& options, const std::string& input);
+/// Reads [render] of a world as `rakelight render` would, and holds it against the loaded scene; nothing for other
+/// files. @throws Error bad_file
+void check_world_options(const Options& options, const std::string& input, const Scene& scene, Context& context);
 
 /// A request for each input: '{model}' in the output stands for the input's name without folder and ending.
 /// @throws Error usage: several inputs for one output, or two inputs for the same

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include <rakelight/version.h>
+
 #include "values.h"
 
 namespace rakelight::cli {
@@ -13,11 +15,18 @@ void apply_size(const RenderWords& w, RenderSettings& s) {
     if (!w.resolution.empty()) {
         const std::vector<int> size = integers("--resolution", w.resolution, 2);
         s.width = size[0], s.height = size[1];
+        constexpr int most = 65536;
+        if (s.width < 1 || s.height < 1 || s.width > most || s.height > most)
+            throw Error(ErrorCode::usage, "--resolution: must be 1 to 65536 pixels a side");
     }
     if (!w.window.empty()) {
         const std::vector<int> window = integers("--window", w.window, 4);
         s.window = {window[0], window[1], window[2], window[3]};
         if (s.window.width < 1 || s.window.height < 1) throw Error(ErrorCode::usage, "--window: the window is empty");
+        if (s.window.x < 0 || s.window.y < 0 || s.window.x > s.width - s.window.width ||
+            s.window.y > s.height - s.window.height)
+            throw Error(ErrorCode::usage, "--window: does not lie inside the picture of " + std::to_string(s.width) +
+                                              " x " + std::to_string(s.height) + " pixels that --resolution asks for");
     }
     if (!w.anisotropy.empty()) s.anisotropy = integer("--anisotropy", w.anisotropy, 1, 16);
     if (!w.samples.empty()) s.samples = word<int>("--samples", w.samples, {{"1", 1}, {"4", 4}, {"8", 8}});
@@ -208,9 +217,20 @@ void apply_view(const RenderWords& w, ViewRequest& v) {
 
 }  // namespace
 
+static void check_engine(const std::string& name) {
+    std::string all;
+    for (const std::string& known : build_info().engines) {
+        if (name == known) return;
+        all += (all.empty() ? "" : ", ") + known;
+    }
+    throw Error(ErrorCode::usage, "--engine: '" + one_line(name, 40) + "' is not built in", {},
+                "this build has: " + all);
+}
+
 void apply(const RenderWords& words, PictureRequest& request) {
     request.output = words.output;
     request.engine = words.engine;
+    check_engine(request.engine);
     apply_size(words, request.settings);
     apply_channels(words, request);
     apply(words.surface, request.settings);

@@ -33,4 +33,18 @@ int run_file(const Options& options, const std::string& file, Row& row, const st
     return row.error ? exit_code(row.error->code()) : 0;
 }
 
+/// The same of a request; faults of options carry their place in the world file.
+template <class Row>
+int run_input(const Options& options, const InputRequest& input, Row& row, const std::function<void(Context&)>& work) {
+    return run_file(options, input.picture.input, row, [&](Context& context) {
+        if (input.error) throw *input.error;
+        try {
+            work(context);
+        } catch (const Error& error) {
+            if (!input.world) throw;
+            throw at_option(error, *input.world, options.arguments);
+        }
+    });
+}
+
 }  // namespace rakelight::cli

@@ -32,10 +32,7 @@ int run_stages(const Options& options) {
         if (CancelOnInterrupt::happened()) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(request.input);
         } else {
-            const int code = run_file(options, request.input, row, [&](Context& c) {
-                if (input.error) throw *input.error;
-                row.result = write_stages(request, c);
-            });
+            const int code = run_input(options, input, row, [&](Context& c) { row.result = write_stages(request, c); });
             worst = std::max(worst, code);
             if (code == 0) print_note(row.result.folder + "/index.html: " + std::to_string(row.result.files.size()) + " files", options.loudness);
         }

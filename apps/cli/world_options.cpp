@@ -139,12 +139,27 @@ static std::optional<Error> disagreement(const Error& error, const WorldOptions&
     return Error(ErrorCode::usage, error.reason(), {}, of_world + ", " + given + " of the command line");
 }
 
+/// The error at the option of the world that its words begin with; none where the command line gave that one.
+static std::optional<Error> placed(const Error& error, const WorldOptions& world,
+                                   std::span<const std::string> arguments) {
+    for (const WorldValue& value : world.render) {
+        const std::string option = "--" + value.key;
+        if (!error.reason().starts_with(option + ":") && !error.reason().starts_with(option + " ")) continue;
+        if (std::any_of(arguments.begin(), arguments.end(),
+                        [&](const std::string& word) { return word.substr(0, word.find('=')) == option; }))
+            return {};
+        return Error(ErrorCode::bad_file, error.reason(), to_text(value.place), error.advice()).with_file(world.path);
+    }
+    return {};
+}
+
+Error at_option(const Error& error, const WorldOptions& world, std::span<const std::string> arguments) {
+    return placed(error, world, arguments).value_or(error);
+}
+
 Error with_place(const Error& error, const WorldOptions& world, std::span<const std::string> arguments) {
     if (const auto both = disagreement(error, world, arguments)) return *both;
-    for (const WorldValue& value : world.render)
-        if (error.reason().starts_with("--" + value.key + ":") || error.reason().starts_with("--" + value.key + " "))
-            return Error(ErrorCode::bad_file, error.reason(), to_text(value.place), error.advice())
-                .with_file(world.path);
+    if (const auto one = placed(error, world, arguments)) return *one;
     return error.file().empty() ? Error(error.code() == ErrorCode::usage ? ErrorCode::bad_file : error.code(),
                                         error.reason(), error.place(), error.advice())
                                       .with_file(world.path)

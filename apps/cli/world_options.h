@@ -32,4 +32,7 @@ std::vector<std::string> add_world_options(CLI::App& verb, const CLI::App& rende
 /// @param arguments  of the command line
 Error with_place(const Error& error, const WorldOptions& world, std::span<const std::string> arguments);
 
+/// Likewise of what is found when the scene is there: errors about nothing of [render] stay as they are.
+Error at_option(const Error& error, const WorldOptions& world, std::span<const std::string> arguments);
+
 }  // namespace rakelight::cli

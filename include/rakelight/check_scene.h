@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <rakelight/error.h>
+#include <rakelight/picture.h>
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
 
@@ -24,6 +25,10 @@ struct SceneSummary {
 };
 
 SceneSummary summarize(const Scene& scene);
+
+/// Whether the picture that is asked of a loaded scene can be drawn, as far as can be told without drawing it.
+/// @throws Error usage: its shadow maps are too large for the context's memory
+void check_picture(const Scene& scene, const PictureRequest& request, Context& context);
 
 /// A file with what it holds, or with the error instead.
 struct CheckRow {

@@ -2,6 +2,8 @@
 #include <rakelight/check_scene.h>
 #include <rakelight/world.h>
 
+#include "engines/raster/shadow_maps.h"
+#include "render/picture_steps.h"
 #include "render/report_json.h"
 #include "scene/scene_tools.h"
 #include "tools/texture_uses.h"
@@ -46,6 +48,11 @@ SceneSummary summarize(const Scene& scene) {
     out.has_fog = scene.fog.kind != FogKind::none;
     out.has_environment = scene.environment.has_value();
     return out;
+}
+
+void check_picture(const Scene& scene, const PictureRequest& request, Context& context) {
+    const Scene lit = with_lights(scene, request, Camera{});
+    raster::check_shadow_memory(lit.lights, request.settings, context.memory());
 }
 
 std::string to_text(const std::string& file, const SceneSummary& s) {

@@ -46,6 +46,10 @@ BROKEN = [
     (WALL + "[render]\nheight-map = 'none.png'\n", 4, 1, "'none.png': "),
     (WALL + "[[material]]\nname = 'unused'\nnormal_texture = 'none.png'\n", 5, 18, "none.png"),
     (WALL + "shading = 'smooth'\n", 3, 11, "unknown word 'smooth'"),
+    (WALL + "[render]\nresolution = [0, 1]\n", 4, 1, "--resolution: must be 1 to 65536"),
+    (WALL + "[render]\nsamples = 4\nwindow = [0, 0, 9999, 1]\n", 5, 1, "--window: does not lie inside the picture of 1280 x 720"),
+    (WALL + "[render]\nengine = 'gl'\n", 4, 1, "--engine: 'gl' is not built in; this build has: soft"),
+    (WALL + "[[light]]\ntype = 'point'\nposition = [0, 0, 3]\n[render]\nshadows = true\nshadow-size = 8192\n", 8, 1, "6 shadow maps of 8192 x 8192"),
 ]
 
 
@@ -181,6 +185,20 @@ class Worlds(program.Case):
                            "--visibility of the command line")
         self.write("w.scene.toml", WALL + "[render]\nsamples = 4\nvisibility = 'painter'\n")
         self.check_refused(self.run_program("render", "w.scene.toml", "-o", "a.png"), 4, "w.scene.toml: line 4, column 1")
+
+    def test_a_fault_of_the_command_line_is_not_said_at_the_worlds_option(self):
+        self.write("w.scene.toml", WALL + "[[light]]\ntype = 'point'\nposition = [0, 0, 3]\n[render]\nshadows = true\nshadow-size = 64\nwindow = [0, 0, 99, 9]\n")
+        result = self.run_program("render", "w.scene.toml", "-o", "a.png", "--shadow-size", "8192")
+        self.check_refused(result, 2, "w.scene.toml: --shadow-size 8192: 6 shadow maps")
+        result = self.run_program("render", "w.scene.toml", "-o", "a.png", "--resolution", "50,50")
+        self.check_refused(result, 2, "does not lie inside the picture of 50 x 50 pixels", "'window' is of w.scene.toml, line 9, column 1",
+                           "--resolution of the command line")
+
+    def test_a_world_that_cannot_be_drawn_does_not_keep_others_from_it(self):
+        self.write("w.scene.toml", WALL + "[render]\nresolution = [0, 1]\n")
+        result = self.run_program("render", "w.scene.toml", "a.obj", "-o", "{model}.png")
+        self.assertEqual((result.code, len(result.lines)), (4, 1), result.err)
+        self.assertIn("a.png", self.files())
 
     def test_a_world_without_scene_in_its_ending_is_told_so(self):
         self.write("mine.toml", WALL)

@@ -98,10 +98,17 @@ double half_angle_of(const Light& light) {
     return std::max(angle, radians(0.5));
 }
 
+bool casts_shadow(const Light& light) { return light.type != LightType::ambient && light.casts_shadow; }
+
+bool has_one_map(const Light& light) {
+    return light.type == LightType::directional ||
+           (light.type == LightType::spot && half_angle_of(light) <= widest_spot);
+}
+
 std::vector<MapCamera> cameras_of(const DrawList& list, const Light& light, const RenderSettings& settings) {
     const LightPlace at = place_of(list, light);
     if (light.type == LightType::directional) return {directional_camera(list.bounds, at.direction, settings)};
-    if (light.type == LightType::spot && half_angle_of(light) <= widest_spot)
+    if (has_one_map(light))
         return {lamp_camera(list.bounds, at.position, axes_along(at.direction), half_angle_of(light), settings)};
     std::vector<MapCamera> out;
     for (const MapAxes& axes : cube)
@@ -237,18 +244,22 @@ ShadowView view_for(const MapCamera& first, const View& view, std::size_t faces,
     return out;
 }
 
-/// Before memory is asked for.
-void check_memory(std::uint64_t maps, const RenderSettings& settings, Context& context) {
+}  // namespace
+
+void check_shadow_memory(std::span<const Light> lights, const RenderSettings& settings, const MemoryBudget& memory) {
+    if (!settings.shadows) return;
+    std::uint64_t maps = 0;
+    for (const Light& light : lights)
+        if (casts_shadow(light)) maps += has_one_map(light) ? 1 : 6;
     const std::uint64_t side = std::uint64_t(settings.shadow_size), bytes = maps * side * side * bytes_per_texel;
-    const std::uint64_t limit = context.memory().limit() / 2;
+    const std::uint64_t limit = memory.limit() / 2;
     if (bytes <= limit) return;
     throw Error(ErrorCode::usage,
-                std::to_string(maps) + " shadow maps of " + std::to_string(side) + " x " + std::to_string(side) +
-                    " texels need " + std::to_string(bytes) + " bytes, more than " + std::to_string(limit),
-                {}, "make them smaller with --shadow-size, or raise the limit with --max-memory");
+                "--shadow-size " + std::to_string(side) + ": " + std::to_string(maps) + " shadow maps of " +
+                    std::to_string(side) + " x " + std::to_string(side) + " texels need " + std::to_string(bytes) +
+                    " bytes, more than " + std::to_string(limit),
+                {}, "make them smaller, or raise the limit with --max-memory");
 }
-
-}  // namespace
 
 void ShadowMaps::forget() {
     maps_.clear();
@@ -257,14 +268,10 @@ void ShadowMaps::forget() {
 }
 
 void ShadowMaps::plan(const DrawList& list, const RenderSettings& settings, Context& context) {
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < list.scene.lights.size(); ++i) {
-        const Light& light = list.scene.lights[i];
-        if (light.type == LightType::ambient || !light.casts_shadow) continue;
-        maps_.push_back({.light = i, .cameras = cameras_of(list, light, settings)});
-        count += maps_.back().cameras.size();
-    }
-    check_memory(count, settings, context);
+    check_shadow_memory(list.scene.lights, settings, context.memory());
+    for (std::size_t i = 0; i < list.scene.lights.size(); ++i)
+        if (casts_shadow(list.scene.lights[i]))
+            maps_.push_back({.light = i, .cameras = cameras_of(list, list.scene.lights[i], settings)});
 }
 
 void ShadowMaps::update(const DrawList& list, const RenderSettings& settings, const Kernels& kernels,

@@ -3,6 +3,7 @@
 // own front end from the light. Read by kernels/shadow.h.
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -23,6 +24,10 @@ struct MapCamera {
     MapAxes axes;
     dvec3 eye;
 };
+
+/// Whether the shadow maps of these lights go into memory; nothing without shadows.
+/// @throws Error usage: they need more than half of what MemoryBudget grants
+void check_shadow_memory(std::span<const Light> lights, const RenderSettings& settings, const MemoryBudget& memory);
 
 class ShadowMaps {
 public:
