@@ -62,8 +62,8 @@
     using rakelight::wide::RL_ISA::log2_coarse;                                                                     \
     using rakelight::wide::RL_ISA::pow_positive, rakelight::wide::RL_ISA::safe_sqrt;                                \
     using rakelight::wide::RL_ISA::add16, rakelight::wide::RL_ISA::sub16;                                           \
-    using rakelight::wide::RL_ISA::scale16, rakelight::wide::RL_ISA::low_in_both_halves;\
-    using rakelight::wide::RL_ISA::gather_pairs; \
+    using rakelight::wide::RL_ISA::scale16, rakelight::wide::RL_ISA::low_in_both_halves;                            \
+    using rakelight::wide::RL_ISA::gather_pairs;                                                                    \
     using rakelight::wide::RL_ISA::gather_quads, rakelight::wide::RL_ISA::look_up;                                  \
     using rakelight::wide::RL_ISA::dot, rakelight::wide::RL_ISA::cross, rakelight::wide::RL_ISA::length;            \
     using rakelight::wide::RL_ISA::normalize, rakelight::wide::RL_ISA::safe_normalize;                              \

@@ -52,7 +52,6 @@ inline real wrap_coordinate(real u, int mode) {
     return clamp(u, real(0.0f), real(1.0f));
 }
 
-
 /// The first of two neighbors on one axis, -1..size - 1 or by rounding `size`, and the second one's weight.
 struct Neighbors {
     integer first, weight;
@@ -60,6 +59,7 @@ struct Neighbors {
 
 inline Neighbors neighbors(real wrapped, real fixed_size) {
     const integer fixed = to_int(wrapped * fixed_size) - integer(1 << (fraction_bits - 1));
+    static_assert(fraction_bits == 15);
     return {fixed >> fraction_bits, low_in_both_halves(fixed) & integer(0x7fff7fff)};
 }
 

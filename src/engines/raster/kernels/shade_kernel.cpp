@@ -14,13 +14,13 @@ inline vec3 add_interpolated(vec3 sum, const ShadeJob& job, const Pixels& p, con
 }
 
 /// Vectors of pixels that go through the stages side by side: what one waits for another one fills (a pixel's own
-/// operations mostly depend on one another).
+/// operations mostly depend on one another). Stages are cut where a root or a division makes what follows wait.
 struct Block {
     static constexpr int32_t most = lanes < 32 ? 4 : 2;
     int32_t count;  ///< of vectors
     Pixels pixels[most];
     lit::Surface surface[most];  ///< unlit: only `diffuse`, its own color
-    real alpha[most];            ///< where it is stored
+    real alpha[most];
     vec3 radiance[most];
 };
 
@@ -30,7 +30,16 @@ inline void find_reflectance(const ShadeJob& job, const Pixels& p, lit::Surface&
         surface.diffuse = rgb(base.color);
     else
         set_reflectance(job, p, base, surface);
-    if (job.srgb8 == nullptr) alpha = base.color.w;
+    alpha = job.srgb8 == nullptr ? base.color.w : real(1.0f);  // sRGB codes are opaque
+}
+
+inline void find_normals(const ShadeJob& job, Block& b) {
+    MappedFrame frames[Block::most];
+    const bool is_mapped = is_normal_mapped(job);
+    for (int32_t k = 0; k < b.count && is_mapped; ++k) frames[k].mapped = decoded_normal(*job.material, b.pixels[k]);
+    for (int32_t k = 0; k < b.count; ++k) find_normal(b.pixels[k], frames[k]);
+    for (int32_t k = 0; k < b.count && is_mapped; ++k) find_tangent(job, b.pixels[k], frames[k]);
+    for (int32_t k = 0; k < b.count; ++k) b.surface[k].n = lit_side(frames[k], is_mapped);
 }
 
 inline void find_surfaces(const ShadeJob& job, int32_t first, Block& b) {
@@ -40,7 +49,7 @@ inline void find_surfaces(const ShadeJob& job, int32_t first, Block& b) {
     for (int32_t k = 0; k < b.count; ++k) find_texcoords(m, b.pixels[k]);
     for (int32_t k = 0; k < b.count; ++k) find_reflectance(job, b.pixels[k], b.surface[k], b.alpha[k]);
     if (!needs_normal) return;
-    for (int32_t k = 0; k < b.count; ++k) b.surface[k].n = shading_normal(job, b.pixels[k]);
+    find_normals(job, b);
     for (int32_t k = 0; k < b.count; ++k) b.surface[k].v = to_viewer(job, b.pixels[k].position);
 }
 
@@ -53,10 +62,12 @@ inline void light_surfaces(const ShadeJob& job, Block& b) {
         return;
     }
     const lit::Reflection reflection = reflection_of(job);
-    for (int32_t i = 0; i < job.light_count; ++i)
+    lit::LightSample light[Block::most];
+    for (int32_t i = 0; i < job.light_count; ++i) {
+        for (int32_t k = 0; k < b.count; ++k) light[k] = lit::sample_light(job.lights[i], b.pixels[k].position);
         for (int32_t k = 0; k < b.count; ++k)
-            b.radiance[k] = lit::add_light(b.radiance[k], b.surface[k],
-                                           lit::sample_light(job.lights[i], b.pixels[k].position), reflection);
+            b.radiance[k] = lit::add_light(b.radiance[k], b.surface[k], light[k], reflection);
+    }
 }
 
 inline int32_t store_block(const ShadeJob& job, int32_t first, Block& b) {

@@ -84,21 +84,39 @@ struct BaseColor {
     return base;
 }
 
-/// Interpolated normal, bumped by the map, on the side that is lit.
+/// The frame of a pixel's normal map: unit normal and tangent, each with the sign that follows it in the record.
+struct MappedFrame {
+    SignedVector normal, tangent;
+    vec3 mapped;  ///< of the map, in the frame
+};
+
+inline bool is_normal_mapped(const ShadeJob& job) { return job.bump != 0 && job.material->normal_map.view != nullptr; }
+
+inline void find_normal(const Pixels& p, MappedFrame& f) {
+    f.normal = normal_at(p.records, p.b);
+    f.normal.v = safe_normalize(f.normal.v);
+}
+
+inline void find_tangent(const ShadeJob& job, const Pixels& p, MappedFrame& f) {
+    f.tangent = tangent_at(p.records, p.b);
+    const vec3 across = lit::orthogonal_tangent(f.normal.v, f.tangent.v);
+    f.tangent.v = job.orthogonalize != 0 ? across : safe_normalize_or(f.tangent.v, across);
+}
+
+/// On the side that is lit.
+inline vec3 lit_side(const MappedFrame& f, bool is_mapped) {
+    const vec3 n = is_mapped ? lit::perturb_normal(f.normal.v, f.tangent.v, f.tangent.sign, f.mapped) : f.normal.v;
+    return n * f.normal.sign;
+}
+
+/// Interpolated normal, bumped by the map, on the side that is lit: the stages above in one.
 inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
-    const MaterialView& m = *job.material;
-    const bool is_mapped = job.bump != 0 && m.normal_map.view != nullptr;
-    vec3 mapped;
-    if (is_mapped) mapped = decoded_normal(m, p);
-    const SignedVector normal = normal_at(p.records, p.b);
-    vec3 n = safe_normalize(normal.v);
-    if (is_mapped) {
-        const SignedVector tangent = tangent_at(p.records, p.b);
-        const vec3 across = lit::orthogonal_tangent(n, tangent.v);
-        const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across);
-        n = lit::perturb_normal(n, t, tangent.sign, mapped);
-    }
-    return n * normal.sign;
+    MappedFrame f;
+    const bool is_mapped = is_normal_mapped(job);
+    if (is_mapped) f.mapped = decoded_normal(*job.material, p);
+    find_normal(p, f);
+    if (is_mapped) find_tangent(job, p, f);
+    return lit_side(f, is_mapped);
 }
 
 inline void set_classical(const MaterialView& m, const Pixels& p, vec3 paint, lit::Surface& s) {
