@@ -27,7 +27,8 @@ install(FILES ${PROJECT_BINARY_DIR}/include/rakelight/version.h DESTINATION ${CM
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/RakelightConfig.cmake.in ${PROJECT_BINARY_DIR}/RakelightConfig.cmake
   INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/RakelightConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/RakelightConfig.cmake ${PROJECT_BINARY_DIR}/RakelightConfigVersion.cmake DESTINATION ${package_dir})
+install(FILES ${PROJECT_BINARY_DIR}/RakelightConfig.cmake ${PROJECT_BINARY_DIR}/RakelightConfigVersion.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/FindOpenSubdiv.cmake DESTINATION ${package_dir})
 
 if(RAKELIGHT_TESTS)
   add_test(NAME consumer

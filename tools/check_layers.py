@@ -56,6 +56,7 @@ LIBRARIES = {
     r"fmt/": ["tools", "render", "apps/cli"],
     r"assimp/": ["apps/import"],
     r"CLI/": ["apps/cli"],
+    r"opensubdiv/": ["geometry"],
     r"embree": ["engines/raytrace"],
     r"epoxy/|EGL/|GL/": ["engines/opengl"],
     r"toml": ["io"],

@@ -192,6 +192,7 @@ void add_render_options(CLI::App& app, RenderWords& w) {
         "displacement: longer edges are cut, in meters (default: a 250th of the model's diagonal)");
     add(app, "Bumps", "--displacement-triangles", w.displacement_triangles, "N",
         "displacement: cutting stops before so many, 1 to 100000000 (default 4000000)");
+    add_subdivision_options(app, w.subdivision);
     add(app, "Normals", "--uv", w.uv, "HOW",
         "Texture coordinates for models without: box, sphere, cylinder (default none)");
 

@@ -237,6 +237,7 @@ void apply(const RenderWords& words, PictureRequest& request) {
     apply_visibility(words, request.settings);
     apply_lines(words, request.settings);
     apply_normals(words, request.prepare);
+    apply(words.subdivision, request.prepare.subdivision);
     apply(words.scene, request);
     apply_view(words, request.view);
 }

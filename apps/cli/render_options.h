@@ -7,6 +7,7 @@
 #include <rakelight/picture.h>
 
 #include "scene_options.h"
+#include "subdivision_options.h"
 #include "surface_options.h"
 
 namespace CLI {
@@ -21,6 +22,7 @@ struct RenderWords {
     std::vector<std::string> shading;
     SurfaceWords surface;
     SceneWords scene;
+    SubdivisionWords subdivision;
     std::string front_face, cull, visibility, interpolation, samples, anisotropy;
     std::string line_width, line_color, points, point_size;
     std::string normals, crease_angle, weight, uv, tangents, orthogonalize;

@@ -28,6 +28,20 @@ void convert_faces(const aiMesh& mesh, std::uint32_t topology, bool with_hint, P
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) part.indices.push_back(v);
 }
 
+/// Assimp marks the two triangles of what was a quad by one first vertex; what had more corners cannot be told.
+void convert_quads(const aiMesh& mesh, Part& part) {
+    if (part.topology != 0 || (mesh.mPrimitiveTypes & aiPrimitiveType_NGONEncodingFlag) == 0) return;
+    std::vector<std::uint32_t> polygons;
+    const std::vector<std::uint32_t>& corners = part.indices;
+    bool has_quads = false;
+    for (std::uint32_t t = 0; t < corners.size() / 3; ++t) {
+        const bool goes_on = t > 0 && polygons[t - 1] == t - 1 && corners[3 * t] == corners[3 * t - 3];
+        polygons.push_back(goes_on ? t - 1 : t);
+        has_quads = has_quads || goes_on;
+    }
+    if (has_quads) part.polygons = std::move(polygons);
+}
+
 void convert_tangents(const aiMesh& mesh, Part& part) {
     part.tangents.reserve(mesh.mNumVertices);
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
@@ -114,6 +128,7 @@ Part convert_part(const aiMesh& mesh, const PartSource& source, const Format& fo
     part.surface = mesh.mMaterialIndex;
     convert_vertices(mesh, format, joints, part);
     convert_faces(mesh, source.topology, format.hint_normals && mesh.HasNormals() && source.topology == 0, part);
+    convert_quads(mesh, part);
     join_equal_vertices(part);
     return part;
 }

@@ -44,6 +44,7 @@ struct PrepareOptions {
     /// side. Goes with RenderSettings::front_face; render() and render_picture() set it by that.
     bool clockwise_fronts = false;
     Bump bump = Bump::automatic;  ///< of materials that name no technique: which maps act, and so must have a place
+    Subdivision subdivision;      ///< of meshes that say nothing of their own; before displacement
     Displacement displacement;
 };
 

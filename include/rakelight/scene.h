@@ -162,6 +162,24 @@ enum class Topology : std::uint8_t { triangles, lines, points };
 /// What Mesh::smoothing means: 3DS/ASE bit masks join when AND != 0, OBJ numbers join when equal; 0 is flat in both.
 enum class SmoothingKind : std::uint8_t { none, masks, numbers };
 
+/// `automatic`: Catmull-Clark for surfaces that have a polygon of other than three corners (Mesh::polygons), else Loop.
+enum class SubdivisionScheme : std::uint8_t { automatic, catmull_clark, loop };
+/// How texture coordinates follow: `boundaries`: smooth, but the rims of charts stay straight; `smooth`: rims are
+/// curves too; `linear`: halfway between the corners.
+enum class SubdivisionUv : std::uint8_t { boundaries, smooth, linear };
+
+/// A mesh as the control net of a subdivision surface.
+struct Subdivision {
+    int level = 0;    ///< 0..8: every edge becomes 2^level; 0: the mesh is drawn as it is
+    double edge = 0;  ///< [m] in the world: fewer levels where that makes every edge as short; 0: always `level`
+    SubdivisionScheme scheme = SubdivisionScheme::automatic;
+    SubdivisionUv uv = SubdivisionUv::boundaries;
+    bool round_corners = false;              ///< boundary vertices of a single face are rounded off too
+    std::optional<double> crease_angle_rad;  ///< 0..pi: edges bent more are creases; absent: none are
+    double sharpness = 10;                   ///< of creases: s levels long; 10: for ever
+    bool operator==(const Subdivision&) const = default;
+};
+
 struct JointInfluence {
     std::array<std::uint16_t, 4> joints{};  ///< into Skin::joints
     std::array<float, 4> weights{};         ///< sum to 1, or all 0
@@ -191,6 +209,10 @@ struct Mesh {
     /// [3T] corner normals that the file's *reader* made from smoothing groups (3DS, ASE through Assimp), or empty: equal
     /// across an edge exactly where the groups joined. A hint for grouping, never shown as the file's normals.
     Block<vec3> smoothing_hint;
+    /// [T] triangles with equal numbers, one after another, are one polygon of the file; empty: all are triangles
+    /// there.
+    Block<std::uint32_t> polygons;
+    std::optional<Subdivision> subdivision;  ///< absent: as the picture's settings say
     Block<JointInfluence> influences;    ///< [V] or empty
     std::vector<MorphTarget> targets;
     std::uint32_t material = none;       ///< into Scene::materials; none: the default material

@@ -41,6 +41,14 @@ inline constexpr Word<Bump> bump_words[] = {
 };
 inline constexpr Word<BumpTerms> bump_terms_words[] = {
     {"both", BumpTerms::both}, {"diffuse", BumpTerms::diffuse}, {"specular", BumpTerms::specular}};
+inline constexpr Word<SubdivisionScheme> subdivision_scheme_words[] = {
+    {"auto", SubdivisionScheme::automatic},
+    {"catmull-clark", SubdivisionScheme::catmull_clark},
+    {"loop", SubdivisionScheme::loop}};
+inline constexpr Word<SubdivisionUv> subdivision_uv_words[] = {
+    {"boundaries", SubdivisionUv::boundaries}, {"smooth", SubdivisionUv::smooth}, {"linear", SubdivisionUv::linear}};
+inline constexpr Word<bool> subdivision_boundary_words[] = {{"edge-and-corner", false},
+                                                            {"edge", true}};          ///< Subdivision::round_corners
 inline constexpr Word<bool> polarity_words[] = {{"height", false}, {"depth", true}};  ///< Relief::holds_depth
 inline constexpr Word<bool> green_words[] = {{"up", false}, {"down", true}};          ///< Material::green_down
 inline constexpr Word<bool> zero_words[] = {{"127.5", false}, {"128", true}};         ///< Material::centered_normals

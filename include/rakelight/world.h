@@ -42,6 +42,7 @@ struct WorldModel {
     std::string material;  ///< of the world, for all of it; empty: its own
     std::string normals;   ///< "auto", "file", "flat", "object", "model"; empty: as the picture's options say
     std::optional<double> crease_angle_rad;
+    std::optional<Subdivision> subdivision;  ///< absent: as the picture's options say
     bool lights = false, cameras = false;  ///< whether the model's own come along
     std::optional<Shading> shading;
     WorldPlace place, material_place;  ///< of `file`, `material`
@@ -59,6 +60,7 @@ struct WorldPrimitive {
     std::string material;
     std::string normals;
     std::optional<double> crease_angle_rad;
+    std::optional<Subdivision> subdivision;  ///< absent: as the picture's options say
     std::optional<Shading> shading;
     WorldPlace place, material_place;
 };

@@ -10,6 +10,7 @@
 #include "prepare/prepare.h"
 #include "prepare/repair.h"
 #include "prepare/smooth_request.h"
+#include "prepare/subdivide_scene.h"
 #include "prepare/tangent_report.h"
 #include "prepare/turn_triangles.h"
 #include "prepare/variants.h"
@@ -133,11 +134,22 @@ void warn_of_textures(const Scene& scene, Report& report) {
     }
 }
 
+/// Subdivided meshes have the limit surface's normals, which no crease angle and no scope of smoothing changes.
+Scene subdivided(Scene scene, const PrepareOptions& options, Context& context) {
+    if (!wants_subdivision(scene, options.subdivision)) return scene;
+    Scene out = subdivide_scene(scene, options.subdivision, context);
+    if (options.normals != NormalSource::flat) return out;
+    for (std::size_t i = 0; i < out.meshes.size(); ++i)
+        if (i >= scene.meshes.size() || !(out.meshes[i].positions == scene.meshes[i].positions))
+            out.meshes[i].normals = {};
+    return out;
+}
+
 /// The stages, for triangles that turn counter-clockwise.
 Scene prepare_stages(const Scene& scene, const PrepareOptions& options, Context& context) {
     check_nodes(scene, context.report());
     const bool keep_normals = options.normals == NormalSource::automatic || options.normals == NormalSource::file;
-    Scene out = repair_scene(scene, keep_normals, context);
+    Scene out = subdivided(repair_scene(scene, keep_normals, context), options, context);
     if (options.uv != UvProjection::none) out = project_texcoords(out, options.uv, context);
     warn_of_tangents(out, options.bump, context.report());
     warn_of_textures(out, context.report());

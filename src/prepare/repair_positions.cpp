@@ -30,6 +30,7 @@ void drop_broken_triangles(Mesh& mesh, std::vector<Finding>& findings) {
         mesh.indices = without_triangles(mesh.indices, dropped, 3);
         mesh.smoothing = without_triangles(mesh.smoothing, dropped, 1);
         mesh.smoothing_hint = without_triangles(mesh.smoothing_hint, dropped, 3);
+        mesh.polygons = without_triangles(mesh.polygons, dropped, 1);
     }
     std::vector<vec3> positions(mesh.positions.begin(), mesh.positions.end());
     for (vec3& p : positions)

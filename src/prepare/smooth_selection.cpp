@@ -12,14 +12,6 @@
 namespace rakelight {
 namespace {
 
-/// Moves, turns, mirrors and scales evenly (to nine digits).
-bool is_similarity(const dmat4& m) {
-    const dvec3 a = m[0].xyz(), b = m[1].xyz(), c = m[2].xyz();
-    const double size = dot(a, a), slack = 1e-9 * size;
-    return size > 0 && std::fabs(dot(b, b) - size) <= slack && std::fabs(dot(c, c) - size) <= slack &&
-           std::fabs(dot(a, b)) <= slack && std::fabs(dot(b, c)) <= slack && std::fabs(dot(c, a)) <= slack;
-}
-
 /// For scope object: the first earlier node that lists the same meshes evenly placed too, or the node itself.
 std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<bool>& even) {
     std::vector<std::uint32_t> alike(scene.nodes.size());
@@ -38,6 +30,13 @@ std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<boo
 }
 
 }  // namespace
+
+bool is_similarity(const dmat4& m) {
+    const dvec3 a = m[0].xyz(), b = m[1].xyz(), c = m[2].xyz();
+    const double size = dot(a, a), slack = 1e-9 * size;
+    return size > 0 && std::fabs(dot(b, b) - size) <= slack && std::fabs(dot(c, c) - size) <= slack &&
+           std::fabs(dot(a, b)) <= slack && std::fabs(dot(b, c)) <= slack && std::fabs(dot(c, a)) <= slack;
+}
 
 SmoothSelection select_instances(const Scene& scene, const SmoothRequest& request, const std::vector<dmat4>& world) {
     SmoothSelection s;

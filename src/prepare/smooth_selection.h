@@ -18,6 +18,9 @@ struct SmoothSelection {
     std::vector<bool> in_world;          ///< [computed] at its place in the world, else about its own origin
 };
 
+/// Moves, turns, mirrors and scales evenly (to nine digits), so that angles stay.
+bool is_similarity(const dmat4& m);
+
 /// @param world  [nodes] where the placements stand
 SmoothSelection select_instances(const Scene& scene, const SmoothRequest& request, const std::vector<dmat4>& world);
 

@@ -209,6 +209,12 @@ private:
 
     template <class Part>
     void add(const Scene& part, const Part& of) {
+        if (of.subdivision && std::any_of(part.meshes.begin(), part.meshes.end(),
+                                          [&](const Mesh& m) { return m.subdivision != of.subdivision; })) {
+            Scene own = part;
+            for (Mesh& mesh : own.meshes) mesh.subdivision = of.subdivision;
+            return add(own, of);
+        }
         const auto first_mesh = std::uint32_t(scene_.meshes.size()), first_node = std::uint32_t(scene_.nodes.size());
         Node root = root_node(of.name, of.placement);
         root.shading = of.shading;

@@ -137,6 +137,7 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number) {
     place.size_or_empty("joint influences", mesh.influences.size(), vertices, "vertices");
     place.size_or_empty("smoothing groups", mesh.smoothing.size(), mesh.triangle_count(), "triangles");
     place.size_or_empty("smoothing hints", mesh.smoothing_hint.size(), 3 * std::size_t(mesh.triangle_count()), "corners");
+    place.size_or_empty("polygon numbers", mesh.polygons.size(), mesh.triangle_count(), "triangles");
     for (const MorphTarget& target : mesh.targets) {
         place.size_or_empty("morph positions", target.positions.size(), vertices, "vertices");
         place.size_or_empty("morph normals", target.normals.size(), vertices, "vertices");

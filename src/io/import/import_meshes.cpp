@@ -83,6 +83,7 @@ void detail::add_meshes(import_stream::Import& import, const std::string& path, 
         if (had_tangents && mesh.tangents.empty())
             context.report().add(Remark::dropped, path, "mesh '" + one_line(mesh.name, 60) + "'", "the file's tangents hold zeros and are made anew");
         mesh.smoothing_hint = std::move(part.smoothing_hint);
+        mesh.polygons = std::move(part.polygons);
         for (auto& set : part.texcoords) mesh.texcoords.emplace_back(v_down(std::move(set)));
         mesh.colors = linear_colors(std::move(part.colors));
         for (auto& s : part.shapes) mesh.targets.push_back({std::move(s.name), std::move(s.positions), std::move(s.normals), {}});

@@ -19,7 +19,7 @@ namespace rakelight::io::import_stream {
 static_assert(std::endian::native == std::endian::little, "the stream is written by memcpy");
 
 inline constexpr std::uint64_t magic = 0x31504D4954474B52;     // "RKGTIMP1"
-inline constexpr std::uint32_t version = 1;                    // both programs come from one build; raise at every change
+inline constexpr std::uint32_t version = 2;  // both programs come from one build; raise at every change
 inline constexpr std::uint64_t end_mark = 0x444E45504D49474B;  // the last eight bytes: nothing was lost
 inline constexpr std::uint32_t nothing = 0xFFFFFFFF;           // "no such element" of every index
 
@@ -136,6 +136,7 @@ struct Part {
     std::vector<vec3> normals;             ///< [V] or empty
     std::vector<vec4> tangents;            ///< [V] or empty
     std::vector<vec3> smoothing_hint;      ///< [3T] or empty
+    std::vector<std::uint32_t> polygons;   ///< [T] or empty: as Mesh::polygons
     std::vector<std::vector<vec2>> texcoords;  ///< v up
     std::vector<vec4> colors;              ///< display values
     std::vector<Influence> influences;
@@ -183,7 +184,13 @@ template <class Io> void transfer(Io& io, Note& n) { io.value(n.kind); io.text(n
 template <class Io> void transfer(Io& io, Shape& s) { io.text(s.name); io.array(s.positions); io.array(s.normals); }
 template <class Io> void transfer(Io& io, Part& p) {
     io.text(p.name); io.value(p.topology); io.value(p.surface); io.array(p.positions); io.array(p.indices); io.array(p.normals);
-    io.array(p.tangents); io.array(p.smoothing_hint); io.arrays(p.texcoords); io.array(p.colors); io.array(p.influences); io.records(p.shapes);
+    io.array(p.tangents);
+    io.array(p.smoothing_hint);
+    io.array(p.polygons);
+    io.arrays(p.texcoords);
+    io.array(p.colors);
+    io.array(p.influences);
+    io.records(p.shapes);
 }
 template <class Io> void transfer(Io& io, Document& d) {
     io.value(d.axes); io.records(d.pictures); io.records(d.surfaces); io.records(d.places); io.records(d.lamps); io.records(d.views);

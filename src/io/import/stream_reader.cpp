@@ -79,6 +79,7 @@ void check_part(const Part& p, const Document& d) {
     check_index(p.surface, d.surfaces.size(), true, "material of a mesh");
     const auto fits = [v](std::size_t n) { return n == 0 || n == v; };
     require(fits(p.normals.size()) && fits(p.tangents.size()) && fits(p.colors.size()) && fits(p.influences.size()), "size of a vertex array");
+    require(p.polygons.empty() || (p.topology == 0 && p.polygons.size() == i / 3), "size of a triangle array");
     require(p.smoothing_hint.empty() || (p.topology == 0 && p.smoothing_hint.size() == i), "size of a corner array");
     require(p.texcoords.size() <= most_texcoord_sets, "number of texture coordinate sets");
     for (const auto& set : p.texcoords) require(set.size() == v, "size of a texture coordinate set");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/obj_faces.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -186,6 +187,7 @@ private:
             const auto number = std::size_t(&target - elements_.meshes.meshes().data());
             observe_({*at_, number, target.indices.size(), corners_, triangles_});
         }
+        if (triangles_.size() > 3) add_polygon(target);
         for (std::size_t i = 0; i < triangles_.size(); i += 3) {
             bool is_drawable = true;
             for (std::size_t k = i; k < i + 3; ++k) {
@@ -196,6 +198,13 @@ private:
             elements_.drawable += is_drawable;
             if (contents_.has_smoothing) push_charged(target.smoothing, smoothing_, context_.memory());
         }
+    }
+
+    /// The number of a polygon is that of its first triangle, so that triangles before it need no thought.
+    void add_polygon(GrowingMesh& target) {
+        const std::size_t first = target.indices.size() / 3, end = first + triangles_.size() / 3;
+        for (std::size_t t = target.polygons.size(); t < end; ++t)
+            push_charged(target.polygons, std::uint32_t(std::min(t, first)), context_.memory());
     }
 
     void cut() {

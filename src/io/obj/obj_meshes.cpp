@@ -128,6 +128,12 @@ Mesh finish_mesh(GrowingMesh& growing, const VertexData& data, dvec3 origin, boo
         mesh.smoothing = std::move(growing.smoothing);
         mesh.smoothing_kind = SmoothingKind::numbers;
     }
+    if (!growing.polygons.empty()) {
+        for (std::size_t t = growing.polygons.size(); t < mesh.triangle_count(); ++t)
+            push_charged(growing.polygons, std::uint32_t(t), context.memory());
+        growing.polygons.shrink_to_fit();
+        mesh.polygons = std::move(growing.polygons);
+    }
     growing.table = {};
     return mesh;
 }

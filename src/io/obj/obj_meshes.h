@@ -59,6 +59,7 @@ struct GrowingMesh {
     MeshKey key;
     CornerTable table;
     std::vector<std::uint32_t> indices, smoothing;
+    std::vector<std::uint32_t> polygons;  ///< Mesh::polygons up to the last face of more than three corners
 };
 
 /// All meshes of a file, in order of first use.

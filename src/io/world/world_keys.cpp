@@ -23,6 +23,16 @@ std::vector<WorldKey> placed(std::vector<WorldKey> keys) {
     keys.push_back({"crease_angle_deg", Kind::number, "Edges bent more stay sharp, as --crease-angle", {0, 180}});
     keys.push_back({"shading", Kind::word, "How often its lighting is evaluated, before --shading", any_number,
                     names_of<Shading>(shading_words)});
+    keys.push_back({"subdivide", Kind::integer, "Levels of subdivision, as --subdivide", {0, 8}});
+    keys.push_back({"subdivide_edge", Kind::number, "As --subdivide-edge [m]", {1e-6, 1e6}});
+    keys.push_back({"subdivide_scheme", Kind::word, "As --subdivide-scheme", any_number,
+                    names_of<SubdivisionScheme>(subdivision_scheme_words)});
+    keys.push_back({"subdivide_crease_deg", Kind::number, "As --subdivide-crease", {0, 180}});
+    keys.push_back({"subdivide_sharpness", Kind::number, "As --subdivide-sharpness", {0, 10}});
+    keys.push_back({"subdivide_boundary", Kind::word, "As --subdivide-boundary", any_number,
+                    names_of<bool>(subdivision_boundary_words)});
+    keys.push_back(
+        {"subdivide_uv", Kind::word, "As --subdivide-uv", any_number, names_of<SubdivisionUv>(subdivision_uv_words)});
     return keys;
 }
 

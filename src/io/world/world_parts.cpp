@@ -18,6 +18,25 @@ WorldPlacement read_placement(const SectionValues& v) {
     return placement;
 }
 
+/// As `--subdivide` and its companions have it.
+std::optional<Subdivision> read_subdivision(const SectionValues& v) {
+    Subdivision s;
+    if (v.has("subdivide_edge")) s.edge = v.number("subdivide_edge", 0), s.level = 8;
+    s.level = int(v.number("subdivide", s.level));
+    s.scheme = value_of(subdivision_scheme_words, v.text("subdivide_scheme", "auto"));
+    if (v.has("subdivide_crease_deg")) s.crease_angle_rad = radians(v.number("subdivide_crease_deg", 0));
+    s.sharpness = v.number("subdivide_sharpness", s.sharpness);
+    s.round_corners = value_of(subdivision_boundary_words, v.text("subdivide_boundary", "edge-and-corner"));
+    s.uv = value_of(subdivision_uv_words, v.text("subdivide_uv", "boundaries"));
+    if (v.has("subdivide") || v.has("subdivide_edge")) return s;
+    for (const char* key :
+         {"subdivide_scheme", "subdivide_crease_deg", "subdivide_sharpness", "subdivide_boundary", "subdivide_uv"})
+        if (v.has(key))
+            fail(v.place_of(key), "'" + std::string(key) + "' says how to subdivide, but nothing is to be subdivided",
+                 "add 'subdivide = 3'");
+    return std::nullopt;
+}
+
 template <class Part>
 void read_common(const SectionValues& v, Part& part) {
     part.place = v.place_of("file");
@@ -28,6 +47,7 @@ void read_common(const SectionValues& v, Part& part) {
     part.material = v.text("material");
     part.normals = v.text("normals");
     if (v.has("crease_angle_deg")) part.crease_angle_rad = radians(v.number("crease_angle_deg", 0));
+    part.subdivision = read_subdivision(v);
 }
 
 }  // namespace

@@ -216,6 +216,20 @@ TEST_F(ImportAssets, MadeUpNormalsAreNoNormals) {
         for (const Mesh& mesh : read(name).meshes) EXPECT_EQ(mesh.normals.size(), mesh.positions.size()) << name;
 }
 
+TEST_F(ImportAssets, QuadsOfAnFbxFileAreThoseOfTheObjFileOfTheSameModel) {
+    RL_NEEDS_SHARED("assets");
+    std::size_t quads = 0, triangles = 0;
+    for (const Mesh& mesh : read("fbx/ufbx/blender_282_suzanne_and_transform_7400_binary.fbx").meshes) {
+        ASSERT_EQ(mesh.polygons.size(), mesh.triangle_count());
+        for (std::size_t t = 0; t < mesh.polygons.size(); ++t)
+            quads += t > 0 && mesh.polygons[t] == mesh.polygons[t - 1];
+        triangles += mesh.polygons.size();
+    }
+    EXPECT_EQ(quads, 936u);  // as blender_282_suzanne_and_transform.obj has them, and 64 triangles
+    EXPECT_EQ(triangles, 2 * 936u + 64u);
+    for (const Mesh& mesh : read("stl/Spider_ascii.stl").meshes) EXPECT_TRUE(mesh.polygons.empty());
+}
+
 TEST_F(ImportAssets, MirroredNodesKeepTheirNegativeDeterminant) {
     RL_NEEDS_SHARED("assets");
     const Scene scene = read("fbx/assimp/cubes_with_mirroring_and_pivot.fbx");

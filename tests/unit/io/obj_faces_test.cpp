@@ -37,6 +37,18 @@ TEST_F(ObjFaces, ASquareIsOneObjectNamedAfterTheFile) {
     EXPECT_NO_THROW(validate(s));
 }
 
+TEST_F(ObjFaces, TrianglesOfAPolygonHaveItsNumber) {
+    const std::string six = square + "v 2 0 0\nv 2 1 0\n";
+    const auto polygons = [&](const std::string& faces) {
+        const Scene s = load(six + faces);
+        EXPECT_NO_THROW(validate(s));
+        return std::vector<std::uint32_t>(s.meshes.at(0).polygons.begin(), s.meshes.at(0).polygons.end());
+    };
+    EXPECT_TRUE(polygons("f 1 2 3\nf 2 5 6\n").empty());  // nothing but triangles
+    EXPECT_EQ(polygons("f 1 2 3\nf 1 3 4\nf 2 5 6 3\nf 1 2 3\n"), (std::vector<std::uint32_t>{0, 1, 2, 2, 4}));
+    EXPECT_EQ(polygons("f 1 2 5 6 4\nf 1 2 3 4\n"), (std::vector<std::uint32_t>{0, 0, 0, 3, 3}));
+}
+
 TEST_F(ObjFaces, CornersAreUniqueInOrderOfFirstUse) {
     const Scene s = load(
         square +

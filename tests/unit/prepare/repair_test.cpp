@@ -52,11 +52,14 @@ TEST(Repair, DropsTrianglesThatTouchPositionsThatAreNotFinite) {
         Mesh mesh = with_positions({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, broken, 0}});
         mesh.smoothing = std::vector<std::uint32_t>{7, 8};
         mesh.smoothing_hint = std::vector<vec3>(6, {0, 0, 1});
+        mesh.polygons = std::vector<std::uint32_t>{4, 5};
         const Scene scene = repair_scene(scene_of({mesh}), true, context);
         EXPECT_EQ(scene.meshes[0].triangle_count(), 1u);
         EXPECT_EQ(scene.meshes[0].smoothing.size(), 1u);
         EXPECT_EQ(scene.meshes[0].smoothing[0], 7u);
         EXPECT_EQ(scene.meshes[0].smoothing_hint.size(), 3u);
+        ASSERT_EQ(scene.meshes[0].polygons.size(), 1u);
+        EXPECT_EQ(scene.meshes[0].polygons[0], 4u);
         EXPECT_TRUE(is_finite(scene.meshes[0].positions[3]));
         EXPECT_NO_THROW(validate(scene));
         EXPECT_EQ(remarks(context, Remark::dropped, "not finite"), 1u);

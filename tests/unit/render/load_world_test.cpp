@@ -54,6 +54,27 @@ TEST_F(LoadWorld, ModelsAreTurnedAboutXThenYThenZ) {
     EXPECT_NEAR(y.z, 0, 1e-12);
 }
 
+TEST_F(LoadWorld, AModelsSubdivisionIsItsMeshesAlone) {
+    const Scene s = load_text(
+        "[[model]]\nfile = 'a.obj'\nsubdivide = 3\nsubdivide_crease_deg = 30\nsubdivide_sharpness = 1.5\n"
+        "subdivide_scheme = 'loop'\nsubdivide_uv = 'linear'\nsubdivide_boundary = 'edge'\n"
+        "[[model]]\nfile = 'a.obj'\nname = 'second'\nsubdivide_edge = 0.5\n"
+        "[[model]]\nfile = 'a.obj'\nname = 'third'\nsubdivide = 0\n[[model]]\nfile = 'a.obj'\nname = 'fourth'\n");
+    ASSERT_EQ(s.meshes.size(), 4u);
+    EXPECT_EQ(s.meshes[0].subdivision, (Subdivision{.level = 3,
+                                                    .scheme = SubdivisionScheme::loop,
+                                                    .uv = SubdivisionUv::linear,
+                                                    .round_corners = true,
+                                                    .crease_angle_rad = radians(30.0),
+                                                    .sharpness = 1.5}));
+    EXPECT_EQ(s.meshes[1].subdivision, (Subdivision{.level = 8, .edge = 0.5}));
+    EXPECT_EQ(s.meshes[2].subdivision, Subdivision{});
+    EXPECT_EQ(s.meshes[3].subdivision, std::nullopt);
+    EXPECT_EQ(s.meshes[0].positions, s.meshes[3].positions);  // still shared
+    const std::string error = error_of([&] { load_text("[[model]]\nfile = 'a.obj'\nsubdivide_sharpness = 2\n"); }).what();
+    EXPECT_NE(error.find("line 3, column 23: 'subdivide_sharpness'"), std::string::npos) << error;
+}
+
 TEST_F(LoadWorld, AFileThatStandsTwiceSharesItsArrays) {
     const Scene s = load_text("[[model]]\nfile = 'b.obj'\n[[model]]\nfile = 'b.obj'\nname = 'second'\n");
     ASSERT_EQ(s.meshes.size(), 2u);

@@ -65,6 +65,8 @@ TEST(Validate, RefusesVertexArraysOfAnotherSize) {
     expect_fault("1 texture coordinates for 4", [](Scene& s) { s.meshes[0].texcoords = {{}, std::vector<vec2>(1)}; });
     expect_fault("8 colors for 4", [](Scene& s) { s.meshes[0].colors = std::vector<vec4>(8); });
     expect_fault("3 smoothing groups for 2 triangles", [](Scene& s) { s.meshes[0].smoothing = std::vector<std::uint32_t>(3); });
+    expect_fault("3 polygon numbers for 2 triangles",
+                 [](Scene& s) { s.meshes[0].polygons = std::vector<std::uint32_t>(3); });
     expect_fault("2 smoothing hints for 6 corners", [](Scene& s) { s.meshes[0].smoothing_hint = std::vector<vec3>(2); });
     expect_fault("1 joint influences for 4", [](Scene& s) { s.meshes[0].influences = std::vector<JointInfluence>(1); });
     expect_fault("1 morph normals for 4", [](Scene& s) {

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/subdivide_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "geometry/place_classes.h"
+#include "geometry/union_find.h"
+#include "math/linear.h"
+#include "prepare/smooth_selection.h"
+#include "prepare/subdivide_surface.h"
+#include "prepare/variants.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+Subdivision wish_of(const Mesh& mesh, const Subdivision& otherwise) { return mesh.subdivision.value_or(otherwise); }
+
+void check(const Subdivision& s) {
+    if (s.level < 0 || s.level > 8) throw Error(ErrorCode::usage, "subdivision goes by 0 to 8 levels");
+    if (s.crease_angle_rad && !(*s.crease_angle_rad >= 0 && *s.crease_angle_rad <= pi))
+        throw Error(ErrorCode::usage, "the crease angle of a subdivision must be 0 to 180 degrees");
+    if (!(s.sharpness >= 0 && s.sharpness <= 10))
+        throw Error(ErrorCode::usage, "the sharpness of creases must be 0 to 10");
+    if (!(s.edge >= 0 && std::isfinite(s.edge)))
+        throw Error(ErrorCode::usage, "the edge of a subdivision must be 0 or more");
+}
+
+/// Placements that are one surface, all of one wish.
+struct Group {
+    std::vector<std::size_t> members;  ///< into Subdividing::instances_
+    dmat4 to_world;                    ///< of the space it is made in
+    bool is_in_object = false;         ///< that of its objects: their one matrix takes it to the world
+    std::size_t surface = 0;           ///< into Subdividing::surfaces_
+};
+
+class Subdividing {
+public:
+    Subdividing(const Scene& scene, const Subdivision& otherwise, Context& context)
+        : scene_(scene), otherwise_(otherwise), context_(context), world_(world_matrices(scene)) {}
+
+    Scene run() {
+        for (const Instance& instance : drawn_instances(scene_)) {
+            const Mesh& mesh = scene_.meshes[instance.mesh];
+            if (wish_of(mesh, otherwise_).level > 0) instances_.push_back(instance);
+        }
+        if (instances_.empty()) return scene_;
+        weld();
+        find_groups();
+        build_surfaces();
+        check_memory();
+        std::vector<std::vector<Mesh>> made(surfaces_.size());
+        context_.parallel_for(surfaces_.size(), [&](std::size_t i) { made[i] = surfaces_[i].run(context_); });
+        report();
+        return placed(std::move(made));
+    }
+
+private:
+    const Mesh& mesh_of(std::size_t i) const { return scene_.meshes[instances_[i].mesh]; }
+    dmat4 matrix(std::size_t i) const { return world_[instances_[i].node]; }
+
+    void weld() {
+        std::vector<AttributeMesh> meshes;
+        for (std::size_t i = 0; i < instances_.size(); ++i) {
+            const Mesh& mesh = mesh_of(i);
+            meshes.push_back({.object = instances_[i].node,
+                              .positions = mesh.positions,
+                              .indices = mesh.indices,
+                              .to_world = matrix(i) * translation(mesh.origin),
+                              .position_step = mesh.position_step});
+        }
+        geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context_);
+        place_ = std::move(placed.place);
+        vertex_base_ = std::move(placed.input.vertex_base);
+    }
+
+    void find_groups() {
+        geometry::UnionFind sets;
+        sets.reset(instances_.size());
+        std::vector<std::uint32_t> first_at(place_.size(),
+                                            none);  // place -> instance that uses it, of each wish the first
+        std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> others;
+        std::vector<Subdivision> wishes;
+        for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+            const Subdivision wish = wish_of(mesh_of(i), otherwise_);
+            const auto known = std::find(wishes.begin(), wishes.end(), wish);
+            const std::size_t number = std::size_t(known - wishes.begin());
+            if (known == wishes.end()) wishes.push_back(wish);
+            dmat4 inverse;
+            if (!inverse_affine(matrix(i), inverse)) continue;  // flat: by itself, about its origin
+            for (const std::uint32_t v : mesh_of(i).indices) {
+                const std::uint32_t p = place_[vertex_base_[i] + v];
+                std::uint32_t& first = number == 0 ? first_at[p] : others.try_emplace({p, number}, i).first->second;
+                if (first == none) first = i;
+                sets.join(first, i);
+            }
+        }
+        std::vector<std::size_t> group_of(instances_.size(), none);
+        for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+            std::size_t& group = group_of[sets.root(i)];
+            if (group == none) {
+                group = groups_.size();
+                groups_.emplace_back();
+            }
+            groups_[group].members.push_back(i);
+        }
+        for (Group& group : groups_) choose_space(group);
+    }
+
+    void choose_space(Group& group) {
+        const dmat4 first = matrix(group.members[0]);
+        dmat4 inverse;
+        const bool is_one =
+            std::all_of(group.members.begin(), group.members.end(), [&](std::size_t i) { return matrix(i) == first; });
+        const bool keeps_angles =
+            !wish_of(mesh_of(group.members[0]), otherwise_).crease_angle_rad || is_similarity(first);
+        group.is_in_object = is_one && (keeps_angles || !inverse_affine(first, inverse));
+        if (group.is_in_object) group.to_world = first;
+    }
+
+    /// Longest axis: what 1 of the space is long in the world.
+    static double scale_of(const dmat4& m) {
+        return std::sqrt(std::max({dot(m[0], m[0]), dot(m[1], m[1]), dot(m[2], m[2])}));
+    }
+
+    void build_surfaces() {
+        std::map<std::pair<std::vector<std::uint32_t>, double>, std::size_t> known;  // meshes and scale
+        for (Group& group : groups_) {
+            const Subdivision wish = wish_of(mesh_of(group.members[0]), otherwise_);
+            const double scale = wish.edge > 0 ? scale_of(group.to_world) : 1;
+            std::vector<std::uint32_t> meshes;
+            for (const std::size_t i : group.members) meshes.push_back(instances_[i].mesh);
+            if (group.is_in_object) {
+                const auto [entry, is_new] = known.try_emplace({meshes, scale}, surfaces_.size());
+                group.surface = entry->second;
+                if (!is_new) continue;
+            } else {
+                group.surface = surfaces_.size();
+            }
+            std::vector<SurfacePart> parts;
+            for (const std::size_t i : group.members) {
+                const Mesh& mesh = mesh_of(i);
+                const dvec3 origin = mesh.origin - mesh_of(group.members[0]).origin;
+                const auto places = place_.begin() + std::ptrdiff_t(vertex_base_[i]);
+                parts.push_back({&mesh,
+                                 group.is_in_object ? translation(origin) : matrix(i) * translation(mesh.origin),
+                                 {places, places + std::ptrdiff_t(mesh.positions.size())}});
+            }
+            surfaces_.emplace_back(std::move(parts), wish, scale);
+        }
+    }
+
+    /// What is kept at the end, and what is needed beside while surfaces are made, as many at once as there are
+    /// threads.
+    void check_memory() const {
+        std::uint64_t triangles = 0, all = 0, largest = 0;
+        for (const SurfaceSubdivider& s : surfaces_) {
+            triangles += s.triangles();
+            all += s.bytes();
+            largest = std::max(largest, s.bytes());
+        }
+        const std::uint64_t at_once = std::min(all, largest * std::uint64_t(context_.threads()));
+        try {
+            context_.memory().check(triangles * 60 + at_once,
+                                    "subdivision into " + std::to_string(triangles) + " triangles");
+        } catch (const Error& error) {
+            throw Error(error.code(), error.reason(), error.place(), error.advice() + ", or subdivide by fewer levels");
+        }
+    }
+
+    void report() const {
+        std::uint64_t faces = 0, triangles = 0, flat = 0, parted = 0;
+        std::size_t loops = 0;
+        int low = 8, high = 1;
+        for (const SurfaceSubdivider& s : surfaces_) {
+            faces += s.control_faces();
+            triangles += s.triangles();
+            flat += s.faults().flat_faces;
+            parted += s.faults().parted_edges;
+            loops += s.scheme() == geometry::Scheme::loop;
+            low = std::min(low, s.level()), high = std::max(high, s.level());
+        }
+        std::size_t moving = 0;
+        std::vector<bool> seen(scene_.meshes.size(), false);
+        for (const Instance& i : instances_) {
+            const Mesh& mesh = scene_.meshes[i.mesh];
+            if (!seen[i.mesh]) moving += !mesh.influences.empty() || !mesh.targets.empty();
+            seen[i.mesh] = true;
+        }
+        const std::string scheme = loops == 0                  ? "Catmull-Clark"
+                                   : loops == surfaces_.size() ? "Loop"
+                                                               : "Catmull-Clark and Loop";
+        const std::string levels =
+            low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high);
+        const auto add = [&](Remark kind, const std::string& text) {
+            context_.report().add(kind, scene_.source, {}, text);
+        };
+        add(Remark::note, "subdivided by " + levels + (high == 1 ? " level" : " levels") + " (" + scheme +
+                              "): " + std::to_string(faces) + " faces of " + std::to_string(surfaces_.size()) +
+                              " surfaces became " + std::to_string(triangles) + " triangles");
+        if (flat > 0)
+            add(Remark::dropped, std::to_string(flat) + " triangles with corners at one place are not subdivided");
+        if (parted > 0)
+            add(Remark::warning,
+                std::to_string(parted) +
+                    " edges have more than two faces, or faces that turn opposite ways: the subdivided "
+                    "surface is parted there");
+        if (moving > 0)
+            add(Remark::dropped, "joint influences and morph targets of " + std::to_string(moving) +
+                                     " subdivided mesh" + (moving == 1 ? " is" : "es are") + " left out");
+    }
+
+    /// The first surface that a mesh is in takes the mesh's place, others get meshes of their own.
+    Scene placed(std::vector<std::vector<Mesh>>&& made) const {
+        Scene out = scene_;
+        std::vector<bool> is_taken(scene_.meshes.size(), false);
+        std::vector<std::vector<std::uint32_t>> numbers(made.size());
+        for (const Group& group : groups_) {
+            std::vector<std::uint32_t>& of_surface = numbers[group.surface];
+            const bool is_new = of_surface.empty();
+            for (std::size_t k = 0; k < group.members.size(); ++k) {
+                const Instance& instance = instances_[group.members[k]];
+                if (is_new) {
+                    const bool is_first = !is_taken[instance.mesh];
+                    is_taken[instance.mesh] = true;
+                    of_surface.push_back(is_first ? instance.mesh : std::uint32_t(out.meshes.size()));
+                    if (is_first)
+                        out.meshes[instance.mesh] = std::move(made[group.surface][k]);
+                    else
+                        out.meshes.push_back(std::move(made[group.surface][k]));
+                }
+                out.nodes[instance.node].meshes[instance.slot] = of_surface[k];
+            }
+        }
+        return out;
+    }
+
+    const Scene& scene_;
+    const Subdivision& otherwise_;
+    Context& context_;
+    const std::vector<dmat4> world_;
+    std::vector<Instance> instances_;
+    std::vector<std::uint32_t> place_, vertex_base_;
+    std::vector<Group> groups_;
+    std::vector<SurfaceSubdivider> surfaces_;
+};
+
+}  // namespace
+
+bool wants_subdivision(const Scene& scene, const Subdivision& otherwise) {
+    return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
+        return mesh.triangle_count() > 0 && wish_of(mesh, otherwise).level > 0;
+    });
+}
+
+Scene subdivide_scene(const Scene& scene, const Subdivision& otherwise, Context& context) {
+    check(otherwise);
+    for (const Mesh& mesh : scene.meshes)
+        if (mesh.subdivision) check(*mesh.subdivision);
+    return Subdividing(scene, otherwise, context).run();
+}
+
+}  // namespace rakelight

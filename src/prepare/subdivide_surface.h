@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes that meet, as one subdivision surface, and back to meshes.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <rakelight/context.h>
+#include <rakelight/scene.h>
+
+#include "geometry/subdivide.h"
+
+namespace rakelight {
+
+/// A mesh in the surface.
+struct SurfacePart {
+    const Mesh* mesh = nullptr;
+    dmat4 to_surface;  ///< object space (with the mesh's origin) -> that of the surface; has an inverse
+    std::vector<std::uint32_t> places;  ///< [V] equal numbers, of all parts: vertices at one place
+};
+
+/// What of the control surface could not be as the file has it.
+struct SurfaceFaults {
+    std::uint64_t flat_faces = 0;    ///< left out: fewer than three places
+    std::uint64_t parted_edges = 0;  ///< SurfacePieces::parted_edges
+};
+
+/// In two steps, so that all surfaces of a scene can be counted before any is refined.
+class SurfaceSubdivider {
+public:
+    /// @param scale  [m] that 1 of the surface's space is long in the world, for Subdivision::edge
+    SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale);
+
+    std::uint64_t control_faces() const { return control_.faces.count(); }
+    std::uint64_t triangles() const;  ///< that come out
+    std::uint64_t bytes() const;      ///< needed at once while it is refined, about
+    int level() const { return control_.level; }
+    geometry::Scheme scheme() const { return control_.scheme; }
+    const SurfaceFaults& faults() const { return faults_; }
+
+    /// [parts] triangles on the limit surface with its normals, without tangents; meshes without a face are empty.
+    /// @throws Error as geometry::subdivide()
+    std::vector<Mesh> run(Context& context) const;
+
+private:
+    void collect_faces();
+    void add_face(std::size_t part, std::span<const std::uint32_t> vertices);
+    void choose_scheme();
+    void choose_level(double scale);
+    geometry::ControlValues control_values(std::size_t set) const;
+
+    std::vector<SurfacePart> parts_;
+    Subdivision how_;
+    geometry::ControlSurface control_;
+    std::vector<std::uint32_t> first_face_;     ///< [parts + 1]
+    std::vector<std::uint32_t> mesh_vertices_;  ///< [corners] of the corner's part
+    std::size_t texcoord_sets_ = 0;
+    bool has_colors_ = false;
+    SurfaceFaults faults_;
+};
+
+}  // namespace rakelight
