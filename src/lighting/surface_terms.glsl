@@ -31,6 +31,7 @@ struct MaterialSurface {
     vec3 around_sheen;      // wide
     real around_coat;       // about the mirror direction of coat_n
     real roughness;         // of around_specular, alpha = roughness^2; coat_alpha is that of around_coat
+    real table_roughness;   // at which the tables of the lobe's albedos are read
 };
 
 // What a material has; the same for all lanes.

@@ -35,21 +35,41 @@ std::vector<Light> lights_around(dvec3 n, double alpha) {
     return lights;
 }
 
-/// Directional albedo of a white metal at that angle between beam and normal.
-double albedo(double roughness, double angle, bool compensated) {
-    const dvec3 n{std::sin(angle), 0, std::cos(angle)};
+/// A white metal, seen at an angle to its normal, its grain turned about it from the plane of view [rad].
+struct WhiteMetal {
+    double roughness, angle, anisotropy = 0, turn = 0;
+};
+
+enum class Under { lights, compensated_lights, ambient_light };
+
+/// Radiance under even light of 1 from all around.
+double radiance(const WhiteMetal& metal, Under light) {
+    const dvec3 n{std::sin(metal.angle), 0, std::cos(metal.angle)};
     Scene scene;
     Material m;
     m.base_color = {1, 1, 1, 1};
-    m.metallic_roughness.metallic = 1, m.metallic_roughness.roughness = float(roughness);
+    m.metallic_roughness.metallic = 1, m.metallic_roughness.roughness = float(metal.roughness);
+    m.metallic_roughness.anisotropy = float(metal.anisotropy);
+    m.metallic_roughness.anisotropy_rotation_rad = float(metal.turn);
     scene.materials = {m};
     Mesh mesh = square_mesh(0);
     mesh.normals = std::vector<vec3>(4, vec3{float(n.x), float(n.y), float(n.z)});
+    mesh.tangents = std::vector<vec4>(4, vec4{float(n.z), 0, float(-n.x), 1});
     add_object(scene, std::move(mesh));
-    scene.lights = lights_around(n, roughness * roughness);
+    const double alpha = metal.roughness * metal.roughness, square = metal.anisotropy * metal.anisotropy;
+    Light ambient;
+    ambient.type = LightType::ambient;
+    ambient.ambient = {1, 1, 1};
+    scene.lights = {ambient};
+    if (light != Under::ambient_light) scene.lights = lights_around(n, alpha + (1 - alpha) * square);
     RenderSettings s{.width = 1, .height = 1, .lighting = Lighting::pbr};
-    s.multiple_scattering = compensated;
+    s.multiple_scattering = light == Under::compensated_lights;
     return double(pixel(draw(scene, flat_camera(), s), 0, 0).x);
+}
+
+/// Directional albedo of a white metal at that angle between beam and normal.
+double albedo(double roughness, double angle, bool compensated) {
+    return radiance({roughness, angle}, compensated ? Under::compensated_lights : Under::lights);
 }
 
 }  // namespace
@@ -65,4 +85,18 @@ TEST(EngineFurnace, WithoutCompensationARoughMetalKeepsOneMinusLogTwoOfABeamFrom
     for (const double roughness : {0.25, 0.6, 1.0})
         for (const double degrees : {0.0, 60.0, 85.0, 89.9})
             EXPECT_LE(albedo(roughness, radians(degrees), false), 1.002) << roughness << " at " << degrees;
+}
+
+TEST(EngineFurnace, AmbientLightIsTheSumOfLightsFromAllAroundOnBrushedMetalToo) {
+    for (const double roughness : {0.2236, 0.3, 0.5})
+        for (const double anisotropy : {0.4, 0.7, 1.0})
+            for (const double degrees : {0.0, 30.0, 60.0, 80.0})
+                for (const double turn : {0.0, pi / 4, pi / 2}) {
+                    const WhiteMetal metal = {roughness, radians(degrees), anisotropy, turn};
+                    const double sum = radiance(metal, Under::lights);
+                    EXPECT_NEAR(radiance(metal, Under::ambient_light), sum, 0.05)
+                        << roughness << " " << anisotropy << " at " << degrees << ", " << turn;
+                    EXPECT_NEAR(radiance(metal, Under::compensated_lights), 1, 0.05)
+                        << roughness << " " << anisotropy << " at " << degrees << ", " << turn;
+                }
 }

@@ -71,11 +71,20 @@ inline void set_metallic_lobe(const MaterialView& m, const Pixels& p, vec3 base,
     s.base.ambient = s.base.diffuse;
 }
 
+/// Cosine at which the tables of the lobe's albedos are read for a direction of light, or that to the viewer.
+inline real table_cosine(const lit::MaterialSurface& s, vec3 d, const lit::MaterialTraits& traits) {
+    const real cosine = dot(s.base.n, d);
+    if (traits.is_anisotropic == 0) return cosine;
+    const real equal = equal_cosine(cosine, dot(s.tangent, d), dot(s.bitangent, d), s.alpha_x, s.alpha_y);
+    return select(s.alpha_x > s.alpha_y, equal, cosine);
+}
+
 /// Widths of the lobe. KHR_materials_anisotropy: alpha_t = mix(alpha, 1, strength^2), alpha_b = alpha.
 inline void set_widths(const ShadeJob& job, const Pixels& p, lit::MaterialSurface& s) {
     const MaterialView& m = *job.material;
     const real alpha = max(s.roughness * s.roughness, real(1e-3f));
     s.alpha_x = s.alpha_y = alpha;
+    s.table_roughness = s.roughness;
     if (job.reflection_model == RL_WARD && m.ward_alpha[0] > 0.0f) {
         s.alpha_x = max(real(m.ward_alpha[0]), real(1e-3f)), s.alpha_y = max(real(m.ward_alpha[1]), real(1e-3f));
         s.roughness = sqrt(sqrt(s.alpha_x * s.alpha_y));
@@ -83,7 +92,9 @@ inline void set_widths(const ShadeJob& job, const Pixels& p, lit::MaterialSurfac
         real strength = real(m.anisotropy);
         if (m.anisotropy_map.view != nullptr) strength = strength * texel(m.anisotropy_map, p).z;
         s.alpha_x = mix(alpha, real(1.0f), strength * strength);
-        s.roughness = select(s.alpha_x > alpha, sqrt(sqrt(s.alpha_x * s.alpha_y)), s.roughness);
+        const mask is_uneven = s.alpha_x > alpha;
+        s.table_roughness = select(is_uneven, equal_roughness(s.alpha_x, s.alpha_y), s.roughness);
+        s.roughness = select(is_uneven, sqrt(sqrt(s.alpha_x * s.alpha_y)), s.roughness);
     }
 }
 
@@ -186,7 +197,7 @@ inline void set_pbr_around(const ShadeJob& job, const Pixels& p, const lit::Mate
     const lighting::AlbedoTables& t = job.full->albedo;
     lit::ViewAlbedo albedo;
     albedo.lobe = lobe;
-    albedo.grazing = lobe * look_up_table(t.grazing, grazing_place(dot(s.base.n, s.base.v), s.roughness));
+    albedo.grazing = lobe * look_up_table(t.grazing, grazing_place(dot(s.base.n, s.base.v), s.table_roughness));
     albedo.coat = real(0.0f);
     if (traits.has_coat != 0) albedo.coat = lobe_albedo(t, dot(s.coat_n, s.base.v), sqrt(s.coat_alpha));
     s = lit::pbr_around(s, albedo, occlusion_of(*job.material, p));
@@ -203,9 +214,9 @@ inline void set_pbr_albedos(const ShadeJob& job, const Pixels& p, const lit::Mat
     if (traits.has_sheen != 0) s.sheen_albedo = sheen_albedo(t, n_dot_v, s.sheen_alpha);
     if (traits.has_coat != 0) s.coat_reflectance = lit::coat_reflectance(s.coat_reflectance, dot(s.coat_n, s.base.v));
     if (job.full->has_light_around == 0 && traits.has_scattering == 0) return;
-    const real lobe = lobe_albedo(t, n_dot_v, s.roughness);
+    const real lobe = lobe_albedo(t, table_cosine(s, s.base.v, traits), s.table_roughness);
     s.albedo = select(n_dot_v > zero, lobe, one);  // nothing comes from under the horizon
-    s.albedo_mean = lobe_mean(t, s.roughness);
+    s.albedo_mean = lobe_mean(t, s.table_roughness);
     if (traits.has_scattering != 0) s.scattering = lit::scattering_color(s.base.specular, s.f90, s.albedo_mean);
     if (job.full->has_light_around != 0) set_pbr_around(job, p, traits, lobe, s);
 }
@@ -266,7 +277,10 @@ inline lit::LightAlbedo light_albedo(const ShadeJob& job, const lit::MaterialTra
     albedo.lobe = albedo.sheen = real(0.0f);
     if (!is_pbr(job)) return albedo;
     const real n_dot_l = dot(s.base.n, l);
-    if (traits.has_scattering != 0) albedo.lobe = lobe_albedo(job.full->albedo, n_dot_l, s.roughness);
+    if (traits.has_scattering != 0) {
+        const real cosine = table_cosine(s, l, traits);
+        albedo.lobe = lobe_albedo(job.full->albedo, cosine, s.table_roughness);
+    }
     if (traits.has_sheen != 0) albedo.sheen = sheen_albedo(job.full->albedo, n_dot_l, s.sheen_alpha);
     return albedo;
 }
@@ -280,7 +294,7 @@ inline lit::MaterialSurface full_point(const ShadeJob& job, float mean_roughness
     s.base = point_surface(job, mean_roughness, position, normal);
     s.base.v = viewer_of(job, position);
     s.diffuse_n = s.coat_n = normal;
-    s.roughness = real(m.metallic_roughness != 0 ? mean_roughness : m.lobe_roughness);
+    s.roughness = s.table_roughness = real(m.metallic_roughness != 0 ? mean_roughness : m.lobe_roughness);
     real alpha = s.roughness * s.roughness;
     if (m.ward_alpha[0] > 0.0f) alpha = sqrt(real(m.ward_alpha[0]) * real(m.ward_alpha[1]));
     s.alpha_x = s.alpha_y = max(alpha, real(1e-3f));
