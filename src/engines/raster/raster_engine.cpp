@@ -180,10 +180,11 @@ public:
     std::string name() const override { return "soft"; }
 
     void prepare(const Scene& scene, Context& context) override {
+        // First: maps are not there beside the new scene's textures, nor of lights that a list left half made lacks.
+        shadows_.forget();
+        open_surfaces_.forget();
         list_ = make_draw_list(scene, textures_, context);
         environments_.update(list_, context);
-        open_surfaces_.forget();
-        shadows_.forget();
     }
 
     RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {

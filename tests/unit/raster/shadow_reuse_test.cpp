@@ -2,6 +2,8 @@
 // Shadow maps are kept from picture to picture where they would be the same, and drawn again where they would not.
 #include <gtest/gtest.h>
 
+#include <new>
+
 #include "engines/raster/shadow_maps.h"
 #include "unit/raster/shadow_scenes.h"
 
@@ -110,4 +112,19 @@ TEST(ShadowReuse, AfterACancelledPictureTheMapsAreWhole) {
     EXPECT_THROW(engine->render(from_left, shadowed(), frame, cancelled), Error);
     engine->render(from_left, shadowed(), frame, context);
     EXPECT_TRUE(same_bits(frame, draw(scene, from_left, shadowed())));
+}
+
+TEST(ShadowReuse, ASceneThatCouldNotBePreparedLeavesNoMapsOfTheOneBefore) {
+    const Scene scene = ball_on_floor(lamp({2, 5, 1}));
+    Scene dark = scene;
+    dark.lights.clear();
+    auto image = std::make_shared<EncodedImage>();
+    image->decode = [](const EncodedImage&, Context&) -> Pixels { throw std::bad_alloc(); };
+    Scene failing = dark;
+    failing.environment.emplace();
+    failing.environment->image = image;
+    Drawing drawing(scene);
+    drawing(from_left, shadowed());  // with maps of a light that the next scene lacks
+    EXPECT_THROW(drawing.take(failing), std::bad_alloc);
+    EXPECT_TRUE(same_bits(drawing(from_left, shadowed()), draw(dark, from_left, shadowed())));
 }
