@@ -74,7 +74,20 @@ bool has_coordinates(const Mesh& mesh, std::uint32_t set) {
     return set < mesh.texcoords.size() && !mesh.texcoords[set].empty();
 }
 
-/// Why maps and highlights that follow the texture coordinates do not on this mesh; null: they do, or there are none.
+bool has_coat_map(const Material& m) {
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    return m.model == MaterialModel::metallic_roughness && p.clearcoat > 0 && p.clearcoat_normal_texture;
+}
+
+/// The coat's map has coordinates of its own: they can be missing where the surface's are there, and the other way
+/// round.
+bool lacks_coat_coordinates(const Scene& scene, const Mesh& mesh) {
+    const Material& m = scene.materials[mesh.material];
+    return has_coat_map(m) && !has_coordinates(mesh, m.metallic_roughness.clearcoat_normal_texture.texcoord_set);
+}
+
+/// Why maps and highlights that follow the texture coordinates do not on this mesh; null: they do, or there are none,
+/// or only the coat's map lacks its own coordinates.
 const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump wanted) {
     const Material& m = scene.materials[mesh.material];
     const MetallicRoughnessParameters& p = m.metallic_roughness;
@@ -85,10 +98,8 @@ const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump want
         return "the height map is not used: the mesh has no texture coordinates for it";
     if (normals && !heights && !has_coordinates(mesh, m.normal_texture.texcoord_set))
         return "the normal map is not used: the mesh has no texture coordinates for it";
-    const bool coats = m.model == MaterialModel::metallic_roughness && p.clearcoat > 0 && p.clearcoat_normal_texture;
-    if (coats && !heights && !normals && !has_coordinates(mesh, p.clearcoat_normal_texture.texcoord_set))
-        return "the normal map of the clearcoat is not used: the mesh has no texture coordinates for it";
-    if (!heights && !normals && !p.clearcoat_normal_texture && !stretched) return nullptr;
+    const bool coats = has_coat_map(m) && !lacks_coat_coordinates(scene, mesh);
+    if (!heights && !normals && !coats && !stretched) return nullptr;
     const std::uint32_t set = tangent_set(scene, mesh, TangentWish::where_needed);
     if (set == none) return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";
     if (!mesh.tangents.empty() || spans_texture(mesh, set)) return nullptr;
@@ -103,8 +114,12 @@ void warn_of_tangents(const Scene& scene, Bump wanted, Report& report) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         if (seen[instance.mesh] || !wants_tangents(scene, mesh)) continue;
         seen[instance.mesh] = true;
-        const char* const message = fault_of_coordinates(scene, mesh, wanted);
-        if (message) report.add(Remark::warning, scene.source, Place{"mesh", instance.mesh, mesh.name}.text(), message);
+        const std::string place = Place{"mesh", instance.mesh, mesh.name}.text();
+        if (const char* const message = fault_of_coordinates(scene, mesh, wanted))
+            report.add(Remark::warning, scene.source, place, message);
+        if (lacks_coat_coordinates(scene, mesh))
+            report.add(Remark::warning, scene.source, place,
+                       "the normal map of the clearcoat is not used: the mesh has no texture coordinates for it");
     }
 }
 

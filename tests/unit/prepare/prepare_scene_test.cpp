@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <rakelight/error.h>
@@ -470,6 +471,28 @@ TEST(PrepareScene, SaysThatAClearcoatsNormalMapIsNotUsedWithoutCoordinates) {
     Context without;
     prepare_scene(scene, {}, without);
     EXPECT_EQ(remarks(without, Remark::warning, "clearcoat"), 0u);
+}
+
+TEST(PrepareScene, TheClearcoatsNormalMapIsNamedBesideTheSurfacesAndOnItsOwn) {
+    Mesh mesh = textured_quad();
+    Scene scene = scene_of({mesh});
+    const TextureUse use = test::give_texture(scene, &Material::normal_texture);
+    MetallicRoughnessParameters& p = scene.materials[0].metallic_roughness;
+    p.clearcoat = 1;
+    p.clearcoat_normal_texture = use;
+    const auto said = [&](std::uint32_t of_surface, std::uint32_t of_coat) {
+        scene.materials[0].normal_texture.texcoord_set = of_surface;
+        p.clearcoat_normal_texture.texcoord_set = of_coat;
+        Context context;
+        prepare_scene(scene, {}, context);
+        return std::array{remarks(context, Remark::warning, "the normal map is not used: the mesh has no texture"),
+                          remarks(context, Remark::warning, "the normal map of the clearcoat is not used"),
+                          remarks(context, Remark::warning, "")};
+    };
+    EXPECT_EQ(said(0, 1), (std::array<std::uint64_t, 3>{0, 0, 0}));
+    EXPECT_EQ(said(0, 7), (std::array<std::uint64_t, 3>{0, 1, 1}));
+    EXPECT_EQ(said(7, 0), (std::array<std::uint64_t, 3>{1, 0, 1}));
+    EXPECT_EQ(said(7, 7), (std::array<std::uint64_t, 3>{1, 1, 2}));
 }
 
 TEST(PrepareScene, FlatNormalsOfAllMeshesTogetherStayWithinTheMemoryBudget) {
