@@ -112,15 +112,21 @@ constexpr Multiplied multiplied[] = {
     {"sheen_roughness_texture", "sheen_roughness",
      [](const Material& m) { return m.metallic_roughness.sheen_roughness <= 0; }}};
 
-/// A picture shows nothing where what it multiplies is 0, as it is unless said.
-/// @param changed  materials of the scene that have it
-void warn_of_idle_pictures(const Scene& scene, const std::vector<std::uint32_t>& changed, const WorldMaterial& from,
-                           const std::string& path, Report& report) {
+/// A [[material]] and the materials of the scene that it acted on.
+struct Changed {
+    const WorldMaterial* by;
+    std::vector<std::uint32_t> materials;
+};
+
+/// A picture shows nothing where what it multiplies is 0, as it is unless said: there or in another [[material]].
+/// @param scene  after all of them
+void warn_of_idle_pictures(const Scene& scene, const Changed& changed, const std::string& path, Report& report) {
+    if (changed.materials.empty()) return;
     const auto is_idle = [&](const Multiplied& entry) {
-        return std::all_of(changed.begin(), changed.end(),
+        return std::all_of(changed.materials.begin(), changed.materials.end(),
                            [&](std::uint32_t i) { return entry.is_zero(scene.materials[i]); });
     };
-    for (const WorldValue& value : from.values)
+    for (const WorldValue& value : changed.by->values)
         for (const Multiplied& entry : multiplied)
             if (value.key == entry.picture && is_idle(entry)) {
                 report.add(Remark::warning, path, to_text(value.place),
@@ -162,10 +168,11 @@ void apply_materials(Scene& scene, const WorldFile& world, const std::vector<Loa
     if (world.materials.empty()) return;
     MaterialWork work(scene, path, options, context);
     std::map<std::string, std::uint32_t> own;
+    std::vector<Changed> all_changed;
     for (const WorldMaterial& from : world.materials) {
         warn_of_display_colors(from, path, context.report());
         bool is_used = false;
-        std::vector<std::uint32_t> changed;
+        std::vector<std::uint32_t>& changed = all_changed.emplace_back(Changed{&from, {}}).materials;
         const LoadedPart* covered = nullptr;  // has what is to be changed, but all of it is the world's own
         for (const LoadedPart& part : parts) {
             if (!from.model.empty() && from.model != part.name) continue;
@@ -188,11 +195,11 @@ void apply_materials(Scene& scene, const WorldFile& world, const std::vector<Loa
             changed.push_back(std::uint32_t(scene.materials.size()));
             scene.materials.push_back(std::move(made));
         }
-        if (!changed.empty()) warn_of_idle_pictures(scene, changed, from, path, context.report());
         if (is_used || is_asked_for) continue;
         work.check(from);
         context.report().add(Remark::warning, path, to_text(from.place), why_unused(from, covered, scene));
     }
+    for (const Changed& changed : all_changed) warn_of_idle_pictures(scene, changed, path, context.report());
     for (const LoadedPart& part : parts)
         if (const auto material = own.find(part.material); material != own.end())
             for (std::uint32_t i = part.first_mesh; i < part.end_mesh; ++i) scene.meshes[i].material = material->second;

@@ -165,3 +165,25 @@ TEST_F(WorldTextures, OneOfWhatIsNotThereIsWarnedOf) {
     sphere("anisotropy = 0.1\nanisotropy_texture = 't.png'\nclearcoat = 1\nclearcoat_normal_texture = 't.png'");
     EXPECT_EQ(context_.report().entries().size(), before);
 }
+
+TEST_F(WorldTextures, OneThatALaterMaterialEntryTurnsOnIsNotWarnedOf) {
+    std::ofstream(folder_ / "o.mtl") << "newmtl gold\nKd 1 1 0\nKs 0 0 0\n";
+    std::ofstream(folder_ / "o.obj") << "mtllib o.mtl\nusemtl gold\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+    const auto warnings = [&](const std::string& of_all, const std::string& of_gold) {
+        std::ofstream(folder_ / "w.scene.toml") << "[[model]]\nfile = 'o.obj'\n[[material]]\nname = '*'\n"
+                                                << of_all << "\n[[material]]\nname = 'gold'\n"
+                                                << of_gold;
+        Context context;
+        load((folder_ / "w.scene.toml").string(), {}, context);
+        std::size_t count = 0;
+        for (const ReportEntry& e : context.report().entries())
+            count += e.message.find("'specular' is 0") != std::string::npos;
+        return count;
+    };
+    const std::string texture = "specular_texture = 't.png'\n", on = "specular = [1, 1, 1]\n",
+                      off = "specular = [0, 0, 0]\n";
+    EXPECT_EQ(warnings(texture, ""), 1u);
+    EXPECT_EQ(warnings(texture, on), 0u);
+    EXPECT_EQ(warnings(texture + on, off), 1u);
+    EXPECT_EQ(warnings(on, texture), 0u);
+}
