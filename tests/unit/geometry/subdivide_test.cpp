@@ -14,20 +14,12 @@
 
 #include "geometry/subdivision_masks.h"
 #include "math/linear.h"
+#include "unit/geometry/polygons.h"
 
 namespace rakelight::geometry {
 namespace {
 
-using Faces = std::vector<std::vector<std::uint32_t>>;
-
-Polygons polygons(const Faces& faces) {
-    Polygons out;
-    for (const auto& face : faces) {
-        out.corners.insert(out.corners.end(), face.begin(), face.end());
-        out.end_face();
-    }
-    return out;
-}
+using test::Faces, test::polygons;
 
 /// Corners at +-1.
 ControlSurface cube() {

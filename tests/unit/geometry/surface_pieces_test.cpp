@@ -8,20 +8,12 @@
 
 #include "geometry/subdivide.h"
 #include "math/linear.h"
+#include "unit/geometry/polygons.h"
 
 namespace rakelight::geometry {
 namespace {
 
-using Faces = std::vector<std::vector<std::uint32_t>>;
-
-Polygons polygons(const Faces& faces) {
-    Polygons out;
-    for (const auto& face : faces) {
-        out.corners.insert(out.corners.end(), face.begin(), face.end());
-        out.end_face();
-    }
-    return out;
-}
+using test::Faces, test::polygons;
 
 const std::vector<dvec3> cube_places = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 1, 1},
                                         {1, 0, 0}, {1, 0, 1}, {1, 1, 0}, {1, 1, 1}};

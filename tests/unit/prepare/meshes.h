@@ -12,6 +12,14 @@
 
 namespace rakelight::test {
 
+/// Upright, with a second set of texture coordinates that is turned by a quarter.
+inline Mesh textured_quad() {
+    Mesh mesh = quad_mesh();
+    mesh.texcoords.emplace_back(std::vector<vec2>{{0, 1}, {1, 1}, {1, 0}, {0, 0}});
+    mesh.texcoords.emplace_back(std::vector<vec2>{{1, 1}, {1, 0}, {0, 0}, {0, 1}});
+    return mesh;
+}
+
 /// Two unit squares that share the edge x = 1, the second folded by `angle_rad` about it; six vertices.
 inline Mesh folded_mesh(double angle_rad) {
     const float x = float(1 + std::cos(angle_rad)), z = float(-std::sin(angle_rad));
