@@ -19,8 +19,10 @@ unsigned kind_of(const Light& light) {
 }
 
 void set_attenuation(const std::string& what, Light& light, std::string_view value) {
-    const vec3 a = light_color(what, value);
-    if (a == vec3{0, 0, 0}) throw Error(ErrorCode::usage, what + ": attenuation must be three numbers >= 0, not all 0");
+    const dvec3 given = vector3(what, value);
+    if (given == dvec3{0, 0, 0} || given.x < 0 || given.y < 0 || given.z < 0)
+        throw Error(ErrorCode::usage, what + ": attenuation must be three numbers >= 0, not all 0");
+    const vec3 a = light_color(what, value);  // within what floats hold
     light.constant = a.x, light.linear = a.y, light.quadratic = a.z;
 }
 

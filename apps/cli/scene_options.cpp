@@ -32,6 +32,8 @@ constexpr OptionEntry<W> table[] = {
      "Picture of the surroundings, equirectangular (default: a built-in studio)"},
     {light_group, "--hdri-ambient", &W::hdri_ambient, switch_type, "The surroundings give light"},
     {light_group, "--hdri-skybox", &W::hdri_skybox, switch_type, "The surroundings are the background"},
+    {light_group, "--hdri-intensity", &W::hdri_intensity, "F", "Multiplies the light of the surroundings (default 1)"},
+    {light_group, "--hdri-rotation", &W::hdri_rotation, "DEG", "Turns the surroundings about +Y (default 0)"},
     {output, "--tone-mapping", &W::tone_mapping, "CURVE",
      "Of 8-bit pictures: none (default: cut off at 1), reinhard, neutral, aces, agx"},
     {output, "--exposure", &W::exposure, "EV", "Light is multiplied by 2^EV first, -30 to 30 (default 0)"},
@@ -48,6 +50,14 @@ void apply_materials(const W& w, MaterialOverrides& m) {
     if (!w.opacity.empty()) m.opacity = number("--opacity", w.opacity, 0, 1);
     if (!w.roughness.empty()) m.roughness = number("--roughness", w.roughness, 0, 1);
     if (!w.metallic.empty()) m.metallic = number("--metallic", w.metallic, 0, 1);
+}
+
+void apply_keys(const W& w, MaterialOverrides& m) {
+    try {
+        m.values = material_values(w.material_keys);
+    } catch (const Error& error) {
+        throw Error(error.code(), "--material: " + error.reason(), {}, error.advice());
+    }
 }
 
 void apply_lights(const W& w, PictureRequest& request) {
@@ -69,6 +79,9 @@ void apply_surroundings(const W& w, PictureRequest& request) {
     request.hdri_file = w.hdri_file;
     if (!w.hdri_ambient.empty()) request.hdri_ambient = switched("--hdri-ambient", w.hdri_ambient);
     if (!w.hdri_skybox.empty()) request.hdri_skybox = switched("--hdri-skybox", w.hdri_skybox);
+    if (!w.hdri_intensity.empty()) request.hdri_intensity = number("--hdri-intensity", w.hdri_intensity, 0, 1e6);
+    if (!w.hdri_rotation.empty())
+        request.hdri_rotation_rad = radians(number("--hdri-rotation", w.hdri_rotation, -360, 360));
     if (!w.tone_mapping.empty())
         request.tone.mapping = word<ToneMapping>("--tone-mapping", w.tone_mapping,
                                                  {{"none", ToneMapping::none},
@@ -88,10 +101,17 @@ void add_scene_options(CLI::App& app, SceneWords& words) {
         ->group(light_group)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("--material", words.material_keys,
+                   "A key of [[material]] in world files for all materials, as clearcoat=1; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->group(materials)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void apply(const SceneWords& words, PictureRequest& request) {
     apply_materials(words, request.materials);
+    apply_keys(words, request.materials);
     apply_lights(words, request);
     apply_surroundings(words, request);
 }

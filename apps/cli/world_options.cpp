@@ -21,7 +21,7 @@ namespace {
 /// About the run and not about the picture; a file that was sent by somebody does not say them.
 bool is_for_the_command_line_alone(std::string_view key) {
     for (const char* name :
-         {"output", "help", "json", "quiet", "verbose", "stats", "threads", "max-memory", "allow-outside"})
+         {"output", "help", "json", "quiet", "verbose", "stats", "threads", "max-memory", "allow-outside", "material"})
         if (key == name) return true;
     return false;
 }

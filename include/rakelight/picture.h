@@ -12,6 +12,8 @@
 #include <rakelight/prepare.h>
 #include <rakelight/render.h>
 
+#include <rakelight/world.h>
+
 namespace rakelight {
 
 /// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
@@ -47,6 +49,9 @@ struct MaterialOverrides {
     std::optional<double> opacity;           ///< 0..1, the factor of alpha; below 1 surfaces are blended
     /// 0..1, factors of metallic-roughness materials; classical ones are converted to such first.
     std::optional<double> roughness, metallic;
+    /// Keys of [[material]] in world files, of material_values(); pictures as the caller names them. They act before
+    /// all above but the pictures.
+    std::vector<WorldValue> values;
 
     bool operator==(const MaterialOverrides&) const = default;
 };
@@ -93,6 +98,8 @@ struct PictureRequest {
     /// Whether the environment (without a file: the scene's, else the built-in studio) gives light, and whether it is
     /// the background; absent: as the scene says, else not.
     std::optional<bool> hdri_ambient, hdri_skybox;
+    std::optional<double> hdri_intensity;     ///< >= 0; of the environment, in place of the scene's
+    std::optional<double> hdri_rotation_rad;  ///< about +Y, likewise
     RenderSettings settings;  ///< channels go into files by `channel_files`; a window makes the picture as large as the
                               ///< window; alpha is written when background.w < 1
     std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits

@@ -3,6 +3,7 @@
 // file says, read and checked, before any model of it is loaded. docs/world-files.md explains the format.
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,7 @@ struct WorldValue {
     std::vector<double> numbers;     ///< as many as `words`, or empty: some are no numbers
     bool is_array = false;
     WorldPlace place;  ///< of the value
+    bool operator==(const WorldValue&) const = default;
 };
 
 /// Translation * rotation about x, then y, then z * scale.
@@ -62,7 +64,7 @@ struct WorldPrimitive {
     std::optional<double> crease_angle_rad;
     std::optional<Subdivision> subdivision;  ///< absent: as the picture's options say
     std::optional<Shading> shading;
-    WorldPlace place, material_place;
+    WorldPlace place, material_place, objects_place;
 };
 
 /// Changes to materials, or a material of the world's own.
@@ -112,6 +114,11 @@ WorldFile read_world(const std::string& path, Context& context);
 /// Where a file that a world names lies. @param path  of the world
 /// @throws Error bad_file: it would leave the world's folder, unless `allow_outside`
 std::string resolve_in_world(const std::string& path, const std::string& name, bool allow_outside);
+
+/// What "KEY=VALUE" of a command line says of a material: keys of [[material]] with their checks, numbers of a list
+/// separated by commas, flags on or off. Colors are linear or "#rrggbb".
+/// @throws Error usage
+std::vector<WorldValue> material_values(std::span<const std::string> words);
 
 /// The JSON schema of world files (draft 2020-12), for editors that check TOML: data/world.schema.json.
 std::string world_schema();

@@ -155,7 +155,9 @@ public:
         try {
             add(make_shape(shape), shape);
         } catch (const Error& error) {  // lengths that do not fit together
-            throw Error(ErrorCode::bad_file, error.reason(), to_text(shape.place), error.advice());
+            const bool is_of_objects = error.reason().starts_with("the objects of ");
+            throw Error(ErrorCode::bad_file, error.reason(), to_text(is_of_objects ? shape.objects_place : shape.place),
+                        error.advice());
         }
     }
 
@@ -246,8 +248,14 @@ private:
     Environment surroundings(const WorldEnvironment& from) {
         Environment out = from.environment;
         if (from.file.empty()) return out;
-        out.image =
-            io::image_from_file(from.file, path_, checked_picture(path_, from.file, from.place, options_, context_));
+        std::pair<int, int> size;
+        const std::string file = checked_picture(path_, from.file, from.place, options_, context_, &size);
+        if (size.first != 2 * size.second)
+            context_.report().add(Remark::warning, path_, to_text(from.place),
+                                  "the environment is " + std::to_string(size.first) + " x " +
+                                      std::to_string(size.second) +
+                                      " pixels: equirectangular pictures are twice as wide as high");
+        out.image = io::image_from_file(from.file, path_, file);
         return out;
     }
 

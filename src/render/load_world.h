@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A world file as one scene.
 #pragma once
+#include <utility>
+
 #include <rakelight/render.h>
 #include <rakelight/world.h>
 
@@ -15,9 +17,10 @@ Scene load_world(const std::string& path, const LoadOptions& options, Context& c
 
 /// The path of a picture that a world names, which was decoded once.
 /// @param path  of the world file
+/// @param size  [px] out: its width and height; null: not wanted
 /// @throws Error not_found, bad_file: with its name and place
 std::string checked_picture(const std::string& path, const std::string& name, WorldPlace place,
-                            const LoadOptions& options, Context& context);
+                            const LoadOptions& options, Context& context, std::pair<int, int>* size = nullptr);
 
 /// What became of one [[model]] or [[primitive]].
 struct LoadedPart {

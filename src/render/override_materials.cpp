@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures and factors from the command line in the place of the materials' own.
+#include <algorithm>
+#include <map>
+
 #include <rakelight/picture.h>
 
 #include "io/file.h"
 #include "io/image_io.h"
+#include "io/world/material_keys.h"
+#include "render/change_material.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -47,12 +52,31 @@ void set_factors(Material& m, const MaterialOverrides& o) {
     if (*o.opacity < 1) m.alpha_mode = AlphaMode::blend;
 }
 
+/// The keys of a world file's [[material]]. Classical materials under keys of metallic-roughness ones show a highlight.
+void set_values(Scene& scene, const std::vector<WorldValue>& values, Context& context) {
+    if (values.empty()) return;
+    std::map<std::string, TextureUse> pictures;
+    const auto picture = [&](const WorldValue& value) {
+        const auto known = pictures.find(value.words[0]);
+        if (known != pictures.end()) return known->second;
+        return pictures.emplace(value.words[0], add_texture(scene, value.words[0], context)).first->second;
+    };
+    const bool is_metallic_roughness = std::any_of(values.begin(), values.end(), [](const WorldValue& value) {
+        return io::world::find_material_key(value.key)->of == io::world::Of::metallic_roughness;
+    });
+    for (Material& m : scene.materials) {
+        if (is_metallic_roughness && m.model == MaterialModel::classical) m = as_metallic_roughness(m);
+        change_material(m, values, picture);
+    }
+}
+
 }  // namespace
 
 Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context) {
     if (overrides == MaterialOverrides{}) return scene;
     Scene changed = scene;
     name_default_material(changed);
+    set_values(changed, overrides.values, context);
     TextureUse base_color, normal, height;
     if (!overrides.base_color.empty()) base_color = add_texture(changed, overrides.base_color, context);
     if (!overrides.normal.empty()) normal = add_texture(changed, overrides.normal, context);

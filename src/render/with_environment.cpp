@@ -30,12 +30,20 @@ ImageHandle environment_file(const std::string& path, Context& context) {
 Scene with_environment(Scene scene, const PictureRequest& request, Context& context) {
     const bool is_wanted =
         !request.hdri_file.empty() || request.hdri_ambient.value_or(false) || request.hdri_skybox.value_or(false);
-    const bool is_changed = scene.environment && (request.hdri_ambient || request.hdri_skybox);
-    if (!is_wanted && !is_changed) return scene;
+    const bool is_turned = request.hdri_intensity || request.hdri_rotation_rad;
+    const bool is_changed = scene.environment && (request.hdri_ambient || request.hdri_skybox || is_turned);
+    if (!is_wanted && !is_changed) {
+        if (is_turned)
+            context.report().add(Remark::warning, request.input, {},
+                                 "--hdri-intensity and --hdri-rotation have no effect: the scene has no surroundings");
+        return scene;
+    }
     Environment environment = scene.environment.value_or(Environment{.is_light = false, .is_background = false});
     if (!request.hdri_file.empty()) environment.image = environment_file(request.hdri_file, context);
     environment.is_light = request.hdri_ambient.value_or(environment.is_light);
     environment.is_background = request.hdri_skybox.value_or(environment.is_background);
+    environment.intensity = float(request.hdri_intensity.value_or(double(environment.intensity)));
+    environment.rotation_rad = request.hdri_rotation_rad.value_or(environment.rotation_rad);
     const bool is_unseen = !environment.is_light && !environment.is_background;
     if (is_unseen && is_wanted)
         context.report().add(Remark::warning, request.hdri_file, {},

@@ -8,6 +8,7 @@
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/world/material_keys.h"
+#include "render/change_material.h"
 #include "render/load_world.h"
 #include "scene/scene_tools.h"
 
@@ -16,19 +17,18 @@ namespace {
 
 using namespace io::world;
 
+void convert(Material& m, Of of) {
+    if (m.model == MaterialModel::unlit || of == Of::all) return;
+    m = of == Of::classical ? classical_from_metallic_roughness(m) : metallic_roughness_from_classical(m);
+}
+
 class MaterialWork {
 public:
     MaterialWork(Scene& scene, const std::string& path, const LoadOptions& options, Context& context)
         : scene_(scene), path_(path), options_(options), context_(context) {}
 
     void change(Material& m, const WorldMaterial& by) {
-        for (const WorldValue& value : by.values) convert(m, find_material_key(value.key)->of);
-        for (const MaterialKey& key : material_setters())  // in the table's order
-            for (const WorldValue& value : by.values)
-                if (value.key == key.key.name && key.set) {
-                    MaterialChange c{m, value, key.key.kind == Kind::file ? picture(value) : TextureUse{}};
-                    key.set(c);
-                }
+        change_material(m, by.values, [this](const WorldValue& value) { return picture(value); });
     }
 
     /// Says what is wrong with the pictures of a [[material]] that nothing has.
@@ -38,11 +38,6 @@ public:
     }
 
 private:
-    static void convert(Material& m, Of of) {
-        if (m.model == MaterialModel::unlit || of == Of::all) return;
-        m = of == Of::classical ? classical_from_metallic_roughness(m) : metallic_roughness_from_classical(m);
-    }
-
     /// The texture of a file, made once.
     TextureUse picture(const WorldValue& value) {
         const std::string& name = value.words[0];
@@ -150,12 +145,24 @@ std::string why_unused(const WorldMaterial& from, const LoadedPart* covered, con
 
 }  // namespace
 
+void change_material(Material& material, std::span<const WorldValue> values,
+                     const std::function<TextureUse(const WorldValue&)>& picture) {
+    for (const WorldValue& value : values) convert(material, find_material_key(value.key)->of);
+    for (const MaterialKey& key : material_setters())  // in the table's order
+        for (const WorldValue& value : values)
+            if (value.key == key.key.name && key.set) {
+                MaterialChange change{material, value, key.key.kind == Kind::file ? picture(value) : TextureUse{}};
+                key.set(change);
+            }
+}
+
 std::string checked_picture(const std::string& path, const std::string& name, WorldPlace place,
-                            const LoadOptions& options, Context& context) {
+                            const LoadOptions& options, Context& context, std::pair<int, int>* size) {
     try {
         const std::string file = io::resolve_reference(path, name, options.allow_outside);
         const std::uint64_t before = context.memory().charged();
-        io::decode_image(*io::read_file(file, context), context);
+        const Pixels pixels = io::decode_image(*io::read_file(file, context), context);
+        if (size) *size = {pixels.width, pixels.height};
         context.memory().release(context.memory().charged() - before);
         return file;
     } catch (const Error& error) {

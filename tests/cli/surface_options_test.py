@@ -20,7 +20,8 @@ TAKEN = [f"--lighting {m}" for m in "auto lambert phong blinn-phong oren-nayar w
 --hdri-ambient|--hdri-skybox|--color #ff8000|--color 1,0.5,0|--opacity 0.5|--roughness 0.3|--metallic 1|--normal-map-green down
 --normal-map-zero 128|--light-intensity 2|--light photometric-point:0,1,2:intensity=9:color=1,1,0.5:range=20
 --light photometric-spot:0,1,2:direction=0,-1,-2:inner=10:outer=20|--light photometric-directional:0,0,-1:intensity=2:shadow=off
---light point:0,0,2:ambient=0.1,0,0:range=5""".replace("\n", "|").split("|")
+--light point:0,0,2:ambient=0.1,0,0:range=5|--material clearcoat=1|--material color=0.5,0.5,0.5|--material color=#808080|--material alpha=blend
+--material bump_steps=4,9|--material unlit=true|--material ior=2|--hdri-intensity 0.5|--hdri-rotation -90""".replace("\n", "|").split("|")
 
 REFUSED = """--lighting x|--ward-form x|--bump x|--bump-terms x|--displacement-edge 0|--displacement-triangles 0|--subdivide 9|--subdivide -1|--subdivide-edge 0|--subdivide-scheme x|--subdivide-scheme loop|--subdivide-crease 181|--subdivide-sharpness 11|--subdivide-boundary x|--subdivide-uv x|--bump-depth -0.1|--bump-depth 11|--bump-depth nan|--bump-bias 1.1|--bump-polarity up
 --bump-steps 8|--bump-steps 9,8|--bump-steps 0,8|--bump-steps 8,1025|--bump-refinement 33|--tangent-space x|--normal-map-green left
@@ -28,6 +29,8 @@ REFUSED = """--lighting x|--ward-form x|--bump x|--bump-terms x|--displacement-e
 --fog exp:-1|--fog exp:1:colour=1,1,1|--fog none:1|--fog exp:0.1:color=purple|--tone-mapping filmic|--exposure 31|--exposure inf|--color purple
 --color 1,1,2|--opacity 1.1|--roughness -1|--metallic 2|--light-intensity -1|--shadows=maybe|--hdri-ambient=5|--light photometric-point:0,0,0:attenuation=1,0,0
 --light point:0,0,0:intensity=2|--light photometric-spot:0,0,0:inner=20:outer=10|--light photometric-spot:0,0,0:outer=91
+--material clearcoat|--material clearcot=1|--material clearcoat=2|--material clearcoat=much|--material specular=1,1|--material bump_steps=9,4
+--material color=#12|--material unlit=maybe|--material ior=|--hdri-intensity -1|--hdri-rotation 361|--material name=x|--material =1
 --light directional:0,0,-1:range=3|--light point:0,0,0:range=0|--light point:0,0,0:shadow=some""".replace("\n", "|").split("|")
 
 
@@ -51,6 +54,13 @@ class SurfaceOptions(program.Case):
             with self.subTest(text):
                 self.check_refused(self.run_program(*self.render, *text.split()), 2, text.split()[0].split("=")[0])
         self.assertEqual(self.files(), ["a.obj"])
+
+    def test_keys_of_materials_are_of_one_kind_and_given_once(self):
+        for words, message in ((("specular=1,1,1", "roughness=0.5"), "a material is one of them"), (("ior=2", "ior=3"), "given twice")):
+            keys = [part for word in words for part in ("--material", word)]
+            self.check_refused(self.run_program(*self.render, *keys), 2, "--material: ", message)
+        self.check_refused(self.run_program(*self.render, "--material", "clearcot=1"), 2, "unknown key 'clearcot'; did you mean 'clearcoat'?")
+        self.check_refused(self.run_program(*self.render, "--light", "point:0,0,1:attenuation=-1,0,0"), 2, "attenuation must be three numbers >= 0")
 
     def test_a_switch_stands_alone_or_with_on_or_off_and_leaves_the_model_behind_it_alone(self):
         for words in (("--shadows",), ("--shadows", "on"), ("--shadows=off",), ("--shadows", "off"), ("--shadows=true",)):

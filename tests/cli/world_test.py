@@ -5,6 +5,7 @@
   world_test.py PROGRAM [unittest arguments]"""
 import json
 import pathlib
+import shutil
 
 import program
 from program import SQUARE, png
@@ -46,6 +47,8 @@ BROKEN = [
     (WALL + "[render]\nheight-map = 'none.png'\n", 4, 1, "'none.png': "),
     (WALL + "[[material]]\nname = 'unused'\nnormal_texture = 'none.png'\n", 5, 18, "none.png"),
     (WALL + "shading = 'smooth'\n", 3, 11, "unknown word 'smooth'"),
+    ("[[primitive]]\ntype = 'plane'\nobjects = 99\n", 3, 11, "the objects of a plane must be"),
+    (WALL + "[render]\nmaterial = 'clearcoat=1'\n", 4, 1, "for the command line alone"),
     (WALL + "[render]\nresolution = [0, 1]\n", 4, 1, "--resolution: must be 1 to 65536"),
     (WALL + "[render]\nsamples = 4\nwindow = [0, 0, 9999, 1]\n", 5, 1, "--window: does not lie inside the picture of 1280 x 720"),
     (WALL + "[render]\nengine = 'gl'\n", 4, 1, "--engine: 'gl' is not built in; this build has: soft"),
@@ -193,6 +196,49 @@ class Worlds(program.Case):
         result = self.run_program("render", "w.scene.toml", "-o", "a.png", "--resolution", "50,50")
         self.check_refused(result, 2, "does not lie inside the picture of 50 x 50 pixels", "'window' is of w.scene.toml, line 9, column 1",
                            "--resolution of the command line")
+
+    def test_keys_of_materials_on_the_command_line_are_those_of_world_files(self):
+        for words, text in ((("color=#4080c0", "specular=0.5,0.5,0.5", "shininess=9"), "color = '#4080c0'\nspecular = [0.5, 0.5, 0.5]\nshininess = 9\n"),
+                            (("metallic=1", "roughness=0.3", "anisotropy=0.8", "anisotropy_rotation_deg=40"),
+                             "metallic = 1\nroughness = 0.3\nanisotropy = 0.8\nanisotropy_rotation_deg = 40\n"),
+                            (("lighting=ward", "ward_alpha=0.1,0.4"), "lighting = 'ward'\nward_alpha = [0.1, 0.4]\n"),
+                            (("lighting=oren-nayar", "sigma_deg=40", "double_sided=on"), "lighting = 'oren-nayar'\nsigma_deg = 40\ndouble_sided = true\n"),
+                            (("clearcoat=1", "sheen_color=#ff8000", "sheen_roughness=0.4", "emission=0.1,0,0", "ior=1.8"),
+                             "clearcoat = 1\nsheen_color = '#ff8000'\nsheen_roughness = 0.4\nemission = [0.1, 0, 0]\nior = 1.8\n")):
+            ball = "[[primitive]]\ntype = 'sphere'\n[render]\nresolution = [40, 30]\n"
+            plain = self.render(ball)
+            keys = [part for word in words for part in ("--material", word)]
+            by_words = self.render(ball, *keys)
+            self.assertEqual(by_words, self.render(ball + "[[material]]\nname = '*'\n" + text), words)
+            self.assertNotEqual(by_words, plain, words)
+
+    def test_a_picture_of_opacity_alone_is_blended(self):
+        shutil.copy(ROOM.parents[1] / "maps/dents_height.png", self.folder / "holes.png")
+        flat = WALL + "[[material]]\nname = 'default'\nunlit = true\ncolor = [1, 1, 1]\n"
+        ends = "[render]\nresolution = [40, 30]\nview = 'front'\nuv = 'box'\nbackground = '#ff0000'\n"
+        self.assertEqual({tuple(self.render(flat + ends)[3][15][57:60])}, {(255, 255, 255)})
+        row = self.render(flat + "opacity_texture = 'holes.png'\n" + ends)[3][15]
+        self.assertTrue(any(row[3 * x] == 255 and 0 < row[3 * x + 1] < 255 for x in range(40)), row)
+
+    def test_surroundings_are_turned_and_multiplied_by_the_command_line(self):
+        lit = ("--hdri-ambient", "--resolution", "40,30", "--json")
+        def sum_of(*options):
+            result = self.run_program("render", "builtin:sphere", "-o", "a.png", *lit, *options)
+            self.assertEqual((result.code, result.err), (0, ""))
+            return [sum(row) for row in png(self.folder / "a.png")[3]], (self.folder / "a.png").read_bytes()
+        plain, half, turned = sum_of(), sum_of("--hdri-intensity", "0.5"), sum_of("--hdri-rotation", "90")
+        self.assertLess(sum(half[0]), sum(plain[0]))
+        self.assertNotEqual(turned[1], plain[1])
+        self.assertEqual(sum_of("--hdri-rotation", "360")[0], plain[0])
+        result = self.run_program("render", "a.obj", "-o", "a.png", "--resolution", "8,8", "--hdri-intensity", "2")
+        self.assertIn("no effect", result.err)
+
+    def test_a_square_picture_of_the_surroundings_is_warned_of_at_its_place(self):
+        shutil.copy(ROOM.parents[1] / "maps/dents_height.png", self.folder / "square.png")
+        self.write("w.scene.toml", WALL + "[environment]\nfile = 'square.png'\n")
+        result = self.run_program("check", "w.scene.toml")
+        self.assertEqual(result.code, 0)
+        self.assertIn("w.scene.toml: line 4, column 8: the environment is", result.err)
 
     def test_a_world_that_cannot_be_drawn_does_not_keep_others_from_it(self):
         self.write("w.scene.toml", WALL + "[render]\nresolution = [0, 1]\n")

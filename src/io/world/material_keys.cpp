@@ -38,8 +38,11 @@ std::vector<MaterialKey> pictures() {
         file("normal_texture", "Normal map in tangent space", Of::all,
              [](C& c) { c.material.normal_texture = c.picture; }),
         file("height_texture", "Gray height map", Of::all, [](C& c) { c.material.height_texture = c.picture; }),
-        file("opacity_texture", "Gray, multiplies the opacity", Of::all,
-             [](C& c) { c.material.opacity_texture = c.picture; }),
+        file("opacity_texture", "Gray, multiplies the opacity; blended, unless `alpha` says otherwise", Of::all,
+             [](C& c) {
+                 c.material.opacity_texture = c.picture;
+                 if (c.material.alpha_mode == AlphaMode::opaque) c.material.alpha_mode = AlphaMode::blend;
+             }),
         file("occlusion_texture", "Red multiplies ambient light", Of::all,
              [](C& c) { c.material.occlusion_texture = c.picture; }),
         file("emission_texture", "Multiplies the emission", Of::all,

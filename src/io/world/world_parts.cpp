@@ -83,6 +83,7 @@ WorldPrimitive read_primitive(const SectionValues& v) {
     if (const WorldValue* const size = v.find("size")) shape.width = size->numbers[0], shape.depth = size->numbers[1];
     shape.divisions = int(v.number("divisions", shape.type == "teapot" ? 10 : 1));
     shape.objects = int(v.number("objects", 1));
+    shape.objects_place = v.place_of("objects");
     shape.tolerance = v.number("tolerance", shape.tolerance);
     read_common(v, shape);
     return shape;
