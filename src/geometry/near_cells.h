@@ -9,6 +9,7 @@
 #include <bit>
 #include <vector>
 
+#include "base/hash_key.h"
 #include "geometry/attribute_input.h"
 #include "geometry/fast_memory.h"
 
@@ -27,15 +28,17 @@ public:
 
     /// Calls body(vertices) for each cell of a partition with two places or more: std::span<const std::uint32_t>, none
     /// twice.
+    /// @return how many slots of other cells were looked at, the measure of how evenly the table fills
     template <class Body>
-    void for_each_shared_cell(std::uint32_t partition, const Body& body) const {
+    std::uint64_t for_each_shared_cell(std::uint32_t partition, const Body& body) const {
         const Entry* entries = entries_.data() + begin_[partition];
         const std::uint32_t count = begin_[partition + 1] - begin_[partition];
         const std::uint32_t mask = std::uint32_t(std::bit_ceil(std::uint64_t(count) * 2 + 1) - 1);
         std::vector<std::uint32_t> last(std::size_t(mask) + 1, nobody), previous(count), cell;
+        std::uint64_t met = 0;
         for (std::uint32_t e = 0; e != count; ++e) {
-            std::uint32_t slot = entries[e].tag & mask;
-            while (last[slot] != nobody && entries[last[slot]].tag != entries[e].tag) slot = (slot + 1) & mask;
+            std::uint32_t slot = slot_of(entries[e].tag) & mask;
+            for (; last[slot] != nobody && entries[last[slot]].tag != entries[e].tag; ++met) slot = (slot + 1) & mask;
             previous[e] = last[slot];
             last[slot] = e;
         }
@@ -46,6 +49,7 @@ public:
                 if (cell.empty() || cell.back() != entries[e].vertex) cell.push_back(entries[e].vertex);
             if (cell.size() > 1) body(std::span<const std::uint32_t>(cell));
         }
+        return met;
     }
 
 private:
@@ -58,6 +62,11 @@ private:
         return partitions_ == 1 ? 0 : std::uint32_t(hash >> shift_);
     }
 
+    // Tags are of no key, so that which cells fall together is the same in every run; where they stand in a table has
+    // one, or a file could be made all of whose cells meet there.
+    std::uint32_t slot_of(std::uint32_t tag) const { return std::uint32_t(folded_product(tag ^ key_.a, key_.b)); }
+
+    HashKey key_ = hash_key_of_this_run();
     std::uint32_t partitions_ = 1, shift_ = 64;
     std::vector<std::uint32_t> begin_;  // [partitions + 1]
     LargeArray<Entry> entries_;         // a vertex' own entries in one cell are neighbors

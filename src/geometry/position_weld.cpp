@@ -3,6 +3,7 @@
 // vertex met at a place is the smallest; positions are computed again and compared only where hashes agree.
 #include "geometry/position_weld.h"
 
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <numeric>
@@ -62,7 +63,7 @@ public:
         partitions_ = 1u << (32 - shift_);
     }
 
-    std::vector<std::uint32_t> run() {
+    std::vector<std::uint32_t> run(std::uint64_t* met) {
         partition();
         std::vector<std::uint32_t> representative(input_.vertex_count());
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
@@ -71,7 +72,9 @@ public:
                 std::iota(begin + first, begin + last, input_.vertex_base[m] + first);
             });
         });
-        context_.parallel_for(partitions_, [&](std::size_t p) { match(std::uint32_t(p), representative); });
+        std::atomic<std::uint64_t> all_met{0};
+        context_.parallel_for(partitions_, [&](std::size_t p) { all_met += match(std::uint32_t(p), representative); });
+        if (met) *met = all_met;
         return representative;
     }
 
@@ -132,7 +135,9 @@ private:
         return place_of(input_, key_, m, vertex - input_.vertex_base[m]);
     }
 
-    void match(std::uint32_t p, std::vector<std::uint32_t>& representative) const {
+    // @return full slots that were looked at
+    std::uint64_t match(std::uint32_t p, std::vector<std::uint32_t>& representative) const {
+        std::uint64_t met = 0;
         const std::uint32_t begin = begin_[p], end = begin_[p + 1];
         const std::uint32_t mask = std::uint32_t(std::bit_ceil(std::uint64_t(end - begin) * 2 + 1) - 1);
         std::vector<std::uint32_t> table(std::size_t(mask) + 1, empty);
@@ -140,6 +145,7 @@ private:
             const Record record = records_[r];
             std::uint32_t slot = record.hash & mask;
             for (; table[slot] != empty; slot = (slot + 1) & mask) {
+                ++met;
                 const Record other = records_[table[slot]];
                 if (other.hash != record.hash || !(place_again(other.vertex) == place_again(record.vertex))) continue;
                 representative[record.vertex] = other.vertex;
@@ -147,6 +153,7 @@ private:
             }
             if (table[slot] == empty) table[slot] = r;
         }
+        return met;
     }
 
     const AttributeInput& input_;
@@ -161,8 +168,9 @@ private:
 
 }  // namespace
 
-std::vector<std::uint32_t> weld_positions(const AttributeInput& input, WeldKey key, Context& context) {
-    return Weld(input, key, context).run();
+std::vector<std::uint32_t> weld_positions(const AttributeInput& input, WeldKey key, Context& context,
+                                          std::uint64_t* met) {
+    return Weld(input, key, context).run(met);
 }
 
 }  // namespace rakelight::geometry

@@ -14,8 +14,10 @@ struct WeldKey {
     bool normal = false;  ///< the given normal, in the world, as float (where given normals are kept)
 };
 
-/// representative[v] = the smallest vertex at v's place; v itself where nothing else is there or its position is not finite.
-/// World positions are compared in double, -0 equal to +0. Expected O(n); the same for any number of threads.
-std::vector<std::uint32_t> weld_positions(const AttributeInput& input, WeldKey key, Context& context);
+/// representative[v] = the smallest vertex at v's place; v itself where nothing else is there or its position is not
+/// finite. World positions are compared in double, -0 equal to +0. Expected O(n); the same for any number of threads.
+/// @param met  not null: how many full slots were looked at, the measure of how evenly the tables fill
+std::vector<std::uint32_t> weld_positions(const AttributeInput& input, WeldKey key, Context& context,
+                                          std::uint64_t* met = nullptr);
 
 }  // namespace rakelight::geometry

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/hash_key.h"
 #include "math/linear.h"
 
 namespace rakelight::geometry {
@@ -110,7 +111,14 @@ private:
     std::vector<std::uint8_t> on_border_;
     double squared_edge_;
     std::uint32_t source_ = 0;
-    std::unordered_map<std::uint64_t, std::uint32_t> middles_;
+    /// An edge's number is its two vertices', which a file decides: keyed.
+    struct EdgeHash {
+        std::size_t operator()(std::uint64_t edge) const {
+            const HashKey key = hash_key_of_this_run();
+            return std::size_t(folded_product(edge ^ key.a, key.b));
+        }
+    };
+    std::unordered_map<std::uint64_t, std::uint32_t, EdgeHash> middles_;
 };
 
 }  // namespace

@@ -47,6 +47,12 @@ void CornerTable::grow(MemoryBudget& budget) {
     }
 }
 
+std::size_t CornerTable::longest_run() const {
+    std::size_t longest = 0, run = 0;
+    for (const std::uint32_t slot : slots_) longest = std::max(longest, run = slot == none ? 0 : run + 1);
+    return longest;
+}
+
 std::size_t MeshSet::Hash::operator()(const MeshKey& key) const {
     const std::uint64_t kind = std::uint64_t(key.topology) << 1 | std::uint64_t(key.has_normals);
     const HashKey secret = hash_key_of_this_run();

@@ -39,6 +39,8 @@ class CornerTable {
 public:
     std::uint32_t index_of(const Corner& corner, MemoryBudget& budget);
     const std::vector<Corner>& corners() const { return corners_; }
+    /// Full slots in a row: as far as a look for a corner can go.
+    std::size_t longest_run() const;
 
 private:
     void grow(MemoryBudget& budget);

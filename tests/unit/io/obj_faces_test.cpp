@@ -286,6 +286,10 @@ TEST_F(ObjFaces, CornersMadeToMeetInOneSlotDoNot) {
         // 1000 balls in 4096 bins: 4096 (1 - e^(-1000/4096)) = 887 of them are hit, with a deviation of about 10.
         EXPECT_GT(slots.size(), 800u);
     }
+    obj::CornerTable table;  // in its 2048 slots all would meet in the first
+    Context context;
+    for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(table.index_of(corners[i], context.memory()), i);
+    EXPECT_LT(table.longest_run(), 200u);
 }
 
 TEST_F(ObjFaces, ACancelledRunStops) {

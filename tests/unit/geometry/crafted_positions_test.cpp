@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes whose positions were chosen to meet in one slot of a table, by hashes that everybody can compute: the tables
+// of welding fill as evenly as with any other mesh. Otherwise each of n positions meets all before it, n^2 / 2
+// together.
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "geometry/near_cells.h"
+#include "geometry/position_weld.h"
+#include "unit/geometry/shapes.h"
+
+namespace rakelight::geometry {
+namespace {
+
+constexpr std::uint32_t wanted = 1000;  ///< positions; their tables have 2048 slots
+constexpr std::uint64_t all_pairs = wanted * (wanted - 1) / 2;
+
+/// Grid points times a step whose hash has the low 11 bits 0.
+template <class Hash>
+test::Shape crafted(float step, const Hash& hash) {
+    test::Shape shape;
+    for (std::uint64_t i = 0; shape.positions.size() < wanted; ++i) {
+        const std::uint64_t x = i & 255, y = i >> 8 & 255, z = i >> 16;
+        if ((hash(x, y, z) & 2047) == 0) shape.positions.push_back(vec3{float(x), float(y), float(z)} * step);
+    }
+    for (std::uint32_t v = 0; v + 2 < wanted; v += 3) shape.indices.insert(shape.indices.end(), {v, v + 1, v + 2});
+    return shape;
+}
+
+/// Multiply and shift, once this weld's own.
+std::uint64_t unkeyed_hash(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+    std::uint64_t h = 0;
+    for (const std::uint64_t a : {x, y, z}) {
+        const auto bits = std::bit_cast<std::uint64_t>(double(a));
+        h = (h ^ bits ^ (bits >> 32)) * 0x9e3779b97f4a7c15ull;
+        h ^= h >> 29;
+    }
+    h *= 0xbf58476d1ce4e5b9ull;
+    return h ^ (h >> 32);
+}
+
+/// What tells NearCells' cells apart: of no key, so that results are the same in every run.
+std::uint64_t cell_hash(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+    std::uint64_t h = (x * 0x9e3779b97f4a7c15ull ^ y) * 0xbf58476d1ce4e5b9ull;
+    h = ((h ^ (h >> 31)) + z) * 0x94d049bb133111ebull;
+    return h ^ (h >> 29);
+}
+
+TEST(CraftedPositions, DoNotMeetInTheTableOfTheWeld) {
+    const std::vector<test::Shape> shapes = {crafted(1.0f, unkeyed_hash)};
+    const std::vector<AttributeMesh> meshes = test::views(shapes);
+    Context context({.threads = 1});
+    std::uint64_t met = 0;
+    const auto representative = weld_positions(check_input(meshes, context), {}, context, &met);
+    for (std::uint32_t v = 0; v < wanted; ++v) EXPECT_EQ(representative[v], v);
+    EXPECT_LT(met, all_pairs / 50) << "evenly filled: about a third of the positions";
+}
+
+TEST(CraftedPositions, DoNotMeetInTheTableOfNearCells) {
+    test::Shape shape = crafted(4.0f, cell_hash);  // cells are 4 distances wide
+    for (vec3& p : shape.positions) p = p + vec3{2, 2, 2};
+    const std::vector<test::Shape> shapes = {shape};
+    const std::vector<AttributeMesh> meshes = test::views(shapes);
+    Context context({.threads = 1});
+    const AttributeInput input = check_input(meshes, context);
+    const NearCells cells(weld_positions(input, {}, context), input, {}, 1.0, context);
+    ASSERT_EQ(cells.partitions(), 1u);
+    EXPECT_LT(cells.for_each_shared_cell(0, [](auto) {}), all_pairs / 50);
+}
+
+}  // namespace
+}  // namespace rakelight::geometry
