@@ -82,13 +82,7 @@ void apply_surroundings(const W& w, PictureRequest& request) {
     if (!w.hdri_intensity.empty()) request.hdri_intensity = number("--hdri-intensity", w.hdri_intensity, 0, 1e6);
     if (!w.hdri_rotation.empty())
         request.hdri_rotation_rad = radians(number("--hdri-rotation", w.hdri_rotation, -360, 360));
-    if (!w.tone_mapping.empty())
-        request.tone.mapping = word<ToneMapping>("--tone-mapping", w.tone_mapping,
-                                                 {{"none", ToneMapping::none},
-                                                  {"reinhard", ToneMapping::reinhard},
-                                                  {"neutral", ToneMapping::neutral},
-                                                  {"aces", ToneMapping::aces},
-                                                  {"agx", ToneMapping::agx}});
+    if (!w.tone_mapping.empty()) request.tone.mapping = word("--tone-mapping", w.tone_mapping, tone_mapping_words);
     if (!w.exposure.empty()) request.tone.exposure_ev = number("--exposure", w.exposure, -30, 30);
 }
 

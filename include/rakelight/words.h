@@ -52,6 +52,11 @@ inline constexpr Word<bool> subdivision_boundary_words[] = {{"edge-and-corner", 
 inline constexpr Word<bool> polarity_words[] = {{"height", false}, {"depth", true}};  ///< Relief::holds_depth
 inline constexpr Word<bool> green_words[] = {{"up", false}, {"down", true}};          ///< Material::green_down
 inline constexpr Word<bool> zero_words[] = {{"127.5", false}, {"128", true}};         ///< Material::centered_normals
+inline constexpr Word<ToneMapping> tone_mapping_words[] = {{"none", ToneMapping::none},
+                                                           {"reinhard", ToneMapping::reinhard},
+                                                           {"neutral", ToneMapping::neutral},
+                                                           {"aces", ToneMapping::aces},
+                                                           {"agx", ToneMapping::agx}};
 
 /// How many letters have to be put in, left out, replaced or swapped with their neighbor to make one word the other.
 /// Source: Damerau 1964, "A technique for computer detection and correction of spelling errors".

@@ -43,8 +43,7 @@ void add_lights(Stage& s, const Sources& of) {
     for (std::size_t i = 0; i < of.pixels.lights.size(); ++i) {
         const raster::TermPictures& t = of.pixels.lights[i];
         const Light& light = of.engine.list().scene.lights[i];
-        const std::string number = std::to_string(i), name = "Light " + number + " (" + name_of(light.type) +
-                                                             (light.name.empty() ? "" : ", " + light.name) + "): ";
+        const std::string number = std::to_string(i), name = "Light " + number_and_name(light, i) + ": ";
         add_term(s, of, name + "ambient", "light-" + number + "-ambient", t.ambient);
         add_term(s, of, name + "diffuse", "light-" + number + "-diffuse", t.diffuse);
         add_term(s, of, name + "specular", "light-" + number + "-specular", t.specular);

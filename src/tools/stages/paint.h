@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of the rendered one's size, and light as it is shown.
 #pragma once
+#include <string>
+
 #include "tools/stages/stage.h"
+#include "tools/texture_uses.h"
 
 namespace rakelight::stages {
 
@@ -14,6 +17,11 @@ Canvas paint(const Sources& of, const auto& color) {
     for (int y = 0; y < canvas.height(); ++y)
         for (int x = 0; x < canvas.width(); ++x) canvas.set(x, y, color(p++));
     return canvas;
+}
+
+/// "0 (point, lamp)".
+inline std::string number_and_name(const Light& light, std::size_t i) {
+    return std::to_string(i) + " (" + name_of(light.type) + (light.name.empty() ? "" : ", " + light.name) + ")";
 }
 
 /// Light as the picture has it: with its exposure and tone curve.

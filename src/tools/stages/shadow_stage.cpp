@@ -44,11 +44,6 @@ Picture map_picture(const raster::ShadowView& map, const std::string& number, co
             std::move(canvas)};
 }
 
-std::string light_name(const Light& light, std::size_t i) {
-    return "light " + std::to_string(i) + " (" + name_of(light.type) + (light.name.empty() ? "" : ", " + light.name) +
-           ")";
-}
-
 /// Of the pixels that are lit: how many, mean share, wholly in shadow, wholly in light.
 Json seen_cells(const std::vector<float>& seen) {
     std::uint64_t lit = 0, none_of_it = 0, all_of_it = 0;
@@ -76,11 +71,11 @@ Stage shadow_stage(const Sources& of) {
                  {"filter radius [texels]", settings.shadow_filter},
                  {"bias", double(settings.shadow_bias)}};
     if (maps == nullptr) s.numbers = {{"shadow maps", 0}};
-    s.columns = {"light", "maps", "texels a metre", "lit pixels", "mean share", "in shadow", "in part", "in light"};
+    s.columns = {"light", "maps", "texels a meter", "lit pixels", "mean share", "in shadow", "in part", "in light"};
     for (std::size_t i = 0; i < of.pixels.seen.size(); ++i) {
         const Light& light = of.engine.list().scene.lights[i];
         const std::int32_t map = maps != nullptr ? of.engine.lights()[i].shadow : -1;
-        const std::string number = std::to_string(i), name = light_name(light, i);
+        const std::string number = std::to_string(i), name = "light " + number_and_name(light, i);
         const std::vector<float>& seen = of.pixels.seen[i];
         Json row = {name, map >= 0 ? maps[map].faces : 0, map >= 0 ? double(maps[map].texels) : 0.0};
         for (const Json& v : seen_cells(seen)) row.push_back(v);
@@ -93,7 +88,7 @@ Stage shadow_stage(const Sources& of) {
         if (map >= 0) s.pictures.push_back(map_picture(maps[map], number, name));
     }
     s.rows_note =
-        "Pixels that are lit one by one, and the share of each light that reaches them; texels a metre on the map, of "
+        "Pixels that are lit one by one, and the share of each light that reaches them; texels a meter on the map, of "
         "lamps at a distance of 1 m";
     return s;
 }

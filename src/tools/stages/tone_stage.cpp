@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <rakelight/words.h>
+
 #include "math/functions.h"
 #include "tools/stages/label.h"
 #include "tools/stages/paint.h"
@@ -15,23 +17,12 @@ constexpr double low_ev = -10, high_ev = 8, gray_card = 0.18;
 constexpr Code grid{48, 54, 68}, words{190, 195, 205}, curve_color{90, 160, 250}, plain_color{120, 120, 120};
 
 const char* name_of(ToneMapping mapping) {
-    switch (mapping) {
-        case ToneMapping::none:
-            return "none";
-        case ToneMapping::reinhard:
-            return "reinhard";
-        case ToneMapping::neutral:
-            return "neutral";
-        case ToneMapping::aces:
-            return "aces";
-        case ToneMapping::agx:
-            return "agx";
-    }
-    return "";
+    const auto has = [&](const Word<ToneMapping>& word) { return word.value == mapping; };
+    return std::ranges::find_if(tone_mapping_words, has)->name;
 }
 
 float light_at(double ev) { return float(gray_card * math::exp2(ev)); }
-vec3 grey(float light) { return {light, light, light}; }
+vec3 gray_light(float light) { return {light, light, light}; }
 
 double x_of(double ev) { return left + (ev - low_ev) / (high_ev - low_ev) * (right - left); }
 double y_of(int code) { return bottom - code / 255.0 * (bottom - top); }
@@ -40,7 +31,7 @@ void draw_curve(Canvas& canvas, const ToneCurve& curve, Code color) {
     dvec2 last;
     for (int x = left; x <= right; ++x) {
         const double ev = low_ev + (high_ev - low_ev) * (x - left) / (right - left);
-        const dvec2 p = {double(x), y_of(display(curve(grey(light_at(ev)))).g)};
+        const dvec2 p = {double(x), y_of(display(curve(gray_light(light_at(ev)))).g)};
         if (x > left) canvas.line(last, p, color);
         last = p;
     }
@@ -100,7 +91,7 @@ Stage tone_stage(const Sources& of) {
     s.pictures.push_back(curve_picture(of));
     s.columns = {"EV about 0.18", "light", "with the exposure", "after the curve", "code"};
     for (int ev = int(low_ev); ev <= int(high_ev); ++ev) {
-        const vec3 light = grey(light_at(ev)), after = of.curve(light);
+        const vec3 light = gray_light(light_at(ev)), after = of.curve(light);
         s.rows.push_back({ev, double(light.y), double(of.exposure(light).y), double(after.y), int(display(after).g)});
     }
     s.rows_note = "What becomes of gray light";
