@@ -147,6 +147,7 @@ void add_parameters(Json& out, const ShadedLayer& layer) {
 /// What only the full kernel has.
 void add_extras(Json& out, const raster::PixelTrace& t) {
     if (t.has_relief) out["texcoords_relief"] = {list(t.relief_texcoord[0]), list(t.relief_texcoord[1])};
+    if (t.has_relief && t.relief_height >= 0) out["relief_height"] = double(t.relief_height);
     if (t.has_environment)
         out["environment"] = {{"ambient", list(t.environment[0])},
                               {"diffuse", list(t.environment[1])},

@@ -116,6 +116,7 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     if (sets > 1) values.add("texture coordinates 1", t.texcoord[1]);
     if (t.has_relief && sets > 0) values.add("0 in the relief", t.relief_texcoord[0], "where the ray meets it");
     if (t.has_relief && sets > 1) values.add("1 in the relief", t.relief_texcoord[1]);
+    if (t.has_relief && t.relief_height >= 0) values.add("height met", t.relief_height, "as the map has it");
     values.add("normal, interpolated", t.interpolated);
     if (t.map[raster::traced_normal].is_used) {
         values.add("tangent", t.tangent, t.handedness < 0 ? "handedness -1" : "handedness +1");

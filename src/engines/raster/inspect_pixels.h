@@ -42,7 +42,7 @@ struct PixelStageData {
     /// nothing throws shadows.
     std::vector<std::vector<float>> seen;
     /// How far the relief of a height map moves the coordinates that the visible surface's textures are read at, and
-    /// the height there, 0..1 as the map has it, < 0 where there is no relief. Empty: no material has one.
+    /// the height that the ray meets, 0..1 as the map has it, < 0 where there is no relief. Empty: no material has one.
     std::vector<vec2> relief_shift;
     std::vector<float> relief_height;
     std::vector<vec4> opaque;               ///< the picture before blended surfaces; empty where no material blends
@@ -62,8 +62,8 @@ struct PixelStageData {
     const std::vector<vec4>& centers() const { return center_color.empty() ? color : center_color; }
 };
 
-/// Runs the pixel stages. Memory: about 60 bytes a pixel, 36 for each light, 16 to 24 for each of the light from all
-/// around, fog and relief.
+/// Runs the pixel stages. Memory: about 60 bytes a pixel, 36 for each light and 4 more with shadows, 12 for all lights
+/// beyond `max_lights` together, 24 for the light from all around, 16 for fog, 12 for relief.
 /// @param open   geometry with what culling drops
 /// @param drawn  geometry without it
 /// @throws Error failed: cancelled

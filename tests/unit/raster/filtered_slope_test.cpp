@@ -162,6 +162,30 @@ TEST(FilteredSlope, ExplainListsTheHeightsThatTheSlopeReadsAndNoOthers) {
     EXPECT_NE(normal(map), normal(one));
 }
 
+TEST(FilteredSlope, ExplainSaysTheHeightThatTheRayMeetsAndNotTheMeanOfThoseOfItsSlope) {
+    RenderSettings s = settings_of({Bump::occlusion, {.depth = 0.1f}});
+    const Pixels map = field(8, [](float u, float) {
+        const float h = u < 0.5f ? 0.2f : 0.8f;
+        return vec3{h, h, h};
+    });
+    const auto at = [](float u) { return 0.2f + 0.6f * std::clamp(u * 8 - 3.5f, 0.0f, 1.0f); };  // between texels 3, 4
+    for (const bool holds_depth : {false, true}) {
+        s.relief.holds_depth = holds_depth;
+        Context context({.threads = 1});
+        const raster::Inspection inspection(square_with(map), looking_from({-2, 0, 3}), s, context);
+        int mean_is_off = 0;
+        for (int x = 0; x < size; ++x) {
+            const raster::PixelExplanation e = inspection.explain(x, size / 2, context);
+            if (e.layers.empty()) continue;
+            const raster::PixelTrace& t = e.layers[0].trace;
+            const float met = at(t.relief_texcoord[0][0]);
+            EXPECT_NEAR(t.relief_height, met, 0.01f) << x;  // bisections leave a 32nd of a layer
+            mean_is_off += std::fabs(t.map[raster::traced_height].value[0] - met) > 0.05f;
+        }
+        EXPECT_GT(mean_is_off, 2);
+    }
+}
+
 TEST(FilteredSlope, ExplainSaysTheProbesOfTheSlopeAndOneWhereANormalMapIsLit) {
     RenderSettings s = settings_of({Bump::height, {.depth = 0.1f}});
     s.anisotropy = 16;

@@ -274,6 +274,10 @@ void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
     for (int set = 0; set < 2; ++set)
         out.relief_texcoord[set][0] = f.p.texcoords[set].uv.x, out.relief_texcoord[set][1] = f.p.texcoords[set].uv.y;
     out.has_relief = job.full->relief.technique != 0;
+    out.relief_height = -1;
+    const HeightMap& heights = f.bumps.point.place.map;
+    if (has_relief(job) && job.full->relief.technique >= relief_parallax)
+        out.relief_height = (f.bumps.point.height - heights.offset) * heights.scale;
     out.has_fog = job.full->fog.kind != 0;
     out.has_environment = job.full->environment != nullptr && job.unlit == 0;
     put(out.before_fog, radiance_before_fog(job, f));

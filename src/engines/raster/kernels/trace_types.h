@@ -92,6 +92,8 @@ struct PixelTrace {
     float received[3][3];     ///< ambient, diffuse, specular light at the pixel, interpolated; 0 where it is lit at the pixel
     float diffuse_normal[3];  ///< that the diffuse term is lit with: `normal` unless bumps act on one term alone
     float relief_texcoord[2][2];  ///< both sets where the ray meets the relief
+    float relief_height;  ///< there, as the map has it (steep: of the layer; parallax: under the pixel); -1: no ray is
+                          ///< cast
     int32_t has_environment, has_fog, has_relief;
     float lobe_alpha[2];     ///< Ward, pbr: widths of the lobe along its axes
     float f90[3];            ///< pbr: reflectance at a grazing angle; k_specular is f0
