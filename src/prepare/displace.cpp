@@ -4,57 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <tuple>
 
 #include "geometry/place_classes.h"
 #include "geometry/tessellate.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "prepare/height_field.h"
-#include "prepare/variants.h"
+#include "prepare/displace_parts.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
 
-const Material* displaced_material(const Scene& scene, const Mesh& mesh, const Displacement& options) {
-    if (mesh.material == none) return nullptr;
-    const Material& m = scene.materials[mesh.material];
-    const bool is_wanted = m.bump == Bump::automatic ? options.is_on : m.bump == Bump::displacement;
-    const std::uint32_t set = m.height_texture.texcoord_set;
-    const bool has_map = m.height_texture && set < mesh.texcoords.size() && !mesh.texcoords[set].empty();
-    return is_wanted && has_map ? &m : nullptr;
-}
-
-/// A placement of a mesh, and what is made of it.
-struct Part {
-    Instance instance;
-    dmat4 to_world, to_object;           ///< with the mesh's origin
-    const Material* material = nullptr;  ///< null: not displaced
-    std::shared_ptr<const HeightField> heights;
-    double depth = 0, level = 0;  ///< [m] from the lowest to the highest point; height 0..1 that stays where it is
-    std::vector<float> offset;    ///< [V'] m
-};
-
 dmat3 normal_matrix(const dmat4& to_world) {
     const dmat3 linear = upper_left(to_world), c = cofactor(linear);
     const double sign = determinant(linear) < 0 ? -1 : 1;
     return {{c[0] * sign, c[1] * sign, c[2] * sign}};
-}
-
-/// [m] that 1 in texture coordinates is long, by the areas of all triangles here and there; 0: none has any there.
-double texture_width(const Mesh& mesh, const Part& part) {
-    const Block<vec2>& uv = mesh.texcoords[part.material->height_texture.texcoord_set];
-    double area = 0, texture_area = 0;
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const auto at = [&](std::size_t k) {
-            return transform_point(part.to_world, cast<double>(mesh.positions[mesh.indices[i + k]]));
-        };
-        const vec2 a = uv[mesh.indices[i]], b = uv[mesh.indices[i + 1]], c = uv[mesh.indices[i + 2]];
-        area += length(cross(at(1) - at(0), at(2) - at(0)));
-        texture_area += std::abs(double(b.x - a.x) * double(c.y - a.y) - double(c.x - a.x) * double(b.y - a.y));
-    }
-    return texture_area > 0 ? std::sqrt(area / texture_area) : 0;
 }
 
 /// What of an attribute the middle of an edge has.
@@ -104,15 +70,19 @@ bool same_shape(const Mesh& a, const Mesh& b) {
 class Displacer {
 public:
     Displacer(const Scene& scene, const Displacement& options, Context& context)
-        : scene_(scene), options_(options), context_(context), out_(scene) {}
+        : scene_(scene),
+          options_(options),
+          context_(context),
+          out_(scene),
+          parts_(collect_parts(scene, options, context)) {}
 
     Scene run() {
-        collect_parts();
-        if (std::none_of(parts_.begin(), parts_.end(), [](const Part& p) { return p.material != nullptr; }))
+        if (std::none_of(parts_.begin(), parts_.end(), [](const DisplacedPart& p) { return p.material != nullptr; }))
             return scene_;
         cut();
         refine();
         collect_classes();
+        read_heights();
         move();
         place();
         return std::move(out_);
@@ -121,31 +91,9 @@ public:
 private:
     bool is_changed(std::size_t i) const { return parts_[i].material != nullptr || !fine_.meshes[i].middle_of.empty(); }
 
-    void collect_parts() {
-        HeightFields fields(scene_, context_);
-        const std::vector<dmat4> to_world = world_matrices(scene_);
-        for (const Instance& instance : drawn_instances(scene_)) {
-            const Mesh& mesh = scene_.meshes[instance.mesh];
-            Part part{.instance = instance, .to_world = to_world[instance.node] * translation(mesh.origin)};
-            part.material = displaced_material(scene_, mesh, options_);
-            if (part.material && !inverse_affine(part.to_world, part.to_object)) part.material = nullptr;
-            if (part.material) part.heights = fields.of(part.material->height_texture);
-            if (!part.heights) part.material = nullptr;
-            if (part.material) set_depth(mesh, part);
-            if (!part.material && !inverse_affine(part.to_world, part.to_object)) continue;  // flat: no border to cut
-            parts_.push_back(std::move(part));
-        }
-    }
-
-    void set_depth(const Mesh& mesh, Part& part) {
-        const Relief& relief = part.material->relief ? *part.material->relief : options_.relief;
-        part.depth = double(relief.depth) * double(part.material->height_scale) * texture_width(mesh, part);
-        part.level = 1 - double(relief.bias);
-    }
-
     void cut() {
         std::vector<AttributeMesh> meshes;
-        for (const Part& p : parts_) {
+        for (const DisplacedPart& p : parts_) {
             const Mesh& mesh = scene_.meshes[p.instance.mesh];
             meshes.push_back({.object = p.instance.node,
                               .positions = mesh.positions,
@@ -170,13 +118,29 @@ private:
         const double diagonal = world_bounds(scene_).diagonal();
         edge_ = options_.edge > 0 ? options_.edge : diagonal / 250;
         if (!(edge_ > 0)) edge_ = 1;
-        context_.memory().check(std::min<std::uint64_t>(options_.most_triangles, std::uint64_t(1) << 32) * 96,
-                                "displaced triangles");
-        fine_ = geometry::tessellate(coarse, edge_, options_.most_triangles, context_);
-        if (fine_.is_complete) return;
+        const std::uint64_t most = std::min(options_.most_triangles, std::uint64_t(1) << 32);
+        context_.memory().check(most * 96, "displaced triangles");
+        fine_ = geometry::tessellate(coarse, edge_, most + count_triangles(false), context_);
+        if (!fine_.is_complete) warn_of_limit();
+    }
+
+    /// Of what is displaced and cut already, or of what is not displaced and as the scene has it.
+    std::uint64_t count_triangles(bool displaced) const {
+        std::uint64_t count = 0;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            if ((parts_[i].material != nullptr) != displaced) continue;
+            count +=
+                (displaced ? fine_.meshes[i].indices.size() : scene_.meshes[parts_[i].instance.mesh].indices.size()) /
+                3;
+        }
+        return count;
+    }
+
+    void warn_of_limit() {
         char text[160];
         std::snprintf(text, sizeof text,
-                      "displacement stops at %llu triangles: edges are up to %.3g m long, not %.3g m",
+                      "displacement stops at %llu of %llu triangles: edges are up to %.3g m long, not %.3g m",
+                      static_cast<unsigned long long>(count_triangles(true)),
                       static_cast<unsigned long long>(options_.most_triangles), fine_.longest_edge, edge_);
         context_.report().add(Remark::warning, scene_.source, {}, text);
     }
@@ -186,22 +150,33 @@ private:
         context_.parallel_for(parts_.size(), [&](std::size_t i) {
             const Mesh& mesh = scene_.meshes[parts_[i].instance.mesh];
             meshes_[i] = is_changed(i) ? refined_mesh(mesh, fine_.meshes[i]) : mesh;
-            if (parts_[i].material) read_heights(i);
+            if (parts_[i].material) set_blur(meshes_[i], parts_[i]);
         });
     }
 
-    void read_heights(std::size_t i) {
-        Part& part = parts_[i];
-        const Relief& relief = part.material->relief ? *part.material->relief : options_.relief;
-        const Block<vec2>& uv = meshes_[i].texcoords[part.material->height_texture.texcoord_set];
-        const double width = texture_width(scene_.meshes[part.instance.mesh], part);
-        const double texels = width > 0 ? edge_ / width * part.heights->width() : 1;
-        const int level = std::max(int(std::floor(math::log2(std::max(texels, 1.0)))), 0);
-        part.offset.reserve(uv.size());
-        for (const vec2 at : uv) {
-            const double value = double(part.heights->at(at, level)), height = relief.holds_depth ? 1 - value : value;
-            part.offset.push_back(float(part.depth * (height - part.level)));
-        }
+    /// Vertices at one place with one material read the same level, so that it does not matter where a model is cut.
+    void read_heights() {
+        for_each_class([&](std::span<const Member> members) {
+            const Material* const material = parts_[members[0].part].material;
+            float blur = 0;
+            for (const Member& m : members) {
+                if (!material || parts_[m.part].material != material) return;
+                blur = std::max(blur, parts_[m.part].blur[m.vertex]);
+            }
+            for (const Member& m : members) parts_[m.part].blur[m.vertex] = blur;
+        });
+        context_.parallel_for(parts_.size(), [&](std::size_t i) {
+            DisplacedPart& part = parts_[i];
+            if (!part.material) return;
+            const Relief& relief = relief_of(*part.material, options_);
+            const Block<vec2>& uv = meshes_[i].texcoords[part.material->height_texture.texcoord_set];
+            part.offset.reserve(uv.size());
+            for (std::size_t v = 0; v < uv.size(); ++v) {
+                const double value = double(part.heights->at(uv[v], part.blur[v])), stays = 1 - double(relief.bias);
+                part.offset.push_back(float(part.depth * ((relief.holds_depth ? 1 - value : value) - stays)));
+            }
+        });
+        warn_of_lost_relief(scene_, parts_, fine_.longest_edge, context_.report());
     }
 
     /// Vertices at one place, one after another, in the order of parts and vertices.
@@ -218,12 +193,7 @@ private:
     void move() {
         std::vector<std::vector<vec3>> positions;
         for (const Mesh& mesh : meshes_) positions.emplace_back(mesh.positions.begin(), mesh.positions.end());
-        for (std::size_t first = 0; first < members_.size();) {
-            std::size_t end = first + 1;
-            while (end < members_.size() && members_[end].place == members_[first].place) ++end;
-            move_class(std::span(members_).subspan(first, end - first), positions);
-            first = end;
-        }
+        for_each_class([&](std::span<const Member> members) { move_class(members, positions); });
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             if (!is_changed(i)) continue;
             meshes_[i].positions = std::move(positions[i]);
@@ -257,12 +227,22 @@ private:
         std::uint32_t part, vertex;
     };
 
+    template <class Work>
+    void for_each_class(const Work& work) const {
+        for (std::size_t first = 0; first < members_.size();) {
+            std::size_t end = first + 1;
+            while (end < members_.size() && members_[end].place == members_[first].place) ++end;
+            work(std::span(members_).subspan(first, end - first));
+            first = end;
+        }
+    }
+
     void move_class(std::span<const Member> members, std::vector<std::vector<vec3>>& positions) {
         dvec3 normal{};
         double offset = 0;
         bool stays = false;
         for (const Member& m : members) {
-            const Part& part = parts_[m.part];
+            const DisplacedPart& part = parts_[m.part];
             stays |= part.material == nullptr;
             if (stays) break;
             const dvec3 n = normal_matrix(part.to_world) * cast<double>(meshes_[m.part].normals[m.vertex]);
@@ -281,7 +261,7 @@ private:
     const Displacement& options_;
     Context& context_;
     Scene out_;
-    std::vector<Part> parts_;
+    std::vector<DisplacedPart> parts_;
     double edge_ = 0;
     geometry::Tessellation fine_;
     std::vector<Mesh> meshes_;

@@ -12,8 +12,9 @@ bool wants_displacement(const Scene& scene, const Displacement& options);
 /// The scene with those meshes tessellated and displaced, without normals and tangents: they are to be made again.
 /// Every mesh must have normals. Vertices of all meshes at one place go the same way: along the mean of their normals,
 /// by the mean of their heights; where a mesh that is not displaced has a vertex too, they stay, and that mesh is cut
-/// along the border. Each placement gets a mesh of its own. Heights are read at the mip level whose texels are as large
-/// as the triangles. A height map that cannot be decoded is a warning, and its meshes stay as they are.
+/// along the border. Each placement gets a mesh of its own. How deep: collect_parts; how fine: set_blur
+/// (displace_parts.h), with a warning where little of the relief is left. A height map that cannot be decoded is a
+/// warning, and its meshes stay as they are.
 /// @throws Error bad_file: over the memory budget
 Scene displace_scene(const Scene& scene, const Displacement& options, Context& context);
 

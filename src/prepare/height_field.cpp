@@ -34,13 +34,42 @@ HeightField::HeightField(std::shared_ptr<const MipChain> chain, const TextureUse
                 s = float(math::sin(double(use.transform.rotation_rad)));
     row_u_ = {c * use.transform.scale.x, s * use.transform.scale.y};  // as KHR_texture_transform
     row_v_ = {-s * use.transform.scale.x, c * use.transform.scale.y};
+    const MipLevel& full = chain_->levels[0];
+    square_widths_ = std::abs(double(use.transform.scale.x) * double(use.transform.scale.y)) * full.height / full.width;
 }
 
-float HeightField::at(vec2 uv, int number) const {
+double HeightField::texels(vec2 d) const {
+    const MipLevel& full = chain_->levels[0];
+    const double x = double(row_u_.x * d.x + row_u_.y * d.y) * full.width,
+                 y = double(row_v_.x * d.x + row_v_.y * d.y) * full.height;
+    return std::sqrt(x * x + y * y);
+}
+
+float HeightField::at(vec2 uv, float level) const {
+    const vec2 map{in_range(row_u_.x * uv.x + row_u_.y * uv.y + offset_.x),
+                   in_range(row_v_.x * uv.x + row_v_.y * uv.y + offset_.y)};
+    const float in = std::clamp(level, 0.0f, float(chain_->levels.size() - 1));
+    const auto fine = std::size_t(in);
+    const float rest = in - float(fine), height = at_level(map, fine);
+    return rest > 0 ? height + (at_level(map, fine + 1) - height) * rest : height;
+}
+
+double HeightField::deviation(int number) const {
     const MipLevel& level = chain_->levels[std::min(std::size_t(number), chain_->levels.size() - 1)];
-    const float u = in_range(row_u_.x * uv.x + row_u_.y * uv.y + offset_.x),
-                v = in_range(row_v_.x * uv.x + row_v_.y * uv.y + offset_.y);
-    const double x = double(u) * level.width - 0.5, y = double(v) * level.height - 0.5;
+    const double count = double(level.width) * level.height;
+    double sum = 0, squares = 0;
+    for (int y = 0; y < level.height; ++y)
+        for (int x = 0; x < level.width; ++x) {
+            const double h = double(texel(*chain_, level, x, y));
+            sum += h, squares += h * h;
+        }
+    return std::sqrt(std::max(squares / count - (sum / count) * (sum / count), 0.0));
+}
+
+/// @param map  the map's own coordinates
+float HeightField::at_level(vec2 map, std::size_t number) const {
+    const MipLevel& level = chain_->levels[number];
+    const double x = double(map.x) * level.width - 0.5, y = double(map.y) * level.height - 0.5;
     const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
     const float tx = float(x - x0), ty = float(y - y0);
     const auto read = [&](int column, int row) {
