@@ -82,8 +82,9 @@ TEST(FacetFan, ItsMeanDirectionIsThatOfTheLobe) {
 }
 
 TEST(FacetFan, TheMirrorDirectionAndOneBentNormalAreFarOff) {
-    // Revie 2012, with the fit (1 - strength (1 - roughness))^4 of how much of the normal stays: seen along t at 75
-    // degrees
+    // What docs/lighting/anisotropy.md says of the other method, which is not in the engine: Revie 2012, with the fit
+    // (1 - strength (1 - roughness))^4 of KHR_materials_anisotropy's note on surroundings of how much of the normal
+    // stays. Seen along t at 75 degrees
     const dvec3 v = view_from(75, 0), n = {0, 0, 1};
     const double roughness = 0.15, ay = roughness * roughness;
     const auto off = [&](double strength, dvec3 m) {

@@ -50,11 +50,13 @@ Camera tilted(double angle) {
 }
 
 /// What is left of the slope: the cosine's share in what the pixels show, 1 without any filter.
-double kept(Axis axis, double k, Bump bump, double angle = 0, int anisotropy = 1) {
+double kept(Axis axis, double k, Bump bump, double angle = 0, int anisotropy = 1, MipFilter mip = MipFilter::linear) {
     RenderSettings s = settings_of({bump, {.depth = float(depth)}});
     s.channels |= channel_uv;
     s.anisotropy = anisotropy;
-    const Frame f = draw(wave(axis, k, bump), tilted(angle), s);
+    Scene scene = wave(axis, k, bump);
+    scene.textures.back().sampler.mip = mip;
+    const Frame f = draw(scene, tilted(angle), s);
     double sum = 0, squares = 0;
     for (std::size_t i = 0; i < f.normal.size(); ++i) {
         if (f.object[i] == none) continue;
@@ -82,6 +84,12 @@ TEST(FilteredSlope, AMinifiedHeightMapKeepsTheShareOfItsSlopeThatItsFiltersLeave
         for (const Axis axis : {Axis::u, Axis::v})
             EXPECT_NEAR(kept(axis, k, Bump::height), expected, 0.01) << pixels_a_wave;
     }
+}
+
+TEST(FilteredSlope, HeightsOfASlopeLieATexelApartOfTheLevelThatIsRead) {
+    const double k = std::round(1 / (5 * pixel_width)), level = level_of(pixel_width);
+    EXPECT_NEAR(kept(Axis::u, k, Bump::height, 0, 1, MipFilter::none), expected_slope(k, 0), 0.01);
+    EXPECT_NEAR(kept(Axis::u, k, Bump::height, 0, 1, MipFilter::nearest), expected_slope(k, std::round(level)), 0.01);
 }
 
 TEST(FilteredSlope, AHeightMapIsAsSharpAsTheNormalMapOfItsSlopes) {

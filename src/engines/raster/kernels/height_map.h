@@ -53,10 +53,16 @@ inline real slope_level(const TextureView& t, real lod) {
     return clamp(lod + real(RL_SLOPE_DETAIL), real(0.0f), real(float(t.levels - 1)));
 }
 
+/// Texels of the largest picture that heights of a slope lie apart: one of the level that sample() reads for `level`.
+inline real slope_width(const TextureView& t, real level) {
+    if (t.mip == 0 || t.levels == 1) return real(1.0f);
+    return exp2(t.mip == 1 ? to_real(to_int(level + real(0.5f))) : level);
+}
+
 /// Change of height per unit of u and of v at one place.
 inline vec2 slope_at(const HeightMap& map, vec2 uv, real lod) {
     const TextureView& t = *map.view;
-    const real level = slope_level(t, lod), texel = exp2(level);
+    const real level = slope_level(t, lod), texel = slope_width(t, level);
     return lit::height_slope(map, uv, texel * real(1.0f / float(t.width[0])), texel * real(1.0f / float(t.height[0])),
                              level);
 }

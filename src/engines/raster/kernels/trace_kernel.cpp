@@ -114,7 +114,7 @@ void trace_heights(const ShadeJob& job, const FullPixels& f, TracedTexture& out,
     probes.count = probes.inverse = 1.0f, probes.lod = place.lod;
     if (is_slope && f.p.anisotropy > 1) probes = slope_probes(place, at, f.p.anisotropy);
     const real level = is_slope ? slope_level(t, probes.lod) : probes.lod;
-    const real half = is_slope ? 0.5f * exp2(level) : 0.0f;
+    const real half = is_slope ? 0.5f * slope_width(t, level) : 0.0f;
     const vec2 ways[4] = {vec2(half / float(t.width[0]), 0.0f), vec2(-half / float(t.width[0]), 0.0f),
                           vec2(0.0f, half / float(t.height[0])), vec2(0.0f, -half / float(t.height[0]))};
     out.is_used = 1;
