@@ -316,7 +316,7 @@ struct Camera {
     Projection projection = Projection::perspective;
     std::uint32_t node = none;
     dmat4 to_world;                     ///< used when node is none: a rotation and a translation
-    double vertical_fov_rad = radians(40);  ///< perspective, 0..pi
+    double vertical_fov_rad = radians(40);  ///< perspective, 0..pi; of a scene, 0 beside a horizontal one: square pixels
     /// Perspective, 0..pi: the field of view across, whatever the picture's aspect: pixels need not be square then. Absent: square pixels.
     std::optional<double> horizontal_fov_rad;
     std::optional<double> aspect;       ///< width / height that the file wants; the picture's own when absent

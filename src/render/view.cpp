@@ -134,6 +134,12 @@ bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
 }
 
 Camera adapt_to_aspect(Camera camera, double aspect) {
+    if (camera.projection == Projection::perspective && camera.horizontal_fov_rad && camera.vertical_fov_rad == 0) {
+        camera.vertical_fov_rad = 2 * math::atan2(math::tan(0.5 * *camera.horizontal_fov_rad) / aspect, 1);
+        camera.horizontal_fov_rad.reset();
+        camera.aspect.reset();
+        return camera;
+    }
     const bool has_width = camera.projection == Projection::perspective ? camera.horizontal_fov_rad.has_value()
                                                                         : camera.half_width.has_value();
     if (camera.aspect && *camera.aspect > aspect && !has_width) {  // the picture is narrower: show more above and below

@@ -109,7 +109,9 @@ void check_camera(const Scene& scene, std::size_t i) {
     if (camera.aspect && !(*camera.aspect > 0 && std::isfinite(*camera.aspect))) place.fail("the aspect is not a number > 0");
     if (!std::isfinite(camera.near) || !(camera.far > camera.near)) place.fail("near must be a number and less than far");
     if (camera.projection == Projection::perspective) {
-        if (!(camera.vertical_fov_rad > 0 && camera.vertical_fov_rad < pi)) place.fail("the field of view is not between 0 and pi");
+        const bool is_across_alone = camera.vertical_fov_rad == 0 && camera.horizontal_fov_rad;
+        if (!is_across_alone && !(camera.vertical_fov_rad > 0 && camera.vertical_fov_rad < pi))
+            place.fail("the field of view is not between 0 and pi");
         if (camera.horizontal_fov_rad && !(*camera.horizontal_fov_rad > 0 && *camera.horizontal_fov_rad < pi))
             place.fail("the horizontal field of view is not between 0 and pi");
         if (!(camera.near > 0)) place.fail("near must be greater than 0");

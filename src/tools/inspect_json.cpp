@@ -74,7 +74,7 @@ Json json_of(const Camera& c) {
     if (c.projection == Projection::perspective) {
         json["projection"] = "perspective";
         const std::optional<double> across = horizontal_fov_rad(c);
-        json["vertical_fov_deg"] = degrees(c.vertical_fov_rad);
+        json["vertical_fov_deg"] = c.vertical_fov_rad > 0 ? Json(degrees(c.vertical_fov_rad)) : Json();  // null: the height
         json["horizontal_fov_deg"] = across ? Json(degrees(*across)) : Json();  // null: the picture's width decides
     } else {
         json["projection"] = "orthographic";

@@ -74,6 +74,8 @@ std::string lights_text(const Scene& scene) {
 std::string projection_text(const Camera& c) {
     if (c.projection == Projection::perspective) {
         const std::optional<double> across = horizontal_fov_rad(c);
+        if (c.vertical_fov_rad == 0 && across)
+            return "perspective, " + number(degrees(*across), "%.1f") + " degrees wide";
         const std::string up = number(degrees(c.vertical_fov_rad), "%.1f") + " degrees";
         return "perspective, " + up + (across ? " high, " + number(degrees(*across), "%.1f") + " wide" : "");
     }

@@ -110,8 +110,7 @@ Camera read_camera(const SectionValues& v, WorldFile& world) {
     camera.to_world = look_at(position, target, read_up(v, target - position, world));
     camera.vertical_fov_rad = radians(v.number("vertical_fov_deg", 40));
     if (v.has("horizontal_fov_deg")) {
-        if (!v.has("vertical_fov_deg"))
-            fail(v.place_of("horizontal_fov_deg"), "'horizontal_fov_deg' needs 'vertical_fov_deg' beside it");
+        if (!v.has("vertical_fov_deg")) camera.vertical_fov_rad = 0;  // as the picture's aspect makes it
         camera.horizontal_fov_rad = radians(v.number("horizontal_fov_deg", 0));
     }
     if (v.has("orthographic_height")) {

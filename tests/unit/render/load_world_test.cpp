@@ -5,10 +5,12 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "math/linear.h"
+#include "render/view.h"
 #include "scene/scene_tools.h"
 #include "support/shared.h"
 #include "support/thrown_error.h"
@@ -52,6 +54,17 @@ TEST_F(LoadWorld, ModelsAreTurnedAboutXThenYThenZ) {
     EXPECT_NEAR(x.z, -2, 1e-12);
     EXPECT_NEAR(y.x, 6, 1e-12);
     EXPECT_NEAR(y.z, 0, 1e-12);
+}
+
+TEST_F(LoadWorld, AHorizontalAngleAloneHoldsInEveryPictureWithSquarePixels) {
+    const Scene s = load_text("[[model]]\nfile = 'b.obj'\n[[camera]]\nposition = [0, 0, 5]\nhorizontal_fov_deg = 60\n");
+    EXPECT_NO_THROW(validate(s));
+    for (const double aspect : {0.5, 1.0, 3.0}) {
+        const Camera c = choose_camera(s, {}, aspect, context_);
+        EXPECT_NEAR(aspect * std::tan(c.vertical_fov_rad / 2), 1 / std::sqrt(3.0), 1e-12) << aspect;
+        EXPECT_FALSE(c.horizontal_fov_rad);
+    }
+    EXPECT_TRUE(context_.report().entries().empty());
 }
 
 TEST_F(LoadWorld, AModelsSubdivisionIsItsMeshesAlone) {
