@@ -49,7 +49,7 @@ void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, 
     if (check.looks_srgb())
         say(Remark::warning, "the normal map looks sRGB-encoded; it is read as plain numbers, as all normal maps are");
     else if (data.is_tagged_srgb)
-        say(Remark::note, "the normal map is tagged sRGB; it is read as plain numbers, as all normal maps are");
+        say(Remark::warning, "the normal map is tagged sRGB; it is read as plain numbers, as all normal maps are");
 }
 
 }  // namespace rakelight::raster

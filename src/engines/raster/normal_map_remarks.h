@@ -10,8 +10,8 @@
 namespace rakelight::raster {
 
 /// Looks once at each normal map of a scene that is prepared (image/normal_map_check.h): warnings of maps that look
-/// green-down (or green-up where the material says down), that look sRGB-encoded, and of texels that point into the
-/// surface, where they are a thousandth of all or more; fewer of those, and a mere sRGB tag, are notes. Maps of 8 bits.
+/// green-down (or green-up where the material says down), that look or are tagged sRGB, and of texels that point into the
+/// surface, where they are a thousandth of all or more; fewer of those are a note. Maps of 8 bits.
 class NormalMapRemarks {
 public:
     NormalMapRemarks(const Scene& scene, Report& report) : scene_(scene), report_(report) {}

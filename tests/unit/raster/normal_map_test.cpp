@@ -201,5 +201,5 @@ TEST(NormalMapRemarks, SuspiciousMapsAreNamedOnce) {
     Pixels tagged = slanted(-1);
     tagged.is_tagged_srgb = true;
     EXPECT_EQ(remarks(tagged, false),
-              "note: the normal map is tagged sRGB; it is read as plain numbers, as all normal maps are\n");
+              "warning: the normal map is tagged sRGB; it is read as plain numbers, as all normal maps are\n");
 }
