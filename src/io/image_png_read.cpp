@@ -71,7 +71,9 @@ Pixels read_png(std::span<const std::byte> bytes, Context& context) {
     if (needed != pixels.bytes.size()) bad_picture("broken PNG: its size is inconsistent");
     require(spng_decode_image(png.get(), pixels.bytes.data(), pixels.bytes.size(), target.format, SPNG_DECODE_TRNS));
     std::uint8_t intent = 0;
-    pixels.is_tagged_srgb = spng_get_srgb(png.get(), &intent) == 0;
+    std::uint32_t gamma = 0;  // times 100000; 45455 is 1 / 2.2, what the PNG specification writes beside an sRGB chunk
+    const bool is_gamma_srgb = spng_get_gama_int(png.get(), &gamma) == 0 && gamma == 45455;
+    pixels.is_tagged_srgb = spng_get_srgb(png.get(), &intent) == 0 || is_gamma_srgb;
     return pixels;
 }
 

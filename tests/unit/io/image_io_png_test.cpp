@@ -53,6 +53,18 @@ TEST(PngReading, EveryFileOfPngSuiteGivesThePixelsOfAnIndependentDecoder) {
     EXPECT_GT(count, 80);
 }
 
+TEST(PngReading, AGammaOf45455CountsAsTheTagOfSrgb) {
+    RL_NEEDS_SHARED("assets");
+    std::vector<std::byte> bytes = bytes_of_file(test::shared_dir() / "assets/textures/pngsuite/basn2c08.png");
+    Context context;
+    EXPECT_FALSE(decode_image(bytes, context).is_tagged_srgb) << "its gAMA is 100000: linear";
+    ASSERT_EQ(bytes[37], std::byte('g'));
+    const int value[] = {0x00, 0x00, 0xB1, 0x8F};  // 45455
+    for (std::size_t i = 0; i < 4; ++i) bytes[41 + i] = std::byte(value[i]);
+    test::mend_png_checksum(bytes, 33);
+    EXPECT_TRUE(decode_image(bytes, context).is_tagged_srgb);
+}
+
 TEST(PngReading, EveryCorruptFileOfPngSuiteIsRefusedInOneLine) {
     RL_NEEDS_SHARED("hostile/pngsuite");
     int count = 0;
