@@ -23,8 +23,8 @@ struct Pixels {
     Component component = Component::u8;
     bool is_linear = false;     ///< the file holds linear light (EXR, HDR); else the role of the texture decides
     std::vector<std::byte> bytes;
-    bool is_tagged_srgb =
-        false;  ///< the file says that its numbers are sRGB codes (PNG's sRGB chunk); nothing heeds it
+    /// The file says that its numbers are sRGB codes (PNG's sRGB chunk, or gAMA of 45455): normal maps are warned of.
+    bool is_tagged_srgb = false;
 
     std::size_t row_bytes() const { return std::size_t(width) * std::size_t(channels) * size_of(component); }
     const std::byte* row(int y) const { return bytes.data() + std::size_t(y) * row_bytes(); }
