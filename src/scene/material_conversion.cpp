@@ -89,6 +89,7 @@ Material metallic_roughness_from_classical(const Material& m) {
     if (p.specular > 0) p.specular_color = f0 / (dielectric_f0 * p.specular);
     p.specular_color_texture = m.classical.specular_texture;
     out.classical = {};
+    out.double_sided = true;  // as classical materials are drawn
     return out;
 }
 

@@ -50,9 +50,10 @@ std::string materials_text(const Scene& scene) {
                        std::string textures;
                        for (const auto& [role, use] : texture_uses(m))
                            textures += (textures.empty() ? "" : ", ") + (role + (" " + std::to_string(use.texture)));
-                       return std::vector<std::string>{std::to_string(n),          name_or(m.name, "material", n),
-                                                       name_of(m.model),           name_of(m.alpha_mode),
-                                                       m.double_sided ? "2" : "1", textures.empty() ? "-" : textures};
+                       const bool two_sided = m.double_sided || m.model == MaterialModel::classical;
+                       return std::vector<std::string>{std::to_string(n),     name_or(m.name, "material", n),
+                                                       name_of(m.model),      name_of(m.alpha_mode),
+                                                       two_sided ? "2" : "1", textures.empty() ? "-" : textures};
                    });
 }
 

@@ -137,5 +137,13 @@ TEST(MaterialConversions, KeepWhatBothModelsShare) {
     EXPECT_TRUE(m.double_sided);
 }
 
+TEST(MetallicRoughnessFromClassical, ShowsBothSidesAsClassicalMaterialsDo) {
+    Material m;
+    m.model = MaterialModel::classical;
+    EXPECT_TRUE(metallic_roughness_from_classical(m).double_sided);
+    m.model = MaterialModel::metallic_roughness;
+    EXPECT_FALSE(metallic_roughness_from_classical(m).double_sided) << "it is none, and stays as it is";
+}
+
 }  // namespace
 }  // namespace rakelight
