@@ -117,6 +117,13 @@ const char* material_model(const ExplainedPixel& e, const ShadedLayer& layer) {
     return view.unlit ? "unlit" : view.metallic_roughness ? "metallic_roughness" : "classical";
 }
 
+bool has_own_diffuse_normal(const ShadedLayer& layer) {
+    const raster::PixelTrace& t = layer.trace;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (t.diffuse_normal[c] != t.normal[c]) return true;
+    return false;
+}
+
 const char* reflection_model(const ShadedLayer& layer) {
     static constexpr const char* names[] = {"lambert", "phong", "blinn_phong", "oren_nayar", "ward", "pbr"};
     return names[layer.reflection_model];

@@ -2,6 +2,7 @@
 // Explained pixels as the program's JSON, schema rakelight.explain/1 (docs/explain.md): fields are added, never renamed.
 // Floats are written as the doubles that they are equal to, so that the bits come back.
 #include "render/report_json.h"
+#include "tools/explain_factors.h"
 #include "tools/explained_pixel.h"
 #include "tools/texture_uses.h"
 
@@ -79,7 +80,8 @@ Json maps_json(const ExplainedPixel& e, const ShadedLayer& layer) {
     return out;
 }
 
-Json light_json(const Light& light, std::size_t index, int reflection_model, const TracedLight& t) {
+Json light_json(const Light& light, std::size_t index, int reflection_model, const TracedLight& t,
+                const raster::TracedParts& parts) {
     Json out = {{"light", index},
                 {"name", light.name},
                 {"type", name_of(light.type)},
@@ -93,10 +95,13 @@ Json light_json(const Light& light, std::size_t index, int reflection_model, con
     if (reflection_model == 5) out["fresnel_weight"] = double(t.fresnel_weight);
     out["lobe"] = double(t.lobe);
     out["specular_factor"] = double(t.specular_factor);
+    out["own_color"] = {
+        {"ambient", list(t.own_ambient)}, {"diffuse", list(t.own_diffuse)}, {"specular", list(t.own_specular)}};
     out["light_color"] = {{"ambient", list(t.ambient_color)}, {"diffuse", list(t.diffuse_color)}, {"specular", list(t.specular_color)}};
     out["ambient"] = list(t.ambient);
     out["diffuse"] = list(t.diffuse);
     out["specular"] = list(t.specular);
+    out["parts"] = parts_json(parts);
     out["seen"] = double(t.seen);
     out["sum"] = list(t.sum);
     return out;
@@ -115,7 +120,7 @@ void add_corners(Json& out, const ExplainedPixel& e, const ShadedLayer& layer) {
                        {"specular", list(c.corner.light.specular)}};
         for (std::size_t i = 0; i < c.lights.size(); ++i) {
             corner["lights"].push_back(
-                light_json(e.engine->list().scene.lights[i], i, layer.reflection_model, c.lights[i]));
+                light_json(e.engine->list().scene.lights[i], i, layer.reflection_model, c.lights[i], c.parts[i]));
             corner["lights"].back().erase("sum");
         }
         out["corners"].push_back(std::move(corner));
@@ -140,7 +145,9 @@ void add_parameters(Json& out, const ShadedLayer& layer) {
     if (layer.reflection_model >= 4) out["alpha"] = list(t.lobe_alpha);
     if (layer.reflection_model != 5) return;
     out["f90"] = list(t.f90);
-    if (t.coat > 0) out["clearcoat"] = {{"reflectance", double(t.coat)}, {"alpha", double(t.coat_alpha)}};
+    if (t.coat > 0)
+        out["clearcoat"] = {
+            {"reflectance", double(t.coat)}, {"alpha", double(t.coat_alpha)}, {"normal", list(t.coat_normal)}};
     if (t.sheen_alpha > 0) out["sheen"] = {{"color", list(t.sheen)}, {"alpha", double(t.sheen_alpha)}};
 }
 
@@ -177,6 +184,7 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
                 {"normal_is_of_slopes", t.is_of_slopes != 0},
                 {"facing", double(t.facing)},
                 {"normal", list(t.normal)},
+                {"diffuse_normal", list(t.diffuse_normal)},
                 {"to_viewer", list(t.view)}};
     out["surface"] = surface_json(layer);
     add_parameters(out["surface"], layer);
@@ -184,8 +192,9 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
     out["lights"] = Json::array();
     for (std::size_t i = 0; i < layer.lights.size(); ++i)
         out["lights"].push_back(
-            light_json(e.engine->list().scene.lights[i], i, layer.reflection_model, layer.lights[i]));
+            light_json(e.engine->list().scene.lights[i], i, layer.reflection_model, layer.lights[i], layer.parts[i]));
     add_corners(out, e, layer);
+    out["parts_around"] = parts_json(layer.parts.back());
     add_extras(out, t);
     out["color"] = list(t.color);
     out["alpha"] = double(t.alpha);

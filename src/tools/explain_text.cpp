@@ -2,9 +2,8 @@
 // Explained pixels for people. Floats with the fewest digits that read back as the same float (std::to_chars).
 #include <algorithm>
 
+#include "tools/explain_factors.h"
 #include "tools/explained_pixel.h"
-#include "tools/shortest_digits.h"
-#include "tools/text_table.h"
 #include "tools/texture_uses.h"
 
 namespace rakelight {
@@ -15,11 +14,6 @@ using raster::ShadedLayer;
 using raster::TracedLight;
 
 using Cells = std::vector<std::string>;
-
-template <std::size_t n>
-void append(Cells& cells, const float (&v)[n]) {
-    for (const float f : v) cells.push_back(digits(f));
-}
 
 std::string shown(const std::string& name, std::uint32_t index) {
     if (index == none) return "(none)";
@@ -68,42 +62,6 @@ std::string triangles_text(const ExplainedPixel& e) {
            table.text("  ");
 }
 
-/// "name   x  y  z" lines.
-class Values {
-public:
-    explicit Values(std::size_t columns) : columns_(columns), table_(head(columns)) {}
-    template <std::size_t n>
-    void add(const char* name, const float (&v)[n], const char* note = "") {
-        Cells cells{name};
-        append(cells, v);
-        fill(std::move(cells), note);
-    }
-    void add(const char* name, dvec3 v, const char* note = "") { fill({name, digits(v.x), digits(v.y), digits(v.z)}, note); }
-    void add(const char* name, float v, const char* note = "") { fill({name, digits(v)}, note); }
-    void add(const std::string& name, vec4 v, const char* note = "") {
-        fill({name, digits(v.x), digits(v.y), digits(v.z), digits(v.w)}, note);
-    }
-    std::string text(const char* indent) const {
-        const std::string whole = table_.text(indent);
-        return whole.substr(whole.find('\n') + 1);  // the head is empty
-    }
-
-private:
-    static Cells head(std::size_t columns) {
-        Cells cells{""};
-        cells.insert(cells.end(), columns, ">");
-        cells.push_back("");
-        return cells;
-    }
-    void fill(Cells cells, const char* note) {
-        cells.resize(columns_ + 1);
-        cells.push_back(note);
-        table_.add(std::move(cells));
-    }
-    std::size_t columns_;
-    TextTable table_;
-};
-
 std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     const raster::PixelTrace& t = layer.trace;
     Values values(3);
@@ -128,6 +86,8 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     }
     if (!t.is_lit_at_corners) {
         values.add("normal that is lit (n)", t.normal, t.facing < 0 ? "turned to the viewer's side" : "");
+        if (has_own_diffuse_normal(layer)) values.add("normal of diffuse light", t.diffuse_normal);
+        if (t.coat > 0) values.add("normal of the clearcoat", t.coat_normal);
         values.add("to the viewer (v)", t.view);
     }
     return values.text("  ");
@@ -180,30 +140,35 @@ std::string light_name(const ExplainedPixel& e, std::size_t i) {
     return "Light " + digits(i) + " (" + name_of(light.type) + (light.name.empty() ? "" : ", " + one_line(light.name, 40)) + ")";
 }
 
-std::string light_text(const ExplainedPixel& e, const ShadedLayer& layer, const TracedLight& l, std::size_t i) {
-    const bool has_place = l.distance > 0, is_ambient = e.engine->list().scene.lights[i].type == LightType::ambient;
+/// What the light's colors are on the way to the point.
+void add_way(Values& values, const Light& light, const TracedLight& l) {
+    const char* const of_photometric = light.units == LightUnits::photometric ? "intensity / pi" : "";
+    values.add("distance [m]", l.distance);
+    const auto add = [&](const char* name, const float(&color)[3], const float(&arrives)[3]) {
+        if (!is_black(color) || !is_black(arrives)) values.add(name, color, of_photometric);
+    };
+    add("ambient of the light", l.own_ambient, l.ambient_color);
+    add("diffuse of the light", l.own_diffuse, l.diffuse_color);
+    add("specular of the light", l.own_specular, l.specular_color);
+    values.add("attenuation", l.attenuation);
+    if (light.type == LightType::spot) values.add("spot", l.spot);
+}
+
+std::string light_text(const ExplainedPixel& e, const ShadedLayer& layer, const TracedLight& l,
+                       const raster::TracedParts& parts, std::size_t i) {
+    const Light& light = e.engine->list().scene.lights[i];
     Values values(3);
-    if (!is_ambient) values.add("to the light (l)", l.to_light);
-    if (has_place) values.add("distance [m]", l.distance);
-    if (has_place) values.add("attenuation", l.attenuation);
-    if (e.engine->list().scene.lights[i].type == LightType::spot) values.add("spot", l.spot);
-    if (!is_ambient) {
+    if (light.type != LightType::ambient) {
+        values.add("to the light (l)", l.to_light);
+        if (l.distance > 0) add_way(values, light, l);
         values.add("n.l", l.n_dot_l, l.n_dot_l > 0 ? "" : "the light is below the surface");
-        if (l.seen < 1) values.add("not in shadow", l.seen, "share of its diffuse and specular light");
-        if (layer.reflection_model == 1 || layer.reflection_model == 2) {
-            values.add(layer.reflection_model == 1 ? "r.v" : "n.h", l.lobe_cosine);
-            values.add("to the exponent", l.lobe);
-            values.add("specular factor", l.specular_factor, layer.reflection_form ? "normalized: times energy factor and n.l" : "");
-        }
-    }
-    if (layer.reflection_model >= 4 && !is_ambient) {
-        values.add("n.h", l.lobe_cosine);
-        values.add("lobe [1/sr]", l.lobe, layer.reflection_model == 5 ? "D V, without Fresnel's term" : "");
+        if (layer.reflection_model == 1) values.add("r.v", l.lobe_cosine);
+        if (layer.reflection_model == 2 || layer.reflection_model >= 4) values.add("n.h", l.lobe_cosine);
         if (layer.reflection_model == 5) values.add("(1 - v.h)^5", l.fresnel_weight, "weight of Fresnel's term");
     }
-    values.add("ambient that arrives", l.ambient_color);
-    if (!is_ambient) values.add("diffuse that arrives", l.diffuse_color);
-    if (!is_ambient) values.add("specular that arrives", l.specular_color);
+    for (int k = 0; k < parts.count; ++k)
+        if (light.type != LightType::ambient || parts.part[k].term == raster::TracedTerm::ambient)
+            add_factors(values, parts.part[k], term_of(parts, k, l));
     return "  " + light_name(e, i) + "\n" + values.text("    ");
 }
 
@@ -219,7 +184,8 @@ std::string corners_text(const ExplainedPixel& e, const ShadedLayer& layer) {
         values.add("from the eye [m]", c.corner.position, "world axes");
         values.add("normal (n)", c.corner.normal);
         text += values.text("    ");
-        for (std::size_t i = 0; i < c.lights.size(); ++i) text += indented(light_text(e, layer, c.lights[i], i));
+        for (std::size_t i = 0; i < c.lights.size(); ++i)
+            text += indented(light_text(e, layer, c.lights[i], c.parts[i], i));
         Values sums(3);
         sums.add("ambient of all", c.corner.light.ambient, "per unit of k ambient");
         sums.add("diffuse of all", c.corner.light.diffuse, "per unit of k diffuse");
@@ -227,6 +193,18 @@ std::string corners_text(const ExplainedPixel& e, const ShadedLayer& layer) {
         text += sums.text("    ");
     }
     return text;
+}
+
+/// The emission that a coat lies over, and what comes from all around.
+std::string around_text(const ShadedLayer& layer) {
+    Values emission(3), around(3);
+    const raster::TracedParts& parts = layer.parts.back();
+    for (int k = 0; k < parts.count; ++k) {
+        const bool is_emission = parts.part[k].term == raster::TracedTerm::emission;
+        add_factors(is_emission ? emission : around, parts.part[k], std::nullopt);
+    }
+    return (emission.empty() ? "" : "  Under the coat\n" + emission.text("    ")) +
+           (around.empty() ? "" : "  From all around\n" + around.text("    "));
 }
 
 void add_received(TextTable& table, const raster::PixelTrace& t) {
@@ -285,8 +263,9 @@ std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::s
     text += "\n";
     if (e.pixel.samples.size() > 1) text += shaded_at_text(layer);
     text += place_text(e, layer) + maps_text(e, layer) + surface_text(e, layer);
-    for (std::size_t i = 0; i < layer.lights.size(); ++i) text += light_text(e, layer, layer.lights[i], i);
-    text += corners_text(e, layer) + sum_text(layer);
+    for (std::size_t i = 0; i < layer.lights.size(); ++i)
+        text += light_text(e, layer, layer.lights[i], layer.parts[i], i);
+    text += corners_text(e, layer) + around_text(layer) + sum_text(layer);
     if (layer.is_blended) {
         Values over(4);
         over.add("opacity", layer.trace.alpha);

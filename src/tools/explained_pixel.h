@@ -49,6 +49,8 @@ std::string maps_text(const ExplainedPixel& e, const raster::ShadedLayer& layer)
 
 /// "classical", "metallic_roughness" or "unlit"
 const char* material_model(const ExplainedPixel& e, const raster::ShadedLayer& layer);
+/// Bumps act on one of both terms: the other has a normal for itself.
+bool has_own_diffuse_normal(const raster::ShadedLayer& layer);
 /// "lambert", "phong" or "blinn_phong"
 const char* reflection_model(const raster::ShadedLayer& layer);
 

@@ -115,8 +115,10 @@ private:
         use_offsets(batch, scratch_);
         std::vector<TracedLight> lights(of_.lights().size());
         PixelTrace pixel;
+        std::vector<TracedParts> parts(layer ? lights.size() + 1 : 0);
         if (layer) layer->texels.resize(traced_maps);
-        trace::trace_pixel(&batch, &pixel, lights.data(), layer ? layer->texels.data() : nullptr);
+        trace::trace_pixel(&batch, &pixel, lights.data(), layer ? layer->texels.data() : nullptr,
+                           layer ? parts.data() : nullptr);
         if (!layer) return pixel;
         layer->is_unlit = batch.unlit != 0;
         layer->reflection_model = batch.reflection_model;
@@ -125,6 +127,7 @@ private:
             layer->corners = trace_corners(open_.front, open_.points, s, batch);
         else if (!layer->is_unlit)
             layer->lights = std::move(lights);
+        layer->parts = std::move(parts);
         return pixel;
     }
 
@@ -260,10 +263,11 @@ std::vector<TracedCorner> trace_corners(const FrontEnd& front, const LightPoints
                                         const ShadeJob& job) {
     std::vector<TracedCorner> out;
     for (const LitCorner& corner : lit_corners(front, points, s)) {
-        TracedCorner traced{corner, std::vector<TracedLight>(std::size_t(job.light_count))};
+        const auto lights = std::size_t(job.light_count);
+        TracedCorner traced{corner, std::vector<TracedLight>(lights), std::vector<TracedParts>(lights)};
         float received[3][3];
         trace::trace_point(&job, mean_roughness(*job.material), corner.position, corner.normal, received,
-                           traced.lights.data());
+                           traced.lights.data(), traced.parts.data());
         out.push_back(std::move(traced));
     }
     return out;

@@ -227,7 +227,7 @@ private:
         const ShadeJob batch = make_job(job_, t.draw, ox_, oy_, 1, s_);
         std::fill(lights_.begin(), lights_.end(), TracedLight{});
         PixelTrace pixel;
-        trace::trace_pixel(&batch, &pixel, lights_.data(), nullptr);
+        trace::trace_pixel(&batch, &pixel, lights_.data(), nullptr, nullptr);
         if (is_new && pixel.is_lit_at_corners) corners_ = trace_corners(drawn_.front, drawn_.points, t, batch);
         if (pixel.is_lit_at_corners) interpolate(corners_, pixel);
         return {pixel, batch.unlit == 0};

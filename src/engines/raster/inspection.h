@@ -53,6 +53,7 @@ struct CoveringTriangle {
 struct TracedCorner {
     LitCorner corner;
     std::vector<TracedLight> lights;  ///< as Scene::lights; terms per unit of reflectance
+    std::vector<TracedParts> parts;   ///< [lights]
 };
 
 /// The points that a triangle's light is interpolated from, one or three; `job` is of its material. Empty: it is lit at
@@ -73,6 +74,7 @@ struct ShadedLayer {
     PixelTrace trace{};
     std::vector<TracedTexels> texels;  ///< [traced_maps]
     std::vector<TracedLight> lights;  ///< as Scene::lights; empty for unlit surfaces and where trace.is_lit_at_corners
+    std::vector<TracedParts> parts;   ///< [lights], then those of what comes from all around and of the emission
     std::vector<TracedCorner> corners;  ///< where trace.is_lit_at_corners: the three vertices, or the centroid alone
     int reflection_model = 0, reflection_form = 0;  ///< of ShadeJob
     bool is_unlit = false, is_blended = false;

@@ -71,4 +71,21 @@ inline Camera busy_view() {
     return camera;
 }
 
+/// The busy scene with everything that only the full kernel draws.
+inline Scene rich_scene() {
+    Scene scene = busy_scene();
+    const TextureUse map = scene.materials[0].base_color_texture;
+    scene.materials[0].height_texture = map;
+    MetallicRoughnessParameters& p = scene.materials[1].metallic_roughness;
+    p.clearcoat = 0.7f, p.clearcoat_roughness = 0.2f, p.sheen_color = {0.3f, 0.2f, 0.4f}, p.sheen_roughness = 0.5f;
+    p.anisotropy = 0.6f;
+    for (TextureUse* use :
+         {&p.clearcoat_texture, &p.clearcoat_roughness_texture, &p.clearcoat_normal_texture, &p.sheen_color_texture,
+          &p.sheen_roughness_texture, &p.anisotropy_texture, &p.specular_texture, &p.specular_color_texture})
+        *use = map;
+    scene.fog.kind = FogKind::exponential;
+    scene.environment.emplace();
+    return scene;
+}
+
 }  // namespace rakelight::test

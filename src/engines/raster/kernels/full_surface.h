@@ -309,9 +309,14 @@ inline lit::MaterialSurface full_point(const ShadeJob& job, float mean_roughness
     return s;
 }
 
+/// What such a point has.
+inline lit::MaterialTraits point_traits(const ShadeJob& job) {
+    return {job.full->ward_form, 0, job.full->multiple_scattering, 0, 0};
+}
+
 /// One light's terms at such a point.
 inline lit::LightTerms point_terms(const ShadeJob& job, const lit::MaterialSurface& s, const lit::LightSample& light) {
-    const lit::MaterialTraits traits = {job.full->ward_form, 0, job.full->multiple_scattering, 0, 0};
+    const lit::MaterialTraits traits = point_traits(job);
     return lit::surface_terms(s, light, real(1.0f), light_albedo(job, traits, light.l, s), traits, reflection_of(job));
 }
 

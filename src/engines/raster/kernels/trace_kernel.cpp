@@ -4,6 +4,7 @@
 #include "engines/raster/kernels/full_kernel.cpp"
 #include "engines/raster/kernels/shade_kernel.cpp"
 
+#include "engines/raster/kernels/trace_parts.h"
 #include "engines/raster/kernels/trace_types.h"
 
 namespace rakelight::raster::RL_ISA {
@@ -185,6 +186,7 @@ void trace_normal(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
 
 void trace_surface(const MaterialView& m, const lit::Surface& s, PixelTrace& out) {
     put(out.normal, s.n);
+    put(out.diffuse_normal, s.n);
     put(out.view, s.v);
     put(out.k_ambient, s.ambient);
     put(out.k_diffuse, s.diffuse);
@@ -237,6 +239,9 @@ lit::LightTerms trace_light(const ShadeJob& job, int32_t i, vec3 position, const
     trace_reach(job.lights[i], position, out);
     trace_lobe(surface, sample, reflection, out);
     put(out.to_light, sample.l);
+    put(out.own_ambient, sample.ambient);
+    put(out.own_diffuse, sample.diffuse);
+    put(out.own_specular, sample.specular);
     put(out.ambient_color, sample.ambient * sample.attenuation);
     put(out.diffuse_color, sample.diffuse * sample.attenuation);
     put(out.specular_color, sample.specular * sample.attenuation);
@@ -245,10 +250,24 @@ lit::LightTerms trace_light(const ShadeJob& job, int32_t i, vec3 position, const
     return terms;
 }
 
-void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surface, vec3 sum, TracedLight* lights) {
+/// The factors of what the plain kernel's models give; `parts` may be null.
+void trace_plain_parts(const ShadeJob& job, const lit::Surface& surface, const lit::LightSample& light,
+                       TracedParts* parts) {
+    if (parts == nullptr) return;
+    lit::MaterialSurface s;
+    s.base = surface;
+    s.diffuse_n = surface.n;
+    const lit::MaterialTraits none = {};
+    const lit::Reflection reflection = reflection_of(job);
+    trace_parts({s, light, none, reflection, {}, 1.0f}, *parts);
+}
+
+void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surface, vec3 sum, TracedLight* lights,
+                  TracedParts* parts) {
     for (int32_t i = 0; i < job.light_count; ++i) {
         const lit::LightSample sample = light_at(job, i, p.position);
         trace_light(job, i, p.position, surface, sample, lights[i]);
+        trace_plain_parts(job, surface, sample, parts == nullptr ? nullptr : parts + i);
         sum = lit::add_light(sum, surface, sample, reflection_of(job));
         put(lights[i].sum, sum);
     }
@@ -261,7 +280,10 @@ void trace_parameters(const ShadeJob& job, const lit::MaterialSurface& s, PixelT
     if (!is_pbr(job)) return;
     const lit::MaterialTraits traits = traits_of(job);
     put(out.f90, s.f90);
-    if (traits.has_coat != 0) out.coat = s.coat_reflectance, out.coat_alpha = s.coat_alpha;
+    if (traits.has_coat != 0) {
+        out.coat = s.coat_reflectance, out.coat_alpha = s.coat_alpha;
+        put(out.coat_normal, s.coat_n);
+    }
     if (traits.has_sheen == 0) return;
     put(out.sheen, s.sheen);
     out.sheen_alpha = s.sheen_alpha;
@@ -292,27 +314,34 @@ void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
 }
 
 /// Ward's and GGX's lobe.
-void trace_full_lobe(const ShadeJob& job, const FullPixels& f, const lit::LightSample& light, TracedLight& out) {
+void trace_full_lobe(const ShadeJob& job, const lit::MaterialSurface& s, const lit::MaterialTraits& traits,
+                     const lit::LightSample& light, TracedLight& out) {
     if (job.reflection_model != RL_WARD && !is_pbr(job)) return;
-    const lit::MaterialSurface& s = f.surface;
     const vec3 h = safe_normalize_or(light.l + s.base.v, s.base.n);
     out.lobe_cosine = dot(s.base.n, h);
     if (is_pbr(job)) {
-        out.lobe = lit::pbr_lobe(s, light.l, traits_of(job));
+        out.lobe = lit::pbr_lobe(s, light.l, traits);
         out.fresnel_weight = lit::schlick_weight(dot(s.base.v, h));
     } else {
-        out.lobe = lit::ward_brdf(s.base.n, s.tangent, s.bitangent, light.l, s.base.v, s.alpha_x, s.alpha_y,
-                                  job.full->ward_form);
+        out.lobe =
+            lit::ward_brdf(s.base.n, s.tangent, s.bitangent, light.l, s.base.v, s.alpha_x, s.alpha_y, traits.ward_form);
     }
+    out.specular_factor = out.lobe * (RL_PI * lit::lambert_cosine(out.n_dot_l));
 }
 
-void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* lights) {
+void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* lights, TracedParts* parts) {
     vec3 sum = f.emission;
+    const lit::MaterialTraits traits = traits_of(job);
+    const lit::Reflection reflection = reflection_of(job);
     for (int32_t i = 0; i < job.light_count; ++i) {
         const lit::LightSample sample = light_of(job, i, f);
         trace_light(job, i, f.p.position, f.surface.base, sample, lights[i]);
-        trace_full_lobe(job, f, sample, lights[i]);
+        trace_full_lobe(job, f.surface, traits, sample, lights[i]);
         lights[i].seen = seen_of(job, i, f, sample);
+        if (parts != nullptr)
+            trace_parts(
+                {f.surface, sample, traits, reflection, light_albedo(job, traits, sample.l, f.surface), lights[i].seen},
+                parts[i]);
         const lit::LightTerms terms = full_light(job, i, f);
         put_terms(terms, lights[i]);
         sum = add_terms(sum, terms);
@@ -362,20 +391,32 @@ vec3 color_of(const ShadeJob& job) {
     return b.radiance[0];
 }
 
+/// One light at a point that is lit before there are pixels.
+lit::LightTerms trace_full_point(const ShadeJob& job, const lit::MaterialSurface& s, const lit::LightSample& light,
+                                 TracedLight& out, TracedParts& parts) {
+    const lit::MaterialTraits traits = point_traits(job);
+    const lit::Reflection reflection = reflection_of(job);
+    const lit::LightTerms terms = point_terms(job, s, light);
+    trace_full_lobe(job, s, traits, light, out);
+    trace_parts({s, light, traits, reflection, light_albedo(job, traits, light.l, s), 1.0f}, parts);
+    put_terms(terms, out);
+    return terms;
+}
+
 }  // namespace
 
 void trace_point(const ShadeJob* job, float roughness, const float (&position)[3], const float (&normal)[3],
-                 float (&received)[3][3], TracedLight* lights) {
+                 float (&received)[3][3], TracedLight* lights, TracedParts* parts) {
     const vec3 at = splat(position);
     const lit::Surface surface = point_surface(*job, roughness, at, splat(normal));
     vec3 sum[3] = {vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f)};
     for (int32_t i = 0; i < job->light_count; ++i) {
         const lit::LightSample sample = light_at(*job, i, at);
         lit::LightTerms terms = trace_light(*job, i, at, surface, sample, lights[i]);
-        if (job->full != nullptr) {
-            terms = point_terms(*job, full_point(*job, roughness, at, splat(normal)), sample);
-            put_terms(terms, lights[i]);
-        }
+        if (job->full != nullptr)
+            terms = trace_full_point(*job, full_point(*job, roughness, at, splat(normal)), sample, lights[i], parts[i]);
+        else
+            trace_plain_parts(*job, surface, sample, parts + i);
         sum[0] = sum[0] + terms.ambient;
         sum[1] = sum[1] + terms.diffuse;
         sum[2] = sum[2] + terms.specular;
@@ -383,7 +424,8 @@ void trace_point(const ShadeJob* job, float roughness, const float (&position)[3
     for (int k = 0; k < 3; ++k) put(received[k], sum[k]);
 }
 
-void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, TracedTexels* texels) {
+void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, TracedTexels* texels,
+                 TracedParts* parts) {
     PixelTrace& out = *pixel;
     out = PixelTrace{};
     FullPixels f;
@@ -405,10 +447,11 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, Tr
     if (out.is_lit_at_corners) trace_received(*job, p, out);
     if (job->unlit == 0 && job->lit == nullptr) {
         if (job->full != nullptr)
-            trace_full_lights(*job, f, lights);
+            trace_full_lights(*job, f, lights, parts);
         else
-            trace_lights(*job, p, f.surface.base, f.emission, lights);
+            trace_lights(*job, p, f.surface.base, f.emission, lights, parts);
     }
+    if (parts != nullptr && job->full != nullptr) trace_parts_around(*job, f, parts[job->light_count]);
     put(out.color, color_of(*job));
     out.alpha = job->full != nullptr ? shown_alpha(*job, f.bumps, f.base.color.w) : f.base.color.w;
 }

@@ -54,6 +54,74 @@ enum TracedMap : int32_t {
     traced_maps,
 };
 
+/// What a factor of a term is. src/tools/explain_factors.cpp has words for each.
+enum class TracedQuantity : int32_t {
+    k_ambient,
+    k_diffuse,
+    k_specular,
+    light_color,      ///< that arrives: of the light, attenuated
+    n_dot_l,          ///< 0..1
+    n_dot_l_diffuse,  ///< 0..1, of the normal that the diffuse term has for itself
+    n_dot_l_coat,     ///< 0..1, of the coat's normal
+    pi,               ///< a light's color is irradiance / pi
+    oren_nayar,       ///< A + B ...
+    power,            ///< r.v or n.h to the exponent
+    energy_factor,    ///< of the normalized forms: pi times the lobe's normalization
+    ward_peak,        ///< [1/sr] 1 / (4 pi alpha_x alpha_y)
+    ward_exponential,
+    ward_divided,  ///< 1 / sqrt(n.l n.v), 1 / (n.l n.v) or 1 / ((l.h)^2 (n.h)^4)
+    fresnel,       ///< f0 + (f90 - f0) (1 - v.h)^5
+    fresnel_rest,  ///< 1 - that of the dielectric part
+    distribution,  ///< [1/sr] D
+    visibility,    ///< [1] V
+    scattering_color,
+    scattering_lost_l,  ///< 1 - E(l)
+    scattering_lost_v,  ///< 1 - E(v)
+    scattering_mean,    ///< [1/sr] 1 / (pi (1 - E mean))
+    sheen_color,
+    sheen_lobe,  ///< [1/sr] D V
+    sheen_rest,  ///< what the sheen leaves
+    coat_reflectance,
+    coat_rest,       ///< what the coat lets through
+    above,           ///< 0: light or viewer are below the surface; else left out
+    seen,            ///< not in shadow; left out where it is 1
+    around_diffuse,  ///< reflectances of light from all around
+    around_specular,
+    around_sheen,
+    around_coat,
+    mean_light,  ///< from all around, weighted by the cosine about the normal
+    mean_light_sheen,
+    mirrored,  ///< from about the mirror direction
+    mirrored_coat,
+    own_emission,  ///< the material's
+    count,
+};
+
+struct TracedFactor {
+    TracedQuantity quantity;
+    int32_t is_color;  ///< 0: all of `value` is one number
+    float value[3];
+};
+inline constexpr int most_factors = 12;
+
+enum class TracedTerm : int32_t { ambient, diffuse, specular, emission };
+/// Layers of a material, from below.
+enum class TracedLayer : int32_t { base, scattering, sheen, coat };
+
+/// A product that is added to a term. Parts of one term come to it but for rounding.
+struct TracedPart {
+    TracedTerm term;
+    TracedLayer layer;
+    int32_t count;
+    TracedFactor factor[most_factors];
+};
+inline constexpr int most_parts = 6;
+/// Of one light, or of what comes from all around and the emission.
+struct TracedParts {
+    int32_t count;
+    TracedPart part[most_parts];
+};
+
 /// One light at the pixel. Vectors in world axes.
 struct TracedLight {
     float to_light[3];     ///< unit l
@@ -64,8 +132,9 @@ struct TracedLight {
     float lobe_cosine;     ///< n.h (Blinn-Phong, Ward, pbr) or r.v (Phong), 0 for Lambert and Oren-Nayar
     float lobe;            ///< lobe_cosine to the power of the exponent; Ward and pbr: [1/sr] the lobe with F = 1
     float fresnel_weight;  ///< pbr: (1 - v.h)^5
-    float specular_factor; ///< what k_s and the light's color are multiplied by
-    float ambient_color[3], diffuse_color[3], specular_color[3];  ///< of the light, attenuated
+    float specular_factor;  ///< what k_s and the light's color are multiplied by; pbr: Fresnel's term and the color
+    float own_ambient[3], own_diffuse[3], own_specular[3];        ///< of the light; photometric: intensity / pi
+    float ambient_color[3], diffuse_color[3], specular_color[3];  ///< that arrive: times attenuation and spot
     float ambient[3], diffuse[3], specular[3];                    ///< what is added to the sum
     float sum[3];          ///< after this light
     float seen;            ///< 0..1: how much of its diffuse and specular light is not in shadow
@@ -98,6 +167,7 @@ struct PixelTrace {
     float lobe_alpha[2];     ///< Ward, pbr: widths of the lobe along its axes
     float f90[3];            ///< pbr: reflectance at a grazing angle; k_specular is f0
     float coat, coat_alpha;  ///< pbr: clearcoat's reflectance towards the viewer, its lobe's width
+    float coat_normal[3];
     float sheen[3], sheen_alpha;
     float oren_nayar[2];      ///< A and B
     float environment[3][3];  ///< ambient, diffuse and specular term of the light from all around
@@ -110,13 +180,14 @@ struct PixelTrace {
 namespace trace {
 /// Lights one point of flat and Gouraud shading as the engine's `light` does and records how: `received` is ambient,
 /// diffuse and specular, each the sum over the lights in their order; TracedLight::sum is left at 0. `lights` takes
-/// job->light_count entries.
+/// job->light_count entries, `parts` as many.
 void trace_point(const ShadeJob* job, float roughness, const float (&position)[3], const float (&normal)[3],
-                 float (&received)[3][3], TracedLight* lights);
+                 float (&received)[3][3], TracedLight* lights, TracedParts* parts);
 /// Shades the first pixel of a job as its `shade` does and records how. `lights` takes job->light_count entries; those
 /// of unlit surfaces and of surfaces lit at their corners are left as they are. `texels` takes traced_maps entries, or
-/// null. The numbers are those of the engine's kernels to the bit, which run the same source.
-void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, TracedTexels* texels);
+/// null; `parts` those of each light and after them those of what shines without one, or null. The numbers are those of
+/// the engine's kernels to the bit, which run the same source.
+void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, TracedTexels* texels, TracedParts* parts);
 }  // namespace trace
 
 }  // namespace rakelight::raster
