@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Shadows and fog side by side, for docs/shadows.md.
+"""Shadows, fog and --light-cutoff side by side, for docs/shadows.md.
 
-  light_pictures.py [--program build/release/rakelight] shadows|fog OUT.png
+  light_pictures.py [--program build/release/rakelight] shadows|fog|cutoff OUT.png
 
 The scene is made here: solids on a floor, or a row of columns. Only the standard library is needed."""
 import argparse
@@ -10,6 +10,7 @@ import math
 import pathlib
 import tempfile
 
+from make_many_lights import world
 from sheet import PROGRAM, write_sheet
 
 WIDTH, HEIGHT = 240, 160
@@ -99,15 +100,27 @@ def columns():
     return obj
 
 
+def write_cutoffs(picture, folder, program):
+    """A thousand lamps without and with --light-cutoff, and below four times what that takes away."""
+    scene = folder / "lamps.scene.toml"
+    scene.write_text(world())
+    parts = [(str(scene), "--light-cutoff", value) for value in ("0", "0.0003", "0.001", "0.004")]
+    lost = [(part, (str(scene), "--light-cutoff", "0"), 4) for part in parts]
+    write_sheet(picture, [parts, lost], 200, 112, program, samples=4, colors=64, columns=("light-cutoff 0", "0.0003", "0.001", "0.004"),
+                lines=("", "4 x lost"))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("subject", choices=("shadows", "fog"))
+    parser.add_argument("subject", choices=("shadows", "fog", "cutoff"))
     parser.add_argument("picture", type=pathlib.Path)
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     options = parser.parse_args()
     scene, camera, parts = (solids(), SOLIDS, SHADOWS) if options.subject == "shadows" else (columns(), COLUMNS, FOGS)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
+        if options.subject == "cutoff":
+            return write_cutoffs(options.picture, folder, options.program)
         (folder / "m.mtl").write_text("".join(f"newmtl {m}\nKd {c}\nKs 0.3 0.3 0.3\nNs 30\n" for m, c in (
             ("floor", "0.8 0.78 0.74"), ("red", "0.8 0.35 0.3"), ("blue", "0.35 0.5 0.8"), ("gray", "0.7 0.7 0.7"))))
         (folder / "scene.obj").write_text("\n".join(scene.lines) + "\n")

@@ -110,6 +110,9 @@ void add_view_options(CLI::App& app, const char* group, RenderWords& w) {
     add(app, group, "--camera-view-angle", w.view_angle, "DEG", "Vertical angle of view (default 40)");
     add(app, group, "--camera-horizontal-angle", w.horizontal_angle, "DEG",
         "Horizontal angle of view; with --camera-view-angle both hold, and pixels need not be square");
+    add(app, group, "--near", w.near, "D",
+        "Nothing nearer is drawn [m], more than 0 (default: the camera's, else before the model)");
+    add(app, group, "--far", w.far, "D", "Nothing farther is drawn [m] (default: the camera's, else behind the model)");
     app.add_flag("--camera-orthographic", w.orthographic,
                  "Parallel projection, as high as what the angle of view shows at the focal point")
         ->group(group);

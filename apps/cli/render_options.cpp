@@ -182,6 +182,17 @@ void apply_normals(const RenderWords& w, PrepareOptions& p) {
     p.crease_angle_rad = angle == 180 ? pi : radians(angle);
 }
 
+void apply_depths(const RenderWords& w, ViewRequest& v) {
+    const auto distance = [](const char* option, const std::string& text) {
+        const double meters = number(option, text);
+        if (!(meters > 0)) throw Error(ErrorCode::usage, std::string(option) + ": must be more than 0 meters");
+        return meters;
+    };
+    if (!w.near.empty()) v.near = distance("--near", w.near);
+    if (!w.far.empty()) v.far = distance("--far", w.far);
+    if (v.near && v.far && !(*v.near < *v.far)) throw Error(ErrorCode::usage, "--near: must be less than --far");
+}
+
 void apply_view(const RenderWords& w, ViewRequest& v) {
     v.side = w.view;
     v.camera = w.camera;
@@ -213,6 +224,7 @@ void apply_view(const RenderWords& w, ViewRequest& v) {
     };
     if (!w.view_angle.empty()) v.vertical_fov_rad = angle("--camera-view-angle", w.view_angle);
     if (!w.horizontal_angle.empty()) v.horizontal_fov_rad = angle("--camera-horizontal-angle", w.horizontal_angle);
+    apply_depths(w, v);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct RenderWords {
     std::string line_width, line_color, points, point_size;
     std::string normals, crease_angle, weight, uv, tangents, orthogonalize;
     std::string displacement_edge, displacement_triangles;
-    std::string view, camera, position, focal_point, up, view_angle, horizontal_angle;
+    std::string view, camera, position, focal_point, up, view_angle, horizontal_angle, near, far;
     bool orthographic = false, keep_instances = false, stats = false, edges = false, wireframe = false,
          point_sprites = false;
 };

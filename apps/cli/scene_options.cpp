@@ -27,6 +27,8 @@ constexpr OptionEntry<W> table[] = {
     {materials, "--normal-map-zero", &W::normal_map_zero, "127.5|128",
      "The byte of normal maps that means 0 (default: the material's, 127.5)"},
     {light_group, "--light-intensity", &W::light_intensity, "F", "Multiplies every light (default 1)"},
+    {light_group, "--light-cutoff", &W::light_cutoff, "VALUE",
+     "Lights without a range end where less is left of them, 0 to 1 (default 0: nowhere)"},
     {light_group, "--fog", &W::fog, "SPEC", "none, linear:START,END, exp:DENSITY or exp2:DENSITY; then :color=COLOR"},
     {light_group, "--hdri-file", &W::hdri_file, "FILE",
      "Picture of the surroundings, equirectangular (default: a built-in studio)"},
@@ -63,6 +65,7 @@ void apply_keys(const W& w, MaterialOverrides& m) {
 void apply_lights(const W& w, PictureRequest& request) {
     if (!w.light_intensity.empty())
         request.light_intensity = number("--light-intensity", w.light_intensity, 0, 1'000'000);
+    if (!w.light_cutoff.empty()) request.light_cutoff = number("--light-cutoff", w.light_cutoff, 0, 1);
     if (w.lights.empty()) return;
     if (w.lights.size() == 1 && w.lights[0] == "default") {
         request.default_lights = true;

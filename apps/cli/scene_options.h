@@ -16,8 +16,8 @@ namespace rakelight::cli {
 struct SceneWords {
     std::string texture_base_color, texture_normal, height_map, normal_scale, normal_map_green, normal_map_zero;
     std::string color, opacity, roughness, metallic;
-    std::string light_intensity, fog, hdri_file, hdri_ambient, hdri_skybox, hdri_intensity, hdri_rotation, tone_mapping,
-        exposure;
+    std::string light_intensity, light_cutoff, fog, hdri_file, hdri_ambient, hdri_skybox, hdri_intensity, hdri_rotation,
+        tone_mapping, exposure;
     std::vector<std::string> lights, material_keys;
 };
 

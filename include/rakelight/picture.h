@@ -27,6 +27,9 @@ struct ViewRequest {
     std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
     /// 0..pi, both exclusive. Alone: pixels stay square, the vertical one follows. With the vertical one: pixels are as wide as both say.
     std::optional<double> horizontal_fov_rad;
+    /// [m] more than 0, near < far: nothing nearer, nothing farther is drawn. Absent: the camera's own, or about the
+    /// model where the camera is fitted or placed.
+    std::optional<double> near, far;
     bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
 
     bool is_placed() const { return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic; }
@@ -92,6 +95,9 @@ struct PictureRequest {
         lights;  ///< replace all lights; else the file's, else, where no environment lights the scene, the default rig
     bool default_lights = false;               ///< the default rig although the file has lights; `lights` goes first
     double light_intensity = 1;                ///< >= 0; multiplies every light
+    /// [radiance of a white Lambert surface that faces the light] 0..1: point and spot lights without a range get one
+    /// where less than this is left of them; no surface loses more of a light than this. 0: none does.
+    double light_cutoff = 0;
     std::optional<Fog> fog;                    ///< in place of the scene's
     ToneSettings tone;                         ///< of 8-bit pictures; EXR and HDR stay linear
     std::string hdri_file;      ///< equirectangular picture, takes the place of the scene's environment; empty: none

@@ -43,6 +43,8 @@ void check_output(const PictureRequest& request) {
 void check_request(const PictureRequest& request) {
     check_engine_name(request.engine);
     check_size(request.settings);
+    if (!(request.light_cutoff >= 0 && request.light_cutoff <= 1))
+        throw Error(ErrorCode::usage, "the light cutoff must be 0 to 1");
     (void)ToneCurve(request.tone);  // an exposure that cannot be
     try {
         check_output(request);

@@ -12,6 +12,7 @@
 #include "render/picture_steps.h"
 #include "render/stopwatch.h"
 #include "render/view_range.h"
+#include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -74,7 +75,11 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
     warn_of_unknown_names(scene, request.settings, context.report());
     const double aspect = double(request.settings.width) / double(request.settings.height);
     const Camera camera = choose_camera(scene, request.view, aspect, context);
-    scene = prepare_scene(with_lights(std::move(scene), request, camera), prepare_options(request), context);
+    scene = with_lights(std::move(scene), request, camera);
+    if (request.light_cutoff > 0)
+        context.report().add(Remark::note, scene.source, "",
+                             said(cut_lights(scene.lights, request.light_cutoff), request.light_cutoff));
+    scene = prepare_scene(scene, prepare_options(request), context);
     return {std::move(scene), camera};
 }
 

@@ -25,6 +25,10 @@ void check_placement(const ViewRequest& view) {
         throw Error(ErrorCode::usage, "the camera's view angle must be more than 0 and less than 180 degrees");
     if (view.horizontal_fov_rad && !(*view.horizontal_fov_rad > 0 && *view.horizontal_fov_rad < pi))
         throw Error(ErrorCode::usage, "the camera's horizontal angle must be more than 0 and less than 180 degrees");
+    if ((view.near && !(*view.near > 0)) || (view.far && !(*view.far > 0)))
+        throw Error(ErrorCode::usage, "the camera's near and far must be more than 0 m");
+    if (view.near && view.far && !(*view.near < *view.far))
+        throw Error(ErrorCode::usage, "the camera's near must be less than its far");
     if (view.up && *view.up == dvec3{0, 0, 0}) throw Error(ErrorCode::usage, "the camera's up must not be zero");
 }
 
@@ -90,8 +94,8 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     }
     camera.node = none;
     set_depths(camera, bounds);
-    if (!may_see(camera, aspect, bounds))
-        context.report().add(Remark::warning, file, "", "the camera that was asked for sees nothing of the model");
+    set_asked_depths(camera, view);
+    warn_if_blind(camera, aspect, bounds, file, context.report());
     return camera;
 }
 

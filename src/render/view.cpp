@@ -38,16 +38,23 @@ Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
     return adapt_to_aspect(camera, aspect);
 }
 
-/// A camera of the file, or the fitted one with a remark where the file's cannot show the model.
-Camera checked_camera_of_file(const Scene& scene, std::size_t index, double aspect, const Bounds& bounds,
-                              Context& context) {
-    const Camera camera = camera_of_file(scene, index, aspect);
+/// A camera of the file, or the fitted one with a remark where the file's cannot show the model. One that shows it but
+/// for the depths that were asked for is kept.
+Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewRequest& view, double aspect,
+                              const Bounds& bounds, Context& context) {
+    Camera camera = camera_of_file(scene, index, aspect);
     const std::string place = "camera " + std::to_string(index) + (camera.name.empty() ? "" : " '" + camera.name + "'");
-    if (is_drawable(camera) && may_see(camera, aspect, bounds)) return camera;
-    context.report().add(Remark::warning, scene.source, place,
-                         is_drawable(camera) ? "the camera sees nothing of the model, the default view is used instead"
-                                             : "the camera is impossible, the default view is used instead");
-    return default_camera(bounds, aspect);
+    const auto use_default = [&](const std::string& why) {
+        context.report().add(Remark::warning, scene.source, place, why + "; the default view is used instead");
+        return default_camera(bounds, aspect);
+    };
+    if (!is_drawable(camera)) return use_default("the camera is impossible");
+    set_asked_depths(camera, view);
+    const std::string why = why_blind(camera, aspect, bounds);
+    if (why.empty()) return camera;
+    if (!view.near && !view.far) return use_default("the camera sees nothing of the model: " + why);
+    context.report().add(Remark::warning, scene.source, place, "the camera sees nothing of the model: " + why);
+    return camera;
 }
 
 /// A horizontal angle alone becomes the vertical one of square pixels; both change `aspect` to that of what is seen.
@@ -102,35 +109,16 @@ Camera choose_camera(const Scene& scene, const ViewRequest& asked, double pictur
     const bool use_file = !view.camera.empty() || (view.side.empty() && !view.is_placed() && !scene.cameras.empty());
     if (use_file) {
         const std::size_t index = view.camera.empty() ? 0 : find_camera(scene, view.camera);
-        if (!view.is_placed()) return checked_camera_of_file(scene, index, aspect, bounds, context);
+        if (!view.is_placed()) return checked_camera_of_file(scene, index, view, aspect, bounds, context);
         return place_camera(camera_of_file(scene, index, aspect), false, view, aspect, bounds, scene.source, context);
     }
     const FitWishes wishes{view.up, view.vertical_fov_rad};
-    const Camera fitted = view_camera(bounds, aspect, view.side.empty() ? "default" : view.side, wishes);
+    Camera fitted = view_camera(bounds, aspect, view.side.empty() ? "default" : view.side, wishes);
     if (!view.position) check_fitted(fitted);
-    return view.is_placed() ? place_camera(fitted, true, view, aspect, bounds, scene.source, context) : fitted;
-}
-
-bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
-    const bool perspective = camera.projection == Projection::perspective;
-    const double half_height = perspective ? math::tan(0.5 * camera.vertical_fov_rad) : camera.half_height;
-    double half_width = half_height * aspect;
-    if (perspective && camera.horizontal_fov_rad) half_width = math::tan(0.5 * *camera.horizontal_fov_rad);
-    if (!perspective && camera.half_width) half_width = *camera.half_width;
-    const dvec3 eye = camera.to_world[3].xyz();
-    unsigned outside_all = 0x3F;  // one bit a plane: left, right, bottom, top, near, far
-    for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p = dvec3{corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
-                              corner & 4 ? bounds.high.z : bounds.low.z} -
-                        eye;
-        const double x = dot(p, camera.to_world[0].xyz()), y = dot(p, camera.to_world[1].xyz());
-        const double distance = -dot(p, camera.to_world[2].xyz());
-        const double at_one = perspective ? distance : 1, limit_x = half_width * at_one, limit_y = half_height * at_one;
-        outside_all &= unsigned(x < -limit_x) | unsigned(x > limit_x) << 1 | unsigned(y < -limit_y) << 2 |
-                       unsigned(y > limit_y) << 3 | unsigned(distance < camera.near) << 4 |
-                       unsigned(distance > camera.far) << 5;
-    }
-    return outside_all == 0;
+    if (view.is_placed()) return place_camera(fitted, true, view, aspect, bounds, scene.source, context);
+    set_asked_depths(fitted, view);
+    if (view.near || view.far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
+    return fitted;
 }
 
 Camera adapt_to_aspect(Camera camera, double aspect) {

@@ -10,6 +10,14 @@ namespace rakelight {
 /// False when the box lies wholly on the outer side of one plane of the camera's frustum: nothing of it can be seen.
 bool may_see(const Camera& camera, double aspect, const Bounds& bounds);
 
+/// Why nothing of the box can be seen, without a full stop; empty: something may be.
+std::string why_blind(const Camera& camera, double aspect, const Bounds& bounds);
+/// Warns of a camera that was asked for and sees nothing.
+void warn_if_blind(const Camera& camera, double aspect, const Bounds& bounds, const std::string& file, Report& report);
+
+/// Near and far as the request says, where it does. @throws Error usage: near is not less than far
+void set_asked_depths(Camera& camera, const ViewRequest& view);
+
 /// The camera with square pixels in a picture of another aspect than it asks for: all that it wants to show stays in.
 Camera adapt_to_aspect(Camera camera, double aspect);
 
@@ -21,7 +29,8 @@ std::size_t find_camera(const Scene& scene, const std::string& wanted);
 void check_placement(const ViewRequest& view);
 
 /// Moves, turns and zooms a fitted or a file's camera as the request says (a fitted one already has its up and
-/// view angle); near and far lie about the box afterwards.
+/// view angle); near and far are those of the request
+/// afterwards, else lie about the box.
 /// `file` is for remarks.
 Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
                     const std::string& file, Context& context);

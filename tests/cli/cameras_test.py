@@ -30,6 +30,26 @@ class Cameras(program.Case):
             self.assertIn(word, result.err)
         self.assertFalse((self.folder / "a.png").exists())
 
+    def test_near_and_far_cut_the_model_and_what_cannot_be_is_refused(self):
+        view = ("builtin:sphere", "--camera-position", "0,0,3", "--camera-focal-point", "0,0,0")
+        whole = self.covered(self.render(*view))
+        for cut, outline in (("--near", 1), ("--far", 0.99)):  # through the middle: near shows the same outline from inside, far the front
+            result = self.render(*view, cut, "3", "--cull", "none")
+            self.assertAlmostEqual(self.covered(result), outline * whole, delta=0.12 * whole)
+        self.assertLess(self.covered(self.render(*view, "--near", "3.9", "--cull", "none")), 0.3 * whole)
+        for words, message in ((("--near", "0"), "--near: must be more than 0"), (("--far=-1",), "--far: must be more than 0"), (("--near", "x"), "--near"),
+                               (("--near", "2", "--far", "2"), "--near: must be less than --far"), (("--near", "50"), "near, 50 m, is not less than the far"),
+                               (("--far", "1"), "far, 1 m, is not more than the near")):
+            (self.folder / "a.png").unlink(missing_ok=True)
+            self.check_no_picture(self.render(*view, *words), message)
+
+    def test_a_camera_too_far_for_its_far_plane_is_replaced_and_the_plane_is_named(self):
+        self.write("w.scene.toml", '[[primitive]]\ntype = "sphere"\n[[camera]]\nposition = [0, 0, 4301]\n')
+        result = self.render("w.scene.toml")
+        self.assertIn("all of it is 4300 m away or more, and far is 1000 m; the default view is used instead", result.out)
+        result = self.render("w.scene.toml", "--far", "5000")
+        self.assertEqual((result.code, "default view" in result.out), (0, False))
+
     def test_an_up_along_the_view_gives_a_picture_and_one_of_no_length_is_refused(self):
         view = ("builtin:teapot", "--camera-position", "0,5,0", "--camera-focal-point", "0,0,0")
         along = self.covered(self.render(*view))

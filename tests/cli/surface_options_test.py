@@ -18,7 +18,7 @@ TAKEN = [f"--lighting {m}" for m in "auto lambert phong blinn-phong oren-nayar w
     """--multiple-scattering|--viewer-infinity|--displacement-edge 0.1|--displacement-triangles 1000|--subdivide 2|--subdivide-edge 0.5|--subdivide-edge 1 --subdivide 3|--subdivide 1 --subdivide-scheme loop|--subdivide 1 --subdivide-crease 30 --subdivide-sharpness 1.5|--subdivide 1 --subdivide-boundary edge --subdivide-uv smooth|--bump-depth 0.1|--bump-bias 0.5|--bump-polarity depth|--bump-steps 8,64|--bump-refinement 3
 --bump-self-shadow|--bump-silhouette|--normalize-frames off|--shadows|--shadow-size 256|--shadow-bias 2|--shadow-filter 0|--exposure -1.5
 --hdri-ambient|--hdri-skybox|--color #ff8000|--color 1,0.5,0|--opacity 0.5|--roughness 0.3|--metallic 1|--normal-map-green down
---normal-map-zero 128|--light-intensity 2|--light photometric-point:0,1,2:intensity=9:color=1,1,0.5:range=20
+--normal-map-zero 128|--light-intensity 2|--light-cutoff 0|--light-cutoff 0.004 --light point:0,1,2:attenuation=1,0,4|--light photometric-point:0,1,2:intensity=9:color=1,1,0.5:range=20
 --light photometric-spot:0,1,2:direction=0,-1,-2:inner=10:outer=20|--light photometric-directional:0,0,-1:intensity=2:shadow=off
 --light point:0,0,2:ambient=0.1,0,0:range=5|--material clearcoat=1|--material color=0.5,0.5,0.5|--material color=#808080|--material alpha=blend
 --material bump_steps=4,9|--material unlit=true|--material ior=2|--hdri-intensity 0.5|--hdri-rotation -90""".replace("\n", "|").split("|")
@@ -27,7 +27,7 @@ REFUSED = """--lighting x|--ward-form x|--bump x|--bump-terms x|--displacement-e
 --bump-steps 8|--bump-steps 9,8|--bump-steps 0,8|--bump-steps 8,1025|--bump-refinement 33|--tangent-space x|--normal-map-green left
 --normal-map-zero 127|--shadow-size 15|--shadow-size 8193|--shadow-bias -1|--shadow-filter 5|--fog x|--fog linear|--fog linear:1|--fog linear:2,1
 --fog exp:-1|--fog exp:1:colour=1,1,1|--fog none:1|--fog exp:0.1:color=purple|--tone-mapping filmic|--exposure 31|--exposure inf|--color purple
---color 1,1,2|--opacity 1.1|--roughness -1|--metallic 2|--light-intensity -1|--shadows=maybe|--hdri-ambient=5|--light photometric-point:0,0,0:attenuation=1,0,0
+--color 1,1,2|--opacity 1.1|--roughness -1|--metallic 2|--light-intensity -1|--light-cutoff -0.1|--light-cutoff 2|--light-cutoff nan|--shadows=maybe|--hdri-ambient=5|--light photometric-point:0,0,0:attenuation=1,0,0
 --light point:0,0,0:intensity=2|--light photometric-spot:0,0,0:inner=20:outer=10|--light photometric-spot:0,0,0:outer=91
 --material clearcoat|--material clearcot=1|--material clearcoat=2|--material clearcoat=much|--material specular=1,1|--material bump_steps=9,4
 --material color=#12|--material unlit=maybe|--material ior=|--hdri-intensity -1|--hdri-rotation 361|--material name=x|--material =1
@@ -84,6 +84,17 @@ class SurfaceOptions(program.Case):
             self.assertEqual(self.run_program(*self.render, *light, "--light-intensity", intensity).code, 0)
             codes.append(png(self.folder / "a.png")[3][6][24])
         self.assertEqual(codes, [124, 170])  # 0.2 and 0.4 as sRGB
+
+    def test_a_cutoff_ends_lights_and_says_so_and_0_changes_no_byte(self):
+        light = ("--light", "point:0,0,2:attenuation=1,0,4", "--light", "point:1,0,2", "--color", "1,1,1", "--view", "front")
+        written = []
+        for cutoff in ((), ("--light-cutoff", "0"), ("--light-cutoff", "0.05")):
+            result = self.run_program(*self.render, *light, *cutoff, "--verbose")
+            self.assertEqual(result.code, 0, result.err)
+            self.assertEqual("1 light cut at 2.18 m; without an end, since they stay brighter: 1" in result.err, "0.05" in cutoff, result.err)
+            written.append((self.folder / "a.png").read_bytes())
+        self.assertEqual(written[0], written[1])
+        self.assertNotEqual(written[0], written[2])
 
     def test_a_photometric_light_falls_off_by_the_square_of_the_distance(self):
         def brightness(distance):

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Near and far of a camera, and what it can see of a box.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "math/functions.h"
+#include "math/linear.h"
+#include "render/view.h"
+
+namespace rakelight {
+namespace {
+
+/// Planes of the frustum that all of a box is on the outer side of, a bit each, and how far off it is.
+struct Outside {
+    enum Plane : unsigned { left = 1, right = 2, below = 4, above = 8, near = 16, far = 32 };
+    unsigned planes = left | right | below | above | near | far;
+    double nearest = HUGE_VAL, farthest = -HUGE_VAL;  ///< [m] of the box, along the view axis
+};
+
+Outside outside_of(const Camera& camera, double aspect, const Bounds& bounds) {
+    const bool perspective = camera.projection == Projection::perspective;
+    const double half_height = perspective ? math::tan(0.5 * camera.vertical_fov_rad) : camera.half_height;
+    double half_width = half_height * aspect;
+    if (perspective && camera.horizontal_fov_rad) half_width = math::tan(0.5 * *camera.horizontal_fov_rad);
+    if (!perspective && camera.half_width) half_width = *camera.half_width;
+    const dvec3 eye = camera.to_world[3].xyz();
+    Outside out;
+    for (int corner = 0; corner < 8; ++corner) {
+        const dvec3 p = dvec3{corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                              corner & 4 ? bounds.high.z : bounds.low.z} -
+                        eye;
+        const double x = dot(p, camera.to_world[0].xyz()), y = dot(p, camera.to_world[1].xyz());
+        const double distance = -dot(p, camera.to_world[2].xyz());
+        const double at_one = perspective ? distance : 1, limit_x = half_width * at_one, limit_y = half_height * at_one;
+        out.planes &= unsigned(x < -limit_x) * Outside::left | unsigned(x > limit_x) * Outside::right |
+                      unsigned(y < -limit_y) * Outside::below | unsigned(y > limit_y) * Outside::above |
+                      unsigned(distance < camera.near) * Outside::near | unsigned(distance > camera.far) * Outside::far;
+        out.nearest = std::min(out.nearest, distance);
+        out.farthest = std::max(out.farthest, distance);
+    }
+    return out;
+}
+
+std::string meters(double length) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g m", length);
+    return text;
+}
+
+}  // namespace
+
+bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
+    return outside_of(camera, aspect, bounds).planes == 0;
+}
+
+std::string why_blind(const Camera& camera, double aspect, const Bounds& bounds) {
+    const Outside o = outside_of(camera, aspect, bounds);
+    if (o.planes == 0) return {};
+    if (o.farthest <= 0 && camera.near >= 0) return "all of it lies behind the camera";
+    constexpr std::array<const char*, 4> sides = {"to the left of", "to the right of", "below", "above"};
+    for (std::size_t k = 0; k < sides.size(); ++k)
+        if (o.planes & 1u << k) return std::string("all of it lies ") + sides[k] + " the picture";
+    if (o.planes & Outside::far)
+        return "all of it is " + meters(o.nearest) + " away or more, and far is " + meters(camera.far);
+    return "all of it is " + meters(o.farthest) + " away or less, and near is " + meters(camera.near);
+}
+
+void warn_if_blind(const Camera& camera, double aspect, const Bounds& bounds, const std::string& file, Report& report) {
+    const std::string why = why_blind(camera, aspect, bounds);
+    if (!why.empty())
+        report.add(Remark::warning, file, "", "the camera that was asked for sees nothing of the model: " + why);
+}
+
+void set_asked_depths(Camera& camera, const ViewRequest& view) {
+    if (view.near) camera.near = *view.near;
+    if (view.far) camera.far = *view.far;
+    if ((!view.near && !view.far) || camera.near < camera.far) return;
+    if (view.near)  // both were compared before
+        throw Error(ErrorCode::usage,
+                    "near, " + meters(camera.near) + ", is not less than the far of this camera, " + meters(camera.far),
+                    {}, "give a far too");
+    throw Error(ErrorCode::usage,
+                "far, " + meters(camera.far) + ", is not more than the near of this camera, " + meters(camera.near), {},
+                "give a near too");
+}
+
+}  // namespace rakelight

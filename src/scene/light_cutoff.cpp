@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/light_cutoff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include <rakelight/light_limits.h>
+
+namespace rakelight {
+namespace {
+
+constexpr double farthest = 1e30;  // [m] that a range may be
+
+double largest(vec3 color) { return double(std::max({color.x, color.y, color.z})); }
+
+double brightest(const Light& light) {
+    if (light.units == LightUnits::photometric) return largest(light.color) * double(light.intensity) / pi;
+    return std::max({largest(light.ambient), largest(light.diffuse), largest(light.specular)});
+}
+
+/// Where c + l d + q d^2 is `wanted`, by the form of the root that does not cancel.
+double distance_of(double c, double l, double q, double wanted) {
+    if (!(wanted > c)) return 0;
+    const double beyond = wanted - c;
+    return 2 * beyond / (l + std::sqrt(l * l + 4 * q * beyond));  // l = q = 0: infinity
+}
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::string counted_lights(std::size_t count) { return std::to_string(count) + (count == 1 ? " light" : " lights"); }
+
+}  // namespace
+
+double reach_of(const Light& light, double cutoff) {
+    const double wanted = brightest(light) / cutoff;
+    const double distance =
+        light.units == LightUnits::photometric
+            ? std::sqrt(wanted)
+            : distance_of(double(light.constant), double(light.linear), double(light.quadratic), wanted);
+    if (!(distance <= farthest)) return std::numeric_limits<double>::infinity();
+    return std::max(distance, least_light_range);
+}
+
+CutLights cut_lights(std::vector<Light>& lights, double cutoff) {
+    CutLights out;
+    for (Light& light : lights) {
+        if ((light.type != LightType::point && light.type != LightType::spot) || std::isfinite(light.range)) continue;
+        const double reach = reach_of(light, cutoff);
+        if (!std::isfinite(reach)) {
+            ++out.endless;
+            continue;
+        }
+        light.range = std::nextafter(float(reach), std::numeric_limits<float>::infinity());
+        out.least = out.cut == 0 ? light.range : std::min(out.least, light.range);
+        out.most = std::max(out.most, light.range);
+        ++out.cut;
+    }
+    return out;
+}
+
+std::string said(const CutLights& result, double cutoff) {
+    std::string text = "light cutoff " + number(cutoff) + ": ";
+    if (result.cut == 0)
+        text += "no light is cut";
+    else if (result.least == result.most)
+        text += counted_lights(result.cut) + " cut at " + number(double(result.least)) + " m";
+    else
+        text += counted_lights(result.cut) + " cut at " + number(double(result.least)) + " to " +
+                number(double(result.most)) + " m";
+    if (result.endless != 0) text += "; without an end, since they stay brighter: " + std::to_string(result.endless);
+    return text;
+}
+
+}  // namespace rakelight

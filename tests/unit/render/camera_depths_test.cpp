@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Near and far as the caller gives them, and what is said of a camera that sees nothing because of them.
+#include <gtest/gtest.h>
+#include <rakelight/rakelight.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "math/linear.h"
+#include "render/view.h"
+#include "unit/render/test_scene.h"
+
+namespace rakelight {
+namespace {
+
+using test::two_squares;
+
+constexpr double aspect = 1.5;
+
+Camera camera_at(dvec3 eye, dvec3 target) {
+    Camera camera;
+    camera.to_world = look_at(eye, target, {0, 1, 0});
+    return camera;
+}
+
+Scene seen_from(dvec3 eye, dvec3 target = {0, 0, 0}) {
+    Scene scene = two_squares();
+    scene.cameras = {camera_at(eye, target)};
+    return scene;
+}
+
+std::string only_remark(Context& context) {
+    const std::vector<ReportEntry> entries = context.report().entries();
+    return entries.size() == 1 ? entries[0].message : std::to_string(entries.size()) + " remarks";
+}
+
+TEST(CameraDepths, NearAndFarOfTheRequestReplaceThoseOfEveryKindOfCamera) {
+    Context context;
+    const Scene scene = seen_from({0, 0, 7});
+    for (const ViewRequest& view :
+         {ViewRequest{}, ViewRequest{.camera = "0"}, ViewRequest{.side = "front"},
+          ViewRequest{.position = dvec3{0, 0, 9}}, ViewRequest{.camera = "0", .orthographic = true}}) {
+        ViewRequest asked = view;
+        asked.near = 0.25, asked.far = 2000;
+        const Camera with = choose_camera(scene, asked, aspect, context),
+                     without = choose_camera(scene, view, aspect, context);
+        EXPECT_EQ(with.near, 0.25);
+        EXPECT_EQ(with.far, 2000);
+        EXPECT_EQ(with.to_world[3], without.to_world[3]) << "the camera stays where it is";
+        asked.far.reset();
+        EXPECT_EQ(choose_camera(scene, asked, aspect, context).far, without.far);
+    }
+}
+
+TEST(CameraDepths, WhatIsNearerThanNearOrFartherThanFarIsNotDrawn) {
+    Context context;
+    Scene scene = two_squares();
+    scene.nodes[1].local.translation = {0, 0, -4};  // the right square is 11 m away, the left one 7
+    scene.cameras = {camera_at({0, 0.5, 7}, {0, 0.5, 0})};
+    const auto halves = [&](std::optional<double> near, std::optional<double> far) {
+        const Camera camera = choose_camera(scene, {.near = near, .far = far}, 1, context);
+        const Frame frame = render(scene, camera, {.width = 40, .height = 40}, context);
+        const vec4 background = frame.color[0];
+        return std::pair{frame.color[20 * 40 + 18] != background, frame.color[20 * 40 + 21] != background};
+    };
+    EXPECT_EQ(halves({}, {}), std::pair(true, true));
+    EXPECT_EQ(halves(8.0, {}), std::pair(false, true));
+    EXPECT_EQ(halves({}, 10.0), std::pair(true, false));
+    EXPECT_EQ(halves(6.9, 11.1), std::pair(true, true));
+}
+
+TEST(CameraDepths, WhatCannotBeIsRefusedWithBothDistances) {
+    Context context;
+    const Scene scene = seen_from({0, 0, 7});
+    const auto refusal = [&](const ViewRequest& view) -> std::string {
+        try {
+            choose_camera(scene, view, aspect, context);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::usage);
+            return error.reason() + "; " + error.advice();
+        }
+        return "taken";
+    };
+    EXPECT_EQ(refusal({.near = 0.0}), "the camera's near and far must be more than 0 m; ");
+    EXPECT_EQ(refusal({.far = -1.0}), "the camera's near and far must be more than 0 m; ");
+    EXPECT_EQ(refusal({.near = 3.0, .far = 3.0}), "the camera's near must be less than its far; ");
+    EXPECT_EQ(refusal({.near = 5000.0}),
+              "near, 5000 m, is not less than the far of this camera, 1000 m; give a far too");
+    EXPECT_EQ(refusal({.far = 0.05}), "far, 0.05 m, is not more than the near of this camera, 0.1 m; give a near too");
+}
+
+TEST(CameraDepths, ACameraOfTheFileThatIsReplacedIsSaidToBeSoAndWhy) {
+    const auto said_of = [](const Scene& scene) {
+        Context context;
+        choose_camera(scene, {}, aspect, context);
+        return only_remark(context);
+    };
+    const std::string begin = "the camera sees nothing of the model: ", end = "; the default view is used instead";
+    EXPECT_EQ(said_of(seen_from({0, 0, 4300})), begin + "all of it is 4300 m away or more, and far is 1000 m" + end);
+    EXPECT_EQ(said_of(seen_from({0, 0, 0.05})), begin + "all of it is 0.05 m away or less, and near is 0.1 m" + end);
+    EXPECT_EQ(said_of(seen_from({0, 0, 7}, {0, 0, 9})), begin + "all of it lies behind the camera" + end);
+    EXPECT_EQ(said_of(seen_from({20, 0, 7}, {20, 0, 0})), begin + "all of it lies to the left of the picture" + end);
+    EXPECT_EQ(said_of(seen_from({0, -20, 7}, {0, -20, 0})), begin + "all of it lies above the picture" + end);
+}
+
+TEST(CameraDepths, ACameraThatSeesNothingByWhatWasAskedForIsKeptWithAWarning) {
+    Context context;
+    const Camera camera = choose_camera(seen_from({0, 0, 7}), {.far = 5.0}, aspect, context);
+    EXPECT_EQ(camera.to_world[3].xyz(), (dvec3{0, 0, 7}));
+    EXPECT_EQ(only_remark(context),
+              "the camera sees nothing of the model: all of it is 7 m away or more, and far is 5 m");
+}
+
+}  // namespace
+}  // namespace rakelight
