@@ -124,7 +124,7 @@ def main():
         (folder / "m.mtl").write_text("".join(f"newmtl {m}\nKd {c}\nKs 0.3 0.3 0.3\nNs 30\n" for m, c in (
             ("floor", "0.8 0.78 0.74"), ("red", "0.8 0.35 0.3"), ("blue", "0.35 0.5 0.8"), ("gray", "0.7 0.7 0.7"))))
         (folder / "scene.obj").write_text("\n".join(scene.lines) + "\n")
-        pictures = [(folder / "scene.obj", *camera, *arguments) for arguments in parts]
+        pictures = [(str(folder / "scene.obj"), *camera, *arguments) for arguments in parts]
         write_sheet(options.picture, [pictures[first:first + 4] for first in range(0, len(pictures), 4)], WIDTH, HEIGHT, options.program)
 
 

@@ -2,8 +2,8 @@
 // Shadow maps: how much of a light reaches a run of pixels. Percentage-closer filtering (Reeves, Salesin & Cook 1987,
 // "Rendering Antialiased Shadows with Depth Maps"), each texel compared with the plane of the pixel's triangle there
 // (Isidoro 2006, "Shadow Mapping: GPU-based Tips and Techniques": receiver plane depth bias), which is pushed out along
-// its normal by a part of a texel: towards a light at a grazing angle that is as much more as the plane is steeper. Per
-// instruction set.
+// its normal by a part of a texel: towards a light at a grazing angle that is as much more as the plane is steeper. How
+// far planes are carried on is bounded by what the texels round the pixel show: a rule of our own. Per instruction set.
 #pragma once
 #include "engines/raster/kernels/surface.h"
 
@@ -102,48 +102,94 @@ inline OnMap find_on_map(const ShadowView& s, vec3 position, vec3 normal) {
     return out;
 }
 
-/// How far, in nearness, the surface that a texel shows lies before or behind it at a place x, y texels aside.
-inline real rise_of(const ShadowView& s, integer texel, real there, real x, real y) {
+/// How steep the surface is that a texel shows: depth per texel to the right and down, in widths of a texel there.
+struct Slopes {
+    real x, y;
+};
+
+inline Slopes slopes_of(const ShadowView& s, integer texel) {
     const integer code = gather_i(s.slopes, texel);
     const real scale(1.0f / slope_codes), most(steepest_slope_on_map);
-    const real slope_x = to_real(code & integer(0xffff)) * scale - most;
-    const real slope_y = to_real(shift_right_logical(code, 16)) * scale - most;
-    const real deeper = (slope_x * x + slope_y * y) * real(1.0f / s.texels);
-    return s.is_orthographic != 0 ? -deeper : -(deeper * there);
+    return {to_real(code & integer(0xffff)) * scale - most, to_real(shift_right_logical(code, 16)) * scale - most};
+}
+
+/// The width of a texel, as a step in nearness, at a surface of this nearness.
+inline real width_at(const ShadowView& s, real nearness) {
+    return real(1.0f / s.texels) * (s.is_orthographic != 0 ? real(1.0f) : nearness);
+}
+
+/// What one texel says of a pixel.
+struct Tap {
+    mask free;     ///< nothing covers the pixel, whatever planes do between the two
+    real carried;  ///< 0..1: the same if both surfaces go on until their planes meet
+    mask shows;    ///< it shows the pixel's own surface, or one that meets it
+};
+
+/// The pixel's plane is carried on to the texel; where the texel's surface is before it, and near, that one's plane to
+/// the pixel: behind it, the surfaces meet between the two. The line along which they would is a texel wide.
+/// @param x, y      [texels] from the pixel to the texel's middle
+/// @param is_steep  the pixel's plane is steeper than steepest_slope_on_map
+inline Tap compare_with(const ShadowView& s, const OnMap& m, mask is_steep, integer texel, real x, real y) {
+    const bool parallel = s.is_orthographic != 0;
+    const real zero(0.0f), one(1.0f), most(steepest_slope_on_map), nothing(parallel ? -3.4e38f : 0.0f);
+    const real reach(2.0f * steepest_slope_on_map * float(s.filter + 1) / s.texels);
+    const real there = gather(s.nearness, texel), rise = m.per_x * x + m.per_y * y;
+    const mask before = there > max(m.nearness + rise, nothing);  // nothing is farther than nothing
+    Tap out{!before, select(before, zero, one), !before};
+    if (any_lane(is_steep)) {
+        const real width = width_at(s, m.nearness), per_width = -reciprocal(width), like(0.25f);
+        const real bounded = min(rise, most * (abs(x) + abs(y)) * width);
+        out.free = there <= max(m.nearness + select(is_steep, bounded, rise), nothing);
+        const Slopes t = slopes_of(s, texel);
+        const mask is_parallel = (abs(t.x - clamp(m.per_x * per_width, -most, most)) < like) &
+                                 (abs(t.y - clamp(m.per_y * per_width, -most, most)) < like);
+        out.shows = out.free | (out.shows & is_parallel);
+    }
+    const mask is_near = before & (there - m.nearness < (parallel ? reach : there * reach));
+    if (any_lane(is_near)) {
+        const Slopes t = slopes_of(s, texel);
+        const real width = width_at(s, there);
+        const real behind = m.nearness - there - (t.x * x + t.y * y) * width;
+        const real texels_behind = behind * reciprocal(width * (abs(t.x) + abs(t.y) + one));
+        out.carried = select(is_near, clamp(one + texels_behind, zero, one), out.carried);
+        out.shows = out.shows | (is_near & (behind >= zero));
+    }
+    return out;
 }
 
 /// Share of a square of 2 filter + 1 texels about the pixel that nothing covers. A texel's surface covers the pixel
 /// where it lies before the pixel's plane there, and, carried on to the pixel, before the pixel itself: floors and
-/// walls that meet do not darken each other along the edge.
+/// walls that meet do not darken each other along the edge. Both may end before they meet. So the planes count as much
+/// as the four texels round the pixel show it: where none does, deep in a shadow, the pixel's plane rises by
+/// steepest_slope_on_map at most (the facets of rough ground are steep and small), and no texel's is carried on.
 inline real uncovered(const ShadowView& s, const OnMap& m) {
     const real last(float(s.size - 1)), zero(0.0f), one(1.0f);
     const real x = clamp(m.x - real(0.5f), zero, last), y = clamp(m.y - real(0.5f), zero, last);
     const real left = floor(x), top = floor(y), fx = x - left, fy = y - top;
-    const int32_t taps = 2 * s.filter + 2;
+    const int32_t r = s.filter, taps = 2 * r + 2;
     const integer face = to_int(m.first) * integer(s.size * s.size);
-    const real floor_of = s.is_orthographic != 0 ? real(-3.4e38f) : zero;  // nothing is farther than nothing
-    const float farthest = 2.0f * steepest_slope_on_map * float(s.filter + 1) / s.texels;
-    real sum = zero;
+    const real steepest = width_at(s, m.nearness) * real(steepest_slope_on_map);
+    const mask is_steep = (abs(m.per_x) > steepest) | (abs(m.per_y) > steepest);
+    real carried = zero, free = zero, shown = zero;
     for (int32_t j = 0; j < taps; ++j) {
-        const real row = real(float(j - s.filter)), aside_y = row - fy;
+        const real row = real(float(j - r));
         const integer begin = face + to_int(clamp(top + row, zero, last)) * integer(s.size);
         const real weight_y = j == 0 ? one - fy : j == taps - 1 ? fy : one;
         for (int32_t i = 0; i < taps; ++i) {
-            const real column = real(float(i - s.filter)), aside_x = column - fx;
+            const real column = real(float(i - r));
             const integer texel = begin + to_int(clamp(left + column, zero, last));
-            const real there = gather(s.nearness, texel);
-            const real here = max(m.nearness + m.per_x * aside_x + m.per_y * aside_y, floor_of);
-            mask is_free = there <= here;
-            const real reach = s.is_orthographic != 0 ? real(farthest) : there * real(farthest);
-            const mask may_bend = (there > here) & (there - m.nearness < reach);
-            if (any_lane(may_bend))
-                is_free = is_free | (may_bend & (there + rise_of(s, texel, there, -aside_x, -aside_y) <= m.nearness));
+            const Tap tap = compare_with(s, m, is_steep, texel, column - fx, row - fy);
             const real weight = (i == 0 ? one - fx : i == taps - 1 ? fx : one) * weight_y;
-            sum = sum + select(is_free, weight, zero);
+            carried = carried + tap.carried * weight;
+            free = free + select(tap.free, weight, zero);
+            if ((i == r || i == r + 1) && (j == r || j == r + 1)) {
+                const real share = (i == r ? one - fx : fx) * (j == r ? one - fy : fy);
+                shown = shown + select(tap.shows, share, zero);
+            }
         }
     }
-    const float side = float(2 * s.filter + 1);
-    return sum * real(1.0f / (side * side));
+    const float side = float(2 * r + 1);
+    return (free + (carried - free) * shown) * real(1.0f / (side * side));
 }
 
 /// 0..1: how much of light i arrives. Faces that look away from the light have none: down to where the normals of
