@@ -15,7 +15,7 @@ namespace rakelight {
 
 /// One node that owns meshes.
 struct ObjectSummary {
-    std::string name;
+    std::string name;  ///< of the node; of what a world file places "NAME/name" with its name there, or that alone
     std::uint32_t node = none;
     std::uint64_t meshes = 0, triangles = 0, vertices = 0, lines = 0, points = 0;
     /// What its meshes have: yes on all, on some, on none of them.
@@ -97,6 +97,7 @@ struct Inspection {
     std::string file;
     std::uint64_t triangles = 0;  ///< instances counted each time
     std::vector<ObjectSummary> objects;
+    std::vector<std::uint32_t> material_objects;    ///< [scene.materials] how many objects have it; 0: unused
     std::vector<SurfaceSummary> surfaces;           ///< [objects], or empty when not asked for
     std::uint64_t t_junctions = 0;                  ///< each position once
     std::vector<TJunctionPlace> t_junction_places;  ///< at most 1000

@@ -122,6 +122,16 @@ Error at_place(const Error& error, const std::string& name, WorldPlace place) {
     return Error(error.code(), file + inner + error.reason(), to_text(place), error.advice());
 }
 
+/// The shape under the name that the world gives it, in place of its type's: 'tyre', or 'tyre 2' of one cut in pieces.
+Scene renamed(Scene scene, const WorldPrimitive& shape) {
+    const auto rename = [&](std::string& name) {
+        if (name.starts_with(shape.type)) name.replace(0, shape.type.size(), shape.name);
+    };
+    for (Node& node : scene.nodes) rename(node.name);
+    for (Mesh& mesh : scene.meshes) rename(mesh.name);
+    return scene;
+}
+
 /// Warns of names that stand twice where a name is what one asks by. Shapes without a name have their type's.
 void warn_of_twins(const WorldFile& world, const std::string& path, Report& report) {
     std::set<std::string_view> cameras, shapes;
@@ -153,7 +163,7 @@ public:
 
     void add_primitive(const WorldPrimitive& shape) {
         try {
-            add(make_shape(shape), shape);
+            add(renamed(make_shape(shape), shape), shape);
         } catch (const Error& error) {  // lengths that do not fit together
             const bool is_of_objects = error.reason().starts_with("the objects of ");
             throw Error(ErrorCode::bad_file, error.reason(), to_text(is_of_objects ? shape.objects_place : shape.place),

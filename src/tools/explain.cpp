@@ -5,6 +5,7 @@
 
 #include "render/rows.h"
 #include "tools/explained_pixel.h"
+#include "tools/object_title.h"
 #include "tools/open_engine.h"
 
 namespace rakelight {
@@ -60,7 +61,7 @@ TriangleNames names_of(const ExplainedPixel& e, const CoveringTriangle& triangle
     names.node = draw.node;
     names.mesh_index = draw.mesh;
     names.material_index = list.materials[draw.material].scene_material;
-    names.object = list.scene.nodes[draw.node].name;
+    names.object = object_title(list.scene, draw.node);
     names.mesh = list.scene.meshes[draw.mesh].name;
     if (names.material_index != none) names.material = list.scene.materials[names.material_index].name;
     return names;

@@ -11,6 +11,7 @@
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 #include "tools/borders.h"
+#include "tools/object_title.h"
 #include "tools/surfaces.h"
 
 namespace rakelight {
@@ -48,7 +49,7 @@ void add_material(ObjectSummary& object, std::unordered_set<std::string>& known,
 ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
     const Node& node = scene.nodes[number];
     ObjectSummary object;
-    object.name = node.name;
+    object.name = object_title(scene, number);
     object.node = number;
     Tally normals, tangents, texcoords, colors, groups, targets, influences;
     std::unordered_set<std::string> materials;
@@ -68,6 +69,19 @@ ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
     object.colors = colors.answer(), object.smoothing_groups = groups.answer();
     object.skin = influences.answer(), object.morph_targets = targets.answer();
     return object;
+}
+
+/// [materials] How many of the objects have each.
+std::vector<std::uint32_t> objects_of_materials(const Scene& scene, const std::vector<std::uint32_t>& objects) {
+    std::vector<std::uint32_t> count(scene.materials.size(), 0), last(scene.materials.size(), none);
+    for (const std::uint32_t node : objects)
+        for (const std::uint32_t mesh : scene.nodes[node].meshes) {
+            const std::uint32_t material = scene.meshes[mesh].material;
+            if (material == none || last[material] == node) continue;
+            last[material] = node;
+            ++count[material];
+        }
+    return count;
 }
 
 SurfaceSummary summarize(const geometry::ObjectEdges& e, const geometry::ObjectFaults& f, std::uint64_t t_junctions) {
@@ -158,6 +172,7 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i)
         if (!scene.nodes[i].meshes.empty()) objects.push_back(i);
     for (const std::uint32_t node : objects) result.objects.push_back(summarize(scene, node));
+    result.material_objects = objects_of_materials(scene, objects);
     const Bounds bounds = world_bounds(scene);
     if (!bounds.empty()) result.low = bounds.low, result.high = bounds.high;
     if (options.borders || options.surfaces) {

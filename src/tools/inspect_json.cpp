@@ -155,6 +155,7 @@ void add(Json& row, const Inspection& i) {
     row["objects"] = list(i.objects);
     for (std::size_t o = 0; o < i.surfaces.size(); ++o) row["objects"][o]["surface"] = json_of(i.surfaces[o]);
     row["materials"] = list(i.scene.materials);
+    for (std::size_t m = 0; m < i.material_objects.size(); ++m) row["materials"][m]["objects"] = i.material_objects[m];
     row["textures"] = list(i.scene.textures);
     row["lights"] = list(i.scene.lights);
     row["cameras"] = list(i.scene.cameras);

@@ -2,6 +2,8 @@
 // An inspection for people.
 #include <rakelight/inspect.h>
 
+#include <algorithm>
+
 #include "tools/camera_extent.h"
 #include "tools/inspect_sections.h"
 #include "tools/object_name.h"
@@ -44,17 +46,28 @@ std::string objects_text(const Inspection& i) {
                    });
 }
 
-std::string materials_text(const Scene& scene) {
-    return section("materials", {">#", "name", "model", "alpha", "sides", "textures"}, scene.materials,
-                   [](const Material& m, std::size_t n) {
+std::string materials_text(const Inspection& i) {
+    return section("materials", {">#", "name", "objects", "model", "alpha", "sides", "textures"}, i.scene.materials,
+                   [&](const Material& m, std::size_t n) {
                        std::string textures;
                        for (const auto& [role, use] : texture_uses(m))
                            textures += (textures.empty() ? "" : ", ") + (role + (" " + std::to_string(use.texture)));
                        const bool two_sided = m.double_sided || m.model == MaterialModel::classical;
-                       return std::vector<std::string>{std::to_string(n),     name_or(m.name, "material", n),
-                                                       name_of(m.model),      name_of(m.alpha_mode),
-                                                       two_sided ? "2" : "1", textures.empty() ? "-" : textures};
+                       const std::uint32_t objects = i.material_objects[n];
+                       return std::vector<std::string>{std::to_string(n),
+                                                       name_or(m.name, "material", n),
+                                                       objects == 0 ? "unused" : std::to_string(objects),
+                                                       name_of(m.model),
+                                                       name_of(m.alpha_mode),
+                                                       two_sided ? "2" : "1",
+                                                       textures.empty() ? "-" : textures};
                    });
+}
+
+/// " (2 unused)" or nothing.
+std::string unused_text(const Inspection& i) {
+    const auto unused = std::count(i.material_objects.begin(), i.material_objects.end(), 0u);
+    return unused > 0 ? " (" + std::to_string(unused) + " unused)" : "";
 }
 
 std::string textures_text(const Scene& scene) {
@@ -96,13 +109,13 @@ std::string to_text(const Inspection& i) {
     const dvec3 size{i.high.x - i.low.x, i.high.y - i.low.y, i.high.z - i.low.z};
     std::string text = one_line(i.file) + "\n";
     text += "  " + counted(i.objects.size(), "object") + ", " + counted(i.triangles, "triangle") + ", " +
-            counted(i.scene.materials.size(), "material") + ", " + counted(i.scene.textures.size(), "texture") + ", " +
-            counted(i.scene.animations.size(), "animation") + "\n";
+            counted(i.scene.materials.size(), "material") + unused_text(i) + ", " +
+            counted(i.scene.textures.size(), "texture") + ", " + counted(i.scene.animations.size(), "animation") + "\n";
     text += "  bounds " + number(i.low.x) + " " + number(i.low.y) + " " + number(i.low.z) + " to " + number(i.high.x) +
             " " + number(i.high.y) + " " + number(i.high.z) + ", size " + number(size.x) + " x " + number(size.y) +
             " x " + number(size.z) + " m\n";
     text += seams_line(i);
-    return text + objects_text(i) + materials_text(i.scene) + textures_text(i.scene) + lights_text(i.scene) +
+    return text + objects_text(i) + materials_text(i) + textures_text(i.scene) + lights_text(i.scene) +
            cameras_text(i.scene) + surfaces_text(i) + borders_text(i);
 }
 

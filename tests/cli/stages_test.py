@@ -115,6 +115,48 @@ class Stages(program.Case):
         self.assertAlmostEqual(sum(row[1] for row in terms), mean, delta=0.002)
         return {row[0]: row[1] for row in terms}
 
+    def test_coverage_of_once_is_not_the_color_of_the_most(self):
+        one = "[[primitive]]\ntype = 'plane'\nrotation_deg = [90, 0, 0]\n"
+        for count, caption in ((1, "blue 1. No pixel is covered twice."), (2, "blue 1, white 2."), (3, "blue 1, over green and yellow to white 3."),
+                               (14, "to white 12 and more.")):
+            planes = "".join(f"{one}position = [0, 0, {-0.01 * i}]\nmaterial = 'm'\n" for i in range(count))
+            world = self.write("w.scene.toml", planes + "[[material]]\nname = 'm'\ndouble_sided = true\n"
+                               "[[camera]]\nposition = [0, 0, 8]\ntarget = [0, 0, 0]\n")
+            self.stages(model=world)
+            table = self.table("coverage")
+            self.assertEqual(table["numbers"]["largest overdraw"], count)
+            self.assertTrue(table["pictures"][0]["caption"].endswith(caption), table["pictures"][0]["caption"])
+            rows = png(self.out / "coverage.png")[3]
+            red, green, blue = rows[32][3 * 48:3 * 48 + 3]
+            if count == 1:
+                self.assertTrue(red < 60 < green < blue, "blue")
+            else:
+                self.assertEqual((red, green, blue), (255, 255, 255))
+
+    def test_lines_of_large_models_are_no_solid_color(self):
+        world = self.write("w.scene.toml", "[[primitive]]\ntype = 'teapot'\ndivisions = 40\n")
+        run = self.run_program("stages", world, "-o", self.out, "--resolution", "320,240")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertGreater(self.table("model")["numbers"]["vertices"], 50000)
+        for stage in ("model", "screen", "device", "clipped"):
+            self.assertIn("the more, the brighter", self.table(stage)["pictures"][0]["caption"])
+            rows = png(self.out / f"{stage}.png")[3]
+            drawn = [row[i] for row in rows for i in range(0, len(row), 3) if row[i] != 16]
+            self.assertGreater(len(drawn), 500)
+            self.assertLess(sum(v == 150 for v in drawn), 0.15 * len(drawn), stage)
+            self.assertGreater(len(set(drawn)), 15, stage)
+
+    def test_objects_have_the_names_that_a_world_gives(self):
+        world = self.write("w.scene.toml", "[[primitive]]\ntype = 'torus'\nname = 'tyre_fl'\n"
+                           "[[primitive]]\ntype = 'teapot'\nname = 'pot'\nposition = [0, 0, -3]\n")
+        self.stages(model=world)
+        names = {row[0] for row in self.table("visibility")["rows"]}
+        self.assertIn("tyre_fl", names)
+        self.assertIn("pot/body", names)
+        self.assertEqual(self.table("model")["rows"][0][0], "tyre_fl")
+        run = self.run_program("explain", world, "--pixel", "48,32", "--resolution", SIZE)
+        self.assertRegex(run.out, "tyre_fl|pot/")
+
     def test_surroundings_and_fog_have_their_terms_and_the_sum_is_the_picture(self):
         terms = self.sum_of_terms_is_the_mean_of_the_picture("--hdri-ambient")
         self.assertEqual(list(terms), ["Emission", "Surroundings: diffuse", "Surroundings: specular"])

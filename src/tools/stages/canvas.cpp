@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "math/color.h"
@@ -22,6 +23,20 @@ bool clip(double a, double b, double low, double high, double& t0, double& t1) {
     return t0 <= t1;
 }
 
+/// Calls visit(x, y) for the pixels of a line; parts outside are left out, but for the far border.
+void walk(dvec2 a, dvec2 b, int width, int height, const auto& visit) {
+    if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) || !std::isfinite(b.y)) return;
+    double t0 = 0, t1 = 1;
+    if (!clip(a.x, b.x, 0, width, t0, t1) || !clip(a.y, b.y, 0, height, t0, t1)) return;
+    const dvec2 d = {b.x - a.x, b.y - a.y};
+    const dvec2 p = {a.x + d.x * t0, a.y + d.y * t0}, q = {a.x + d.x * t1, a.y + d.y * t1};
+    const int steps = int(std::ceil(std::max(std::fabs(q.x - p.x), std::fabs(q.y - p.y))));
+    for (int i = 0; i <= steps; ++i) {
+        const double t = steps == 0 ? 0 : double(i) / steps;
+        visit(int(std::floor(p.x + (q.x - p.x) * t)), int(std::floor(p.y + (q.y - p.y) * t)));
+    }
+}
+
 }  // namespace
 
 Canvas::Canvas(int width, int height, Code ground) {
@@ -39,17 +54,13 @@ void Canvas::set(int x, int y, Code c) {
     at[0] = std::byte(c.r), at[1] = std::byte(c.g), at[2] = std::byte(c.b);
 }
 
+Code Canvas::at(int x, int y) const {
+    const std::byte* const from = pixels_.row(y) + 3 * std::size_t(x);
+    return {std::uint8_t(from[0]), std::uint8_t(from[1]), std::uint8_t(from[2])};
+}
+
 void Canvas::line(dvec2 a, dvec2 b, Code color) {
-    if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) || !std::isfinite(b.y)) return;
-    double t0 = 0, t1 = 1;
-    if (!clip(a.x, b.x, 0, pixels_.width, t0, t1) || !clip(a.y, b.y, 0, pixels_.height, t0, t1)) return;
-    const dvec2 d = {b.x - a.x, b.y - a.y};
-    const dvec2 p = {a.x + d.x * t0, a.y + d.y * t0}, q = {a.x + d.x * t1, a.y + d.y * t1};
-    const int steps = int(std::ceil(std::max(std::fabs(q.x - p.x), std::fabs(q.y - p.y))));
-    for (int i = 0; i <= steps; ++i) {
-        const double t = steps == 0 ? 0 : double(i) / steps;
-        set(int(std::floor(p.x + (q.x - p.x) * t)), int(std::floor(p.y + (q.y - p.y) * t)), color);
-    }
+    walk(a, b, pixels_.width, pixels_.height, [&](int x, int y) { set(x, y, color); });
 }
 
 void Canvas::fill(dvec2 a, dvec2 b, dvec2 c, Code color) {
@@ -72,6 +83,46 @@ void Canvas::fill(dvec2 a, dvec2 b, dvec2 c, Code color) {
         right = std::min(right, double(pixels_.width));
         for (int x = int(std::ceil(left - 0.5)); x + 0.5 < right; ++x) set(x, y, color);
     }
+}
+
+LineCounts::LineCounts(int width, int height)
+    : width_(width), height_(height), counts_(std::size_t(width) * std::size_t(height), 0) {}
+
+void LineCounts::line(dvec2 a, dvec2 b) {
+    walk(a, b, width_, height_, [&](int x, int y) {
+        if (x < width_ && y < height_) ++counts_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+    });
+}
+
+double LineCounts::mean() const {
+    std::uint64_t lines = 0, pixels = 0;
+    for (const std::uint32_t n : counts_) lines += n, pixels += n > 0;
+    return pixels > 0 ? double(lines) / double(pixels) : 0;
+}
+
+double LineCounts::often() const {
+    std::vector<std::uint32_t> counts;
+    std::copy_if(counts_.begin(), counts_.end(), std::back_inserter(counts), [](std::uint32_t n) { return n > 0; });
+    if (counts.empty()) return 1;
+    const auto at = counts.begin() + std::ptrdiff_t(counts.size() - 1 - counts.size() / 50);
+    std::nth_element(counts.begin(), at, counts.end());
+    return double(*at);
+}
+
+void LineCounts::draw(Canvas& canvas, Code color) const {
+    const bool all_alike = !is_crowded();
+    const double full = often();
+    for (int y = 0; y < height_; ++y)
+        for (int x = 0; x < width_; ++x) {
+            const std::uint32_t n = counts_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+            if (n == 0) continue;
+            const double share = all_alike ? 1 : std::min(1.0, 0.1 + 0.9 * std::sqrt(double(n) / full));
+            const Code under = canvas.at(x, y);
+            const auto mix = [&](std::uint8_t a, std::uint8_t b) {
+                return std::uint8_t(std::lround(double(a) + (double(b) - double(a)) * share));
+            };
+            canvas.set(x, y, {mix(under.r, color.r), mix(under.g, color.g), mix(under.b, color.b)});
+        }
 }
 
 Code gray(double v) { return {code(v), code(v), code(v)}; }

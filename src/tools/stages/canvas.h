@@ -2,6 +2,7 @@
 // A picture to draw lines into, and colors for numbers.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include <rakelight/image.h>
 #include <rakelight/vector.h>
@@ -19,6 +20,7 @@ public:
     int height() const { return pixels_.height; }
     /// Nothing happens outside of the picture.
     void set(int x, int y, Code color);
+    Code at(int x, int y) const;
     /// [px] a line of one pixel's width; parts outside, and ends that are not finite, are left out.
     void line(dvec2 a, dvec2 b, Code color);
     /// [px] the pixels whose centers lie in the triangle, either way round; nothing where a corner is not finite.
@@ -27,6 +29,28 @@ public:
 
 private:
     Pixels pixels_;
+};
+
+/// How many lines go through each pixel, for more of them than a picture can tell apart.
+class LineCounts {
+public:
+    LineCounts(int width, int height);
+    /// As Canvas::line().
+    void line(dvec2 a, dvec2 b);
+    /// Lines through a pixel that some go through; 0: there are none.
+    double mean() const;
+    /// Lines over a canvas of the same size: in full where they can be told apart, else the stronger the more of them
+    /// go through a pixel.
+    void draw(Canvas& canvas, Code color) const;
+    bool is_crowded() const { return mean() > told_apart; }
+
+private:
+    /// So many lines that only one pixel in fifty has more.
+    double often() const;
+
+    static constexpr double told_apart = 4;  ///< an edge inside of a mesh is drawn by both of its triangles
+    int width_, height_;
+    std::vector<std::uint32_t> counts_;
 };
 
 using rakelight::color_of_number;

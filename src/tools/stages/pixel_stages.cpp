@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tools/object_title.h"
 #include "tools/stages/paint.h"
 
 namespace rakelight::stages {
@@ -36,6 +37,24 @@ Stage culling_stage(const Sources& of) {
     return s;
 }
 
+constexpr int most_shown = 12;  ///< what is covered more often has the last color
+
+/// Of once, the same color in all pictures, to that of `most`: 0..1 in the colors of heat().
+double place_of_count(int count, int most) {
+    constexpr double once = 0.15;
+    const int last = std::clamp(most, 2, most_shown);
+    return once + (1 - once) * double(std::min(count, last) - 1) / double(last - 1);
+}
+
+std::string coverage_caption(int most) {
+    const std::string what = "Opaque triangles over each pixel: ";
+    if (most == 0) return what + "none anywhere.";
+    if (most == 1) return what + "blue 1. No pixel is covered twice.";
+    if (most == 2) return what + "blue 1, white 2.";
+    return what + "blue 1, over green and yellow to white " +
+           (most > most_shown ? std::to_string(most_shown) + " and more." : std::to_string(most) + ".");
+}
+
 Stage coverage_stage(const Sources& of) {
     Stage s{.id = "coverage",
             .title = "Coverage",
@@ -56,12 +75,9 @@ Stage coverage_stage(const Sources& of) {
     s.columns = {"triangles over a pixel", "pixels"};
     for (std::size_t n = 0; n < std::min<std::size_t>(histogram.size(), 48); ++n) s.rows.push_back({n, histogram[n]});
     s.rows_note = "How many pixels are covered how often";
-    const double scale = 1.0 / std::max(1, std::min<int>(most, 12));
-    s.pictures.push_back(
-        {"coverage",
-         "Opaque triangles over each pixel: blue 1, over green and yellow to white " +
-             std::to_string(std::min<int>(most, 12)) + " and more.",
-         paint(of, [&](std::size_t p) { return overdraw[p] == 0 ? backdrop : heat(overdraw[p] * scale); })});
+    s.pictures.push_back({"coverage", coverage_caption(most), paint(of, [&](std::size_t p) {
+                              return overdraw[p] == 0 ? backdrop : heat(place_of_count(overdraw[p], most));
+                          })});
     return s;
 }
 
@@ -102,7 +118,8 @@ Stage visibility_stage(const Sources& of) {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
     s.columns = {"object", "node", "pixels"};
     for (const std::size_t n : order)
-        if (pixels[n] > 0 && s.rows.size() < 48) s.rows.push_back({list.scene.nodes[n].name, n, pixels[n]});
+        if (pixels[n] > 0 && s.rows.size() < 48)
+            s.rows.push_back({object_title(list.scene, std::uint32_t(n)), n, pixels[n]});
     s.rows_note = "Pixels of each object, the largest first";
     return s;
 }

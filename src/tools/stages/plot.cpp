@@ -8,7 +8,7 @@
 namespace rakelight::stages {
 namespace {
 
-constexpr std::size_t drawn_triangles = 150000;
+constexpr std::size_t drawn_triangles = 500000;
 
 struct Extent {
     dvec2 low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
@@ -21,7 +21,7 @@ struct Extent {
     bool is_empty() const { return low.x > high.x; }
 };
 
-/// Every so many-th triangle, so that large models stay lines.
+/// One of so many triangles, so that large models do not take long.
 class Triangles {
 public:
     Triangles(const Vertices& vertices, bool only_transformed) : vertices_(vertices) {
@@ -31,7 +31,9 @@ public:
                 draws_.push_back(d), total += vertices.mesh(d).triangle_count();
         step_ = total / drawn_triangles + 1;
     }
-    std::string note() const { return step_ > 1 ? " One of " + std::to_string(step_) + " triangles is drawn." : ""; }
+    std::string note() const {
+        return step_ > 1 ? " About one of " + std::to_string(step_) + " triangles is drawn." : "";
+    }
 
     template <class Visit>
     void visit(const Visit& visit) const {
@@ -39,11 +41,14 @@ public:
         for (const std::size_t d : draws_) {
             const Mesh& mesh = vertices_.mesh(d);
             for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-                if (n++ % step_ == 0) visit(d, mesh.indices.data() + 3 * t);
+                if (is_drawn(n++)) visit(d, mesh.indices.data() + 3 * t);
         }
     }
 
 private:
+    /// Scattered (Knuth's multiplicative hash): each so many-th would make stripes of a grid.
+    bool is_drawn(std::size_t n) const { return step_ == 1 || (std::uint32_t(n) * 2654435761u >> 8) % step_ == 0; }
+
     const Vertices& vertices_;
     std::vector<std::size_t> draws_;
     std::size_t step_ = 1;
@@ -113,12 +118,16 @@ void add_plot(Stage& stage, const Sources& of, const Vertices& vertices, const s
     Canvas canvas(of.engine.settings().width, of.engine.settings().height, ground);
     const Fit f = space.fixed ? *space.fixed : fit_all(triangles, space, canvas.width(), canvas.height());
     for (const PlotLine& l : space.behind) canvas.line(f(l.a), f(l.b), l.color);
+    LineCounts lines(canvas.width(), canvas.height());
     triangles.visit([&](std::size_t d, const std::uint32_t* index) {
         const dvec2 p[3] = {f(space.place(d, index[0])), f(space.place(d, index[1])), f(space.place(d, index[2]))};
-        for (int k = 0; k < 3; ++k) canvas.line(p[k], p[(k + 1) % 3], wire);
+        for (int k = 0; k < 3; ++k) lines.line(p[k], p[(k + 1) % 3]);
     });
+    lines.draw(canvas, wire);
     for (const PlotLine& l : space.before) canvas.line(f(l.a), f(l.b), l.color);
-    stage.pictures.push_back({name, space.caption + triangles.note(), std::move(canvas)});
+    const char* const crowded =
+        lines.is_crowded() ? " The lines are too close to be told apart: the more, the brighter." : "";
+    stage.pictures.push_back({name, space.caption + crowded + triangles.note(), std::move(canvas)});
 }
 
 void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, const std::vector<std::string>& columns,

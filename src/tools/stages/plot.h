@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "math/linear.h"
+#include "tools/object_title.h"
 #include "tools/stages/stage.h"
 
 namespace rakelight::stages {
@@ -28,7 +29,7 @@ public:
     const Mesh& mesh(std::size_t d) const { return of_.engine.list().scene.meshes[draws()[d].mesh]; }
     bool is_transformed(std::size_t d) const { return !of_.drawn.front.clip[d].empty(); }
 
-    const std::string& object(std::size_t d) const { return of_.engine.list().scene.nodes[draws()[d].node].name; }
+    std::string object(std::size_t d) const { return object_title(of_.engine.list().scene, draws()[d].node); }
 
     dvec3 model(std::size_t d, std::uint32_t v) const { return cast<double>(mesh(d).positions[v]); }
     dvec3 world(std::size_t d, std::uint32_t v) const { return transform_point(draws()[d].to_world, model(d, v)); }

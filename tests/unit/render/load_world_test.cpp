@@ -174,6 +174,16 @@ TEST_F(LoadWorld, EveryPrimitiveIsMade) {
     EXPECT_EQ(box.high.z, 2);
 }
 
+TEST_F(LoadWorld, APrimitivesPartsBearTheNameThatTheWorldGivesIt) {
+    const Scene s = load_text(
+        "[[primitive]]\ntype = 'torus'\nname = 'tyre'\n[[primitive]]\ntype = 'torus'\nname = 'spare'\nobjects = 2\n"
+        "[[primitive]]\ntype = 'torus'\n");
+    std::vector<std::string> drawn;
+    for (const Node& node : s.nodes)
+        if (!node.meshes.empty()) drawn.push_back(node.name + "|" + s.meshes[node.meshes[0]].name);
+    EXPECT_EQ(drawn, (std::vector<std::string>{"tyre|tyre", "spare 1|spare 1", "spare 2|spare 2", "torus|torus"}));
+}
+
 TEST_F(LoadWorld, LightsAndCamerasOfModelsComeAlongOnlyWhereTheWorldSaysSo) {
     write("lamp.gltf", R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"], "scene": 0,
         "scenes": [{"nodes": [0, 1, 2]}], "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}],

@@ -43,6 +43,42 @@ TEST(Inspect, CountsObjectsMeshesAndAttributes) {
     EXPECT_TRUE(i.scene.meshes.empty());
 }
 
+TEST(Inspect, MaterialsThatNoObjectHasAreUnused) {
+    Scene scene = two_squares();
+    scene.materials.resize(3);
+    scene.materials[0].name = "old", scene.materials[1].name = "paint", scene.materials[2].name = "lost";
+    scene.meshes[0].material = scene.meshes[1].material = 1;
+    scene.meshes.push_back(scene.meshes[0]);  // that no node draws
+    scene.meshes.back().material = 2;
+    Context context;
+    const Inspection i = inspect(scene, {}, context);
+    EXPECT_EQ(i.material_objects, (std::vector<std::uint32_t>{0, 2, 0}));
+    const std::string text = to_text(i);
+    EXPECT_NE(text.find("3 materials (2 unused)"), std::string::npos) << text;
+    EXPECT_NE(text.find("0  old    unused"), std::string::npos) << text;
+    EXPECT_NE(text.find("1  paint  2"), std::string::npos) << text;
+    const InspectionRow row{.file = "a", .inspection = i};
+    const auto json = nlohmann::json::parse(to_json({&row, 1}));
+    EXPECT_EQ(json["rows"][0]["materials"][1]["objects"], 2);
+}
+
+TEST(Inspect, ObjectsOfAWorldAreNamedAfterThePartThatTheyBelongTo) {
+    Scene scene = two_squares();
+    Node part;
+    part.name = "shelf";
+    for (Node& node : scene.nodes) node.parent = 0;
+    scene.nodes.insert(scene.nodes.begin(), part);
+    scene.nodes[1].name = "board", scene.nodes[2].name = "shelf 2";
+    Context context;
+    EXPECT_EQ(inspect(scene, {}, context).objects[0].name, "board");
+    scene.source = "room.scene.toml";
+    const Inspection i = inspect(scene, {}, context);
+    EXPECT_EQ(i.objects[0].name, "shelf/board");
+    EXPECT_EQ(i.objects[1].name, "shelf 2") << "of a primitive that was cut in pieces";
+    scene.nodes[1].name.clear();
+    EXPECT_EQ(inspect(scene, {}, context).objects[0].name, "shelf/node 1");
+}
+
 TEST(Inspect, ManyMaterialsOfOneObjectAreNamedOnceEach) {
     constexpr std::size_t count = 20000;
     Scene scene = two_squares();
