@@ -282,7 +282,10 @@ constexpr VerbEntry verbs[] = {
 void add_verbs(CLI::App& app, VerbWords& words, CommonWords& common, std::vector<std::string>& inputs) {
     for (const VerbEntry& verb : verbs) {
         CLI::App* const sub = app.add_subcommand(std::string(verb.name), verb.help);
-        if (verb.takes_models) add_inputs(*sub, inputs, "Model files, world files (*.scene.toml), or builtin:teapot");
+        if (verb.takes_models)
+            add_inputs(
+                *sub, inputs,
+                "Model files, world files (*.scene.toml), or builtin:teapot, builtin:sphere:tolerance=0.01, ...");
         if (verb.verb == Verb::check) sub->add_option("SCENE", inputs, "Model files and world files")->type_name("");
         verb.declare(*sub, words);
         add_common_options(*sub, common);

@@ -43,6 +43,8 @@ std::vector<InputRequest> picture_requests(const Options& options) {
         PictureRequest& request = whole.picture;
         std::string stem =
             input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
+        if (input.starts_with("builtin:"))  // of "sphere:radius=2" too a name
+            for (char& c : stem) c = c == ':' || c == '=' || c == '/' ? '-' : c;
         if (is_world_file(input)) stem = std::filesystem::path(stem).stem().string();  // of NAME.scene.toml
         bool replaced = false;
         for (std::size_t at = 0; (at = request.output.find(mark, at)) != std::string::npos;

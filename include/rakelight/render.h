@@ -18,8 +18,8 @@ struct LoadOptions {
     std::vector<std::string> overridden;
 };
 
-/// Loads a model file or one of builtin:teapot, sphere, cylinder, cone, torus, plane. What was changed, guessed or
-/// dropped goes to context.report().
+/// Loads a model file or one of builtin:teapot, sphere, cylinder, cone, torus, plane, with what shape_of_words() takes
+/// behind it. What was changed, guessed or dropped goes to context.report().
 /// @throws Error not_found, bad_file
 Scene load(const std::string& path, const LoadOptions& options, Context& context);
 

@@ -58,7 +58,8 @@ struct WorldPrimitive {
     double width = 2, depth = 2;                        ///< [m] of the plane
     int divisions = 1;                                  ///< quads along a side of the plane or of the teapot's patches
     int objects = 1;                                    ///< it is cut into so many
-    double tolerance = 0;  ///< [m] farthest that a facet is from the surface; 0: a thousandth of the largest radius
+    double tolerance = 0;  ///< [m] farthest that a facet is from the surface; 0: a thousandth of the largest radius,
+                           ///< teapot: `divisions`
     std::string material;
     std::string normals;
     std::optional<double> crease_angle_rad;
@@ -119,6 +120,11 @@ std::string resolve_in_world(const std::string& path, const std::string& name, b
 /// separated by commas, flags on or off. Colors are linear or "#rrggbb".
 /// @throws Error usage
 std::vector<WorldValue> material_values(std::span<const std::string> words);
+
+/// A shape as "sphere" or "sphere:tolerance=0.01:radius=2" says it: keys of [[primitive]] that make the shape, with
+/// their checks.
+/// @throws Error usage
+WorldPrimitive shape_of_words(std::string_view words);
 
 /// The JSON schema of world files (draft 2020-12), for editors that check TOML: data/world.schema.json.
 std::string world_schema();

@@ -24,6 +24,11 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
 /// The Utah teapot from Newell's 32 Bezier patches, as six objects (rim, body, handle, spout, lid, bottom) with their
 /// patch u, v; no normals (prepare makes them). `divisions` quads a side of each patch, 1..256.
 /// @param memory  is charged for the arrays before they are made; null: nobody counts
+/// Patches share their borders' curves and have the same divisions: neighbors meet in bit-equal positions.
 Scene make_teapot(int divisions = 10, MemoryBudget* memory = nullptr);
+/// The divisions with which no point of a facet is farther than `tolerance` [m], > 0, from the point of the patch at
+/// its u, v.
+/// @throws Error usage: there would have to be more than 256
+int teapot_divisions(double tolerance);
 
 }  // namespace rakelight

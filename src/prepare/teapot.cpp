@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Utah teapot from Martin Newell's patches of 1975. The data are z up and 3.15 high; here y is up, the height is 1 and
 // the pot stands on the plane y = 0 about the y axis, spout to +x.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -24,6 +26,7 @@ struct Patch {
 #include "teapot_patches.inc"
 
 constexpr double height = 3.15;
+constexpr int most_divisions = 256;
 
 /// Bernstein weights of degree 3 at k / n, times n^3: whole numbers, so that k and n - k give exactly mirrored ones.
 std::array<double, 4> bernstein(int k, int n) {
@@ -85,6 +88,27 @@ void add_patch(const Patch& patch, int n, Arrays& out) {
         }
 }
 
+/// A control point.
+dvec3 at(const Patch& patch, std::size_t row, std::size_t column) { return points[patch.points[4 * row + column]]; }
+
+/// What the error of a patch that is cut into n x n quads of two triangles each is at most, times n^2, in the data's
+/// unit. Filip, Magedson & Markot 1986, "Surface algorithms using bounds on derivatives": on a right triangle with legs
+/// of 1 / n in u and v, linear interpolation is off by at most (max |S_uu| + 2 max |S_uv| + max |S_vv|) / (8 n^2).
+/// Second derivatives of a bicubic patch are Bezier patches of 6 times the second differences of its control points
+/// (S_uv: 9 times the mixed ones) and lie in their convex hulls.
+double error_bound(const Patch& patch) {
+    double uu = 0, uv = 0, vv = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+            if (i < 2) uu = std::max(uu, length(at(patch, i + 2, j) - at(patch, i + 1, j) * 2.0 + at(patch, i, j)));
+            if (j < 2) vv = std::max(vv, length(at(patch, i, j + 2) - at(patch, i, j + 1) * 2.0 + at(patch, i, j)));
+            if (i < 3 && j < 3)
+                uv = std::max(uv, length((at(patch, i + 1, j + 1) - at(patch, i + 1, j)) -
+                                         (at(patch, i, j + 1) - at(patch, i, j))));
+        }
+    return (6 * uu + 2 * 9 * uv + 6 * vv) / 8;
+}
+
 /// Of the arrays of all patches.
 std::size_t bytes_of(std::size_t n) {
     constexpr std::size_t vertex = sizeof(vec3) + sizeof(vec2), index = sizeof(std::uint32_t);
@@ -110,8 +134,18 @@ Material porcelain() {
 
 }  // namespace
 
+int teapot_divisions(double tolerance) {
+    double bound = 0;
+    for (const Patch& patch : patches) bound = std::max(bound, error_bound(patch) / height);
+    const double divisions = std::ceil(std::sqrt(bound / tolerance));
+    if (!(divisions <= most_divisions))
+        throw Error(ErrorCode::usage, "the tolerance asks for more than 256 divisions of the teapot's patches", {},
+                    "say a larger one");
+    return std::max(int(divisions), 2);  // with 1 the spout's mouth is a line
+}
+
 Scene make_teapot(int divisions, MemoryBudget* memory) {
-    if (divisions < 1 || divisions > 256)
+    if (divisions < 1 || divisions > most_divisions)
         throw Error(ErrorCode::usage, "divisions of the teapot must be 1 to 256, not " + std::to_string(divisions));
     Scene scene;
     scene.source = "builtin:teapot";

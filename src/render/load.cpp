@@ -5,20 +5,26 @@
 #include <cstring>
 
 #include "io/reader.h"
-#include "prepare/prepare.h"
-#include "prepare/primitives.h"
 #include "render/load_world.h"
+#include "render/make_shape.h"
 
 namespace rakelight {
 namespace {
 constexpr const char* builtin_prefix = "builtin:";
+
+Scene load_shape(const std::string& words, const std::string& path, Context& context) {
+    try {
+        return make_shape(request_of(shape_of_words(words)), &context.memory());
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
+}
 }
 
 Scene load(const std::string& path, const LoadOptions& options, Context& context) {
     if (path.starts_with(builtin_prefix)) {
-        const std::string name = path.substr(std::strlen(builtin_prefix));
-        if (const auto shape = primitive_named(name)) return make_primitive({.shape = *shape}, &context.memory());
-        if (name == "teapot") return make_teapot(10, &context.memory());
+        const std::string words = path.substr(std::strlen(builtin_prefix)), name = words.substr(0, words.find(':'));
+        if (name == "teapot" || primitive_named(name)) return load_shape(words, path, context);
         throw Error(ErrorCode::not_found, "there is no such built-in model", {},
                     "builtin:teapot, sphere, cylinder, cone, torus and plane are there")
             .with_file(path);

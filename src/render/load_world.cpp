@@ -5,14 +5,13 @@
 #include <map>
 #include <set>
 
-#include "base/assert.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/reader.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
-#include "prepare/primitives.h"
+#include "render/make_shape.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
 
@@ -88,8 +87,7 @@ Scene with_normals(Scene scene, const Part& part, Context& context) {
 
 /// What makes one shape equal to another, but for place and material.
 struct ShapeKey {
-    PrimitiveRequest request;
-    bool is_teapot = false;
+    ShapeRequest request;
     std::string normals;
     std::optional<double> crease_angle_rad;
 
@@ -104,22 +102,12 @@ struct ModelKey {
     auto operator<=>(const ModelKey&) const = default;
 };
 
-ShapeKey key_of(const WorldPrimitive& p) {
-    PrimitiveRequest request;
-    const auto shape = primitive_named(p.type);
-    RL_ASSERT(shape || p.type == "teapot", "the reader lets no other types in");
-    request.shape = shape.value_or(PrimitiveShape::sphere);  // the teapot's says nothing
-    request.radius = p.radius, request.tube_radius = p.tube_radius, request.height = p.height;
-    request.width = p.width, request.depth = p.depth;
-    request.divisions = p.divisions, request.objects = p.objects, request.tolerance = p.tolerance;
-    return {request, !shape, p.normals, p.crease_angle_rad};
-}
-
 /// A fault of a file that the world names, with the place where it does.
 Error at_place(const Error& error, const std::string& name, WorldPlace place) {
     const std::string file = error.file().empty() ? "" : "'" + one_line(name, 80) + "': ";
     const std::string inner = error.place().empty() ? "" : error.place() + ": ";
-    return Error(error.code(), file + inner + error.reason(), to_text(place), error.advice());
+    const ErrorCode code = error.code() == ErrorCode::usage ? ErrorCode::bad_file : error.code();  // words of the file
+    return Error(code, file + inner + error.reason(), to_text(place), error.advice());
 }
 
 /// The shape under the name that the world gives it, in place of its type's: 'tyre', or 'tyre 2' of one cut in pieces.
@@ -210,12 +198,11 @@ private:
 
     /// Equal shapes share their arrays.
     const Scene& make_shape(const WorldPrimitive& shape) {
-        const ShapeKey key = key_of(shape);
+        const ShapeKey key{request_of(shape), shape.normals, shape.crease_angle_rad};
         const auto known = shapes_.find(key);
         if (known != shapes_.end()) return known->second;
         context_.throw_if_cancelled();
-        MemoryBudget* const memory = &context_.memory();
-        Scene made = key.is_teapot ? make_teapot(key.request.divisions, memory) : make_primitive(key.request, memory);
+        Scene made = rakelight::make_shape(key.request, &context_.memory());
         return shapes_.emplace(key, with_normals(std::move(made), shape, context_)).first->second;
     }
 

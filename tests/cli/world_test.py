@@ -26,6 +26,8 @@ BROKEN = [
     ("[[model]]\nfile = 'a.obj'\nscale = [1, 0, 1]\n", 3, 9, "must not be 0"),
     ("[[model]]\nfile = '../a.obj'\n", 2, 8, "a.obj"),
     ("[[model]]\nfile = '/etc/passwd'\n", 2, 8, "absolute"),
+    ("[[primitive]]\ntype = 'teapot'\ndivisions = 4\ntolerance = 0.1\n", 4, 13, "either 'divisions' or 'tolerance'"),
+    ("[[model]]\nfile = 'builtin:sphere:tolernce=0.1'\n", 2, 8, "did you mean 'tolerance'?"),
     (WALL + "[[modell]]\nfile = 'a.obj'\n", 3, 3, "unknown section 'modell'"),
     (WALL + "[[light]]\ntype = 'lamp'\n", 4, 8, "unknown word 'lamp'"),
     (WALL + "[[light]]\ntype = 'ambient'\nposition = [0, 0, 0]\n", 5, 12, "has no 'position'"),
@@ -66,6 +68,15 @@ class Worlds(program.Case):
         result = self.run_program("render", "w.scene.toml", "-o", "a.png", *arguments)
         self.assertEqual((result.code, result.err), (0, ""))
         return png(self.folder / "a.png")
+
+    def test_shapes_of_the_command_line_are_those_of_a_world(self):
+        self.write("w.scene.toml", "[[primitive]]\ntype = 'torus'\nradius = 2\ntube_radius = 0.5\ntolerance = 0.02\n")
+        for model in ("w.scene.toml", "builtin:torus:radius=2:tube_radius=0.5:tolerance=0.02"):
+            result = self.run_program("render", model, "-o", "{model}.png", "--resolution", "32,24", "--view", "front")
+            self.assertEqual(result.code, 0, result.err)
+        words = "torus-radius-2-tube_radius-0.5-tolerance-0.02.png"
+        self.assertEqual((self.folder / "w.png").read_bytes(), (self.folder / words).read_bytes())
+        self.check_refused(self.run_program("render", "builtin:cone:tube_radius=1", "-o", "a.png"), 2, "a cone has no 'tube_radius'")
 
     def test_three_models_four_lights_and_three_cameras_render_from_each_camera(self):
         summary = json.loads(self.run_program("check", ROOM, "--json").out)["rows"][0]

@@ -38,7 +38,12 @@ std::vector<WorldKey> placed(std::vector<WorldKey> keys) {
 
 std::vector<WorldKey> model_keys() {
     return placed({
-        {"file", Kind::file, "Model file, from this file's folder, or builtin:teapot", any_number, {}, true},
+        {"file",
+         Kind::file,
+         "Model file, from this file's folder, or builtin:teapot, builtin:sphere:tolerance=0.01, ...",
+         any_number,
+         {},
+         true},
         {"name", Kind::text, "What [[material]] and --shading call it (default: the file's name)"},
         {"lights", Kind::flag, "Whether its own lights come along (default: no)"},
         {"cameras", Kind::flag, "Whether its own cameras come along, behind those of this file (default: no)"},
@@ -60,7 +65,8 @@ std::vector<WorldKey> primitive_keys() {
         {"objects", Kind::integer, "It is cut into so many objects (default 1)", {1, 1024}},
         {"tolerance",
          Kind::number,
-         "Farthest that a facet is from the true surface [m] (default: a thousandth of the largest radius)",
+         "Farthest that a facet is from the true surface [m] (default: a thousandth of the largest radius; teapot: 10 "
+         "divisions)",
          {1e-9, 1e6}},
     });
 }

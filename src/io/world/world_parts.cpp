@@ -56,8 +56,8 @@ WorldModel read_model(const SectionValues& v) {
     WorldModel model;
     model.file = v.text("file");
     if (is_world_file(model.file)) fail(v.place_of("file"), "a world does not stand in another");
-    model.name =
-        model.file.starts_with("builtin:") ? model.file.substr(8) : std::filesystem::path(model.file).stem().string();
+    model.name = model.file.starts_with("builtin:") ? model.file.substr(8, model.file.find(':', 8) - 8)
+                                                    : std::filesystem::path(model.file).stem().string();
     model.lights = v.flag("lights", false);
     model.cameras = v.flag("cameras", false);
     read_common(v, model);
@@ -76,7 +76,9 @@ WorldPrimitive read_primitive(const SectionValues& v) {
     only_for("height", {"cylinder", "cone"});
     only_for("size", {"plane"});
     only_for("divisions", {"plane", "teapot"});
-    for (const char* key : {"objects", "tolerance"}) only_for(key, {"sphere", "cylinder", "cone", "torus", "plane"});
+    only_for("objects", {"sphere", "cylinder", "cone", "torus", "plane"});
+    if (shape.type == "teapot" && v.has("divisions") && v.has("tolerance"))
+        fail(v.place_of("tolerance"), "a teapot has either 'divisions' or 'tolerance'");
     shape.radius = v.number("radius", shape.radius);
     shape.tube_radius = v.number("tube_radius", shape.tube_radius);
     shape.height = v.number("height", shape.height);

@@ -234,3 +234,43 @@ TEST(ParseWorld, TablesInsideOneAnotherDoNotExhaustTheStack) {
     EXPECT_EQ(error_of([&] { with_teapot(dotted + " = 1\n"); }).code(), ErrorCode::bad_file);
     EXPECT_EQ(error_of([&] { with_teapot("[" + dotted + "]\n"); }).code(), ErrorCode::bad_file);
 }
+
+TEST(ParseWorld, ATeapotHasDivisionsOrATolerance) {
+    EXPECT_EQ(parse_world("[[primitive]]\ntype = 'teapot'\ntolerance = 0.01\n").primitives[0].tolerance, 0.01);
+    EXPECT_EQ(
+        error_of([] { parse_world("[[primitive]]\ntype = 'teapot'\ndivisions = 9\ntolerance = 0.01\n"); }).place(),
+        "line 4, column 13");
+}
+
+TEST(ShapeWords, AreThoseOfAPrimitive) {
+    const WorldPrimitive torus = shape_of_words("torus:tolerance=0.01:radius=2:tube_radius=0.5:objects=4");
+    EXPECT_EQ(torus.type, "torus");
+    EXPECT_EQ(torus.tolerance, 0.01);
+    EXPECT_EQ(torus.radius, 2);
+    EXPECT_EQ(torus.tube_radius, 0.5);
+    EXPECT_EQ(torus.objects, 4);
+    const WorldPrimitive plane = shape_of_words("plane:size=3,4:divisions=5");
+    EXPECT_EQ(plane.width, 3);
+    EXPECT_EQ(plane.depth, 4);
+    EXPECT_EQ(plane.divisions, 5);
+    EXPECT_EQ(shape_of_words("teapot").divisions, 10);
+}
+
+TEST(ShapeWords, WhatIsNoKeyOfAShapeIsRefusedByItsName) {
+    const std::pair<const char*, const char*> wrong[] = {
+        {"sphere:tolernce=1", "unknown key 'tolernce'"},
+        {"sphere:position=1,2,3", "unknown key 'position'"},
+        {"sphere:radius", "'radius' is not KEY=VALUE"},
+        {"sphere:", "'' is not KEY=VALUE"},
+        {"sphere:radius=x", "'radius'"},
+        {"sphere:radius=-1", "'radius'"},
+        {"sphere:radius=1:radius=2", "given twice"},
+        {"cone:tube_radius=1", "a cone has no 'tube_radius'"},
+        {"cube", "'type'"},
+        {"teapot:divisions=4:tolerance=1", "either 'divisions' or 'tolerance'"}};
+    for (const auto& [words, reason] : wrong) {
+        const Error error = error_of([&] { shape_of_words(words); });
+        EXPECT_EQ(error.code(), ErrorCode::usage) << words;
+        EXPECT_NE(error.reason().find(reason), std::string::npos) << words << ": " << error.reason();
+    }
+}

@@ -129,10 +129,10 @@ TEST(Primitives, SolidsAreClosedAcrossAllObjects) {
     using Point = std::tuple<float, float, float>;
     const auto key = [](vec3 p) { return Point(p.x + 0.0f, p.y + 0.0f, p.z + 0.0f); };
     for (const PrimitiveShape shape : shapes)
-        for (const int objects : {1, 16}) {
+        for (const auto& [objects, tolerance] : {std::pair{1, 0.0}, {16, 0.0}, {1, 0.2}, {7, 0.03}, {16, 0.004}}) {
             if (shape == PrimitiveShape::plane) continue;
             PrimitiveRequest r = odd_sizes(shape);
-            r.objects = objects;
+            r.objects = objects, r.tolerance = tolerance;
             const Scene scene = make_primitive(r);
             EXPECT_EQ(scene.nodes.size(), std::size_t(objects));
             EXPECT_NO_THROW(validate(scene));

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
+#include <vector>
 
 #include <rakelight/error.h>
 
@@ -107,6 +109,82 @@ TEST(Teapot, IsWatertightToTheBitButForItsSixOpenEnds) {
         }
         EXPECT_EQ(open, 16 * n) << n;
     }
+}
+
+/// The vertices of all patches of a teapot, in its order; of the pole's row all columns are the pole.
+class PatchGrids {
+public:
+    PatchGrids(const Scene& scene, int n) : n_(n) {
+        for (const Mesh& mesh : scene.meshes)
+            for (std::size_t first = 0; first < mesh.positions.size();) {
+                const bool pole = mesh.texcoords[0][first].x > 0;
+                std::vector<dvec3>& grid = grids_.emplace_back();
+                for (int c = 0; c <= n; ++c)
+                    grid.push_back(cast<double>(mesh.positions[first + std::size_t(pole ? 0 : c)]));
+                first += std::size_t(pole ? n : n + 1);
+                for (int k = 0; k < n * (n + 1); ++k) grid.push_back(cast<double>(mesh.positions[first++]));
+            }
+    }
+
+    std::size_t patches() const { return grids_.size(); }
+    dvec3 vertex(std::size_t patch, int row, int column) const {
+        return grids_[patch][std::size_t(row * (n_ + 1) + column)];
+    }
+    /// On the triangle that a place of the patch falls into; u and v from 0 to 1.
+    dvec3 on_facet(std::size_t patch, double v, double u) const {
+        const int row = std::min(int(v * n_), n_ - 1), column = std::min(int(u * n_), n_ - 1);
+        const double a = v * n_ - row, b = u * n_ - column;
+        const dvec3 first = vertex(patch, row, column), last = vertex(patch, row + 1, column + 1);
+        return a > b ? first * (1 - a) + vertex(patch, row + 1, column) * (a - b) + last * b
+                     : first * (1 - b) + vertex(patch, row, column + 1) * (b - a) + last * a;
+    }
+
+private:
+    int n_;
+    std::vector<std::vector<dvec3>> grids_;
+};
+
+/// [m] farthest that a facet is from the patch at the same u, v, at 210 x 210 places of each; their vertices lie on it.
+double chordal_error(int divisions) {
+    constexpr int places = 210;
+    static const PatchGrids exact(make_teapot(places), places);
+    const PatchGrids facets(make_teapot(divisions), divisions);
+    EXPECT_EQ(facets.patches(), 32u);
+    double most = 0;
+    for (std::size_t p = 0; p < 32; ++p)
+        for (int row = 0; row <= places; ++row)
+            for (int column = 0; column <= places; ++column)
+                most = std::max(most, length(facets.on_facet(p, double(row) / places, double(column) / places) -
+                                             exact.vertex(p, row, column)));
+    return most;
+}
+
+TEST(Teapot, NoPointOfAFacetIsFartherFromItsPatchThanTheTolerance) {
+    constexpr double rounding = 3e-7;  // of positions as floats
+    for (const double tolerance : {0.05, 0.01, 0.002, 0.0004}) {
+        const int n = teapot_divisions(tolerance);
+        const double error = chordal_error(n);
+        EXPECT_LE(error, tolerance + rounding) << n;
+        EXPECT_GT(error, 0.3 * tolerance) << n << " divisions are many more than that takes";
+    }
+}
+
+TEST(Teapot, IsAsWatertightByToleranceAsByDivisions) {
+    for (const double tolerance : {0.3, 0.02, 0.002}) {
+        const int n = teapot_divisions(tolerance);
+        const auto edges = directed_edges(make_teapot(n));
+        const auto open = std::count_if(edges.begin(), edges.end(), [&](const auto& e) {
+            EXPECT_EQ(e.second, 1);
+            return !edges.contains({e.first.second, e.first.first});
+        });
+        EXPECT_EQ(open, 16 * n) << tolerance;
+    }
+}
+
+TEST(Teapot, ATenthOfTheToleranceTakesThreeTimesTheDivisionsUpTo256) {
+    EXPECT_EQ(teapot_divisions(100), 2);
+    EXPECT_NEAR(double(teapot_divisions(1e-4)) / teapot_divisions(1e-3), std::sqrt(10.0), 0.1);
+    EXPECT_THROW(teapot_divisions(1e-7), Error);
 }
 
 TEST(Teapot, PartsMeetInExactlyEqualPositions) {
