@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Shadows, fog and --light-cutoff side by side, for docs/shadows.md.
+"""Shadows, fog and --light-cutoff side by side, for docs/shadows.md; photometric lights and ranges, and --viewer-infinity, for
+docs/lighting.md and docs/lighting-models.md.
 
-  light_pictures.py [--program build/release/rakelight] shadows|fog|cutoff OUT.png
+  light_pictures.py [--program build/release/rakelight] shadows|fog|cutoff|ranges|viewer OUT.png
 
 The scene is made here: solids on a floor, or a row of columns. Only the standard library is needed."""
 import argparse
@@ -27,6 +28,17 @@ SOLIDS = ("--camera-position", "2.6,2.6,4.6", "--camera-focal-point", "0,0.35,0"
 GRAY, BLUE = ("--background", "0.735,0.735,0.735"), ("--background", "0.5,0.55,0.75")  # as the fog
 FOGS = (("--fog", "none", *GRAY), ("--fog", "linear:4,24", *GRAY), ("--fog", "exp:0.1", *GRAY), ("--fog", "exp2:0.08:color=0.5,0.55,0.75", *BLUE))
 COLUMNS = ("--camera-position", "0.6,1.7,5", "--camera-focal-point", "-0.3,1.1,-6", "--camera-view-angle", "40", "--shadows", *SUN)
+
+
+LAMPS = (("photometric-directional", "photometric-directional:-1,-1.3,-0.75:intensity=3"),
+         ("photometric-point", "photometric-point:0.2,1.4,0.9:intensity=5"),
+         ("spot, inner=0 outer=28", "photometric-spot:2.2,3.2,2.4:direction=-2.2,-3.1,-2.2:inner=0:outer=28:intensity=60"),
+         ("spot, inner=26 outer=28", "photometric-spot:2.2,3.2,2.4:direction=-2.2,-3.1,-2.2:inner=26:outer=28:intensity=60"),
+         ("point", "point:0.2,1.4,0.9"), ("point, range=2.5", "point:0.2,1.4,0.9:range=2.5"),
+         ("photometric-point, range=2.5", "photometric-point:0.2,1.4,0.9:intensity=5:range=2.5"),
+         ("photometric-point, range=1.6", "photometric-point:0.2,1.4,0.9:intensity=5:range=1.6"))
+LOW_SUN = ("--light", "directional:0,-0.55,0.85:color=0.9,0.9,0.9:specular=2.5,2.5,2.5", *AMBIENT)
+WIDE = ("--camera-position", "0.2,1.7,2.6", "--camera-focal-point", "0,0.35,0", "--camera-view-angle", "75")
 
 
 class Obj:
@@ -110,20 +122,39 @@ def write_cutoffs(picture, folder, program):
                 lines=("", "4 x lost"))
 
 
+def write_model(scene, folder):
+    (folder / "m.mtl").write_text("".join(f"newmtl {m}\nKd {c}\nKs 0.3 0.3 0.3\nNs 30\n" for m, c in (
+        ("floor", "0.8 0.78 0.74"), ("red", "0.8 0.35 0.3"), ("blue", "0.35 0.5 0.8"), ("gray", "0.7 0.7 0.7"))))
+    (folder / "scene.obj").write_text("\n".join(scene.lines) + "\n")
+    return str(folder / "scene.obj")
+
+
+def write_solids(subject, picture, program):
+    """The solids under lights of both kinds, with and without an end; or seen from here and from infinity."""
+    with tempfile.TemporaryDirectory() as folder:
+        model = write_model(solids(), pathlib.Path(folder))
+        if subject == "ranges":
+            tiles = [(model, *SOLIDS, "--shadows", "--light", light, *AMBIENT) for _, light in LAMPS]
+            words = [name for name, _ in LAMPS]
+            return write_sheet(picture, [tiles[:4], tiles[4:]], 180, 120, program, below=[words[:4], words[4:]])
+        here, far = (model, *WIDE, *LOW_SUN), (model, *WIDE, *LOW_SUN, "--viewer-infinity")
+        write_sheet(picture, [[here, far, (here, far, 3)]], 240, 180, program, columns=("", "viewer-infinity", "3 x difference"))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("subject", choices=("shadows", "fog", "cutoff"))
+    parser.add_argument("subject", choices=("shadows", "fog", "cutoff", "ranges", "viewer"))
     parser.add_argument("picture", type=pathlib.Path)
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     options = parser.parse_args()
+    if options.subject in ("ranges", "viewer"):
+        return write_solids(options.subject, options.picture, options.program)
     scene, camera, parts = (solids(), SOLIDS, SHADOWS) if options.subject == "shadows" else (columns(), COLUMNS, FOGS)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         if options.subject == "cutoff":
             return write_cutoffs(options.picture, folder, options.program)
-        (folder / "m.mtl").write_text("".join(f"newmtl {m}\nKd {c}\nKs 0.3 0.3 0.3\nNs 30\n" for m, c in (
-            ("floor", "0.8 0.78 0.74"), ("red", "0.8 0.35 0.3"), ("blue", "0.35 0.5 0.8"), ("gray", "0.7 0.7 0.7"))))
-        (folder / "scene.obj").write_text("\n".join(scene.lines) + "\n")
+        write_model(scene, folder)
         pictures = [(str(folder / "scene.obj"), *camera, *arguments) for arguments in parts]
         write_sheet(options.picture, [pictures[first:first + 4] for first in range(0, len(pictures), 4)], WIDTH, HEIGHT, options.program)
 

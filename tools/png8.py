@@ -103,11 +103,31 @@ def write_chunks(path, header, rows, between=b""):
         out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + between + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
+def filtered(row, previous, step):
+    """The row by each filter of the PNG specification (section 9), with the filter's number before it."""
+    left = bytes(step) + row[:-step]
+    corner = bytes(step) + previous[:-step]
+    yield b"\0" + row
+    yield b"\1" + bytes((a - b) & 255 for a, b in zip(row, left))
+    yield b"\2" + bytes((a - b) & 255 for a, b in zip(row, previous))
+    yield b"\3" + bytes((a - (b + c) // 2) & 255 for a, b, c in zip(row, left, previous))
+    yield b"\4" + bytes((a - nearest_of(b, c, d)) & 255 for a, b, c, d in zip(row, left, previous, corner))
+
+
+def nearest_of(left, up, corner):
+    """Paeth's predictor."""
+    a, b, c = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
+    return left if a <= b and a <= c else up if b <= c else corner
+
+
 def write_pixels(path, width, height, channels, pixels):
-    """channels: 3 RGB or 4 RGBA."""
+    """channels: 3 RGB or 4 RGBA. Each row by the filter that leaves the smallest numbers, or all by one: what is smaller."""
     rows, previous, stride = [], bytes(width * channels), width * channels
     for y in range(height):
         row = pixels[y * stride:(y + 1) * stride]
-        rows.append(b"\2" + bytes((a - b) & 255 for a, b in zip(row, previous)))
+        rows.append(list(filtered(row, previous, channels)))
         previous = row
-    write_chunks(path, struct.pack(">IIBBBBB", width, height, 8, 2 if channels == 3 else 6, 0, 0, 0), b"".join(rows))
+    small = [min(ways, key=lambda way: sum(min(b, 256 - b) for b in way[1:])) for ways in rows]
+    choices = [b"".join(small)] + [b"".join(ways[k] for ways in rows) for k in range(5)]
+    best = min(choices, key=lambda data: len(zlib.compress(data, 9)))
+    write_chunks(path, struct.pack(">IIBBBBB", width, height, 8, 2 if channels == 3 else 6, 0, 0, 0), best)
