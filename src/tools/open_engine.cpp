@@ -5,16 +5,23 @@
 
 namespace rakelight {
 
-std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& request, Context& context) {
+Scene load_for_engine(const PictureRequest& request, Context& context) {
     const RenderSettings& settings = request.settings;
     if (settings.edges || settings.points != PointShape::none || !settings.surfaces)
         throw Error(ErrorCode::usage,
                     "only surfaces can be looked into: leave --edges, --wireframe, --points and --point-sprites out");
     context.progress("load", 0);
-    Scene loaded = scene_of_request(request, context);
+    return scene_of_request(request, context);
+}
+
+std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, const PictureRequest& request, Context& context) {
     context.progress("prepare", 0);
     const auto [scene, camera] = ready_scene(std::move(loaded), request, context);
-    return std::make_unique<const raster::Inspection>(scene, camera, settings, context);
+    return std::make_unique<const raster::Inspection>(scene, camera, request.settings, context);
+}
+
+std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& request, Context& context) {
+    return open_engine(load_for_engine(request, context), request, context);
 }
 
 }  // namespace rakelight

@@ -13,4 +13,9 @@ namespace rakelight {
 /// @throws Error as render_picture()
 std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& request, Context& context);
 
+/// The first half of it. @throws Error usage: what is asked for is not made of surfaces
+Scene load_for_engine(const PictureRequest& request, Context& context);
+/// The second half. @param loaded  of load_for_engine()
+std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, const PictureRequest& request, Context& context);
+
 }  // namespace rakelight

@@ -12,6 +12,7 @@ import program
 from program import png
 
 SIZE = "96,64"
+BRICKS = pathlib.Path(__file__).resolve().parents[2] / "data/maps/brick_height.png"
 STAGES = ["model", "world", "camera", "normalized-frustum", "central-projection", "depth-mapping", "clip-space", "clipped", "clip-planes",
           "wrap-round", "device", "screen", "culled", "coverage", "depth", "depth-precision", "visibility", "normal", "shading-frequency",
           "lighting", "blended", "tone", "picture"]
@@ -114,6 +115,37 @@ class Stages(program.Case):
         terms = self.table("lighting")["rows"]
         self.assertAlmostEqual(sum(row[1] for row in terms), mean, delta=0.002)
         return {row[0]: row[1] for row in terms}
+
+    def test_displacement_shows_the_base_beside_what_it_is_made_into(self):
+        options = ["--bump", "displacement", "--height-map", BRICKS, "--bump-depth", "0.02"]
+        self.stages(*options, model="builtin:sphere")
+        self.assertIn('<section id="displacement">', (self.out / "index.html").read_text())
+        numbers = self.table("displacement")["numbers"]
+        self.assertEqual(numbers["triangles after"], self.table("culled")["numbers"]["triangles in"])
+        self.assertGreater(numbers["triangles after"], 4 * numbers["triangles before, of what is displaced"])
+        self.assertEqual(numbers["highest, from the base [m]"], 0)
+        base = self.folder / "base.png"
+        run = self.run_program("render", "builtin:sphere", "-o", base, "--resolution", SIZE, "--bump", "none")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual(png(base)[3], png(self.out / "displacement-base.png")[3])
+        self.assertEqual(png(self.out / "picture.png")[3], png(self.out / "displacement.png")[3])
+        self.assertNotEqual(png(self.out / "displacement-enlarged.png")[3], png(self.out / "displacement-base-enlarged.png")[3])
+
+    def test_heights_of_displacement_are_widths_of_the_texture_times_the_depth(self):
+        (self.folder / "h.png").write_bytes((BRICKS).read_bytes())
+        world = self.write("w.scene.toml", "[[primitive]]\ntype = 'plane'\nname = 'road'\nsize = [4, 4]\nmaterial = 'bricks'\n"
+                           "[[primitive]]\ntype = 'sphere'\nradius = 0.5\nposition = [0, 0.5, 0]\n"
+                           "[[material]]\nname = 'bricks'\nbump = 'displacement'\nheight_texture = 'h.png'\nbump_depth = 0.05\n")
+        self.stages(model=world)
+        table = self.table("displacement")
+        self.assertEqual(len(table["rows"]), 1)
+        name, before, after, low, high = table["rows"][0]
+        self.assertEqual((name, before), ("road", 2))
+        self.assertGreater(after, 10000)
+        self.assertAlmostEqual(low, -0.2, delta=0.002)  # 4 m are one width; black texels are the lowest
+        self.assertAlmostEqual(high, 0, delta=0.002)
+        self.stages("--bump", "none", model=self.write("plain.scene.toml", "[[primitive]]\ntype = 'plane'\n"))
+        self.assertFalse((self.out / "displacement.json").exists())
 
     def test_coverage_of_once_is_not_the_color_of_the_most(self):
         one = "[[primitive]]\ntype = 'plane'\nrotation_deg = [90, 0, 0]\n"

@@ -8,6 +8,7 @@
 #include "render/report_json.h"
 #include "scene/scene_tools.h"
 #include "tools/open_engine.h"
+#include "tools/stages/displacement_stage.h"
 #include "tools/stages/folder.h"
 #include "tools/stages/stage.h"
 
@@ -22,7 +23,8 @@ StagesResult write(const PictureRequest& request, Context& context) {
     if (std::int64_t(settings.width) * settings.height > most_pixels)
         throw Error(ErrorCode::usage, "the stages are shown of at most 16 million pixels", {}, "give a smaller --resolution");
     stages::NewFolder folder(request.output);  // first: what stands in the way is said at once
-    const auto engine = open_engine(request, context);
+    const Scene loaded = load_for_engine(request, context);
+    const auto engine = open_engine(loaded, request, context);
     context.progress("stages", 0);
     if (triangle_count(engine->list().scene) == 0)
         context.report().add(Remark::warning, request.input, "",
@@ -31,6 +33,8 @@ StagesResult write(const PictureRequest& request, Context& context) {
     const raster::PixelStageData pixels = raster::inspect_pixels(*engine, open, drawn, most_lights, context);
     const stages::Sources sources{*engine, open, drawn, pixels, request.tone};
     std::vector<stages::Stage> all;
+    if (stages::has_displacement(sources, request))
+        all.push_back(stages::displacement_stage(sources, loaded, request, context));
     for (const auto part : {stages::space_stages, stages::projection_stages, stages::clip_stages, stages::screen_stages,
                             stages::pixel_stages})
         for (stages::Stage& stage : part(sources)) all.push_back(std::move(stage));
