@@ -150,6 +150,12 @@ struct Tile {
     std::span<const vec3> base_color, ambient, diffuse, specular, emission;
 };
 
+/// Rows of display values in a sink's own memory: R in the low byte, straight alpha.
+struct DisplayRows {
+    std::uint32_t* first = nullptr;  ///< null: there are none
+    std::size_t stride = 0;          ///< [px] from row to row
+};
+
 /// Takes finished tiles. Bit-equal results whatever the order of the tiles. Progressive engines deliver passes.
 class Sink {
 public:
@@ -158,6 +164,12 @@ public:
     virtual void begin(int width, int height, Window window, std::uint32_t channels) = 0;
     /// Whether tiles should come as 8-bit display values, clamped and correctly rounded, in place of linear colors.
     virtual bool takes_srgb8() const { return false; }
+    /// Where display values of a rectangle may be written at once, by sinks that take them; its tile() then comes
+    /// without colors. From any thread, for rectangles as in tile().
+    virtual DisplayRows display_rows(const Window& area) {
+        (void)area;
+        return {};
+    }
     /// From any thread, several at once, never two with a common pixel in the same pass.
     virtual void tile(const Tile& tile) = 0;
     /// How many rows this sink holds at once: 0 all of the window, else 64 or more. Asked after begin(). Engines

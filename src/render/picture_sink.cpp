@@ -2,6 +2,7 @@
 #include "render/picture_sink.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "base/assert.h"
@@ -49,6 +50,13 @@ void PictureSink::begin(int width, int height, Window window, std::uint32_t chan
     for (ChannelPlane& plane : planes_) plane.words.resize(pixels * std::size_t(plane.components));
 }
 
+DisplayRows PictureSink::display_rows(const Window& a) {
+    if (!takes_srgb8() || format_.channels != 4) return {};
+    static_assert(std::endian::native == std::endian::little);
+    const std::size_t first = at_row(a.y - first_) + std::size_t(a.x - window_.x);
+    return {reinterpret_cast<std::uint32_t*>(color_.data() + 4 * first), std::size_t(window_.width)};
+}
+
 void PictureSink::tile(const Tile& tile) {
     const Window& a = tile.area;
     RL_ASSERT(a.x >= window_.x && a.y >= first_ && a.x + a.width <= window_.x + window_.width &&
@@ -62,7 +70,7 @@ void PictureSink::tile(const Tile& tile) {
         std::byte* const out = color_.data() + to * format_.bytes();
         if (!tile.srgb8.empty())
             pack_row(tile.srgb8.data() + from, count, format_.channels, out);
-        else
+        else if (!tile.color.empty())
             convert_row(tile.color.data() + from, count, format_, tone_, out);
         if (keeps_linear_)
             convert_row(tile.color.data() + from, count, linear, tone_,

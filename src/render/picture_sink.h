@@ -32,6 +32,7 @@ public:
     bool takes_srgb8() const override {
         return format_.component == Component::u8 && !keeps_linear_ && tone_.is_identity();
     }
+    DisplayRows display_rows(const Window& area) override;
     void tile(const Tile& tile) override;
     int rows_at_once() const override { return strip_done_ ? rows_ : 0; }
     void rows_done(int first, int rows) override;

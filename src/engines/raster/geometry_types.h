@@ -114,12 +114,15 @@ struct GeometryKernels {
     int32_t (*set_up)(SetUpJob* job);           ///< returns how many passed
     /// Depth -1, visible -1. [tile_size * tile_size] both
     void (*clear_tile)(float* depth, int32_t* visible);
+    /// `value` where nothing is visible. Of the tile's first pixel; `stride` pixels from row to row.
+    void (*fill_empty)(const int32_t* visible, uint32_t value, uint32_t* out, int64_t stride);
     /// The least depth in a part of a tile, px inclusive; -1 where a pixel is still empty.
     float (*farthest)(const float* depth, int32_t left, int32_t top, int32_t right, int32_t bottom);
     int32_t (*nearest)(const NearestJob* job);  ///< returns how many pixels were written
     int32_t (*cover)(const CoverJob* job);      ///< the same
-    /// Lists the pixels [tile_size * tile_size] whose `visible` is in begin..end-1, block by block (block_side), row by
-    /// row in each, and what they show; returns their number. Writes up to batch_padding past it.
+    /// Lists the pixels [tile_size * tile_size] whose `visible` is in begin..end-1 and what they show, block by block
+    /// (block_side), row by row in each, those of a wholly filled vector first; returns their number. Writes up to
+    /// batch_padding past it.
     int32_t (*collect)(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel, int32_t* shown);
     /// Numbers what `count` pixels show, each triangle once, in the order of their first pixels: position in the tile's
     /// list -> `record`, which is -1 before, pixel -> `triangle`, number -> `wanted`. Returns how many there are. Reads

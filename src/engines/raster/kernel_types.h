@@ -140,7 +140,9 @@ struct ShadeJob {
     float* green;
     float* blue;
     float* alpha;
-    uint32_t* srgb8;             ///< [count] out in place of these: sRGB codes, opaque, R in the low byte; or null
+    uint32_t* srgb8;       ///< out in place of these, at the place of each pixel: sRGB codes, opaque, R in the low
+                           ///< byte. Of the tile's first pixel; or null
+    int64_t srgb8_stride;  ///< [px] from row to row
     const uint32_t* srgb_table;  ///< SrgbEncoder::table()
     float* normal_x;                       ///< [count] out, shading normal in the world; null: not wanted
     float* normal_y;

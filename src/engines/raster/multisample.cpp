@@ -66,11 +66,9 @@ private:
         const vec4 background = job_.front.settings.background;
         if (has_sky(job_.front.list)) return fill_sky(job_, tile_, s_.color, s_);
         if (!is_direct_) return std::fill(s_.color.begin(), s_.color.end(), background);
-        std::uint8_t code[4];
-        to_srgb8({&background, 1}, 4, code);
-        std::uint32_t packed;
-        std::memcpy(&packed, code, sizeof packed);
-        std::fill(s_.srgb8.begin(), s_.srgb8.end(), packed);
+        const std::uint32_t value = display_value(background);
+        for (std::size_t y = 0; y < tile_size; ++y)
+            std::fill_n(s_.display.first + y * s_.display.stride, tile_size, value);
     }
 
     /// Which pixels are one triangle's (or the background's), and the fragments of the others.
@@ -166,9 +164,8 @@ private:
 
     void shade_whole(std::uint32_t draw, std::size_t count) {
         ShadeJob batch = batch_of(draw, count);
-        if (is_direct_) batch.srgb8 = s_.codes.data(), batch.srgb_table = SrgbEncoder::instance().table();
+        if (is_direct_) want_srgb8(s_, batch);
         s_.not_finite += std::uint64_t(shade_with_lists(job_.kernels, job_.reach, batch, s_));
-        if (is_direct_) put_blocks(s_.codes.data(), s_.pixel.data(), count, s_.srgb8.data());
         for (std::size_t i = 0; i < count && !is_direct_; ++i)
             s_.color[std::size_t(s_.pixel[i])] = {s_.red[i], s_.green[i], s_.blue[i], 1.0f};
     }

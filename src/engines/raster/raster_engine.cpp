@@ -98,10 +98,10 @@ void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     std::vector<vec4> color;
     std::vector<std::uint32_t> srgb8;
     Tile result{.area = area};
-    if (job.to_srgb8)
-        result.srgb8 = part(s.srgb8, in_tile, srgb8);
-    else
+    if (!job.to_srgb8)
         result.color = part(s.color, in_tile, color);
+    else if (s.display.first == s.srgb8.data())
+        result.srgb8 = part(s.srgb8, in_tile, srgb8);
     ChannelArrays copies;
     for_each_channel(
         [&](std::uint32_t bit, auto& to, const auto& whole, auto& copy) {
@@ -131,8 +131,16 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/// Where the tile's display values are made: in the sink, if it has room for the whole tile.
+DisplayRows display_of(const TileJob& job, const Window& area, TileScratch& s, Sink& sink) {
+    DisplayRows rows;
+    if (job.to_srgb8 && area.width == tile_size && area.height == tile_size) rows = sink.display_rows(area);
+    return rows.first ? rows : DisplayRows{s.srgb8.data(), tile_size};
+}
+
 void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink& sink) {
     StageClock clock;
+    scratch.display = display_of(job, job.grid.pixels(tile), scratch, sink);
     const bool is_sampled = job.front.settings.samples > 1;
     if (job.reach)
         job.reach->in_tile(job.front.view, job.grid.origin_x(tile), job.grid.origin_y(tile), scratch.tile_lights);

@@ -65,7 +65,10 @@ void resolve(bool is_direct, std::size_t samples, TileScratch& s) {
     }
     m.codes.resize(count);
     to_srgb8(m.resolved, 4, {reinterpret_cast<std::uint8_t*>(m.codes.data()), 4 * count});
-    for (std::size_t n = 0; n < count; ++n) s.srgb8[std::size_t(m.open_pixels[n])] = m.codes[n];
+    for (std::size_t n = 0; n < count; ++n) {
+        const auto p = std::size_t(m.open_pixels[n]);
+        s.display.first[p / tile_size * s.display.stride + p % tile_size] = m.codes[n];
+    }
 }
 
 }  // namespace
@@ -98,7 +101,7 @@ void finish_samples(const TileJob& job, std::size_t tile, TileScratch& s) {
         marks->lay_rest();
     else
         draw_marks(job, tile, s);
-    if (job.to_srgb8) to_srgb8(s.color, 4, {reinterpret_cast<std::uint8_t*>(s.srgb8.data()), 4 * s.srgb8.size()});
+    if (job.to_srgb8) encode_tile(s);
 }
 
 }  // namespace rakelight::raster

@@ -28,19 +28,24 @@ void find_wanted(const TileJob& job, std::size_t tile, std::size_t count, TileSc
     }
 }
 
-void put_blocks(const std::uint32_t* values, const std::int32_t* pixels, std::size_t count, std::uint32_t* tile) {
-    constexpr std::int32_t side = block_side, last = (side - 1) * (tile_size + 1);  // its bits are places in a block
-    constexpr std::size_t whole = side * side;
-    for (std::size_t i = 0; i < count;) {
-        const std::int32_t first = pixels[i];
-        if ((first & last) == 0 && i + whole <= count && pixels[i + whole - 1] == first + last) {
-            for (std::int32_t row = 0; row < side; ++row)
-                std::memcpy(tile + first + row * tile_size, values + i + std::size_t(row * side), side * sizeof(*tile));
-            i += whole;
-        } else {
-            tile[first] = values[i++];
-        }
-    }
+void want_srgb8(const TileScratch& s, ShadeJob& job) {
+    job.srgb8 = s.display.first;
+    job.srgb8_stride = std::int64_t(s.display.stride);
+    job.srgb_table = SrgbEncoder::instance().table();
+}
+
+std::uint32_t display_value(vec4 color) {
+    std::uint8_t code[4];
+    to_srgb8({&color, 1}, 4, code);
+    std::uint32_t packed;
+    std::memcpy(&packed, code, sizeof packed);
+    return packed;
+}
+
+void encode_tile(TileScratch& s) {
+    for (std::size_t y = 0; y < tile_size; ++y)
+        to_srgb8(std::span(s.color).subspan(y * tile_size, tile_size), 4,
+                 {reinterpret_cast<std::uint8_t*>(s.display.first + y * s.display.stride), 4 * tile_size});
 }
 
 namespace {
@@ -64,11 +69,10 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
     const bool with_normal = (job.front.settings.channels & channel_normal) != 0;
     if (with_normal)
         batch.normal_x = s.normal_x.data(), batch.normal_y = s.normal_y.data(), batch.normal_z = s.normal_z.data();
-    if (to_srgb8) batch.srgb8 = s.codes.data(), batch.srgb_table = SrgbEncoder::instance().table();
+    if (to_srgb8) want_srgb8(s, batch);
     s.not_finite += std::uint64_t(shade_with_lists(job.kernels, job.reach, batch, s));
     s.shaded += count;
     if (is_lit_at_pixels(batch)) s.lit_pixels += count;
-    if (to_srgb8) put_blocks(s.codes.data(), s.pixel.data(), count, s.srgb8.data());
     for (std::size_t i = 0; i < count && !to_srgb8; ++i)
         s.color[std::size_t(s.pixel[i])] = {s.red[i], s.green[i], s.blue[i], 1.0f};
     for (std::size_t i = 0; i < count && with_normal; ++i)
@@ -126,11 +130,8 @@ void set_background(const TileJob& job, std::size_t tile, bool to_srgb8, TileScr
     if (has_sky(job.front.list)) {
         if (shows_background(s)) fill_sky(job, tile, s.color, s);
     } else if (to_srgb8) {
-        std::uint8_t code[4];
-        rakelight::to_srgb8({&settings.background, 1}, 4, code);
-        std::uint32_t packed;
-        std::memcpy(&packed, code, sizeof packed);
-        std::fill_n(s.srgb8.data(), tile_pixels, packed);
+        job.front.kernels.fill_empty(s.visible.data(), display_value(settings.background), s.display.first,
+                                     std::int64_t(s.display.stride));
     } else {
         std::fill(s.color.begin(), s.color.end(), settings.background);
     }
@@ -272,7 +273,7 @@ void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
     } else {
         blend_layers(job, tile, order, nullptr, s);
     }
-    if (job.to_srgb8) to_srgb8(s.color, 4, {reinterpret_cast<std::uint8_t*>(s.srgb8.data()), 4 * s.srgb8.size()});
+    if (job.to_srgb8) encode_tile(s);
 }
 
 }  // namespace rakelight::raster

@@ -49,7 +49,6 @@ public:
     // A batch for the kernel. [tile_pixels + batch_padding]
     std::vector<std::int32_t> pixel = batch<std::int32_t>();
     std::vector<std::int32_t> batch_triangle = batch<std::int32_t>();  ///< into `triangles`
-    std::vector<std::uint32_t> codes = batch<std::uint32_t>();
     std::vector<float> red = batch<float>(), green = batch<float>(), blue = batch<float>(), alpha = batch<float>();
     std::vector<float> offset_x = batch<float>(), offset_y = batch<float>();
     std::vector<float> normal_x = batch<float>(), normal_y = batch<float>(), normal_z = batch<float>();
@@ -73,6 +72,7 @@ public:
     std::vector<vec4> color = std::vector<vec4>(tile_pixels);
     std::vector<std::uint32_t> srgb8 =
         std::vector<std::uint32_t>(tile_pixels);  ///< in place of `color` where the sink takes display values
+    DisplayRows display;                          ///< where those go: `srgb8`, or the sink's memory of a whole tile
     std::vector<PendingMark> pending;  ///< [tile_pixels] in pictures with lines or points; between tiles nothing waits
     std::vector<std::uint32_t> tile_lights;         ///< of many lights, those that may reach the tile
     std::vector<lighting::LightParameters> lights;  ///< those that may reach the run of pixels that is shaded
@@ -115,8 +115,12 @@ std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile);
 
 /// `wanted`: what the first `count` of `shown` are, each once; `batch_triangle`: which of them.
 void find_wanted(const TileJob& job, std::size_t tile, std::size_t count, TileScratch& scratch);
-/// Values of pixels in the order of GeometryKernels::collect to their places in a tile: whole blocks row by row.
-void put_blocks(const std::uint32_t* values, const std::int32_t* pixels, std::size_t count, std::uint32_t* tile);
+/// Display values come from the kernel, to their places.
+void want_srgb8(const TileScratch& scratch, ShadeJob& job);
+/// Those of a linear color.
+std::uint32_t display_value(vec4 color);
+/// `color` as display values.
+void encode_tile(TileScratch& scratch);
 
 /// The kernel's records of triangles of one draw, about the tile's first pixel center, into `triangles` of the scratch;
 /// where lighting is not evaluated at the pixels, the light of their corners into `lit`.

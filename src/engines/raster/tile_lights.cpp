@@ -108,7 +108,6 @@ ShadeJob part_of(const ShadeJob& job, std::int32_t first) {
     advance(part.pixel, first), advance(part.triangle, first);
     advance(part.offset_x, first), advance(part.offset_y, first);
     advance(part.red, first), advance(part.green, first), advance(part.blue, first), advance(part.alpha, first);
-    advance(part.srgb8, first);
     advance(part.normal_x, first), advance(part.normal_y, first), advance(part.normal_z, first);
     return part;
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <bit>
 #include <filesystem>
 #include <fstream>
 
@@ -93,6 +94,23 @@ TEST_F(Picture, ATransparentBackgroundGivesAlphaAsTheFormatWantsIt) {
     EXPECT_EQ(reinterpret_cast<const float*>(linear.color_row(0))[0], 0.125f);
     draw({.output = file("t.png"), .settings = {.width = 8, .height = 8, .background = {0, 0, 0, 0}}});
     EXPECT_EQ(decode("t.png").channels, 4);
+}
+
+TEST_F(Picture, DisplayValuesOfFourBytesMayBeWrittenIntoThePictureItself) {
+    PictureSink sink({Component::u8, 4});
+    sink.begin(200, 150, {64, 10, 100, 90}, channel_depth);
+    const DisplayRows rows = sink.display_rows({70, 12, 3, 2});
+    ASSERT_NE(rows.first, nullptr);
+    EXPECT_EQ(rows.stride, 100u);
+    rows.first[1 * rows.stride + 2] = 0xff030201;  // pixel (72, 13)
+    const float depth[6] = {1, 2, 3, 4, 5, 6};
+    sink.tile({.area = {70, 12, 3, 2}, .depth = depth});  // leaves the colors alone
+    const std::byte* const pixel = sink.color_row(13 - 10) + std::ptrdiff_t(4 * (72 - 64));
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(std::to_integer<int>(pixel[c]), c + 1);
+    EXPECT_EQ(std::bit_cast<float>(sink.channel_row(0, 3)[72 - 64]), 6.0f);
+    EXPECT_EQ(PictureSink({Component::u8, 3}).display_rows({0, 0, 1, 1}).first, nullptr);
+    EXPECT_EQ(PictureSink({Component::f32, 4}).display_rows({0, 0, 1, 1}).first, nullptr);
+    EXPECT_EQ(PictureSink({Component::u8, 4}, {ToneMapping::agx, 0}).display_rows({0, 0, 1, 1}).first, nullptr);
 }
 
 TEST_F(Picture, ToneMappingActsOnDisplayValuesAndLeavesLinearFilesAlone) {

@@ -9,9 +9,11 @@ RL_USE_WIDE;
 using rakelight::wide::RL_ISA::load_i_rows4;
 
 /// Positions in a tile's list are in the order of the scene: those of one draw follow one another. Pixels come block by
-/// block: neighbors in both directions share triangles, levels and texels.
+/// block: neighbors in both directions share triangles, levels and texels. Blocks that are wholly the draw's come
+/// first: a vector then is one of them, which the shading kernel stores row by row.
 static int32_t collect(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel, int32_t* shown) {
     constexpr int32_t columns = lanes < block_side ? lanes : block_side, rows = lanes / columns;
+    int32_t rest_pixel[tile_size * tile_size + lanes], rest_shown[tile_size * tile_size + lanes], rest = 0;
     const integer lane = lane_indices();
     const integer place = ((lane >> 2) << tile_bits) + (lane & integer(block_side - 1));
     int32_t count = 0;
@@ -29,10 +31,12 @@ static int32_t collect(const int32_t* visible, int32_t begin, int32_t end, int32
                         count += lanes;
                         continue;
                     }
-                    store_compressed(shown + count, position, is_wanted);
-                    count += store_compressed(pixel + count, place + integer(first), is_wanted);
+                    store_compressed(rest_shown + rest, position, is_wanted);
+                    rest += store_compressed(rest_pixel + rest, place + integer(first), is_wanted);
                 }
-    return count;
+    __builtin_memcpy(pixel + count, rest_pixel, uint32_t(rest) * sizeof(int32_t));
+    __builtin_memcpy(shown + count, rest_shown, uint32_t(rest) * sizeof(int32_t));
+    return count + rest;
 }
 
 static int32_t number(const int32_t* shown, int32_t count, int32_t* record, int32_t* triangle, int32_t* wanted) {

@@ -16,6 +16,17 @@ static void clear_tile(float* depth, int32_t* visible) {
     }
 }
 
+static void fill_empty(const int32_t* visible, uint32_t value, uint32_t* out, int64_t stride) {
+    for (int32_t y = 0; y < tile_size; ++y)
+        for (int32_t x = 0; x < tile_size; x += lanes) {
+            const mask is_empty = load_i(visible + y * tile_size + x) < integer(0);
+            if (no_lane(is_empty)) continue;
+            int32_t* const to = reinterpret_cast<int32_t*>(out + y * stride + x);
+            store(to, all_lanes(is_empty) ? integer(int32_t(value))
+                                          : select(is_empty, integer(int32_t(value)), load_i(to)));
+        }
+}
+
 static float farthest(const float* depth, int32_t left, int32_t top, int32_t right, int32_t bottom) {
     const real most(2.0f), zero(0.0f);  // nearer than any key
     const integer first(left), last(right);

@@ -11,8 +11,8 @@
 namespace rakelight::raster::RL_ISA {
 
 const GeometryKernels* geometry_kernels() {
-    static constexpr GeometryKernels table = {transform, set_up,  clear_tile, farthest, nearest,
-                                              cover,     collect, number,     record};
+    static constexpr GeometryKernels table = {transform, set_up, clear_tile, fill_empty, farthest,
+                                              nearest,   cover,  collect,    number,     record};
     return &table;
 }
 

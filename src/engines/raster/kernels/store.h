@@ -22,6 +22,29 @@ inline integer srgb8(const uint32_t* table, real linear) {
     return gather_i(table, shift_right_logical(bits, srgb_bucket_bits)) + (bits & integer(0xffff));
 }
 
+/// To their pixels: a whole block of the tile, which most vectors are, row by row.
+inline void store_codes(const ShadeJob& job, int32_t first, integer codes) {
+    constexpr int32_t columns = lanes < block_side ? lanes : block_side;
+    constexpr int32_t rows = lanes / columns < block_side ? lanes / columns : block_side, part = rows * columns;
+    constexpr int32_t last = (rows - 1) * tile_size + columns - 1;  // its bits are places in a block
+    int32_t code[lanes];
+    store(code, codes);
+    for (int32_t i = 0; i < lanes; i += part) {
+        const int32_t* const pixel = job.pixel + first + i;
+        const auto at = [&](int32_t p) {
+            return job.srgb8 + (p >> tile_bits) * job.srgb8_stride + (p & (tile_size - 1));
+        };
+        const int32_t alive = job.count - first - i;
+        if (alive >= part && (pixel[0] & last) == 0 && pixel[part - 1] == pixel[0] + last) {
+            uint32_t* const to = at(pixel[0]);
+            for (int32_t row = 0; row < rows; ++row)
+                __builtin_memcpy(to + row * job.srgb8_stride, code + i + row * columns, columns * sizeof(int32_t));
+        } else {
+            for (int32_t k = 0; k < part && k < alive; ++k) *at(pixel[k]) = uint32_t(code[i + k]);
+        }
+    }
+}
+
 inline void store_colors(const ShadeJob& job, int32_t first, vec3 radiance, real alpha) {
     if (job.srgb8 == nullptr) {
         store(job.red + first, radiance.x);
@@ -33,7 +56,7 @@ inline void store_colors(const ShadeJob& job, int32_t first, vec3 radiance, real
     const integer codes = shift_right_logical(srgb8(job.srgb_table, radiance.x), 16) |
                           (shift_right_logical(srgb8(job.srgb_table, radiance.y), 8) & integer(0xff00)) |
                           (srgb8(job.srgb_table, radiance.z) & integer(0xff0000)) | integer(int32_t(0xff000000u));
-    store(reinterpret_cast<int32_t*>(job.srgb8 + first), codes);
+    store_codes(job, first, codes);
 }
 
 /// With 0 for what is not finite. @return how many components were not
