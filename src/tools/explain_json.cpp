@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explained pixels as the program's JSON, schema rakelight.explain/1 (docs/explain.md): fields are added, never renamed.
 // Floats are written as the doubles that they are equal to, so that the bits come back.
+#include <rakelight/words.h>
+
 #include "render/report_json.h"
 #include "tools/explain_factors.h"
 #include "tools/explained_pixel.h"
@@ -186,6 +188,7 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
                 {"normal", list(t.normal)},
                 {"diffuse_normal", list(t.diffuse_normal)},
                 {"to_viewer", list(t.view)}};
+    if (layer.ward_form >= 0) out["ward_form"] = ward_form_words[layer.ward_form].name;
     out["surface"] = surface_json(layer);
     add_parameters(out["surface"], layer);
     out["emission"] = list(t.emission);

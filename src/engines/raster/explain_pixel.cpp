@@ -123,6 +123,7 @@ private:
         layer->is_unlit = batch.unlit != 0;
         layer->reflection_model = batch.reflection_model;
         layer->reflection_form = batch.reflection_form;
+        if (batch.reflection_model == 4 && batch.full) layer->ward_form = batch.full->ward_form;
         if (pixel.is_lit_at_corners)
             layer->corners = trace_corners(open_.front, open_.points, s, batch);
         else if (!layer->is_unlit)

@@ -77,6 +77,7 @@ struct ShadedLayer {
     std::vector<TracedParts> parts;   ///< [lights], then those of what comes from all around and of the emission
     std::vector<TracedCorner> corners;  ///< where trace.is_lit_at_corners: the three vertices, or the centroid alone
     int reflection_model = 0, reflection_form = 0;  ///< of ShadeJob
+    int ward_form = -1;                             ///< WardForm where the model is Ward's, else -1
     bool is_unlit = false, is_blended = false;
     std::vector<LaidSample> samples;  ///< those that show it
 };
