@@ -41,6 +41,11 @@ std::vector<double> numbers(const std::string& option, std::string_view text, st
     return values;
 }
 
+bool is_number(std::string_view text) {
+    double value = 0;
+    return parse(text, value);
+}
+
 double number(const std::string& option, std::string_view text) { return numbers(option, text, 1)[0]; }
 
 double number(const std::string& option, std::string_view text, double low, double high) {

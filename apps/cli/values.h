@@ -49,6 +49,9 @@ Fog fog(const std::string& option, std::string_view text);
 /// "on", "off"; as F3D has it also "true", "false".
 bool switched(const std::string& option, std::string_view text);
 
+/// Whether a text is meant as a number, for which no word is near.
+bool is_number(std::string_view text);
+
 /// The value of a word out of a fixed list.
 template <class T>
 T word(const std::string& option, std::string_view text, std::span<const Word<T>> words) {
@@ -59,6 +62,8 @@ T word(const std::string& option, std::string_view text, std::span<const Word<T>
         all += (all.empty() ? "" : ", ") + std::string(name);
         names.push_back(name);
     }
+    if (is_number(text))
+        throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 40) + "' is not one of " + all);
     const std::string near = nearest_word(text, names);
     throw Error(ErrorCode::usage, option + ": unknown word '" + one_line(std::string(text), 40) + "'", {},
                 (near.empty() ? "" : "did you mean '" + near + "'? ") + "use one of: " + all);

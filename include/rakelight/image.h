@@ -15,8 +15,8 @@ namespace rakelight {
 enum class Component : std::uint8_t { u8, u16, f32 };
 constexpr std::size_t size_of(Component c) { return c == Component::u8 ? 1 : c == Component::u16 ? 2 : 4; }
 
-/// Decoded pixels: row 0 on top, rows tightly packed, `channels` interleaved components a pixel (1 grey, 2 grey + alpha,
-/// 3 RGB, 4 RGBA; alpha not premultiplied). u8 and u16 are the file's code values 0..max; f32 are linear values.
+/// Decoded pixels: row 0 on top, rows tightly packed, `channels` interleaved components a pixel (1 gray, 2 gray +
+/// alpha, 3 RGB, 4 RGBA; alpha not premultiplied). u8 and u16 are the file's code values 0..max; f32 are linear values.
 struct Pixels {
     int width = 0, height = 0;  ///< [px] >= 0
     int channels = 0;           ///< 1..4
@@ -41,6 +41,7 @@ struct EncodedImage {
     std::string mime_type;  ///< as the file claims, may be empty; the content decides
     /// Decodes. Reentrant. @throws Error bad_file or not_found: broken, too large for the memory budget, not a picture.
     std::function<Pixels(const EncodedImage&, Context&)> decode;
+    std::string place;  ///< where `file` names it, for messages: "line 9, column 18" of a world file, else empty
 };
 using ImageHandle = std::shared_ptr<const EncodedImage>;
 

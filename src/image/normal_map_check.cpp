@@ -39,8 +39,14 @@ Slope slope(std::uint32_t t) {
     return {-n.x / z, -n.y / z};
 }
 
+/// Of red, green and blue, [codes].
+double spread(std::uint32_t t) {
+    const std::uint32_t r = t & 255u, g = t >> 8 & 255u, b = t >> 16 & 255u;
+    return double(std::max({r, g, b}) - std::min({r, g, b}));
+}
+
 struct Sums {
-    double products = 0, p_squares = 0, q_squares = 0, errors = 0, srgb_errors = 0, xy = 0, z = 0;
+    double products = 0, p_squares = 0, q_squares = 0, errors = 0, srgb_errors = 0, xy = 0, z = 0, spread = 0;
     std::size_t count = 0;
 };
 
@@ -54,6 +60,7 @@ void add_row(const std::uint32_t* row, int width, int stride, Sums& s) {
         s.errors += length_error(decode(row[x]));
         s.xy += 0.5 * (decode(row[x]).x + decode(row[x]).y);
         s.z += decode(row[x]).z;
+        s.spread += spread(row[x]);
         s.srgb_errors += length_error(decode_srgb(row[x]));
         ++s.count;
     }
@@ -82,6 +89,7 @@ NormalMapCheck check_normal_map(std::span<const std::uint32_t> texels, int width
     out.length_error = s.errors / count;
     out.mean_xy = s.xy / count;
     out.mean_z = s.z / count;
+    out.mean_spread = s.spread / count;
     out.srgb_length_error = s.srgb_errors / count;
     return out;
 }

@@ -89,16 +89,16 @@ Pixels decode_image(std::span<const std::byte> bytes, Context& context) {
     return reader_for(bytes)(bytes, context);
 }
 
-ImageHandle image_from_file(std::string name, std::string model_file, std::string path) {
-    return std::make_shared<const EncodedImage>(
-        EncodedImage{std::move(name), std::move(model_file), std::move(path), nullptr, {}, decode_own_file});
+ImageHandle image_from_file(std::string name, std::string model_file, std::string path, std::string place) {
+    return std::make_shared<const EncodedImage>(EncodedImage{
+        std::move(name), std::move(model_file), std::move(path), nullptr, {}, decode_own_file, std::move(place)});
 }
 
 ImageHandle image_from_bytes(std::string name, std::string model_file, std::shared_ptr<const std::vector<std::byte>> bytes,
                              std::string mime_type) {
     if (!bytes) bytes = std::make_shared<const std::vector<std::byte>>();
-    return std::make_shared<const EncodedImage>(
-        EncodedImage{std::move(name), std::move(model_file), {}, std::move(bytes), std::move(mime_type), decode_embedded});
+    return std::make_shared<const EncodedImage>(EncodedImage{
+        std::move(name), std::move(model_file), {}, std::move(bytes), std::move(mime_type), decode_embedded, {}});
 }
 
 }  // namespace rakelight::io

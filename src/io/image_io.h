@@ -9,15 +9,18 @@
 
 namespace rakelight::io {
 
-/// Makes an undecoded picture with its decode function installed. Either `path` (a file of its own) or `bytes` (embedded).
-/// Nothing is opened or read.
-ImageHandle image_from_file(std::string name, std::string model_file, std::string path);
+/// Makes an undecoded picture with its decode function installed. Either `path` (a file of its own) or `bytes`
+/// (embedded). Nothing is opened or read.
+/// @param place  EncodedImage::place
+ImageHandle image_from_file(std::string name, std::string model_file, std::string path, std::string place = {});
 ImageHandle image_from_bytes(std::string name, std::string model_file, std::shared_ptr<const std::vector<std::byte>> bytes,
                              std::string mime_type);
 
-/// Decodes by content (not by name). The size in the header is held against the memory budget before pixels are asked for;
-/// at most 32768 pixels a side. Colours that EXR holds multiplied by alpha are divided by it (and multiplied on writing).
-/// @throws Error bad_file: not a picture, broken, cut short, too large. The error carries no file name; the caller adds it.
+/// Decodes by content (not by name). The size in the header is held against the memory budget before pixels are asked
+/// for; at most 32768 pixels a side. Colors that EXR holds multiplied by alpha are divided by it (and multiplied on
+/// writing).
+/// @throws Error bad_file: not a picture, broken, cut short, too large. The error carries no file name; the caller adds
+/// it.
 Pixels decode_image(std::span<const std::byte> bytes, Context& context);
 
 /// Takes rows from top to bottom; the file appears when finish() was called (temporary name, then rename).

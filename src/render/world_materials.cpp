@@ -38,14 +38,16 @@ public:
     }
 
 private:
-    /// The texture of a file, made once.
+    /// The texture of a file, made once: but once more as a normal and as a height map, so that what is said of those
+    /// has the place where they are named as such.
     TextureUse picture(const WorldValue& value) {
         const std::string& name = value.words[0];
-        auto known = textures_.find(name);
-        if (known == textures_.end()) {
-            known = textures_.emplace(name, std::uint32_t(scene_.textures.size())).first;
-            scene_.textures.push_back({name, io::image_from_file(name, path_, checked(value)), {}});
-        }
+        const bool is_looked_at = value.key == "normal_texture" || value.key == "height_texture";
+        const auto [known, is_new] =
+            textures_.emplace(std::pair(name, is_looked_at ? value.key : ""), std::uint32_t(scene_.textures.size()));
+        if (is_new)
+            scene_.textures.push_back(
+                {name, io::image_from_file(name, path_, checked(value), to_text(value.place)), {}});
         TextureUse use;
         use.texture = known->second;
         return use;
@@ -59,7 +61,7 @@ private:
     const std::string& path_;
     const LoadOptions& options_;
     Context& context_;
-    std::map<std::string, std::uint32_t> textures_;
+    std::map<std::pair<std::string, std::string>, std::uint32_t> textures_;  ///< file and, of some, key
 };
 
 /// A material of the world's own before its values: white, of no metal.
@@ -159,7 +161,7 @@ void change_material(Material& material, std::span<const WorldValue> values,
 std::string checked_picture(const std::string& path, const std::string& name, WorldPlace place,
                             const LoadOptions& options, Context& context, std::pair<int, int>* size) {
     try {
-        const std::string file = io::resolve_reference(path, name, options.allow_outside);
+        std::string file = io::resolve_reference(path, name, options.allow_outside);
         const std::uint64_t before = context.memory().charged();
         const Pixels pixels = io::decode_image(*io::read_file(file, context), context);
         if (size) *size = {pixels.width, pixels.height};

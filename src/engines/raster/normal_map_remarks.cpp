@@ -29,18 +29,24 @@ NormalMapCheck check(const TextureData& data) {
 /// Whether the map is to be looked at.
 bool NormalMapRemarks::begin(const Material& material, const TextureUse& use, const TextureData& data) {
     const EncodedImage& image = *scene_.textures[use.texture].image;
-    place_ = material.name.empty() ? image.name : material.name;
+    place_ = !image.place.empty() ? image.place : material.name.empty() ? image.name : material.name;
+    is_of_world_ = !image.place.empty();
     return !data.rgba8.empty() && seen_.insert(&image).second;
 }
 
 void NormalMapRemarks::look_at_heights(const Material& material, const TextureUse& use, const TextureData& data) {
     if (begin(material, use, data) && check(data).looks_like_normals())
-        say(Remark::warning, "the height map looks like a normal map; --texture-normal takes it as one");
+        say(Remark::warning, is_of_world_ ? "the height map looks like a normal map; 'normal_texture' takes it as one"
+                                          : "the height map looks like a normal map; --texture-normal takes it as one");
 }
 
 void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, const TextureData& data) {
     if (!begin(material, use, data)) return;
     const NormalMapCheck check = raster::check(data);
+    if (check.looks_like_heights())
+        return say(Remark::warning,
+                   is_of_world_ ? "the normal map looks like a height map: it is gray; 'height_texture' takes it as one"
+                                : "the normal map looks like a height map: it is gray; --height-map takes it as one");
     if (check.below > 0) say(check.below * 1000 >= check.texels ? Remark::warning : Remark::note, said(check).c_str());
     if (!material.green_down && check.looks_green_down())
         say(Remark::warning, "the normal map looks green-down; --normal-map-green down turns it");

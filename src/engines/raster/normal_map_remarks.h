@@ -10,8 +10,9 @@
 namespace rakelight::raster {
 
 /// Looks once at each normal map of a scene that is prepared (image/normal_map_check.h): warnings of maps that look
-/// green-down (or green-up where the material says down), that look or are tagged sRGB, and of texels that point into the
-/// surface, where they are a thousandth of all or more; fewer of those are a note. Maps of 8 bits.
+/// green-down (or green-up where the material says down), that look or are tagged sRGB, and of texels that point into
+/// the surface, where they are a thousandth of all or more; fewer of those are a note; of a gray one, that it is a
+/// height map. Maps of 8 bits. The place is that in the world file which names the map, else the material.
 class NormalMapRemarks {
 public:
     NormalMapRemarks(const Scene& scene, Report& report) : scene_(scene), report_(report) {}
@@ -25,7 +26,8 @@ private:
 
     const Scene& scene_;
     Report& report_;
-    std::string place_;  ///< of the map that is looked at
+    std::string place_;         ///< of the map that is looked at
+    bool is_of_world_ = false;  ///< a world file names it, in that place
     std::set<const EncodedImage*> seen_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -77,7 +78,22 @@ TEST(NormalMapCheck, CodesThatWereSavedAsSrgbAreSeen) {
     EXPECT_TRUE(c.check().looks_srgb());
 }
 
+TEST(NormalMapCheck, AGrayPictureLooksLikeHeightsAndNoNormalMapDoes) {
+    Codes gray = bumps(false), flat = bumps(false);
+    std::mt19937 random(3);
+    for (std::uint32_t& t : gray.texels) {  // the red of bumps, each channel off by up to 1 as JPEG leaves it
+        const std::uint32_t v = std::clamp(t & 255u, 1u, 254u);
+        t = 0xff000000u | (v - random() % 2) | (v + random() % 2) << 8 | v << 16;
+    }
+    EXPECT_TRUE(gray.check().looks_like_heights());
+    EXPECT_FALSE(gray.check().looks_like_normals());
+    for (std::uint32_t& t : flat.texels) t = 0xffff8080u;
+    EXPECT_FALSE(flat.check().looks_like_heights());
+    EXPECT_FALSE(bumps(false).check().looks_like_heights());
+}
+
 TEST(NormalMapCheck, MapsTooSmallToSayAnythingSayNothing) {
     const std::vector<std::uint32_t> one{0xff8080ffu};
     EXPECT_EQ(check_normal_map(one, 1, 1, 1).texels, 0u);
+    EXPECT_FALSE(check_normal_map(one, 1, 1, 1).looks_like_heights());
 }

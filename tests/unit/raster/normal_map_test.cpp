@@ -198,6 +198,9 @@ TEST(NormalMapRemarks, SuspiciousMapsAreNamedOnce) {
     });
     EXPECT_EQ(remarks(below, false),
               "warning: 16 of 256 texels of the normal map (6.2 %) point into the surface: blue is below one half\n");
+    const Pixels heights = rgb_pixels(16, 16, [](int x, int) { return std::array<int, 3>{9 * x, 9 * x, 9 * x}; });
+    EXPECT_EQ(remarks(heights, false),  // and not that most of it points into the surface
+              "warning: the normal map looks like a height map: it is gray; --height-map takes it as one\n");
     Pixels tagged = slanted(-1);
     tagged.is_tagged_srgb = true;
     EXPECT_EQ(remarks(tagged, false),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "math/linear.h"
 #include "support/thrown_error.h"
@@ -142,6 +143,32 @@ TEST_F(WorldTextures, NumbersOutOfRangeAndMisspeltKeysAreSaidWithTheirPlace) {
     EXPECT_EQ(error_of([&] { sphere("clearcoat_textur = 't.png'"); }).advice(),
               "did you mean 'clearcoat_texture'?");
     EXPECT_EQ(error_of([&] { sphere("shininess = 9\nsheen_color_texture = 't.png'"); }).place(), "line 7, column 23");
+}
+
+TEST_F(WorldTextures, AHeightMapInPlaceOfANormalMapIsSaidWithItsLineAndTheKeyItBelongsTo) {
+    const auto save = [&](const char* name, const std::function<vec4(int)>& at) {
+        Frame frame;
+        frame.begin(16, 16, {}, 0);
+        for (std::size_t i = 0; i < frame.color.size(); ++i) frame.color[i] = at(int(i % 16));
+        rakelight::save(frame, (folder_ / name).string());
+    };
+    save("gray.png", [](int x) { return vec4{0.06f * float(x), 0.06f * float(x), 0.06f * float(x), 1}; });
+    save("blue.png", [](int x) {
+        return vec4{x % 2 ? 0.3f : 0.15f, 0.2159f, 0.95f, 1};
+    });  // codes 149 or 108, 128, 249
+    const auto said = [&](const std::string& keys) {
+        Context context({.threads = 1});
+        make_engine("soft")->prepare(sphere(keys), context);
+        std::string all;
+        for (const ReportEntry& e : context.report().entries()) all += e.place + ": " + e.message + "\n";
+        return all;
+    };
+    EXPECT_EQ(
+        said("color_texture = 'gray.png'\nnormal_texture = 'gray.png'"),
+        "line 7, column 18: the normal map looks like a height map: it is gray; 'height_texture' takes it as one\n");
+    EXPECT_EQ(said("color_texture = 'blue.png'\nroughness = 1\nheight_texture = 'blue.png'"),
+              "line 8, column 18: the height map looks like a normal map; 'normal_texture' takes it as one\n");
+    EXPECT_EQ(said("height_texture = 'gray.png'\nnormal_texture = 'blue.png'").find("looks like"), std::string::npos);
 }
 
 TEST_F(WorldTextures, OneOfWhatIsNotThereIsWarnedOf) {
