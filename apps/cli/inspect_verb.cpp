@@ -29,12 +29,13 @@ void add_inspect_options(CLI::App& app, InspectWords& w) {
     flag("Normals", "--no-surfaces", w.no_surfaces, "Do not look at edges, faces and normals of each object");
     const char* const check = "Check";
     flag(check, "--check", w.check,
-         "Exit with 5 when a limit is passed: that of --max-seam, and those asked for below");
+         "Only pass or fail: exit code 5 past the limit of --max-seam or one asked for below");
     add(check, "--max-seam", w.max_seam, "DEG", "Largest seam between two objects (default 1; 180 allows any)");
     flag(check, "--no-degenerate", w.no_degenerate, "No triangle without area");
     flag(check, "--no-t-junctions", w.no_t_junctions, "No vertex on the inside of another face's open edge");
     flag(check, "--no-non-manifold", w.no_non_manifold, "No edge of three or more faces");
     flag(check, "--consistent-winding", w.consistent_winding, "No edge whose two faces go along it the same way");
+    flag(check, "--no-inside-out", w.no_inside_out, "No closed body, of one or several objects, that looks inwards");
     flag(check, "--closed", w.closed, "Every object closed: no edge of one face");
     flag(check, "--unit-normals", w.unit_normals, "No zero, non-finite or non-unit normal in the file");
     add("Heat map", "--heatmap", w.heat_map, "FILE",
@@ -49,9 +50,9 @@ void apply_limits(const InspectWords& w, InspectRequest& request) {
     CheckLimits limits;
     limits.no_degenerate = w.no_degenerate, limits.no_t_junctions = w.no_t_junctions;
     limits.no_non_manifold = w.no_non_manifold, limits.consistent_winding = w.consistent_winding;
-    limits.closed = w.closed, limits.unit_normals = w.unit_normals;
-    const bool of_surfaces =
-        w.no_degenerate || w.no_t_junctions || w.no_non_manifold || w.consistent_winding || w.closed || w.unit_normals;
+    limits.no_inside_out = w.no_inside_out, limits.closed = w.closed, limits.unit_normals = w.unit_normals;
+    const bool of_surfaces = w.no_degenerate || w.no_t_junctions || w.no_non_manifold || w.consistent_winding ||
+                             w.no_inside_out || w.closed || w.unit_normals;
     if (!w.check && (of_surfaces || !w.max_seam.empty()))
         throw Error(ErrorCode::usage, "limits are for --check", {}, "add --check");
     if (!w.check) return;
@@ -76,6 +77,13 @@ void inspect_file(const Options& options, const PictureRequest& picture, Inspect
          picture.output);
     row.heat_map = picture.output;
     row.inspection->seam_lines = {};
+}
+
+/// What is said of a model on standard output: of one that is only checked that it passed, of others all tables.
+std::string said(const Options& options, const InspectionRow& row, bool is_first) {
+    if (!row.check || options.loudness == Loudness::verbose) return (is_first ? "" : "\n") + to_text(*row.inspection);
+    if (!row.check->empty() || options.loudness == Loudness::quiet) return {};
+    return one_line(row.file) + ": passed: " + to_text(*options.inspect.check) + "\n";
 }
 
 /// One line a limit; returns the exit code.
@@ -132,7 +140,7 @@ int run_inspect(const Options& options) {
         }
         worst = std::max(worst,
                          run_input(options, input, row, [&](Context& c) { inspect_file(options, picture, row, c); }));
-        if (!options.json && row.inspection) print_data((rows.empty() ? "" : "\n") + to_text(*row.inspection));
+        if (!options.json && row.inspection) print_data(said(options, row, rows.empty()));
         worst = std::max(worst, print_failures(row));
         if (!row.heat_map.empty())
             print_note(

@@ -20,7 +20,7 @@ struct Options;
 struct InspectWords {
     bool no_borders = false, no_surfaces = false;
     bool check = false, no_degenerate = false, no_t_junctions = false, no_non_manifold = false,
-         consistent_winding = false, closed = false, unit_normals = false;
+         consistent_winding = false, no_inside_out = false, closed = false, unit_normals = false;
     std::string max_seam, weld_distance, heat_map;
     RenderWords render;  ///< normals, and how the heat map is seen
 };

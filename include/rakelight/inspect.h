@@ -93,6 +93,12 @@ struct SeamLine {
     float deg_a = 0, deg_b = 0;
 };
 
+/// A closed body, of one object or of several whose parts close together, all of whose faces look inwards.
+struct InsideOutBody {
+    std::uint64_t triangles = 0;
+    std::vector<std::uint32_t> objects;  ///< that it is made of, into Inspection::objects
+};
+
 struct Inspection {
     std::string file;
     std::uint64_t triangles = 0;  ///< instances counted each time
@@ -101,6 +107,7 @@ struct Inspection {
     std::vector<SurfaceSummary> surfaces;           ///< [objects], or empty when not asked for
     std::uint64_t t_junctions = 0;                  ///< each position once
     std::vector<TJunctionPlace> t_junction_places;  ///< at most 1000
+    std::vector<InsideOutBody> inside_out;          ///< at most 1000
     std::uint64_t edges_not_searched = 0;           ///< open edges at which the search for T-junctions gave up
     dvec3 low, high;  ///< world bounding box [m]; meaningful when triangles, lines or points are drawn
     std::uint64_t shared_positions = 0;  ///< world positions that two or more objects draw
@@ -131,8 +138,11 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
 struct CheckLimits {
     std::optional<double> max_seam_deg = 1;  ///< [degrees] 8-bit normals are off by up to half a degree each
     bool no_degenerate = false, no_t_junctions = false, no_non_manifold = false, consistent_winding = false,
-         closed = false, unit_normals = false;
+         no_inside_out = false, closed = false, unit_normals = false;
 };
+
+/// The options that were set, for people: "max-seam 1, closed".
+std::string to_text(const CheckLimits& limits);
 
 /// A limit that was passed.
 struct CheckFailure {

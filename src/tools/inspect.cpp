@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "geometry/edge_census.h"
+#include "geometry/inside_out.h"
 #include "geometry/mesh_faults.h"
 #include "geometry/t_junctions.h"
 #include "math/linear.h"
@@ -103,6 +104,8 @@ void look_at_surfaces(Inspection& result, const geometry::PlacedMeshes& placed, 
     const geometry::TJunctions t = find_t_junctions(placed, census.open_corners, objects, most_places);
     for (std::uint32_t i = 0; i < objects; ++i)
         result.surfaces.push_back(summarize(census.objects[i], faults[i], t.of_objects[i]));
+    for (geometry::InsideOutBody& body : find_inside_out(placed, census.open_corners))
+        result.inside_out.push_back({body.triangles, std::move(body.objects)});
     result.t_junctions = t.count;
     result.edges_not_searched = t.edges_not_searched;
     for (const geometry::TJunction& junction : t.places) {

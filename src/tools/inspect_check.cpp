@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "tools/inspect_sections.h"
 #include "tools/object_name.h"
 
 namespace rakelight {
@@ -67,6 +68,13 @@ std::string closed_failure(const Inspection& i) {
     return text;
 }
 
+std::string inside_out_failure(const Inspection& i) {
+    if (i.inside_out.empty()) return {};
+    const std::size_t others = i.inside_out.size() - 1;
+    return inside_out_text(i, i.inside_out.front()) +
+           (others == 0 ? "" : "; " + std::to_string(others) + " more " + (others == 1 ? "body" : "bodies"));
+}
+
 std::string winding_failure(const Inspection& i) {
     std::string text = count_failure(i, {&SurfaceSummary::inconsistent_edges}, "edge of inconsistent winding");
     if (const std::size_t at = text.find("edge of inconsistent windings"); at != text.npos)
@@ -77,6 +85,19 @@ std::string winding_failure(const Inspection& i) {
 }
 
 }  // namespace
+
+std::string to_text(const CheckLimits& limits) {
+    std::string text;
+    const auto add = [&](bool is_set, const std::string& name) {
+        if (is_set) text += (text.empty() ? "" : ", ") + name;
+    };
+    add(limits.max_seam_deg.has_value(), "max-seam " + text_of(limits.max_seam_deg.value_or(0)));
+    add(limits.no_degenerate, "no-degenerate"), add(limits.no_t_junctions, "no-t-junctions");
+    add(limits.no_non_manifold, "no-non-manifold"), add(limits.consistent_winding, "consistent-winding");
+    add(limits.no_inside_out, "no-inside-out");
+    add(limits.closed, "closed"), add(limits.unit_normals, "unit-normals");
+    return text.empty() ? "no limit" : text;
+}
 
 std::vector<CheckFailure> check_limits(const Inspection& i, const CheckLimits& limits) {
     using S = SurfaceSummary;
@@ -92,6 +113,7 @@ std::vector<CheckFailure> check_limits(const Inspection& i, const CheckLimits& l
     add(limits.no_non_manifold, "no-non-manifold",
         [&] { return count_failure(i, {&S::non_manifold_edges}, "non-manifold edge"); });
     add(limits.consistent_winding, "consistent-winding", [&] { return winding_failure(i); });
+    add(limits.no_inside_out, "no-inside-out", [&] { return inside_out_failure(i); });
     add(limits.closed, "closed", [&] { return closed_failure(i); });
     add(limits.unit_normals, "unit-normals", [&] {
         return count_failure(i, {&S::zero_normals, &S::non_finite_normals, &S::non_unit_normals},

@@ -140,6 +140,8 @@ Json json_of(const TJunctionPlace& t) {
     return {{"position", json_of(t.position)}, {"object", t.object}, {"edge_object", t.edge_object}};
 }
 
+Json json_of(const InsideOutBody& b) { return {{"triangles", b.triangles}, {"objects", b.objects}}; }
+
 Json json_of(const CheckFailure& f) { return {{"limit", f.limit}, {"message", f.message}}; }
 
 template <class List>
@@ -165,6 +167,7 @@ void add(Json& row, const Inspection& i) {
     row["borders"] = list(i.borders);
     row["borders_left_out"] = i.borders_left_out;
     if (i.surfaces.empty()) return;
+    row["inside_out"] = list(i.inside_out);
     row["t_junctions"] = {
         {"count", i.t_junctions}, {"places", list(i.t_junction_places)}, {"edges_not_searched", i.edges_not_searched}};
 }

@@ -59,6 +59,12 @@ std::string seams_line(const Inspection& i) {
     return text;
 }
 
+std::string inside_out_text(const Inspection& i, const InsideOutBody& body) {
+    const std::size_t others = body.objects.size() - 1;
+    return "closed body of " + counted(body.triangles, "triangle") + ": " + quoted_name(i, body.objects.front()) +
+           (others == 0 ? "" : " and " + counted(others, "more object"));
+}
+
 std::string surfaces_text(const Inspection& i) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t n = 0; n < i.surfaces.size(); ++n)
@@ -83,7 +89,10 @@ std::string surfaces_text(const Inspection& i) {
                                                        count_or_dash(bad_normals(s)),
                                                        count_or_dash(s.mirrored_positions)};
                    }) +
-           t_junctions_text(i);
+           t_junctions_text(i) +
+           section("inside out", {"what"}, i.inside_out, [&](const InsideOutBody& body, std::size_t) {
+               return std::vector<std::string>{inside_out_text(i, body)};
+           });
 }
 
 std::string borders_text(const Inspection& i) {

@@ -38,6 +38,8 @@ std::string section(const char* title, std::vector<std::string> head, const List
 
 /// "300 positions shared by objects, ..." with a line feed.
 std::string seams_line(const Inspection& inspection);
+/// "closed body of 960 triangles: 'shell' and 13 more objects"
+std::string inside_out_text(const Inspection& inspection, const InsideOutBody& body);
 /// Edges, faces and normals of each object, worst first.
 std::string surfaces_text(const Inspection& inspection);
 /// Pairs of objects, worst first.

@@ -14,7 +14,7 @@ from program import png
 TWO_PARTS = "o left\nv -1 0 0\nv 0 0 0.3\nv 0 1 0.3\nv -1 1 0\nf 1 2 3 4\no right\nv 0 0 0.3\nv 1 0 0\nv 1 1 0\nv 0 1 0.3\nf 5 6 7 8\n"
 CUBE = ("o cube\n" + "".join(f"v {i & 1} {i >> 1 & 1} {i >> 2 & 1}\n" for i in range(8)) +
         "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
-LIMITS = ("--no-degenerate", "--no-t-junctions", "--no-non-manifold", "--consistent-winding", "--closed", "--unit-normals")
+LIMITS = ("--no-degenerate", "--no-t-junctions", "--no-non-manifold", "--consistent-winding", "--no-inside-out", "--closed", "--unit-normals")
 
 
 class Inspect(program.Case):
@@ -60,11 +60,24 @@ class Inspect(program.Case):
         self.assertEqual(self.row("apart.obj")["shared_positions"], 1)
         self.assertEqual(self.row("apart.obj", "--weld-distance", "0.01")["shared_positions"], 2)
 
+    def test_a_check_says_pass_or_fail_and_shows_the_tables_only_when_asked_to(self):
+        check = ("inspect", "cube.obj", "parts.obj", "--check", "--closed")
+        done = self.run_program(*check)
+        self.assertEqual((done.code, done.out), (5, "cube.obj: passed: max-seam 1, closed\n"))
+        self.assertEqual([line.split(": ")[2:4] for line in done.lines], [["parts.obj", "max-seam"], ["parts.obj", "closed"]])
+        self.assertEqual(self.run_program(*check, "--quiet").out, "")
+        verbose = self.run_program(*check, "--verbose").out
+        for word in ("cube.obj\n", "parts.obj\n", "surfaces", "borders"):
+            self.assertIn(word, verbose)
+        self.assertEqual(verbose, self.run_program("inspect", "cube.obj", "parts.obj").out)
+
     def test_every_limit_has_its_own_line(self):
         self.assertEqual(self.run_program("inspect", "cube.obj", "--check", *LIMITS).code, 0)
         faults = {
             "--closed": CUBE.replace("f 1 3 4 2\n", ""),
             "--consistent-winding": CUBE.replace("f 1 3 4 2\n", "f 2 4 3 1\n"),
+            "--no-inside-out": "".join(" ".join(["f", *reversed(line.split()[1:])]) + "\n" if line[0] == "f" else line
+                                       for line in CUBE.splitlines(True)),
             "--no-degenerate": CUBE + "f 1 1 2\n",
             "--no-non-manifold": CUBE + "v 0 -1 -1\nf 1 2 9\n",
             "--no-t-junctions": CUBE.replace("f 1 3 4 2\n", "v 0.5 0 0\nf 9 1 3 4\n"),

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/inside_out.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/union_find.h"
+#include "math/linear.h"
+
+namespace rakelight::geometry {
+namespace {
+
+constexpr std::size_t most_bodies = 1000;
+constexpr std::uint32_t nobody = ~0u;
+constexpr double least_fill = 1e-6;    ///< 36 pi volume^2 / area^3: 1 of a ball, 0 of a sheet
+constexpr double most_opening = 1e-5;  ///< sum of the area vectors, in areas: 0 of what is closed and wound one way
+
+struct Body {
+    dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    dvec3 area_vector;            ///< [m^2]
+    double area = 0, volume = 0;  ///< [m^2], [m^3]
+    bool is_open = false;
+    InsideOutBody found;
+
+    bool is_closed() const { return !is_open && length(area_vector) <= most_opening * area; }
+    bool is_inside_out() const {
+        return is_closed() && volume < 0 && 36 * pi * volume * volume > least_fill * area * area * area;
+    }
+    bool holds(const Body& other) const {
+        for (std::size_t a = 0; a < 3; ++a)
+            if (!(low[a] <= other.low[a] && other.high[a] <= high[a])) return false;
+        return true;
+    }
+};
+
+/// All bodies of a model, and to which of them each place belongs.
+class Bodies {
+public:
+    explicit Bodies(const PlacedMeshes& placed) : placed_(placed), number_(placed.place.size(), nobody) {
+        UnionFind sets;
+        sets.reset(placed.place.size());
+        for_each_face([&](const Face& f) {
+            sets.join(f.place[0], f.place[1]);
+            sets.join(f.place[0], f.place[2]);
+        });
+        for_each_face([&](const Face& f) {
+            std::uint32_t& number = number_[sets.root(f.place[0])];
+            if (number == nobody) number = std::uint32_t(list.size()), list.emplace_back();
+            for (const std::uint32_t place : f.place) number_[place] = number;
+            add_box(f);
+        });
+        for_each_face([&](const Face& f) { add_face(f); });
+    }
+
+    void open(std::uint32_t corner) {
+        const std::uint32_t m = placed_.input.mesh_of_triangle(corner / 3);
+        list[number_[placed_.place[placed_.input.corner_vertex(m, corner)]]].is_open = true;
+    }
+
+    std::vector<Body> list;
+
+private:
+    struct Face {
+        std::uint32_t mesh, place[3];
+        dvec3 at[3];  ///< [m] world
+    };
+
+    template <class Visit>
+    void for_each_face(const Visit& visit) const {
+        const AttributeInput& input = placed_.input;
+        FacePlaces found;
+        for (std::uint32_t m = 0; m < input.meshes.size(); ++m)
+            for (std::uint32_t t = input.triangle_base[m]; t < input.triangle_base[m + 1]; ++t) {
+                if (!face_places(placed_, m, t, found)) continue;
+                Face face{m, {}, {}};
+                for (std::uint32_t k = 0; k < 3; ++k) {
+                    face.place[k] = found.corner[k];
+                    const std::uint32_t v = input.corner_vertex(m, 3 * t + k) - input.vertex_base[m];
+                    face.at[k] = input.placements[m].position(input.meshes[m].positions[v]);
+                }
+                visit(face);
+            }
+    }
+
+    void add_box(const Face& f) {
+        Body& body = list[number_[f.place[0]]];
+        for (const dvec3& p : f.at)
+            for (std::size_t a = 0; a < 3; ++a) {
+                body.low[a] = std::min(body.low[a], p[a]);
+                body.high[a] = std::max(body.high[a], p[a]);
+            }
+    }
+
+    /// About the middle of the box, so that a body far away keeps its digits.
+    void add_face(const Face& f) {
+        Body& body = list[number_[f.place[0]]];
+        const dvec3 middle = (body.low + body.high) * 0.5, a = f.at[0] - middle, b = f.at[1] - middle,
+                    c = f.at[2] - middle;
+        const double side = placed_.input.placements[f.mesh].flip;  // where the matrix mirrors, fronts are the others
+        const dvec3 area_vector = cross(b - a, c - a) * (0.5 * side);
+        body.area_vector = body.area_vector + area_vector;
+        body.area += length(area_vector);
+        body.volume += dot(a, cross(b, c)) * side / 6;
+        ++body.found.triangles;
+        const std::uint32_t object = placed_.input.meshes[f.mesh].object;
+        if (body.found.objects.empty() || body.found.objects.back() != object) body.found.objects.push_back(object);
+    }
+
+    const PlacedMeshes& placed_;
+    std::vector<std::uint32_t> number_;  ///< [places]
+};
+
+}  // namespace
+
+std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners) {
+    Bodies bodies(placed);
+    for (const std::uint32_t corner : open_corners) bodies.open(corner);
+    std::vector<InsideOutBody> found;
+    for (Body& body : bodies.list) {
+        if (found.size() == most_bodies) break;
+        if (!body.is_inside_out()) continue;
+        const bool may_be_a_hollow = std::any_of(bodies.list.begin(), bodies.list.end(), [&](const Body& other) {
+            return &other != &body && other.is_closed() && other.holds(body);
+        });
+        if (may_be_a_hollow) continue;
+        std::vector<std::uint32_t>& objects = body.found.objects;
+        std::sort(objects.begin(), objects.end());
+        objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+        found.push_back(body.found);
+    }
+    return found;
+}
+
+}  // namespace rakelight::geometry
