@@ -124,6 +124,8 @@ struct PictureResult {
     int threads = 0;
     double load_ms = 0, prepare_ms = 0, render_ms = 0, write_ms = 0;
     RenderStats stats;
+    /// Of 8-bit pictures: pixels whose red, green and blue are all 0, or all 255, the background's too.
+    std::uint64_t black_pixels = 0, white_pixels = 0;
 };
 
 /// Makes a picture and its channel files. Memory: a strip of rows of at most 64 MiB, or 64 rows, beside the engine's

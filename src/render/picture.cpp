@@ -11,6 +11,7 @@
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
 #include "render/stopwatch.h"
+#include "render/too_dark_or_bright.h"
 #include "render/view_range.h"
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
@@ -101,6 +102,8 @@ void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& r
         files.write(sink, rows);
         written_ms += watch.ms();
     });
+    ExtremePixels extremes;
+    sink.count_in(&extremes);
     Stopwatch drawing;
     result.stats = engine.render(camera, settings, sink, context);
     result.render_ms += drawing.lap_ms() - written_ms;
@@ -111,6 +114,7 @@ void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& r
     result.write_ms += watch.ms();
     result.width = window.width;
     result.height = window.height;
+    result.black_pixels = extremes.black(), result.white_pixels = extremes.white();
     result.channel_files = files.channel_names();
 }
 
@@ -135,6 +139,7 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
         context.report().add(Remark::note, request.input, "", said(result.view_range));
     if (result.stats.pixels_shaded + result.stats.pixels_marked == 0)  // blended surfaces cover nothing, but are seen
         context.report().add(Remark::warning, request.input, "", "no pixel of the picture shows the model");
+    remark_extremes(scene, request, result, context.report());
     return result;
 }
 

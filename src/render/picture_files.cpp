@@ -35,6 +35,7 @@ io::ExrType type_of(const ChannelInfo& info, bool half) {
 /// R, G, B and, for four, A.
 std::vector<io::ExrChannel> color_channels(int count, bool half) {
     std::vector<io::ExrChannel> list;
+    list.reserve(std::size_t(count));
     for (int c = 0; c < count; ++c)
         list.push_back({std::string(1, "RGBA"[c]), half ? io::ExrType::f16 : io::ExrType::f32});
     return list;

@@ -38,6 +38,8 @@ void add_result(Json& row, const PictureResult& r) {
     row["prepare_ms"] = r.prepare_ms;
     row["render_ms"] = r.render_ms;
     row["write_ms"] = r.write_ms;
+    row["black_pixels"] = r.black_pixels;
+    row["white_pixels"] = r.white_pixels;
     row["channel_files"] = r.channel_files;
     const ViewRange& range = r.view_range;
     row["view_range"] = {

@@ -64,6 +64,8 @@ void PictureSink::tile(const Tile& tile) {
               "a tile reaches out of the strip");
     const std::size_t count = std::size_t(a.width);
     const PixelFormat linear{Component::f32, format_.channels};
+    const bool counts = extremes_ && format_.component == Component::u8;
+    if (counts) extremes_->add(tile.srgb8);
     for (int row = 0; row < a.height; ++row) {
         const std::size_t from = std::size_t(row) * count;
         const std::size_t to = at_row(a.y - first_ + row) + std::size_t(a.x - window_.x);
@@ -72,6 +74,7 @@ void PictureSink::tile(const Tile& tile) {
             pack_row(tile.srgb8.data() + from, count, format_.channels, out);
         else if (!tile.color.empty())
             convert_row(tile.color.data() + from, count, format_, tone_, out);
+        if (counts && tile.srgb8.empty()) extremes_->add_row(out, count, format_.channels);
         if (keeps_linear_)
             convert_row(tile.color.data() + from, count, linear, tone_,
                         reinterpret_cast<std::byte*>(linear_.data() + to * std::size_t(format_.channels)));

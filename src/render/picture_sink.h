@@ -9,6 +9,7 @@
 #include <rakelight/engine.h>
 
 #include "render/rows.h"
+#include "render/too_dark_or_bright.h"
 
 namespace rakelight {
 
@@ -38,6 +39,9 @@ public:
     void rows_done(int first, int rows) override;
     void end_pass(int) override {}
 
+    /// Where every 8-bit pixel is to be counted that is black or white; null: nowhere. It must live as long as this.
+    void count_in(ExtremePixels* pixels) { extremes_ = pixels; }
+
     /// Rows of the strip (or of the window), the first is 0.
     const std::byte* color_row(int y) const { return color_.data() + at_row(y) * format_.bytes(); }
     const float* linear_row(int y) const { return linear_.data() + at_row(y) * std::size_t(format_.channels); }
@@ -52,6 +56,7 @@ private:
     PixelFormat format_;
     ToneCurve tone_;
     bool keeps_linear_ = false;
+    ExtremePixels* extremes_ = nullptr;
     std::function<void(int)> strip_done_;
     Window window_;
     int first_ = 0, rows_ = 0;  ///< the strip: its first row in the picture, how many are kept
