@@ -68,6 +68,7 @@ void convert_motions(const aiScene& scene, const NodeTable& nodes, Document& out
 AxisSystem axes_of(const aiScene& scene);
 
 /// Joins the vertices of a part that are equal to the last bit in everything, and drops those that nothing uses.
-void join_equal_vertices(Part& part);
+/// @param met  out, for tests: slots of the table that were looked at and held another vertex; null: not wanted
+void join_equal_vertices(Part& part, std::uint64_t* met = nullptr);
 
 }  // namespace rakelight::import_helper

@@ -63,7 +63,7 @@ Rows rows_of(const Part& p) {
 }
 
 /// For every vertex the first one that equals it; vertices that nothing uses get `nothing`.
-std::vector<std::uint32_t> representatives(const Part& p) {
+std::vector<std::uint32_t> representatives(const Part& p, std::uint64_t& met) {
     const Rows rows = rows_of(p);
     const std::size_t vertices = p.positions.size();
     std::vector<std::uint32_t> first(vertices, nothing);
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> representatives(const Part& p) {
     for (std::uint32_t v = 0; v < vertices; ++v) {
         if (first[v] == nothing) continue;
         std::size_t slot = rows.hash(v) & (slots - 1);
-        while (table[slot] != nothing && !rows.equal(table[slot], v)) slot = (slot + 1) & (slots - 1);
+        for (; table[slot] != nothing && !rows.equal(table[slot], v); slot = (slot + 1) & (slots - 1)) ++met;
         if (table[slot] == nothing) table[slot] = v;
         first[v] = table[slot];
     }
@@ -83,8 +83,10 @@ std::vector<std::uint32_t> representatives(const Part& p) {
 
 }  // namespace
 
-void join_equal_vertices(Part& part) {
-    const std::vector<std::uint32_t> first = representatives(part);
+void join_equal_vertices(Part& part, std::uint64_t* met) {
+    std::uint64_t met_here = 0;
+    const std::vector<std::uint32_t> first = representatives(part, met_here);
+    if (met) *met = met_here;
     std::vector<std::uint32_t> kept, number(first.size(), nothing);
     for (std::uint32_t v = 0; v < first.size(); ++v)
         if (first[v] == v) {

@@ -53,6 +53,14 @@ public:
     }
     bool is_cut_everywhere() const { return on_border_.empty(); }
 
+    /// Pairs of edges of the last round that share a slot.
+    std::uint64_t met() const {
+        std::uint64_t pairs = 0;
+        for (std::size_t b = 0; b < middles_.bucket_count(); ++b)
+            if (const std::uint64_t n = middles_.bucket_size(b); n > 1) pairs += n * (n - 1) / 2;
+        return pairs;
+    }
+
     FineMesh fine;
 
 private:
@@ -123,8 +131,8 @@ private:
 
 }  // namespace
 
-Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles,
-                        Context& context) {
+Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles, Context& context,
+                        std::uint64_t* met) {
     std::vector<Cutter> cutters;
     cutters.reserve(meshes.size());
     for (const CoarseMesh& mesh : meshes) cutters.emplace_back(mesh, edge);
@@ -140,7 +148,9 @@ Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::ui
         if (!out.is_complete) break;
         context.parallel_for(cutters.size(), [&](std::size_t i) { cutters[i].run_round(); });
     }
+    if (met) *met = 0;
     for (Cutter& cutter : cutters) {
+        if (met) *met += cutter.met();
         if (cutter.is_cut_everywhere()) out.longest_edge = std::max(out.longest_edge, cutter.longest_edge());
         out.meshes.push_back(std::move(cutter.fine));
     }

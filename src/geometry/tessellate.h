@@ -39,7 +39,8 @@ struct Tessellation {
 /// mesh, agree: nothing opens. The same result for any number of threads. Stops, for all meshes at once, before the sum
 /// passes `most_triangles`.
 /// @param edge  [m] > 0
-Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles,
-                        Context& context);
+/// @param met  out, for tests: pairs of edges that shared a slot of a table, of the last round; null: not wanted
+Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles, Context& context,
+                        std::uint64_t* met = nullptr);
 
 }  // namespace rakelight::geometry

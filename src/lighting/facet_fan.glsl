@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surroundings in a surface that is rougher along t than across it: facets tilted along t alone, each as rough as the surface is
 // across, which is what the prefiltered surroundings hold. Source: Heitz 2018, "Sampling the GGX Distribution of Visible Normals",
-// for a width of 0 across t. (Revie 2012, "Implementing Fur in Deferred Shading", bends one normal by a fit instead: up to
-// 98 degrees off the mean of the lobe; the fan's mean is off by 4 where the surface is smooth across, tests/unit/lighting/facet_fan_test.cpp.)
+// for a width of 0 across t. (KHR_materials_anisotropy, section "Image-based lighting", not normative, has one bent normal and
+// asks for further samples along t. These are such, and the normal is not bent: their mean is that of the lobe,
+// tests/unit/lighting/facet_fan_test.cpp.)
 
 struct FacetRay {
     vec3 l;       // unit, where the facet mirrors v

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <unordered_map>
 
 #include "geometry/near_cells.h"
 #include "geometry/position_weld.h"
+#include "geometry/tessellate.h"
 #include "unit/geometry/shapes.h"
 
 namespace rakelight::geometry {
@@ -67,6 +69,33 @@ TEST(CraftedPositions, DoNotMeetInTheTableOfNearCells) {
     const NearCells cells(weld_positions(input, {}, context), input, {}, 1.0, context);
     ASSERT_EQ(cells.partitions(), 1u);
     EXPECT_LT(cells.for_each_shared_cell(0, [](auto) {}), all_pairs / 50);
+}
+
+TEST(CraftedPositions, EdgesMadeToMeetInTheTableOfCutEdgesDoNot) {
+    // The number of an edge between two multiples of a prime is one, too: in a table of so many slots, as the standard
+    // library makes for 1000 edges, all fall into the first by their number alone.
+    constexpr std::uint32_t vertices = 45;
+    std::unordered_map<std::uint64_t, int> by_number;
+    for (std::uint64_t i = 0; i < vertices * (vertices - 1) / 2; ++i) by_number[i] = 0;
+    const auto prime = std::uint32_t(by_number.bucket_count());
+    by_number.clear();  // keeps its slots
+    CoarseMesh mesh;
+    mesh.places.resize(std::size_t(prime) * vertices);
+    for (std::uint32_t v = 0; v < vertices; ++v)
+        mesh.places[v * prime] = {double(v), double(v * v % 47), double(v * v * v % 53)};
+    for (std::uint32_t a = 0; a < vertices; ++a)
+        for (std::uint32_t b = a + 1; b < vertices; ++b) {
+            by_number[std::uint64_t(a) * prime << 32 | std::uint64_t(b) * prime] = 0;
+            mesh.indices.insert(mesh.indices.end(),
+                                {a * prime, b * prime, (b == a + 1 ? (b + 1) % vertices : a + 1) * prime});
+        }
+    ASSERT_EQ(by_number.bucket_size(0), by_number.size());  // they are crafted well
+    const std::uint64_t edges = by_number.size(), pairs = edges * (edges - 1) / 2;
+    Context context({.threads = 1});
+    std::uint64_t met = 0;
+    const Tessellation t = tessellate({&mesh, 1}, 0.5, mesh.indices.size() / 3 * 4, context, &met);
+    EXPECT_EQ(t.meshes[0].places.size(), mesh.places.size() + edges) << "each edge cut once";
+    EXPECT_LT(met, pairs / 50) << "evenly filled: about half as many as there are edges";
 }
 
 }  // namespace

@@ -81,25 +81,6 @@ TEST(FacetFan, ItsMeanDirectionIsThatOfTheLobe) {
         }
 }
 
-TEST(FacetFan, TheMirrorDirectionAndOneBentNormalAreFarOff) {
-    // What docs/lighting/anisotropy.md says of the other method, which is not in the engine: Revie 2012, with the fit
-    // (1 - strength (1 - roughness))^4 of KHR_materials_anisotropy's note on surroundings of how much of the normal
-    // stays. Seen along t at 75 degrees
-    const dvec3 v = view_from(75, 0), n = {0, 0, 1};
-    const double roughness = 0.15, ay = roughness * roughness;
-    const auto off = [&](double strength, dvec3 m) {
-        return degrees_between(m * (2 * dot(m, v)) - v, mean_of_lobe(v, ay + (1 - ay) * strength * strength, ay));
-    };
-    const auto bent = [&](double strength) {
-        const double stays = std::pow(1 - strength * (1 - roughness), 4);
-        return normalize_or(v * (1 - stays) + n * stays, n);  // v lies across the grain
-    };
-    EXPECT_NEAR(off(0.3, n), 10, 2);
-    EXPECT_NEAR(off(0.3, bent(0.3)), 98, 2);
-    EXPECT_NEAR(off(1, n), 90, 2);
-    EXPECT_NEAR(off(1, bent(1)), 60, 2);
-}
-
 TEST(FacetFan, WithoutWidthEveryFacetMirrorsAboutTheNormal) {
     const vec3 v = cast<float>(view_from(50, 30));
     for (const Ray& ray : fan_of(v, 0)) {
