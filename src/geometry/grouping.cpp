@@ -44,7 +44,7 @@ CornerBins bins_by_place(const Topology& topology, const AttributeInput& input, 
     CornerBins memory;
     memory.corners = BlockArray<std::uint32_t>(std::move(base.scratch->corners));
     BlockArray<std::uint16_t> keys(std::move(base.scratch->keys));
-    CornerBins bins = bin_corners(topology, input, {}, context, std::move(memory), std::move(keys));
+    CornerBins bins = bin_corners(topology, input, {}, context, std::move(memory), &keys);
     base.scratch->keys = keys.take();
     return bins;
 }

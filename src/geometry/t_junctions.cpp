@@ -147,6 +147,7 @@ std::vector<Point> ends_of_edges(const PlacedMeshes& placed, std::span<const std
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());
     std::vector<Point> points;
+    points.reserve(places.size());
     for (const std::uint32_t place : places) points.push_back({placed.position(place), place});
     return points;
 }

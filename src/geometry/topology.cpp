@@ -49,8 +49,9 @@ void sort_appended(Topology& topology, const AttributeInput& input, Context& con
 }
 
 CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
-                       Context& context, CornerBins bins, BlockArray<std::uint16_t>&& keys) {
-    CornerSort sort(input, std::uint32_t(topology.group.size()), std::move(bins), keys, context);
+                       Context& context, CornerBins bins, BlockArray<std::uint16_t>* keys) {
+    BlockArray<std::uint16_t> own;
+    CornerSort sort(input, std::uint32_t(topology.group.size()), std::move(bins), keys ? *keys : own, context);
     const std::uint32_t* const group = topology.group.data();
     if (selected.empty() && topology.corner_vertex.empty())
         return sort.run([&](std::uint32_t m) {

@@ -37,9 +37,9 @@ void sort_appended(Topology& topology, const AttributeInput& input, Context& con
 
 /// The corners at each group of vertices.
 /// @param selected  [output vertices] only groups g with selected[g] != 0 get a bin; empty: all
-/// @param bins, keys  memory to use, of any contents
+/// @param bins, keys  memory to use, of any contents; `keys` keeps it. Null: its own
 CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
-                       Context& context, CornerBins bins = {}, BlockArray<std::uint16_t>&& keys = {});
+                       Context& context, CornerBins bins = {}, BlockArray<std::uint16_t>* keys = nullptr);
 
 /// [triangles] Unit normal of each face in the world; zero where it has no vote.
 using FaceNormals = BlockArray<dvec3>;

@@ -21,7 +21,7 @@ void to_srgb8(std::span<const vec4> linear, int channels, std::span<std::uint8_t
     std::uint8_t* to = out.data();
     const vec4* previous = nullptr;
     for (const vec4& color : linear) {
-        if (previous != nullptr && std::memcmp(previous, &color, sizeof color) == 0) {  // most of a background
+        if (previous != nullptr && *previous == color) {  // most of a background
             std::memcpy(to, to - channels, std::size_t(channels));
             to += channels;
             continue;

@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #include <rakelight/error.h>
 
@@ -165,12 +164,12 @@ vec3 ToneCurve::operator()(vec3 light) const {
 
 void ToneCurve::apply(std::span<const vec4> in, std::span<vec4> out) const {
     RL_ASSERT(in.size() == out.size(), "rows of one length");
-    const auto is_same = [](const vec4& a, const vec4& b) { return std::memcmp(&a, &b, sizeof a) == 0; };
-    vec4 before{};  // most of a background is one color
-    vec3 mapped = (*this)(before.xyz());
+    vec3 before{};  // most of a background is one color
+    vec3 mapped = (*this)(before);
     for (std::size_t i = 0; i < in.size(); ++i) {
-        if (!is_same(in[i], before)) before = in[i], mapped = (*this)(before.xyz());
-        out[i] = {mapped.x, mapped.y, mapped.z, before.w};
+        const vec4 color = in[i];  // which may be out[i]
+        if (!(color.xyz() == before)) before = color.xyz(), mapped = (*this)(before);
+        out[i] = {mapped.x, mapped.y, mapped.z, color.w};
     }
 }
 

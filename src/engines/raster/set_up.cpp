@@ -14,7 +14,8 @@ namespace rakelight::raster {
 namespace {
 
 constexpr int tile_fixed = tile_size << subpixel_bits;
-constexpr std::uint64_t entry_bytes = 2 * sizeof(Binned::items[0]);  // sorted by chunks, and by tiles
+constexpr std::uint64_t entry_bytes =
+    2 * sizeof(decltype(Binned::items)::value_type);  // sorted by chunks, and by tiles
 
 /// The pixels of which a sample may be inside, in the window.
 struct Box {
