@@ -4,7 +4,7 @@
 
   cut_obj.py IN.obj OUT.obj --grid NX,NY,NZ
 
-Each face goes to the cell that holds its centre, each cell becomes an object `part_I`. Vertices and texture coordinates are
+Each face goes to the cell that holds its center, each cell becomes an object `part_I`. Vertices and texture coordinates are
 kept as they are, to the digit; normals (vn) are dropped, so that whoever reads the file has to make them. `mtllib` lines are
 kept: put the material and its pictures beside OUT. `usemtl` and `s` stay in force as the order of the faces had them."""
 import argparse
@@ -50,9 +50,9 @@ def main():
         indices = [int(c.split("/")[0]) - 1 for c in corners]
         cell = 0
         for k in range(3):
-            centre = sum(positions[i][k] for i in indices) / len(indices)
+            center = sum(positions[i][k] for i in indices) / len(indices)
             step = (high[k] - low[k]) / grid[k] or 1.0
-            cell = cell * grid[k] + min(grid[k] - 1, int((centre - low[k]) / step))
+            cell = cell * grid[k] + min(grid[k] - 1, int((center - low[k]) / step))
         parts.setdefault(cell, []).append((face_state, corners))
 
     with open(options.output, "w", encoding="utf-8", errors="surrogateescape") as out:

@@ -21,7 +21,7 @@ inline constexpr const char* render_footer = R"(Lights:
       :color=R,G,B      its color (default 1,1,1)
       :specular=R,G,B   the color of its highlights (default: as color)
       :ambient=R,G,B    what it adds on every side (default 0,0,0)
-      :attenuation=C,L,Q  1 / (C + L d + Q d^2) at d metres (default 1,0,0)
+      :attenuation=C,L,Q  1 / (C + L d + Q d^2) at d meters (default 1,0,0)
     spot:X,Y,Z          like point, and
       :direction=X,Y,Z  the way its light goes (default 0,0,-1)
       :cutoff=DEG       half angle of its cone, up to 90

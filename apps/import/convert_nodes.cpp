@@ -117,7 +117,8 @@ AxisSystem axes_of(const aiScene& scene) {
     number("CoordAxisSign", axes.side_sign);
     float as_float = 0;
     double as_double = 0;
-    if (scene.mMetaData->Get(std::string("UnitScaleFactor"), as_double)) axes.unit_m = as_double * 0.01;  // FBX counts in centimetres
+    if (scene.mMetaData->Get(std::string("UnitScaleFactor"), as_double))
+        axes.unit_m = as_double * 0.01;  // FBX counts in centimeters
     else if (scene.mMetaData->Get(std::string("UnitScaleFactor"), as_float)) axes.unit_m = double(as_float) * 0.01;
     return axes;
 }

@@ -35,7 +35,7 @@ std::unique_ptr<Engine> make_engine(const std::string& name);
 Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context);
 Frame render(const Scene& scene, const RenderSettings& settings, Context& context);
 
-/// Writes a frame's colour: sRGB 8 bit, tone-mapped, for PNG, JPEG and WebP, linear float for EXR and HDR.
+/// Writes a frame's color: sRGB 8 bit, tone-mapped, for PNG, JPEG and WebP, linear float for EXR and HDR.
 /// @throws Error usage (unknown ending, exposure out of range), failed (cannot write). Nothing is left half-written.
 void save(const Frame& frame, const std::string& path, const ToneSettings& tone = {});
 

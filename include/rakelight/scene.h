@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene: nodes that place meshes, materials, textures, lights, cameras; plain data that is cheap to copy.
 //
-// A node that has meshes is an *object*: one placement that owns one or more *meshes*; a mesh is triangles of one material.
-// Several nodes may list the same meshes (instances stay instances). Vertex and index arrays are immutable shared blocks.
-// Conventions: right-handed, +Y up, metres, radians, counter-clockwise fronts, linear RGB, texture coordinates v-down.
+// A node that has meshes is an *object*: a placement of one or more *meshes*; a mesh is triangles of one material.
+// Several nodes may list the same meshes (instances stay instances). Arrays are immutable shared blocks. Conventions:
+// right-handed, +Y up, meters, radians, counter-clockwise fronts, linear RGB, texture coordinates v-down.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -48,7 +48,7 @@ struct TextureTransform {
     bool operator==(const TextureTransform&) const = default;
 };
 
-/// Use of a texture by a material. The role (the member's name) decides the colour space: colours are sRGB, data is linear.
+/// Use of a texture by a material. Its role (the member's name) decides the color space: colors sRGB, data linear.
 struct TextureUse {
     std::uint32_t texture = none;      ///< into Scene::textures
     std::uint32_t texcoord_set = 0;
@@ -97,7 +97,7 @@ struct ClassicalParameters {
     vec3 ambient{1, 1, 1};   ///< k_a, linear; multiplies the ambient light. Loaders use k_d where the file has none
     vec3 specular{0, 0, 0};  ///< k_s, linear
     float shininess = 32;    ///< exponent n >= 1 of the specular lobe
-    TextureUse specular_texture;  ///< colour, multiplies k_s
+    TextureUse specular_texture;  ///< color, multiplies k_s
 };
 
 /// glTF 2.0 metallic-roughness, with the extensions that are kept as data.
@@ -126,10 +126,10 @@ struct Material {
     std::string name;
     MaterialModel model = MaterialModel::metallic_roughness;
     vec4 base_color{1, 1, 1, 1};    ///< linear RGB (k_d of classical materials) and alpha
-    TextureUse base_color_texture;  ///< sRGB colour and alpha, multiplies base_color
+    TextureUse base_color_texture;  ///< sRGB color and alpha, multiplies base_color
     TextureUse normal_texture;      ///< tangent space, green up
     float normal_scale = 1;
-    TextureUse height_texture;      ///< grey height (classical bump map)
+    TextureUse height_texture;  ///< gray height (classical bump map)
     float height_scale = 1;
     TextureUse opacity_texture;     ///< data: its first channel multiplies alpha (MTL map_d)
     TextureUse occlusion_texture;   ///< data: R multiplies ambient light
@@ -266,11 +266,11 @@ struct Animation {
 // --- lights and cameras --------------------------------------------------------------------------------------------------
 
 enum class LightType : std::uint8_t { ambient, directional, point, spot };
-/// Two kinds of units, never mixed silently: classical colours and attenuation, or photometric lux and candela.
+/// Two kinds of units, never mixed silently: classical colors and attenuation, or photometric lux and candela.
 enum class LightUnits : std::uint8_t { classical, photometric };
 
-/// A light at its node (position: the node's origin, direction: along its -Z), or at `position` / `direction` in the world.
-/// Classical: colour 1 at attenuation 1 means irradiance pi, so a white Lambert surface facing it has radiance 1.
+/// A light at its node (position: the node's origin, direction: along its -Z), or at `position` / `direction` in the
+/// world. Classical: color 1 at attenuation 1 means irradiance pi, so a white Lambert surface facing it has radiance 1.
 struct Light {
     std::string name;
     LightType type = LightType::point;
@@ -279,7 +279,7 @@ struct Light {
     dvec3 position{0, 0, 0};
     dvec3 direction{0, 0, -1};       ///< the way the light travels
     vec3 ambient{0, 0, 0}, diffuse{1, 1, 1}, specular{1, 1, 1};  ///< classical, linear RGB; ambient light: only `ambient`
-    float constant = 1, linear = 0, quadratic = 0;  ///< classical attenuation 1 / (c + l d + q d^2), d in metres
+    float constant = 1, linear = 0, quadratic = 0;  ///< classical attenuation 1 / (c + l d + q d^2), d in meters
     float cutoff_rad = float(pi / 2);  ///< classical spot: half angle, 0..pi/2
     float exponent = 0;              ///< classical spot: falloff cos^exponent
     vec3 color{1, 1, 1};             ///< photometric, linear RGB

@@ -55,7 +55,7 @@ float finite(float v) {
     return std::clamp(v, -largest_half, largest_half);
 }
 
-/// Reads component i of a row as a number: colours through `color`, alpha through `plain`.
+/// Reads component i of a row as a number: colors through `color`, alpha through `plain`.
 template <class T, class Color, class Plain>
 void expand_rgba32f(const std::byte* from, int channels, int width, vec4* to, const Color& color, const Plain& plain) {
     const bool gray = channels < 3, has_alpha = channels == 2 || channels == 4;

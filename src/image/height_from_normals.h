@@ -6,7 +6,7 @@
 namespace rakelight {
 
 struct HeightsFromNormals {
-    Pixels heights;    ///< grey, u16: 0 the lowest, 65535 the highest point
+    Pixels heights;    ///< gray, u16: 0 the lowest, 65535 the highest point
     double depth = 0;  ///< [widths of the picture] between them; 0: the map is flat (all is 65535)
 };
 

@@ -32,7 +32,7 @@ Taps taps_of(int i, int larger) {
 
 using Table = std::array<float, 256>;
 
-/// Code values as what is averaged: linear light for sRGB colours, the code itself for data and alpha.
+/// Code values as what is averaged: linear light for sRGB colors, the code itself for data and alpha.
 struct Decoder {
     Table color, plain;
 

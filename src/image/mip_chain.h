@@ -25,11 +25,11 @@ struct MipChain {
 };
 
 /// 8-bit pictures keep their codes in level 0 and have rgba8 levels; 16-bit and float pictures become linear floats.
-/// A smaller level is the box filter of the one above over exactly the area that its pixel covers, also where a side is odd
-/// (three taps with position-dependent weights: Guthe & Heckbert 2005, "Non-Power-of-Two Mipmapping"), so nothing shifts.
-/// sRGB colours are averaged in linear light and rounded once, from unrounded averages, at each level. Alpha is straight
-/// and colours are averaged without it as weight (as glTF renderers and GPUs do); hidden colours may bleed in at cut-outs.
-/// The same bits for any number of threads.
+/// A smaller level is the box filter of the one above over exactly the area that its pixel covers, also where a side is
+/// odd (three taps with position-dependent weights: Guthe & Heckbert 2005, "Non-Power-of-Two Mipmapping"), so nothing
+/// shifts. sRGB colors are averaged in linear light and rounded once, from unrounded averages, at each level. Alpha is
+/// straight and colors are averaged without it as weight (as glTF renderers and GPUs do); hidden colors may bleed in at
+/// cut-outs. The same bits for any number of threads.
 /// @return no level for a picture without pixels
 /// @throws Error bad_file: over the memory budget
 MipChain make_mip_chain(const Pixels& pixels, ColorSpace space, Context& context);

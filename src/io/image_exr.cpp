@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR: grey or RGB, with or without alpha, as floats in linear light. EXR holds colours multiplied by alpha
+// OpenEXR: gray or RGB, with or without alpha, as floats in linear light. EXR holds colors multiplied by alpha
 // ("Technical Introduction to OpenEXR", section "Alpha"); Pixels hold them apart, so they are divided here and
 // multiplied on writing. Colors are written as floats unless halves are asked for: what the engine computed, and data
 // needs them.
@@ -66,7 +66,7 @@ struct Layout {
     int channels = 0;
 };
 
-/// The unnamed layer's colour. Missing ones of R, G, B count as zero.
+/// The unnamed layer's color. Missing ones of R, G, B count as zero.
 Layout layout_of(const Imf::ChannelList& list) {
     const bool rgb = list.findChannel("R") || list.findChannel("G") || list.findChannel("B"), alpha = list.findChannel("A") != nullptr;
     if (!rgb && !list.findChannel("Y")) bad_picture("an EXR picture without the channels R, G, B or Y");
@@ -74,7 +74,8 @@ Layout layout_of(const Imf::ChannelList& list) {
     if (alpha) layout.names[std::size_t(layout.channels++)] = "A";
     for (int c = 0; c < layout.channels; ++c) {
         const Imf::Channel* channel = list.findChannel(layout.names[std::size_t(c)]);
-        if (channel && (channel->xSampling != 1 || channel->ySampling != 1)) bad_picture("EXR colours with fewer samples than pixels are not supported");
+        if (channel && (channel->xSampling != 1 || channel->ySampling != 1))
+            bad_picture("EXR colors with fewer samples than pixels are not supported");
     }
     return layout;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JPEG by libjpeg-turbo: grey or RGB, 8 bits. The EXIF orientation is not applied (glTF 2.0, section 3.8.3.1).
+// JPEG by libjpeg-turbo: gray or RGB, 8 bits. The EXIF orientation is not applied (glTF 2.0, section 3.8.3.1).
 // The library leaves by longjmp on an error, so each function that calls it holds only trivial objects.
 #include <csetjmp>
 #include <cstdio>
@@ -86,7 +86,7 @@ void rgb_from_cmyk(const unsigned char* cmyk, unsigned char* rgb, unsigned width
     }
 }
 
-/// @param cmyk  room for one row of four components, null for other colour spaces
+/// @param cmyk  room for one row of four components, null for other color spaces
 bool read_rows(JpegReader& reader, unsigned char* pixels, std::size_t row_bytes, unsigned char* cmyk) {
     if (setjmp(reader.escape) != 0) return false;
     reader.info.dct_method = JDCT_ISLOW;  // the exact one: the same bits with and without SIMD

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JPEG by libjpeg-turbo: quality 95 without chroma subsampling, so that thin bright lines keep their colour.
+// JPEG by libjpeg-turbo: quality 95 without chroma subsampling, so that thin bright lines keep their color.
 // The library leaves by longjmp on an error, so each function that calls it holds only trivial objects.
 #include <csetjmp>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG by libspng: grey, grey + alpha, RGB or RGBA with 8 or 16 bits a component. Palettes and tRNS are resolved; gAMA, iCCP
-// and sRGB are not applied: what the numbers mean is decided by the texture's role (glTF 2.0, section 3.9.2).
+// PNG by libspng: gray, gray + alpha, RGB or RGBA with 8 or 16 bits a component. Palettes and tRNS are resolved; gAMA,
+// iCCP and sRGB are not applied: what the numbers mean is decided by the texture's role (glTF 2.0, section 3.9.2).
 #include <spng.h>
 
 #include "io/image_codecs.h"
@@ -43,7 +43,7 @@ Target target_of(const spng_ihdr& header, bool has_transparency) {
             return {1, component, deep ? SPNG_FMT_PNG : SPNG_FMT_G8};
         case SPNG_COLOR_TYPE_GRAYSCALE_ALPHA: return {2, component, SPNG_FMT_PNG};
         case SPNG_COLOR_TYPE_TRUECOLOR_ALPHA: return {4, component, SPNG_FMT_PNG};
-        default:  // true colour, and palettes with at most 8 bits
+        default:  // true color, and palettes with at most 8 bits
             if (has_transparency) return {4, component, deep ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8};
             return {3, component, deep ? SPNG_FMT_PNG : SPNG_FMT_RGB8};
     }

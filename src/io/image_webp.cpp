@@ -64,7 +64,7 @@ public:
         WebPConfig config;
         WebPConfigInit(&config);
         WebPConfigLosslessPreset(&config, 1);  // higher levels take many times as long for a few percent
-        config.exact = 1;                      // colours under alpha 0 are kept
+        config.exact = 1;                      // colors under alpha 0 are kept
         encoded.picture.use_argb = 1;
         encoded.picture.width = width_;
         encoded.picture.height = height_;

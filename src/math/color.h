@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colour spaces: the sRGB transfer function (IEC 61966-2-1) in both directions. Colours are linear RGB inside.
+// Color spaces: the sRGB transfer function (IEC 61966-2-1) in both directions. Colors are linear RGB inside.
 #pragma once
 #include <cstdint>
 

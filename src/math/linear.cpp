@@ -33,7 +33,7 @@ dmat4 compose(dvec3 t, dquat rotation, dvec3 scale) {
 
 bool inverse_affine(const dmat4& m, dmat4& out) {
     dmat3 a = upper_left(m);
-    // Scaled to entries of at most 1, so that a model in micrometres is not taken for singular.
+    // Scaled to entries of at most 1, so that a model in micrometers is not taken for singular.
     double largest = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         if (!is_finite(a[c])) return false;

@@ -85,7 +85,7 @@ template <class T> constexpr Matrix4<T> transpose(const Matrix4<T>& m) {
 template <class T> constexpr Matrix4<T> translation(Vector3<T> t) { return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {t.x, t.y, t.z, 1}}}; }
 template <class T> constexpr Matrix4<T> scaling(Vector3<T> s) { return {{{s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1}}}; }
 
-/// Translation * rotation * scale. A quaternion that is not of unit length is normalised; a zero one is no rotation.
+/// Translation * rotation * scale. A quaternion that is not of unit length is normalized; a zero one is no rotation.
 dmat4 compose(dvec3 translation, dquat rotation, dvec3 scale);
 
 /// Inverse of an affine matrix; a singular one gives false and leaves `out` alone.

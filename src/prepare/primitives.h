@@ -13,7 +13,7 @@ namespace rakelight {
 
 enum class PrimitiveShape : std::uint8_t { sphere, cylinder, cone, torus, plane };
 
-/// What is to be made, about the origin, axis +Y. Lengths in metres, more than 0, at most 1e6.
+/// What is to be made, about the origin, axis +Y. Lengths in meters, more than 0, at most 1e6.
 struct PrimitiveRequest {
     PrimitiveShape shape = PrimitiveShape::sphere;
     double radius = 1;          ///< sphere; cylinder; base of the cone; torus: from its center to that of the tube

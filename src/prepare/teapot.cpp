@@ -59,7 +59,7 @@ struct Arrays {
     std::vector<std::uint32_t> indices;
 };
 
-/// The first row of a patch at the lid's tip or the bottom's centre is one point.
+/// The first row of a patch at the lid's tip or the bottom's center is one point.
 bool has_pole(const Patch& patch) {
     const auto& p = patch.points;
     return p[0] == p[1] && p[1] == p[2] && p[2] == p[3];

@@ -11,7 +11,7 @@
 namespace rakelight {
 
 void check_placement(const ViewRequest& view) {
-    constexpr double farthest = 1e15;  // [m] a double still tells a quarter of a metre there
+    constexpr double farthest = 1e15;  // [m] a double still tells a quarter of a meter there
     const auto near_enough = [](const std::optional<dvec3>& v) {
         return !v || (std::fabs(v->x) <= farthest && std::fabs(v->y) <= farthest && std::fabs(v->z) <= farthest);
     };
@@ -73,7 +73,7 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     }
     const dvec3 base_eye = base.to_world[3].xyz(), base_z = base.to_world[2].xyz();
 
-    // 1. What the base camera looks at: the model's centre, or the point on a file camera's axis that is nearest to it.
+    // 1. What the base camera looks at: the model's center, or the point on a file camera's axis that is nearest to it.
     double distance = dot(base_eye - bounds.center(), base_z);
     if (!(distance > 0)) distance = radius_of(bounds);
     const dvec3 base_focal = is_fitted ? bounds.center() : base_eye - base_z * distance;

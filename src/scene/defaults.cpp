@@ -12,8 +12,8 @@
 namespace rakelight {
 namespace {
 
-/// Radius of the sphere about the box. A box without extent (a point, nothing) gets a radius that can still be told from
-/// its centre in double: 1, or a millionth of the distance from the origin.
+/// Radius of the sphere about the box. A box without extent (a point, nothing) gets a radius that can still be told
+/// from its center in double: 1, or a millionth of the distance from the origin.
 double sphere_radius(const Bounds& bounds) {
     const dvec3 c = bounds.center();
     const double far_out = std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});

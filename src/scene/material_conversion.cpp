@@ -3,20 +3,22 @@
 //
 // classical_from_metallic_roughness, for use with the normalized Blinn-Phong lobe, which it asks for:
 //   k_d = base (1 - metallic), k_a = k_d
-//   k_s = mix(F0, base, metallic),  F0 = min(((ior - 1) / (ior + 1))^2 specular_color, 1) specular   (KHR_materials_specular)
-//   n   = clamp(2 / alpha^2 - 2, 1, 10000),  alpha = roughness^2
-//         (Karis 2013, "Specular BRDF Reference": the exponent whose Blinn-Phong distribution matches a GGX or Beckmann alpha)
-//   Lost: Fresnel's rise at grazing angles, the long tail of GGX, roughness above 0.904 (n would be below 1), anisotropy, the
-//   metallic-roughness and specular textures. Where there is a metallic-roughness texture its values are not known here:
-//   metallic counts as 0 (the base colour then shows as diffuse) and roughness as half its factor. The base colour texture
-//   tints the highlight where metallic > 1/2, else the specular colour texture does.
+//   k_s = mix(F0, base, metallic),  F0 = min(((ior - 1) / (ior + 1))^2 specular_color, 1) specular
+//   (KHR_materials_specular) n   = clamp(2 / alpha^2 - 2, 1, 10000),  alpha = roughness^2
+//         (Karis 2013, "Specular BRDF Reference": the exponent whose Blinn-Phong distribution matches a GGX or Beckmann
+//         alpha)
+//   Lost: Fresnel's rise at grazing angles, the long tail of GGX, roughness above 0.904 (n would be below 1),
+//   anisotropy, the metallic-roughness and specular textures. Where there is a metallic-roughness texture its values
+//   are not known here: metallic counts as 0 (the base color then shows as diffuse) and roughness as half its factor.
+//   The base color texture tints the highlight where metallic > 1/2, else the specular color texture does.
 //
 // metallic_roughness_from_classical, with the highlight's center where it was:
 //   base = k_d, metallic = 0, ior = 1.5, roughness = (2 / (n + 2))^(1/4), so alpha^2 = 2 / (n + 2)
-//   F0 = min(1, 4 alpha^2) k_s: a textbook k_s says how bright the lobe's center is, that of GGX is F0 / (4 alpha^2) where light and
-//   viewer face the surface; of materials that name the normalized form F0 = k_s. specular = min(1, 50 F0), so that what has no
-//   highlight has none at grazing angles either (KHR_materials_specular: F90); specular_color = F0 / (0.04 specular)
-//   Lost: k_a, k_s above 1, exponents below 1 or above 10000. There and back gives k_d and n again, and F0 as k_s.
+//   F0 = min(1, 4 alpha^2) k_s: a textbook k_s says how bright the lobe's center is, that of GGX is F0 / (4 alpha^2)
+//   where light and viewer face the surface; of materials that name the normalized form F0 = k_s. specular = min(1, 50
+//   F0), so that what has no highlight has none at grazing angles either (KHR_materials_specular: F90); specular_color
+//   = F0 / (0.04 specular) Lost: k_a, k_s above 1, exponents below 1 or above 10000. There and back gives k_d and n
+//   again, and F0 as k_s.
 #include <algorithm>
 #include <cmath>
 

@@ -37,9 +37,9 @@ struct FitWishes {
     std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
 };
 
-/// The view by which a model without cameras is shown: perspective, 40 degrees vertical, from the front slightly right and
-/// above (the direction (0.45, 0.35, 1) from the centre), as near as lets the whole bounding box be seen with a small margin.
-/// With another up than +Y the direction turns along: Z up shows a Z-up model as Y up shows a Y-up one.
+/// The view by which a model without cameras is shown: perspective, 40 degrees vertical, from the front slightly right
+/// and above (the direction (0.45, 0.35, 1) from the center), as near as lets the whole bounding box be seen with a
+/// small margin. With another up than +Y the direction turns along: Z up shows a Z-up model as Y up shows a Y-up one.
 Camera default_camera(const Bounds& bounds, double aspect, const FitWishes& wishes = {});
 /// The same from a named side of the world, which `wishes.up` does not turn: "front" (+Z), "back", "left" (-X), "right",
 /// "top" (+Y), "bottom", "isometric"; or "default".

@@ -3,7 +3,7 @@
 """An independent PNG decoder for the test of ours: the standard library's zlib and the PNG specification, nothing else.
 
 Prints one line a picture: name, width, height, channels, bits, FNV-1a 64 of the samples (rows from the top, components
-interleaved, 16-bit ones with the high byte first). Palettes are resolved, tRNS becomes an alpha channel, grey of fewer than
+interleaved, 16-bit ones with the high byte first). Palettes are resolved, tRNS becomes an alpha channel, gray of fewer than
 8 bits is spread over 0..255.
 
     python3 tests/support/png_reference.py ../shared/assets/textures/pngsuite/*.png > tests/unit/io/pngsuite_expected.txt

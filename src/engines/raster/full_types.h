@@ -43,7 +43,7 @@ struct ShadowView {
     int32_t is_orthographic;
     float to_light[3]
                   [4];  ///< rows: position about the eye -> x to the right, y up, z ahead of the map, about the light
-    float texels;       ///< a metre (perspective: a metre at a distance of one) has
+    float texels;       ///< a meter (perspective: a meter at a distance of one) has
     float bias;         ///< of the half texel that surfaces are pushed out by
     int32_t filter;     ///< [texels] radius
 };

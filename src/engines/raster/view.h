@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A camera made ready for one picture: everything in double, about the eye, so that a model a thousand kilometres from the
-// origin looks like one at it.
+// A camera made ready for one picture: everything in double, about the eye, so that a model a thousand kilometers from
+// the origin looks like one at it.
 #pragma once
 #include <rakelight/engine.h>
 

@@ -96,8 +96,8 @@ void Materials::read_metallic_roughness(const Value& source, Material& material)
     target.texture = textures_.use(values, "metallicRoughnessTexture");
 }
 
-/// The diffuse colour becomes the base colour of a dielectric whose reflectance at normal incidence is the specular
-/// colour: F0 = min(0.04 * specular_color, 1) * specular for an index of refraction of 1.5 (KHR_materials_specular), so
+/// The diffuse color becomes the base color of a dielectric whose reflectance at normal incidence is the specular
+/// color: F0 = min(0.04 * specular_color, 1) * specular for an index of refraction of 1.5 (KHR_materials_specular), so
 /// specular_color = specularFactor / 0.04. Glossiness in the texture's alpha has no counterpart and is left out.
 void Materials::read_specular_glossiness(const Value& source, Material& material) {
     const Value values = source.extension("KHR_materials_pbrSpecularGlossiness");

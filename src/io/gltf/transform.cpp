@@ -28,7 +28,7 @@ dquat rotation_of(const Document& document, const Value& node, const std::array<
         return {};
     }
     if (std::fabs(length - 1) > unit_tolerance)
-        document.remark(Remark::changed, node.place(), "its rotation is no unit quaternion; normalised");
+        document.remark(Remark::changed, node.place(), "its rotation is no unit quaternion; normalized");
     return rotation;
 }
 

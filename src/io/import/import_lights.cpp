@@ -31,7 +31,8 @@ std::uint32_t add_node(const std::string& name, std::uint32_t parent, dvec3 posi
     return std::uint32_t(scene.nodes.size() - 1);
 }
 
-/// Metres for one unit of length of the file: that of the root, since a light's or camera's own scale does not stretch its range.
+/// Meters for one unit of length of the file: that of the root, since a light's or camera's own scale does not stretch
+/// its range.
 double unit_of(const std::vector<dmat4>& world) {
     const double unit = length(world[0][2].xyz());
     return unit > 0 && std::isfinite(unit) ? unit : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the helper read, made into a scene by our conventions: metres, +Y up, linear colors, texture coordinates v down.
+// What the helper read, made into a scene by our conventions: meters, +Y up, linear colors, texture coordinates v down.
 #pragma once
 #include <string>
 
@@ -16,7 +16,8 @@ Scene scene_from_import(import_stream::Import&& import, const std::string& path,
 
 namespace detail {
 
-/// Takes the file's axes and unit to ours: the side axis becomes +X, up +Y, front (towards the viewer) +Z, lengths metres.
+/// Takes the file's axes and unit to ours: the side axis becomes +X, up +Y, front (towards the viewer) +Z, lengths
+/// meters.
 dmat4 to_our_axes(const import_stream::AxisSystem& axes);
 
 void add_meshes(import_stream::Import& import, const std::string& path, Scene& scene, Context& context);

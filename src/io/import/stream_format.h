@@ -31,8 +31,8 @@ struct Head {
     std::uint32_t kind = 0;
 };
 
-/// Where the file's axes and its length unit stand (FBX, Blend; Assimp's other readers turn and scale the root node themselves).
-/// Axis numbers are 0 x, 1 y, 2 z; signs +1 or -1; unit in metres.
+/// Where the file's axes and its length unit stand (FBX, Blend; Assimp's other readers turn and scale the root node
+/// themselves). Axis numbers are 0 x, 1 y, 2 z; signs +1 or -1; unit in meters.
 struct AxisSystem {
     std::int32_t up = 1, up_sign = 1, front = 2, front_sign = 1, side = 0, side_sign = 1;
     double unit_m = 1;
@@ -60,7 +60,7 @@ struct TextureLink {
     float rotation_rad = 0;
 };
 
-/// Colours are display values; `has` says which of them the file gave.
+/// Colors are display values; `has` says which of them the file gave.
 struct Surface {
     enum Has : std::uint32_t { has_diffuse = 1, has_specular = 2, has_ambient = 4, has_emission = 8, has_shininess = 16 };
     std::string name;

@@ -41,9 +41,9 @@ Material default_material(const std::string& name) {
     Material m;
     m.name = name;
     m.model = MaterialModel::classical;
-    const vec3 grey = linear_from_srgb(vec3{0.8f, 0.8f, 0.8f});
-    m.base_color = {grey.x, grey.y, grey.z, 1};
-    m.classical.ambient = grey;
+    const vec3 gray = linear_from_srgb(vec3{0.8f, 0.8f, 0.8f});
+    m.base_color = {gray.x, gray.y, gray.z, 1};
+    m.classical.ambient = gray;
     return m;
 }
 
@@ -125,7 +125,7 @@ std::uint32_t MaterialLibrary::find(const std::string& name, std::uint64_t line)
     scene_.materials.push_back(default_material(name.empty() ? "default" : name));
     if (!name.empty())
         remark(Remark::warning, model_path_, line,
-               "material '" + one_line(name, 80) + "' is not defined; a light grey one stands for it");
+               "material '" + one_line(name, 80) + "' is not defined; a light gray one stands for it");
     return entry->second;
 }
 

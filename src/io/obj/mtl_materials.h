@@ -29,7 +29,7 @@ bool is_normal_map_name(const std::string& file);
 /// opaque, `guessed`. With Pr, Pm or map_Pr, map_Pm the model is metallic-roughness: metallic Pm (0 without), roughness
 /// Pr, without it sqrt(sqrt(2 / (Ns + 2))) (Walter et al. 2007, section 5.2: the GGX width of a Phong exponent;
 /// roughness squared), without both 1; one picture for both is packed (G roughness, B metallic), a lone map_Pr works as
-/// grey picture when Pm is 0. `norm` is a normal map, `map_Bump` one by name (is_normal_map_name, `guessed`), else a
+/// gray picture when Pm is 0. `norm` is a normal map, `map_Bump` one by name (is_normal_map_name, `guessed`), else a
 /// height map; `disp` is the height map where no bump map is. map_Kd's alpha is used when map_d names the same file.
 /// map_Ka has no place; it is left out in silence when it names the file of map_Kd, since base color textures multiply
 /// the ambient term too.
@@ -42,7 +42,7 @@ public:
     /// warning.
     void load(const std::string& argument);
     /// For usemtl: index into Scene::materials; an undefined name becomes a default material with a warning, the empty
-    /// name the default one (light grey, k_d 0.8 as display value, no highlight).
+    /// name the default one (light gray, k_d 0.8 as display value, no highlight).
     std::uint32_t find(const std::string& name, std::uint64_t line);
     void finish();  ///< says how many warnings were held back
 

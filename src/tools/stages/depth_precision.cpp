@@ -38,7 +38,7 @@ std::string text_of(double value, int digits) {
 }
 
 /// [m] short enough for an axis.
-std::string metres(double v) { return text_of(v >= 100 ? std::floor(v + 0.5) : v, 4); }
+std::string meters(double v) { return text_of(v >= 100 ? std::floor(v + 0.5) : v, 4); }
 
 double x_of(double part) { return left + part * (right - left); }
 double y_of(double part) { return bottom - part * (bottom - top); }
@@ -73,7 +73,7 @@ double distance_at(double depth, const DepthRange& r) {
 Picture curve_picture(const DepthRange& r) {
     Canvas canvas = framed();
     for (int i = 0; i <= 10; i += 2) {
-        label_x(canvas, i / 10.0, metres(r.near + i / 10.0 * (r.far - r.near)));
+        label_x(canvas, i / 10.0, meters(r.near + i / 10.0 * (r.far - r.near)));
         label_y(canvas, i / 10.0, text_of(i / 10.0, 1));
     }
     const int steps = 4 * (right - left);  // the curve is steep at its beginning
@@ -99,7 +99,7 @@ Picture step_picture(const DepthRange& r) {
     const auto along = [&](double log_x) { return (log_x - low_x) / (high_x - low_x); };
     const auto up = [&](double log_y) { return (log_y - low_y) / (high_y - low_y); };
     Canvas canvas = framed();
-    for (double e = std::ceil(low_x); e <= high_x + 1e-9; ++e) label_x(canvas, along(e), metres(power_of_ten(e)));
+    for (double e = std::ceil(low_x); e <= high_x + 1e-9; ++e) label_x(canvas, along(e), meters(power_of_ten(e)));
     for (int e = int(low_y); e <= int(high_y); ++e) label_y(canvas, up(e), "1e" + std::to_string(e));
     for (const Format& f : formats) {
         dvec2 last;

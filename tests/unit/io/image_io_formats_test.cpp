@@ -193,7 +193,7 @@ TEST(TgaReading, UnderstandsOrderOfRowsColumnsAndComponents) {
 
 TEST(TgaReading, RunLengthsAreReadAndCutFilesRefused) {
     std::vector<std::byte> file(18);
-    file[2] = std::byte(11);  // grey, run lengths
+    file[2] = std::byte(11);  // gray, run lengths
     file[12] = std::byte(5);
     file[14] = std::byte(1);
     file[16] = std::byte(8);

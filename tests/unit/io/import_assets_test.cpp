@@ -131,7 +131,7 @@ std::vector<Corner> obj_corners(const std::string& path) {
 
 struct Oracle {
     const char *fbx, *obj;
-    double unit_m;   ///< metres a unit of the OBJ
+    double unit_m;   ///< meters a unit of the OBJ
     bool z_up;       ///< of the OBJ
 };
 

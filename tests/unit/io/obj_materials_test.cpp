@@ -86,7 +86,7 @@ TEST_F(ObjMaterials, BrokenNumbersKeepTheDefaults) {
     EXPECT_EQ(remark("spectral")->remark, Remark::dropped);
 }
 
-TEST_F(ObjMaterials, UndefinedAndAbsentMaterialsAreLightGrey) {
+TEST_F(ObjMaterials, UndefinedAndAbsentMaterialsAreLightGray) {
     const Scene s = load("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl nope\nf 1 2 3\nusemtl nope\nf 1 2 3\n");
     ASSERT_EQ(s.materials.size(), 2u);
     EXPECT_EQ(s.materials[0].name, "default");

@@ -10,7 +10,7 @@ namespace rakelight {
 namespace {
 
 TEST(Color, KnownValuesOfTheSrgbCurve) {
-    // IEC 61966-2-1; mid grey 0.5 encoded is 0.2140411 linear.
+    // IEC 61966-2-1; mid gray 0.5 encoded is 0.2140411 linear.
     EXPECT_EQ(linear_from_srgb(0.0f), 0.0f);
     EXPECT_EQ(linear_from_srgb(1.0f), 1.0f);
     EXPECT_NEAR(linear_from_srgb(0.5f), 0.21404114f, 1e-7f);

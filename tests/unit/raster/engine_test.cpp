@@ -108,7 +108,7 @@ TEST(SoftEngine, AMirroredPlacementKeepsItsOutside) {
     EXPECT_NEAR(pixel(plain, 9, 9).x, pixel(mirrored, 9, 9).x, 1e-6f);
 }
 
-TEST(SoftEngine, AModelAThousandKilometresAwayRendersLikeItself) {
+TEST(SoftEngine, AModelAThousandKilometersAwayRendersLikeItself) {
     Scene scene = busy_scene();
     const Frame here = render(scene, inside_camera());
     const dvec3 far = {1e6, -3e5, 7e5};

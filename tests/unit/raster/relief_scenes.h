@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A square of the plane z = 0, two metres wide, with height and normal maps, and what is shown of it.
+// A square of the plane z = 0, two meters wide, with height and normal maps, and what is shown of it.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Height and normal maps through the engine: what a square of the plane z = 0, two metres wide, shows of them.
+// Height and normal maps through the engine: what a square of the plane z = 0, two meters wide, shows of them.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -53,7 +53,7 @@ struct Difference {
     int compared = 0, leaks = 0, acne = 0;  ///< pixels; lit in the shadow; dark in the light
 };
 
-/// Pixels whose exact shadow is the same `away` metres round about.
+/// Pixels whose exact shadow is the same `away` meters round about.
 Difference compare(const Scene& scene, const Camera& camera, double away) {
     const std::vector<float> share = seen(scene, camera);
     const RayCast exact(scene);

@@ -36,7 +36,7 @@ TEST(WorldMatrices, AMatrixCountsAlone) {
     EXPECT_EQ(world_matrices(scene)[0], scaling(dvec3{4, 5, 6}));
 }
 
-TEST(WorldMatrices, AreExactAMillionMetresFromTheOrigin) {
+TEST(WorldMatrices, AreExactAMillionMetersFromTheOrigin) {
     Scene scene;
     scene.nodes = {child_of(none, {1e6, 0, 0}), child_of(0, {0.001, 0, 0})};
     EXPECT_EQ(world_matrices(scene)[1][3].x, 1e6 + 0.001);
