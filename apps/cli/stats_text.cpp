@@ -23,7 +23,9 @@ std::string stats_text(const PictureResult& result) {
                 {"samples covered", s.samples_covered},
                 {"pixels shaded", s.pixels_shaded},
                 {"depth passes", s.depth_passes},
-                {"line, point pixels", s.pixels_marked}};
+                {"line, point pixels", s.pixels_marked},
+                {"shadow maps", s.shadow_maps},
+                {"shadow map bytes", s.shadow_bytes}};
     const std::string name = one_line(result.output) + ": ";
     std::string text;
     char line[80];

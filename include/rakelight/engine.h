@@ -235,6 +235,7 @@ struct RenderStats {
     double overdraw() const { return samples_covered > 0 ? double(depth_passes) / double(samples_covered) : 0; }
     std::uint64_t pixels_marked = 0;      ///< pixels that lines or points cover, each color of them counted
     std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
+    std::uint64_t shadow_maps = 0, shadow_bytes = 0;  ///< that the picture read, kept ones too, and their memory
     StageTimes times;  ///< never the same twice
 };
 

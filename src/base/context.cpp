@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #if defined(__SANITIZE_THREAD__)
 #include <exception>
 #include <thread>
@@ -65,21 +66,40 @@ void MemoryBudget::require(std::uint64_t charged, std::uint64_t bytes, std::stri
 }
 
 void MemoryBudget::check(std::uint64_t bytes, std::string_view what) const {
-    require(charged_, bytes, what);
+    require(*charged_, bytes, what);
     std::uint64_t largest = largest_check_;
     while (bytes > largest && !largest_check_.compare_exchange_weak(largest, bytes)) {
     }
 }
 
 bool MemoryBudget::grants_in_any_order() const noexcept {
-    const std::uint64_t charged = charged_, allowed = limit();
+    const std::uint64_t charged = *charged_, allowed = limit();
     return !has_refused_ && charged <= allowed && largest_check_ <= allowed - charged;
 }
 
 void MemoryBudget::charge(std::uint64_t bytes, std::string_view what) {
-    std::uint64_t before = charged_;
+    std::uint64_t before = *charged_;
     do require(before, bytes, what);  // and again where another thread charged in between
-    while (!charged_.compare_exchange_weak(before, before + bytes));
+    while (!charged_->compare_exchange_weak(before, before + bytes));
+}
+
+MemoryCharge::MemoryCharge(MemoryBudget& budget, std::uint64_t bytes, std::string_view what) {
+    budget.charge(bytes, what);
+    charged_ = budget.charged_;
+    bytes_ = bytes;
+}
+
+MemoryCharge::MemoryCharge(MemoryCharge&& from) noexcept
+    : charged_(std::move(from.charged_)), bytes_(std::exchange(from.bytes_, 0)) {}
+
+MemoryCharge& MemoryCharge::operator=(MemoryCharge&& from) noexcept {
+    std::swap(charged_, from.charged_);
+    std::swap(bytes_, from.bytes_);
+    return *this;
+}
+
+MemoryCharge::~MemoryCharge() {
+    if (charged_) *charged_ -= bytes_;
 }
 
 struct Context::Arena {

@@ -21,7 +21,9 @@ Json stats_json(const RenderStats& s) {
             {"vertices_lit_twice", s.vertices_lit_twice},
             {"depth_passes", s.depth_passes},
             {"overdraw", s.overdraw()},
-            {"pixels_marked", s.pixels_marked}};
+            {"pixels_marked", s.pixels_marked},
+            {"shadow_maps", s.shadow_maps},
+            {"shadow_bytes", s.shadow_bytes}};
 }
 
 namespace {

@@ -14,6 +14,7 @@
 #include "engines/raster/multisample.h"
 #include "engines/raster/open_surfaces.h"
 #include "engines/raster/shadow_maps.h"
+#include "engines/raster/shadow_texels.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility_methods.h"
 #include "math/flush_denormals.h"
@@ -150,6 +151,7 @@ void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink&
         find_visible(job, tile, scratch);
     scratch.times.visibility += clock.lap();
     if (job.is_cancelled()) return;
+    if (job.shadow_texels) job.shadow_texels->take(job, tile, scratch);
     bool blends = false;
     if (is_sampled) {
         shade_samples(job, tile, scratch);
@@ -214,6 +216,9 @@ public:
         const dvec3 eye = view.camera_to_world[3].xyz();
         std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, eye);
         shadows_.update(list_, settings, *kernels_, *geometry_kernels_, eye, lights, context);
+        front.stats.shadow_maps = shadows_.count();
+        front.stats.shadow_bytes = shadows_.bytes();
+        ShadowTexels shadow_texels(grid);
         const LightReach reach(lights);
         make_full_jobs(front, {.shadows = shadows_.data()});
         LightPoints points = light_points(front, binned, lights, *kernels_, std::move(points_), context);
@@ -222,13 +227,15 @@ public:
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended =
             std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
-        const double waited = draw_tiles(
-            {front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8() && !has_sky(list_),
-             (settings.channels & channel_uv1) != 0, &marks, &context, reach.is_worth_it() ? &reach : nullptr},
-            sink, context, front.stats);
+        const double waited =
+            draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points,
+                        sink.takes_srgb8() && !has_sky(list_), (settings.channels & channel_uv1) != 0, &marks, &context,
+                        reach.is_worth_it() ? &reach : nullptr, shadows_.data() ? &shadow_texels : nullptr},
+                       sink, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;
         open_surfaces_.remark(front, wanted.cull == Cull::back, context);
+        shadow_texels.remark(list_.scene, lights, shadows_.data(), context);
         clip_ = std::move(front.clip);
         screen_ = std::move(front.screen);
         binned_ = std::move(binned);

@@ -252,7 +252,8 @@ void check_shadow_memory(std::span<const Light> lights, const RenderSettings& se
     for (const Light& light : lights)
         if (casts_shadow(light)) maps += has_one_map(light) ? 1 : 6;
     const std::uint64_t side = std::uint64_t(settings.shadow_size), bytes = maps * side * side * bytes_per_texel;
-    const std::uint64_t limit = memory.limit() / 2;
+    const std::uint64_t all = memory.limit(), taken = memory.charged();
+    const std::uint64_t limit = std::min(all / 2, all > taken ? all - taken : 0);
     if (bytes <= limit) return;
     throw Error(ErrorCode::usage,
                 "--shadow-size " + std::to_string(side) + ": " + std::to_string(maps) + " shadow maps of " +
@@ -264,7 +265,14 @@ void check_shadow_memory(std::span<const Light> lights, const RenderSettings& se
 void ShadowMaps::forget() {
     maps_.clear();
     views_.clear();
+    charge_ = {};
     size_ = 0;
+}
+
+std::uint64_t ShadowMaps::count() const {
+    std::uint64_t count = 0;
+    for (const Maps& m : maps_) count += m.cameras.size();
+    return count;
 }
 
 void ShadowMaps::plan(const DrawList& list, const RenderSettings& settings, Context& context) {
@@ -272,6 +280,8 @@ void ShadowMaps::plan(const DrawList& list, const RenderSettings& settings, Cont
     for (std::size_t i = 0; i < list.scene.lights.size(); ++i)
         if (casts_shadow(list.scene.lights[i]))
             maps_.push_back({.light = i, .cameras = cameras_of(list, list.scene.lights[i], settings)});
+    const std::uint64_t side = std::uint64_t(settings.shadow_size);
+    charge_ = MemoryCharge(context.memory(), count() * side * side * bytes_per_texel, "the shadow maps");
 }
 
 void ShadowMaps::update(const DrawList& list, const RenderSettings& settings, const Kernels& kernels,

@@ -26,7 +26,7 @@ struct MapCamera {
 };
 
 /// Whether the shadow maps of these lights go into memory; nothing without shadows.
-/// @throws Error usage: they need more than half of what MemoryBudget grants
+/// @throws Error usage: they need more than half of what MemoryBudget grants, or more than the scene leaves of it
 void check_shadow_memory(std::span<const Light> lights, const RenderSettings& settings, const MemoryBudget& memory);
 
 class ShadowMaps {
@@ -39,7 +39,9 @@ public:
     /// @param list    the one of the call before, unless forget() came between
     /// @param eye     what `lights` are about
     /// @param lights  as Scene::lights; their `shadow` is set
-    /// @throws Error usage: the maps need more than half of what MemoryBudget grants; failed: cancelled
+    /// They are charged to the budget as long as they are kept.
+    /// @throws Error usage: the maps need more than half of what MemoryBudget grants, or more than the scene leaves of
+    ///         it; failed: cancelled
     /// The same bits for any number of threads and instruction set; the picture's window does not count.
     void update(const DrawList& list, const RenderSettings& settings, const Kernels& kernels,
                 const GeometryKernels& geometry_kernels, dvec3 eye, std::vector<lighting::LightParameters>& lights,
@@ -47,7 +49,9 @@ public:
     /// The list is another one from now on.
     void forget();
 
-    std::uint64_t drawn() const { return drawn_; }  ///< maps so far
+    std::uint64_t drawn() const { return drawn_; }           ///< maps so far
+    std::uint64_t count() const;                             ///< maps that are there
+    std::uint64_t bytes() const { return charge_.bytes(); }  ///< of those
 
     /// [maps] LightParameters::shadow says which; null: no shadows. They point into this.
     const ShadowView* data() const { return views_.empty() ? nullptr : views_.data(); }
@@ -68,6 +72,7 @@ private:
     std::vector<Maps> maps_;     ///< of each view
     int size_ = 0, filter_ = 0;  ///< of what is there; size 0: nothing is
     std::uint64_t drawn_ = 0;
+    MemoryCharge charge_;  ///< of `maps_`
 };
 
 }  // namespace rakelight::raster

@@ -15,6 +15,8 @@ namespace rakelight::raster {
 
 inline constexpr int tile_pixels = tile_size * tile_size;
 
+class ShadowTexels;  // shadow_texels.h
+
 /// Everything that stays the same for all tiles of a picture.
 struct TileJob {
     const FrontEnd& front;
@@ -29,6 +31,7 @@ struct TileJob {
     const Marks* marks = nullptr;  ///< lines and points; null: none
     const Context* context = nullptr;  ///< null: nobody cancels
     const LightReach* reach = nullptr;  ///< null: every pixel is lit by all lights; else `tile_lights` holds the tile's
+    ShadowTexels* shadow_texels = nullptr;  ///< null: no shadows
 
     /// Asked every few triangles; a tile that was cut short is not to be shown.
     bool is_cancelled() const { return context && context->cancelled(); }

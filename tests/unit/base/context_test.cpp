@@ -3,6 +3,7 @@
 #include <rakelight/context.h>
 
 #include <atomic>
+#include <utility>
 #include <vector>
 
 using namespace rakelight;
@@ -64,6 +65,29 @@ TEST(MemoryBudget, KnowsWhetherTheOrderOfRequestsMattered) {
     EXPECT_THROW(m.charge(601, "d"), Error);
     EXPECT_FALSE(m.grants_in_any_order());
     EXPECT_NO_THROW(m.charge(600, "e"));
+}
+
+TEST(MemoryCharge, IsGivenBackOnceWhoeverHasItAndOutlivesItsBudget) {
+    MemoryCharge kept;
+    {
+        MemoryBudget budget(1000);
+        MemoryCharge first(budget, 600, "maps");
+        EXPECT_EQ(budget.charged(), 600u);
+        EXPECT_THROW(MemoryCharge(budget, 500, "more maps"), Error);
+        EXPECT_EQ(budget.charged(), 600u);
+        kept = std::move(first);
+        EXPECT_EQ(first.bytes(), 0u);
+        EXPECT_EQ(kept.bytes(), 600u);
+        {
+            const MemoryCharge second(budget, 400, "more maps");
+            EXPECT_EQ(budget.charged(), 1000u);
+        }
+        EXPECT_EQ(budget.charged(), 600u);
+        kept = {};
+        EXPECT_EQ(budget.charged(), 0u);
+        kept = MemoryCharge(budget, 10, "maps");
+    }
+    EXPECT_EQ(kept.bytes(), 10u);
 }
 
 TEST(MemoryBudget, ThreadsTogetherNeverGetMoreThanTheLimit) {

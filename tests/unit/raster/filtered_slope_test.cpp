@@ -23,8 +23,13 @@ double sinc(double x) { return x == 0 ? 1 : std::sin(pi * x) / (pi * x); }
 
 enum class Axis { u, v };
 
+/// Texels of a map.
+struct Size {
+    int width = texels, height = texels;
+};
+
 /// A square whose height map is a wave of slope cos(2 pi k x), x along the axis; or the normal map of that along u.
-Scene wave(Axis axis, double k, Bump bump) {
+Scene wave(Axis axis, double k, Bump bump, Size of = {}) {
     const auto at = [axis](float u, float v) { return double(axis == Axis::u ? u : v); };
     const auto height = [&](float u, float v) {
         const float h = float(0.5 + std::sin(2 * pi * k * at(u, v)) / (2 * pi * k));
@@ -33,7 +38,8 @@ Scene wave(Axis axis, double k, Bump bump) {
     const auto normal = [&](float u, float v) {
         return vec3{float(0.5 - 0.5 * depth * std::cos(2 * pi * k * at(u, v))), 0.5f, 1};
     };
-    Scene scene = square_with(bump == Bump::normal ? field(texels, normal) : field(texels, height));
+    Scene scene =
+        square_with(bump == Bump::normal ? field(of.width, of.height, normal) : field(of.width, of.height, height));
     Material& m = scene.materials[0];
     m.base_color_texture = {};
     scene.textures.back().sampler = {};
@@ -50,11 +56,12 @@ Camera tilted(double angle) {
 }
 
 /// What is left of the slope: the cosine's share in what the pixels show, 1 without any filter.
-double kept(Axis axis, double k, Bump bump, double angle = 0, int anisotropy = 1, MipFilter mip = MipFilter::linear) {
+double kept(Axis axis, double k, Bump bump, double angle = 0, int anisotropy = 1, MipFilter mip = MipFilter::linear,
+            Size of = {}) {
     RenderSettings s = settings_of({bump, {.depth = float(depth)}});
     s.channels |= channel_uv;
     s.anisotropy = anisotropy;
-    Scene scene = wave(axis, k, bump);
+    Scene scene = wave(axis, k, bump, of);
     scene.textures.back().sampler.mip = mip;
     const Frame f = draw(scene, tilted(angle), s);
     double sum = 0, squares = 0;
@@ -69,12 +76,15 @@ double kept(Axis axis, double k, Bump bump, double angle = 0, int anisotropy = 1
 }
 
 /// Of a slope that is read at that level [texels of it: 2^level].
-double expected_slope(double k, double level) {
-    const double lower = std::floor(level), share = level - lower, difference = std::exp2(level) / texels;
-    const auto filter = [&](double l) { return std::pow(sinc(k * std::exp2(l) / texels), 3); };
+/// @param across  texels of the map along the wave
+double expected_slope(double k, double level, double across = texels) {
+    const double lower = std::floor(level), share = level - lower, difference = std::exp2(level) / across;
+    const auto filter = [&](double l) { return std::pow(sinc(k * std::exp2(l) / across), 3); };
     return sinc(k * difference) * ((1 - share) * filter(lower) + share * filter(lower + 1));
 }
-double level_of(double width) { return std::log2(width * texels) + std::log2(std::sqrt(3.0) / 2); }
+double level_of(double width, double across = texels) {
+    return std::log2(width * across) + std::log2(std::sqrt(3.0) / 2);
+}
 
 }  // namespace
 
@@ -90,6 +100,24 @@ TEST(FilteredSlope, HeightsOfASlopeLieATexelApartOfTheLevelThatIsRead) {
     const double k = std::round(1 / (5 * pixel_width)), level = level_of(pixel_width);
     EXPECT_NEAR(kept(Axis::u, k, Bump::height, 0, 1, MipFilter::none), expected_slope(k, 0), 0.01);
     EXPECT_NEAR(kept(Axis::u, k, Bump::height, 0, 1, MipFilter::nearest), expected_slope(k, std::round(level)), 0.01);
+}
+
+TEST(FilteredSlope, OfAMapTwiceAsWideAsHighAndTheOtherWayIsThatOfItsOwnTexelsWhateverTheMips) {
+    for (const Size of : {Size{2 * texels, texels}, Size{texels, 2 * texels}})
+        for (const double pixels_a_wave : {24.0, 12.0})
+            for (const Axis axis : {Axis::u, Axis::v}) {
+                const double k = std::round(1 / (pixels_a_wave * pixel_width));
+                const double across = axis == Axis::u ? of.width : of.height;
+                const double level = level_of(pixel_width, 2 * texels);  // of the side where texels are smaller
+                // Texels are square: what is deep by widths of the map falls along v by as many heights more.
+                const double heights = axis == Axis::u ? 1.0 : double(of.width) / of.height;
+                const auto of_mips = [&](MipFilter mip) {
+                    return kept(axis, k, Bump::height, 0, 1, mip, of) / heights;
+                };
+                EXPECT_NEAR(of_mips(MipFilter::linear), expected_slope(k, level, across), 0.01) << of.width << ' ' << k;
+                EXPECT_NEAR(of_mips(MipFilter::none), expected_slope(k, 0, across), 0.01) << of.width << ' ' << k;
+                EXPECT_NEAR(of_mips(MipFilter::nearest), expected_slope(k, std::round(level), across), 0.01) << k;
+            }
 }
 
 TEST(FilteredSlope, AHeightMapIsAsSharpAsTheNormalMapOfItsSlopes) {

@@ -13,19 +13,23 @@ inline constexpr int size = 128;
 
 /// A picture of linear floats, value(u, v) at the texels' centers; u and v 0..1, v down.
 template <class Value>
-inline Pixels field(int texels, const Value& value) {
+inline Pixels field(int width, int height, const Value& value) {
     Pixels p;
-    p.width = p.height = texels;
+    p.width = width, p.height = height;
     p.channels = 3;
     p.component = Component::f32;
     p.is_linear = true;
-    for (int y = 0; y < texels; ++y)
-        for (int x = 0; x < texels; ++x) {
-            const vec3 v = value((float(x) + 0.5f) / float(texels), (float(y) + 0.5f) / float(texels));
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const vec3 v = value((float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height));
             const auto* const bytes = reinterpret_cast<const std::byte*>(&v);
             p.bytes.insert(p.bytes.end(), bytes, bytes + sizeof v);
         }
     return p;
+}
+template <class Value>
+inline Pixels field(int texels, const Value& value) {
+    return field(texels, texels, value);
 }
 inline Pixels constant(float h) {
     return field(4, [h](float, float) { return vec3{h, h, h}; });

@@ -101,6 +101,53 @@ TEST(ShadowReuse, MapsAreDrawnOnceForAllCamerasAndAgainForAnotherSizeOrFilter) {
     EXPECT_EQ(drawn_for({5, 0, 0}, shadowed(128)), 6u);
 }
 
+TEST(ShadowReuse, MapsAreChargedToTheBudgetAsLongAsTheyAreKept) {
+    constexpr std::uint64_t a_face = 64 * 64 * 8;
+    const Scene scene = ball_on_floor(lamp({2, 5, 1}));
+    auto engine = raster::make_engine();
+    Frame frame;
+    {
+        Context context({.threads = 1});
+        engine->prepare(scene, context);
+        const std::uint64_t before = context.memory().charged();
+        const auto charged_after = [&](const RenderSettings& s) {
+            const RenderStats stats = engine->render(from_left, s, frame, context);
+            EXPECT_EQ(stats.shadow_bytes, context.memory().charged() - before);
+            EXPECT_EQ(stats.shadow_maps, s.shadows ? 6u : 0u);
+            return context.memory().charged() - before;
+        };
+        EXPECT_EQ(charged_after(shadowed()), 6 * a_face);
+        EXPECT_EQ(charged_after(shadowed()), 6 * a_face);  // kept, and not charged again
+        EXPECT_EQ(charged_after(shadowed(128)), 24 * a_face);
+        RenderSettings without = shadowed();
+        without.shadows = false;
+        EXPECT_EQ(charged_after(without), 0u);
+        EXPECT_EQ(charged_after(shadowed()), 6 * a_face);
+        engine->prepare(scene, context);
+        EXPECT_EQ(context.memory().charged(), before);
+        engine->render(from_left, shadowed(), frame, context);
+    }
+    Context other({.threads = 1});  // the engine outlives the first
+    engine->prepare(scene, other);
+    EXPECT_EQ(other.memory().charged(), 0u);
+}
+
+TEST(ShadowReuse, MapsThatTheSceneLeavesNoRoomForAreAUsageError) {
+    Context context({.threads = 1, .max_memory = 1'000'000});
+    auto engine = raster::make_engine();
+    engine->prepare(ball_on_floor(lamp({2, 5, 1})), context);
+    const MemoryCharge scene(context.memory(), 900'000, "the scene");
+    Frame frame;
+    try {
+        engine->render(from_left, shadowed(), frame, context);  // 196 608 bytes: less than half of it
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.code(), ErrorCode::usage);
+        EXPECT_NE(std::string(e.what()).find("need 196608 bytes, more than 100000"), std::string::npos) << e.what();
+    }
+    EXPECT_EQ(context.memory().charged(), 900'000u);
+}
+
 TEST(ShadowReuse, AfterACancelledPictureTheMapsAreWhole) {
     using namespace rakelight::raster;
     const Scene scene = ball_on_floor(lamp({2, 5, 1}));

@@ -281,7 +281,8 @@ TEST(Shadows, OfAFlatGouraudOrMonstrousSceneAreLeftOutAndTheReportSaysSo) {
         Frame frame;
         engine->render(above, settings, frame, context);
         std::string all;
-        for (const ReportEntry& entry : context.report().entries()) all += entry.message + '\n';
+        for (const ReportEntry& entry : context.report().entries())
+            if (entry.message.find("a texel of its shadow map") == std::string::npos) all += entry.message + '\n';
         return all;
     };
     Scene scene = many_shadows();
