@@ -164,8 +164,8 @@ public:
     virtual void begin(int width, int height, Window window, std::uint32_t channels) = 0;
     /// Whether tiles should come as 8-bit display values, clamped and correctly rounded, in place of linear colors.
     virtual bool takes_srgb8() const { return false; }
-    /// Where display values of a rectangle may be written at once, by sinks that take them; its tile() then comes
-    /// without colors. From any thread, for rectangles as in tile().
+    /// Where display values of a rectangle may be made (written, and read again), by sinks that take them; its tile()
+    /// then comes without colors. From any thread, for rectangles as in tile().
     virtual DisplayRows display_rows(const Window& area) {
         (void)area;
         return {};

@@ -10,7 +10,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::size_t most_bodies = 1000;
+constexpr std::size_t most_bodies = 1000, most_looks = 30'000'000;
 constexpr std::uint32_t nobody = ~0u;
 constexpr double least_fill = 1e-6;    ///< 36 pi volume^2 / area^3: 1 of a ball, 0 of a sheet
 constexpr double most_opening = 1e-5;  ///< sum of the area vectors, in areas: 0 of what is closed and wound one way
@@ -110,19 +110,41 @@ private:
     std::vector<std::uint32_t> number_;  ///< [places]
 };
 
+/// Closed bodies, those with the largest boxes first: what encloses many is found at once.
+class Enclosures {
+public:
+    explicit Enclosures(const std::vector<Body>& bodies) {
+        for (const Body& body : bodies)
+            if (body.is_closed()) closed_.push_back(&body);
+        std::stable_sort(closed_.begin(), closed_.end(), [](const Body* a, const Body* b) {
+            const dvec3 of_a = a->high - a->low, of_b = b->high - b->low;
+            return dot(of_a, of_a) > dot(of_b, of_b);
+        });
+    }
+    /// Also true when too much was looked at already: nothing is known then.
+    bool may_hold(const Body& body) {
+        for (const Body* other : closed_) {
+            if (looks_++ == most_looks) return --looks_, true;
+            if (other != &body && other->holds(body)) return true;
+        }
+        return false;
+    }
+
+private:
+    std::vector<const Body*> closed_;
+    std::size_t looks_ = 0;
+};
+
 }  // namespace
 
 std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners) {
     Bodies bodies(placed);
     for (const std::uint32_t corner : open_corners) bodies.open(corner);
+    Enclosures enclosures(bodies.list);
     std::vector<InsideOutBody> found;
     for (Body& body : bodies.list) {
         if (found.size() == most_bodies) break;
-        if (!body.is_inside_out()) continue;
-        const bool may_be_a_hollow = std::any_of(bodies.list.begin(), bodies.list.end(), [&](const Body& other) {
-            return &other != &body && other.is_closed() && other.holds(body);
-        });
-        if (may_be_a_hollow) continue;
+        if (!body.is_inside_out() || enclosures.may_hold(body)) continue;  // the inner side of a hollow one
         std::vector<std::uint32_t>& objects = body.found.objects;
         std::sort(objects.begin(), objects.end());
         objects.erase(std::unique(objects.begin(), objects.end()), objects.end());

@@ -19,8 +19,9 @@ struct InsideOutBody {
 /// theorem; Zhang & Chen 2001, "Efficient Feature Extraction for 2D/3D Objects in Mesh Representation"). Left out are:
 /// bodies whose faces are not all wound one way (the sum of their area vectors is not 0: then the volume depends on the
 /// origin), thin ones (two sheets back to back), and those that lie in the bounding box of another closed body: the
-/// inner side of a hollow one looks inwards rightly. In the order of their smallest place. O(n), but for the boxes:
-/// O(inside out bodies times closed bodies), at most 1000 of the first.
+/// inner side of a hollow one looks inwards rightly. In the order of their smallest place, at most 1000. O(n log n),
+/// but for the boxes: O(inside out bodies times closed bodies), at most 30 million pairs; of bodies beyond nothing is
+/// said.
 /// @param open_corners  EdgeCensus::open_corners
 std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners);
 

@@ -51,17 +51,28 @@ void PictureSink::begin(int width, int height, Window window, std::uint32_t chan
 }
 
 DisplayRows PictureSink::display_rows(const Window& a) {
+    RL_ASSERT(is_kept(a), "a tile reaches out of the strip");
     if (!takes_srgb8() || format_.channels != 4) return {};
     static_assert(std::endian::native == std::endian::little);
     const std::size_t first = at_row(a.y - first_) + std::size_t(a.x - window_.x);
     return {reinterpret_cast<std::uint32_t*>(color_.data() + 4 * first), std::size_t(window_.width)};
 }
 
+bool PictureSink::is_kept(const Window& a) const {
+    return a.x >= window_.x && a.y >= first_ && a.x + a.width <= window_.x + window_.width &&
+           a.y + a.height <= std::min(first_ + rows_, window_.y + window_.height);
+}
+
+void PictureSink::count_extremes(const std::byte* row, std::size_t count) {
+    if (format_.channels == 4)
+        extremes_->add({reinterpret_cast<const std::uint32_t*>(row), count});
+    else
+        extremes_->add_row(row, count, format_.channels);
+}
+
 void PictureSink::tile(const Tile& tile) {
     const Window& a = tile.area;
-    RL_ASSERT(a.x >= window_.x && a.y >= first_ && a.x + a.width <= window_.x + window_.width &&
-                  a.y + a.height <= std::min(first_ + rows_, window_.y + window_.height),
-              "a tile reaches out of the strip");
+    RL_ASSERT(is_kept(a), "a tile reaches out of the strip");
     const std::size_t count = std::size_t(a.width);
     const PixelFormat linear{Component::f32, format_.channels};
     const bool counts = extremes_ && format_.component == Component::u8;
@@ -74,7 +85,7 @@ void PictureSink::tile(const Tile& tile) {
             pack_row(tile.srgb8.data() + from, count, format_.channels, out);
         else if (!tile.color.empty())
             convert_row(tile.color.data() + from, count, format_, tone_, out);
-        if (counts && tile.srgb8.empty()) extremes_->add_row(out, count, format_.channels);
+        if (counts && tile.srgb8.empty()) count_extremes(out, count);
         if (keeps_linear_)
             convert_row(tile.color.data() + from, count, linear, tone_,
                         reinterpret_cast<std::byte*>(linear_.data() + to * std::size_t(format_.channels)));

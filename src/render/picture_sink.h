@@ -51,6 +51,9 @@ public:
     const std::vector<ChannelPlane>& planes() const { return planes_; }
 
 private:
+    bool is_kept(const Window& area) const;
+    /// @param row  of 8-bit values in `color_`
+    void count_extremes(const std::byte* row, std::size_t count);
     std::size_t at_row(int y) const { return std::size_t(y) * std::size_t(window_.width); }
 
     PixelFormat format_;

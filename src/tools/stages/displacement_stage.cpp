@@ -120,9 +120,11 @@ public:
           scene_(of.engine.list().scene),
           fine_request_(request),
           base_request_(request),
-          quiet_({.threads = context.threads(), .max_memory = context.memory().limit()}),
+          context_(context),
+          quiet_(options()),
           base_(without_relief(loaded, base_request_, false, quiet_)) {
         PictureRequest flat = request;
+        context.throw_if_cancelled();
         compare(without_relief(loaded, flat, true, quiet_).scene);
     }
 
@@ -140,6 +142,16 @@ public:
     }
 
 private:
+    /// Stops with the whole run, and has the memory that it leaves.
+    ContextOptions options() {
+        const std::uint64_t limit = context_.memory().limit(), charged = context_.memory().charged();
+        return {.threads = context_.threads(),
+                .max_memory = limit > charged ? limit - charged : 1,
+                .progress = [this](std::string_view, double) {
+                    if (context_.cancelled()) quiet_.cancel();
+                }};
+    }
+
     void compare(const Scene& flat) {
         const Displacement& options = prepare_options(fine_request_).displacement;
         for (const raster::Draw& draw : of_.engine.list().draws) {
@@ -216,6 +228,7 @@ private:
                            std::min(part.y * times, settings.height - whole.height), whole.width, whole.height};
         settings.edges = true;
         settings.channels = 0;
+        context_.throw_if_cancelled();
         return drawn(of_, scene, base_.camera, settings, quiet_);
     }
 
@@ -242,6 +255,7 @@ private:
     const Scene& scene_;
     const PictureRequest& fine_request_;
     PictureRequest base_request_;
+    Context& context_;
     Context quiet_;  ///< what is made only for this stage makes no remarks
     ReadyScene base_;
     std::vector<Moved> moved_;  ///< [draws]
@@ -258,7 +272,17 @@ bool has_displacement(const Sources& of, const PictureRequest& request) {
 }
 
 Stage displacement_stage(const Sources& of, const Scene& loaded, const PictureRequest& request, Context& context) {
-    return DisplacementStage(of, loaded, request, context).make();
+    try {
+        return DisplacementStage(of, loaded, request, context).make();
+    } catch (const Error& e) {
+        context.throw_if_cancelled();
+        if (e.code() != ErrorCode::bad_file) throw;
+        Stage none_made;  // the scene as it is was drawn: what fails is the memory for its base beside it
+        none_made.id = "displacement";
+        none_made.title = "Displacement: height maps become geometry";
+        none_made.text = std::string("Left out: ") + e.what();
+        return none_made;
+    }
 }
 
 }  // namespace rakelight::stages

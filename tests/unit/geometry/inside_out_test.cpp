@@ -93,5 +93,24 @@ TEST(InsideOut, SeveralBodiesAreCountedWhereverTheyStand) {
     EXPECT_EQ(found[2].objects, std::vector<std::uint32_t>{3});
 }
 
+/// `n` tetrahedra in a row along x, [0, 1], that look inwards.
+Shape tetrahedra(std::uint32_t n) {
+    Shape s;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const float size = 0.5f / float(n), x = float(i) / float(n);
+        for (const vec3 p : {vec3{0, 0, 0}, vec3{1, 0, 0}, vec3{0, 1, 0}, vec3{0, 0, 1}})
+            s.positions.push_back(p * size + vec3{x, 0.25f, 0.25f});
+        for (const std::uint32_t k : {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2}) s.indices.push_back(4 * i + k);
+    }
+    return s;
+}
+
+TEST(InsideOut, AHundredThousandInOneBoxTakeNoPairsOfThem) {
+    // The box comes last. Pairs of bodies would be 10^10, and the test run for minutes.
+    const std::vector<Shape> all = {tetrahedra(100'000), placed_at(make_sphere(8, 4), 10, {})};
+    EXPECT_TRUE(found_in(all).empty());
+    EXPECT_EQ(found_in({tetrahedra(7)}).size(), 7u);
+}
+
 }  // namespace
 }  // namespace rakelight::test
