@@ -26,8 +26,8 @@ private:
 };
 
 /// Warns where every pixel that the model covers is black, with the likely reason, and where more than two thirds of
-/// them are white though they are lit. Of pictures with lines or points, or before a sky, nothing can be said: those
-/// pixels are counted, too.
+/// them are white though they are lit. Of pictures with lines or points, with blended surfaces, or before a sky,
+/// nothing can be said: those pixels are counted, too.
 /// @param scene  as the engine drew it
 void remark_extremes(const Scene& scene, const PictureRequest& request, const PictureResult& result, Report& report);
 

@@ -38,21 +38,25 @@ Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
     return adapt_to_aspect(camera, aspect);
 }
 
-/// A camera of the file, or the fitted one with a remark where the file's cannot show the model. One that shows it but
-/// for the depths that were asked for is kept.
+/// A camera of the file, or the fitted one with a remark where the file's cannot show the model, neither as it is nor
+/// by the depths that were asked for. One that shows it but for those is kept.
 Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewRequest& view, double aspect,
                               const Bounds& bounds, Context& context) {
     Camera camera = camera_of_file(scene, index, aspect);
     const std::string place = "camera " + std::to_string(index) + (camera.name.empty() ? "" : " '" + camera.name + "'");
     const auto use_default = [&](const std::string& why) {
         context.report().add(Remark::warning, scene.source, place, why + "; the default view is used instead");
-        return default_camera(bounds, aspect);
+        Camera fitted = default_camera(bounds, aspect);
+        set_asked_depths(fitted, view);
+        if (view.near || view.far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
+        return fitted;
     };
     if (!is_drawable(camera)) return use_default("the camera is impossible");
+    const std::string why_by_its_own = why_blind(camera, aspect, bounds);
     set_asked_depths(camera, view);
     const std::string why = why_blind(camera, aspect, bounds);
     if (why.empty()) return camera;
-    if (!view.near && !view.far) return use_default("the camera sees nothing of the model: " + why);
+    if (!why_by_its_own.empty()) return use_default("the camera sees nothing of the model: " + why_by_its_own);
     context.report().add(Remark::warning, scene.source, place, "the camera sees nothing of the model: " + why);
     return camera;
 }

@@ -16,7 +16,8 @@ inline std::string object_title(const Scene& scene, std::uint32_t node) {
     const std::string& part = scene.nodes[root].name;
     if (root == node || part.empty() || !is_world_file(scene.source)) return own;
     if (own.empty()) return part + "/node " + std::to_string(node);
-    return own.starts_with(part) ? own : part + "/" + own;
+    const bool is_the_part = own == part || own.starts_with(part + " ");  // "lid" does not belong to an "l"
+    return is_the_part ? own : part + "/" + own;
 }
 
 }  // namespace rakelight

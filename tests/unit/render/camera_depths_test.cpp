@@ -112,5 +112,24 @@ TEST(CameraDepths, ACameraThatSeesNothingByWhatWasAskedForIsKeptWithAWarning) {
               "the camera sees nothing of the model: all of it is 7 m away or more, and far is 5 m");
 }
 
+TEST(CameraDepths, ACameraBlindByItsOwnFaultIsReplacedWhateverDepthsWereAskedForUnlessTheyHelp) {
+    const Scene too_far = seen_from({0, 0, 4300});
+    Context context;
+    Camera fitted = choose_camera(two_squares(), {}, aspect, context);
+    const Camera camera = choose_camera(too_far, {.near = 0.01}, aspect, context);
+    EXPECT_EQ(camera.to_world, fitted.to_world);
+    EXPECT_EQ(camera.near, 0.01);
+    EXPECT_EQ(camera.far, fitted.far);
+    EXPECT_EQ(only_remark(context),
+              "the camera sees nothing of the model: all of it is 4300 m away or more, and far is 1000 m; the default "
+              "view is used instead");
+    Context helped;
+    EXPECT_EQ(choose_camera(too_far, {.far = 5000.0}, aspect, helped).to_world[3].xyz(), (dvec3{0, 0, 4300}));
+    EXPECT_EQ(only_remark(helped), "0 remarks");
+    Scene impossible = too_far;
+    impossible.cameras[0].near = 5, impossible.cameras[0].far = 2;
+    EXPECT_EQ(choose_camera(impossible, {.near = 0.01}, aspect, context).near, 0.01);
+}
+
 }  // namespace
 }  // namespace rakelight

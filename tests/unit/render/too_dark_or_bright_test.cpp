@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <random>
 
 #include "render/engines.h"
+#include "render/why_black.h"
 #include "unit/render/picture_fixture.h"
 
 namespace rakelight {
@@ -40,6 +42,8 @@ protected:
 };
 
 const std::string black = "all of the model came out black: ";
+const std::string highlights_alone =
+    "its materials have nothing but highlights, and what is seen of it is not lit or mirrors the lights elsewhere\n";
 
 TEST_F(TooDarkOrBright, AModelThatNoLightReachesIsSaidToBeBlackWithTheReason) {
     EXPECT_EQ(said({point({0, 0, 9}, 7.5f)}), black + "it is out of the range of the light\n");
@@ -73,6 +77,100 @@ TEST_F(TooDarkOrBright, ABlackMaterialIsTheReasonWhateverTheLight) {
     EXPECT_EQ(said({point({0, 0, 9}, 1)}, soot), black + "its materials are black\n");
     EXPECT_EQ(said({point({0, 0, 9})}, [&](PictureRequest& r) { soot(r), r.settings.shading = Shading::unlit; }),
               black + "it is shown in its own colors, and those are\n");
+}
+
+TEST_F(TooDarkOrBright, WhetherAMaterialIsBlackDependsOnTheLightingModelInForce) {
+    const Light behind_it = point({0, 0, 0});
+    const auto colored = [&](const char* color, Lighting lighting) {
+        return said({behind_it}, [&](PictureRequest& r) {
+            r.materials.color = std::string(color) == "black" ? vec3{0, 0, 0} : vec3{1, 1, 1};
+            r.materials.metallic = 0, r.settings.lighting = lighting;
+        });
+    };
+    for (const Lighting diffuse : {Lighting::lambert, Lighting::oren_nayar}) {
+        EXPECT_EQ(colored("black", diffuse), black + "its materials are black\n");
+        EXPECT_EQ(colored("white", diffuse),
+                  black + "no light falls on what is seen of it: that is turned away from the light\n");
+    }
+    for (const Lighting glossy : {Lighting::phong, Lighting::blinn_phong, Lighting::ward, Lighting::pbr})
+        EXPECT_EQ(colored("black", glossy), black + highlights_alone);
+}
+
+TEST_F(TooDarkOrBright, AMetalHasNoDiffuseReflectionToBeTurnedAway) {
+    const auto metal = [&](Lighting lighting) {
+        return said({point({0, 0, 0})},
+                    [&](PictureRequest& r) { r.materials.metallic = 1, r.settings.lighting = lighting; });
+    };
+    EXPECT_EQ(metal(Lighting::pbr), black + highlights_alone);
+    EXPECT_EQ(metal(Lighting::lambert),  // which shows metals in their base color
+              black + "no light falls on what is seen of it: that is turned away from the light\n");
+}
+
+TEST_F(TooDarkOrBright, FogOfThatColorIsNamedAndOtherFogIsNot) {
+    const Light front = point({0, 0, 9}), inside = point({0, 0, 0});
+    const auto in_fog = [&](const Light& light, vec3 color, float density, Shading shading = Shading::phong) {
+        return said({light}, [&](PictureRequest& r) {
+            r.fog = Fog{.kind = FogKind::exponential, .color = color, .density = density};
+            r.settings.shading = shading, r.view.side = "front";
+        });
+    };
+    EXPECT_EQ(in_fog(front, {0, 0, 0}, 80),
+              black + "the fog, which is black, hides it, or too little light falls on what is seen of it\n");
+    EXPECT_EQ(in_fog(front, {0, 0, 0}, 80, Shading::unlit),
+              black + "the fog, which is black, hides it, or its own colors are black\n");
+    EXPECT_EQ(in_fog(front, {0, 0, 0}, 0.01f), "");
+    EXPECT_EQ(in_fog(inside, {0.5f, 0.5f, 0.5f}, 1e-9f),
+              black + "no light falls on what is seen of it: that is turned away from the light\n");
+    const std::string white = " is white, 1 or more in red, green and blue";
+    EXPECT_EQ(in_fog(front, {1, 1, 1}, 80), "100 % of what the model covers" + white +
+                                                ", and so is the fog: see --fog, --exposure, --tone-mapping, "
+                                                "--light-intensity\n");
+    Light sun = front;
+    sun.type = LightType::directional, sun.units = LightUnits::photometric, sun.intensity = 100000;
+    EXPECT_NE(in_fog(sun, {0.5f, 0.5f, 0.5f}, 1e-9f).find(white + ": see --exposure"), std::string::npos);
+}
+
+TEST_F(TooDarkOrBright, BlackTexturesAndVertexColorsAreLeftPossible) {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.materials[0].base_color_texture.texture = 0, scene.materials[0].metallic_roughness.metallic = 0;
+    scene.meshes.resize(1), scene.nodes.resize(1);
+    scene.nodes[0].meshes = {0}, scene.meshes[0].material = 0;
+    scene.meshes[0].positions = std::vector<vec3>{{-1, -1, -1}, {1, 1, 1}};
+    scene.meshes[0].indices = std::vector<std::uint32_t>{0, 1, 0};
+    scene.lights = {point({0, 0, 0})};
+    const std::string away = "no light falls on what is seen of it: that is turned away from the light",
+                      or_paint = "; or its textures or vertex colors are black";
+    EXPECT_EQ(why_black(scene, {}), away + or_paint);
+    scene.materials[0].base_color_texture = {};
+    EXPECT_EQ(why_black(scene, {}), away);
+    scene.meshes[0].colors = std::vector<vec4>(2, vec4{0, 0, 0, 1});
+    EXPECT_EQ(why_black(scene, {}), away + or_paint);
+}
+
+/// A wall 6 m wide in a color of its own, behind a sphere of radius 0.5.
+class BeforeAWall : public TooDarkOrBright {
+protected:
+    std::string before_wall(const std::string& color, const std::string& alpha, int samples,
+                            std::vector<Light> lights) {
+        std::ofstream(file("wall.scene.toml"))
+            << "[[primitive]]\ntype = 'plane'\nsize = [6, 6]\nrotation_deg = [90, 0, 0]\nposition = [0, 0, -1]\n"
+               "material = 'wall'\n[[primitive]]\ntype = 'sphere'\nradius = 0.5\n[[material]]\nname = 'wall'\n"
+               "shading = 'unlit'\ndouble_sided = true\ncolor = "
+            << color << "\nalpha = '" << alpha << "'\n";
+        return said(std::move(lights), [&](PictureRequest& r) {
+            r.input = file("wall.scene.toml"), r.view.side = "front", r.settings.samples = samples;
+        });
+    }
+};
+
+TEST_F(BeforeAWall, PicturesWithBlendedSurfacesAreNotJudged) {
+    const Light dark = point({0, 0, 9}, 1), lit = point({0, 0, 9});
+    for (const int samples : {1, 4}) {
+        EXPECT_EQ(before_wall("[0, 0, 0]", "blend", samples, {lit}), "") << samples;
+        EXPECT_EQ(before_wall("[1, 1, 1]", "blend", samples, {lit}), "") << samples;
+        EXPECT_EQ(before_wall("[0, 0, 0]", "opaque", samples, {dark}), black + "it is out of the range of the light\n");
+    }
 }
 
 TEST_F(TooDarkOrBright, BlackBackgroundsAndEdgesOfSeveralSamplesChangeNothing) {

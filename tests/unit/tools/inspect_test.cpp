@@ -75,6 +75,10 @@ TEST(Inspect, ObjectsOfAWorldAreNamedAfterThePartThatTheyBelongTo) {
     const Inspection i = inspect(scene, {}, context);
     EXPECT_EQ(i.objects[0].name, "shelf/board");
     EXPECT_EQ(i.objects[1].name, "shelf 2") << "of a primitive that was cut in pieces";
+    scene.nodes[1].name = "shelf", scene.nodes[2].name = "shelfboard";
+    const Inspection other = inspect(scene, {}, context);
+    EXPECT_EQ(other.objects[0].name, "shelf");
+    EXPECT_EQ(other.objects[1].name, "shelf/shelfboard") << "begins alike, but is a name of its own";
     scene.nodes[1].name.clear();
     EXPECT_EQ(inspect(scene, {}, context).objects[0].name, "shelf/node 1");
 }

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/why_black.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "image/tone.h"
+#include "image/tone_curves.h"
+#include "math/functions.h"
+#include "math/linear.h"
+#include "render/picture_steps.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+constexpr double least_visible = 1.5e-4;  ///< linear; less is code 0 of sRGB (0.5 / 255 / 12.92)
+
+double largest(vec3 c) { return double(std::max({c.x, c.y, c.z})); }
+bool is_black(vec3 c) { return largest(c) < least_visible; }
+
+std::vector<bool> used_materials(const Scene& scene, bool& uses_default) {
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const Node& node : scene.nodes)
+        for (const std::uint32_t m : node.meshes)
+            if (const std::uint32_t material = scene.meshes[m].material; material < used.size())
+                used[material] = true;
+            else
+                uses_default = true;
+    return used;
+}
+
+/// Whether a test holds for all materials that something has, the default one too.
+template <class Test>
+bool all_materials(const Scene& scene, const Test& test) {
+    bool uses_default = false;
+    const std::vector<bool> used = used_materials(scene, uses_default);
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i] && !test(scene.materials[i])) return false;
+    return !uses_default || test(Material{});
+}
+
+/// The lighting model in force.
+Lighting lighting_of(const Material& m, const RenderSettings& settings) {
+    const Lighting wanted = m.lighting == Lighting::automatic ? settings.lighting : m.lighting;
+    if (wanted != Lighting::automatic) return wanted;
+    return m.model == MaterialModel::metallic_roughness ? Lighting::pbr : Lighting::blinn_phong;
+}
+
+bool is_diffuse_model(Lighting lighting) { return lighting == Lighting::lambert || lighting == Lighting::oren_nayar; }
+
+/// Metal all over: it has no diffuse reflection but by the models that have nothing else.
+bool is_metal(const Material& m) {
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    return m.model == MaterialModel::metallic_roughness && p.metallic >= 1 && !p.texture;
+}
+
+/// Gives no light and has no diffuse reflection: all that could be seen of it are highlights.
+bool has_highlights_at_most(const Material& m, Lighting lighting) {
+    if (m.model == MaterialModel::unlit) return is_black(m.base_color.xyz());
+    return is_black(m.emission) && (is_black(m.base_color.xyz()) || (is_metal(m) && !is_diffuse_model(lighting)));
+}
+
+/// May have a highlight, a coat or a sheen. Microfacets reflect at grazing angles whatever their color.
+bool has_highlights(const Material& m, Lighting lighting) {
+    if (m.model == MaterialModel::unlit || is_diffuse_model(lighting)) return false;
+    if (m.model == MaterialModel::classical) return !is_black(m.classical.specular);
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    if (lighting == Lighting::phong || lighting == Lighting::blinn_phong)
+        return !is_black(m.base_color.xyz()) || (p.specular > 0 && !is_metal(m));
+    return p.specular > 0 || p.metallic > 0 || p.clearcoat > 0 || !is_black(p.sheen_color);
+}
+
+/// Has textures or vertex colors that may be black where it is seen.
+bool is_painted(const Scene& scene) {
+    if (!all_materials(scene, [](const Material& m) { return !m.base_color_texture; })) return true;
+    return std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return !m.colors.empty(); });
+}
+
+struct Reach {
+    bool is_on = false;        ///< has any brightness at all
+    bool ends_before = false;  ///< its range is shorter than the way to the model
+    double at_most = 0;        ///< radiance of a white surface that it could make anywhere in the model's box
+};
+
+/// [m] from a point to a box.
+double distance(dvec3 p, const Bounds& box) {
+    const dvec3 nearest{std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y),
+                        std::clamp(p.z, box.low.z, box.high.z)};
+    return length(p - nearest);
+}
+
+Reach reach_of(const Light& light, dvec3 position, const Bounds& box) {
+    const bool is_photometric = light.units == LightUnits::photometric;
+    const double color = is_photometric
+                             ? largest(light.color) * double(light.intensity)
+                             : std::max({largest(light.ambient), largest(light.diffuse), largest(light.specular)});
+    Reach reach{.is_on = color > 0, .at_most = is_photometric ? color / pi : color};
+    if (light.type != LightType::point && light.type != LightType::spot) return reach;
+    const double d = distance(position, box);
+    reach.ends_before = d >= double(light.range);
+    const double divisor =
+        is_photometric ? d * d : double(light.constant) + double(light.linear) * d + double(light.quadratic) * d * d;
+    reach.at_most = divisor > 0 ? reach.at_most / divisor : std::numeric_limits<double>::infinity();
+    return reach;
+}
+
+std::vector<Reach> lights_that_are_on(const Scene& scene) {
+    const std::vector<dmat4> world = world_matrices(scene);
+    const Bounds box = world_bounds(scene);
+    std::vector<Reach> list;
+    for (const Light& light : scene.lights) {
+        const Reach reach = reach_of(light, light.node == none ? light.position : world[light.node][3].xyz(), box);
+        if (reach.is_on) list.push_back(reach);
+    }
+    return list;
+}
+
+std::string why_unlit(const Scene& scene, const PictureRequest& request, const std::vector<Reach>& lights) {
+    const std::string all = lights.size() == 1 ? "the light" : "all " + std::to_string(lights.size()) + " lights";
+    if (lights.empty()) return "no light has any brightness";
+    if (std::all_of(lights.begin(), lights.end(), [](const Reach& r) { return r.ends_before; }))
+        return "it is out of the range of " + all;
+    double sum = 0;
+    for (const Reach& r : lights) sum += r.ends_before ? 0 : r.at_most;
+    if (sum * math::exp2(request.tone.exposure_ev) < least_visible)
+        return "too little of " + all +
+               " reaches it; see intensity and attenuation of lights, --light-intensity, --exposure";
+    if (all_materials(scene,
+                      [&](const Material& m) { return has_highlights_at_most(m, lighting_of(m, request.settings)); }))
+        return "its materials have nothing but highlights, and what is seen of it is not lit or mirrors the lights "
+               "elsewhere";
+    const bool has_spot =
+        std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return l.type == LightType::spot; });
+    const std::string cone = lights.size() == 1 ? "outside of its cone" : "outside of cones";
+    std::string why = "no light falls on what is seen of it: that is turned away from " + all;
+    if (has_spot) why += (request.settings.shadows ? ", " : " or ") + cone;
+    if (request.settings.shadows) why += " or in shadow";
+    return why + (is_painted(scene) ? "; or its textures or vertex colors are black" : "");
+}
+
+}  // namespace
+
+bool shows_as(const PictureRequest& request, vec3 linear, std::uint8_t code) {
+    const vec3 shown = ToneCurve(request.tone)(linear);
+    const vec4 color{shown.x, shown.y, shown.z, 1};
+    std::uint8_t rgb[3];
+    to_srgb8({&color, 1}, 3, rgb);
+    return rgb[0] == code && rgb[1] == code && rgb[2] == code;
+}
+
+bool is_unlit(const Scene& scene, const PictureRequest& request) {
+    return request.settings.shading == Shading::unlit ||
+           all_materials(scene, [](const Material& m) { return m.model == MaterialModel::unlit; });
+}
+
+bool has_blended(const Scene& scene) {
+    return !all_materials(scene, [](const Material& m) { return m.alpha_mode != AlphaMode::blend; });
+}
+
+std::string why_black(const Scene& scene, const PictureRequest& request) {
+    const bool is_fog_black = scene.fog.kind != FogKind::none && shows_as(request, scene.fog.color, 0);
+    const bool has_own_colors = is_unlit(scene, request);
+    if (has_own_colors && !is_fog_black) return "it is shown in its own colors, and those are";
+    if (all_materials(scene, [&](const Material& m) {
+            const Lighting lighting = lighting_of(m, request.settings);
+            return has_highlights_at_most(m, lighting) && !has_highlights(m, lighting);
+        }))
+        return "its materials are black";
+    if (is_fog_black)
+        return std::string("the fog, which is black, hides it, or ") +
+               (has_own_colors ? "its own colors are black" : "too little light falls on what is seen of it");
+    if (is_lit_by_environment(scene) && scene.environment->intensity > 0)
+        return "no light falls on what is seen of it, the environment's neither";
+    return why_unlit(scene, request, lights_that_are_on(scene));
+}
+
+}  // namespace rakelight
