@@ -51,8 +51,8 @@ void PictureSink::begin(int width, int height, Window window, std::uint32_t chan
 }
 
 DisplayRows PictureSink::display_rows(const Window& a) {
-    RL_ASSERT(is_kept(a), "a tile reaches out of the strip");
     if (!takes_srgb8() || format_.channels != 4) return {};
+    RL_ASSERT(is_kept(a), "a tile reaches out of the strip");
     static_assert(std::endian::native == std::endian::little);
     const std::size_t first = at_row(a.y - first_) + std::size_t(a.x - window_.x);
     return {reinterpret_cast<std::uint32_t*>(color_.data() + 4 * first), std::size_t(window_.width)};

@@ -17,7 +17,10 @@ double largest(vec3 color) { return double(std::max({color.x, color.y, color.z})
 
 double brightest(const Light& light) {
     if (light.units == LightUnits::photometric) return largest(light.color) * double(light.intensity) / pi;
-    return std::max({largest(light.ambient), largest(light.diffuse), largest(light.specular)});
+    double most = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        most = std::max(most, double(light.ambient[c]) + double(std::max(light.diffuse[c], light.specular[c])));
+    return most;
 }
 
 /// Where c + l d + q d^2 is `wanted`, by the form of the root that does not cancel.

@@ -237,13 +237,21 @@ private:
     void note_effects(std::size_t p, std::uint32_t draw, const Traced& pixel) {
         const bool is_lit_here = pixel.is_lit && !pixel.trace.is_lit_at_corners;
         for (std::size_t i = 0; i < out_.seen.size(); ++i)
-            if (is_lit_here) out_.seen[i][p] = lights_[i].seen;
+            if (is_lit_here && arrives(i)) out_.seen[i][p] = lights_[i].seen;
         if (!out_.fog.empty()) out_.fog_share[p] = share_through_fog(pixel.trace);
         if (out_.relief_shift.empty() || !pixel.trace.map[traced_height].is_used) return;
         const int set = of_.list().materials[of_.list().draws[draw].material].view.height_map.texcoord_set == 0 ? 0 : 1;
         const float(&flat)[2] = pixel.trace.texcoord[set], (&bumped)[2] = pixel.trace.relief_texcoord[set];
         out_.relief_shift[p] = {bumped[0] - flat[0], bumped[1] - flat[1]};
         out_.relief_height[p] = pixel.trace.relief_height;
+    }
+
+    /// Something of the light that may be shadowed: not beyond its range nor beside its cone.
+    bool arrives(std::size_t light) const {
+        const TracedLight& l = lights_[light];
+        float sum = 0;
+        for (std::size_t c = 0; c < 3; ++c) sum += l.ambient_color[c] + l.diffuse_color[c] + l.specular_color[c];
+        return sum > 0;
     }
 
     static float share_through_fog(const PixelTrace& t) { return t.has_fog ? t.fog_share : 1; }

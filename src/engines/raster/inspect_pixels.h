@@ -38,7 +38,7 @@ struct PixelStageData {
     std::vector<vec3> around_diffuse, around_specular;
     std::vector<vec3> fog;         ///< the same, of the fog's own light; empty: there is none
     std::vector<float> fog_share;  ///< 0..1: how much of the visible surface is seen through the fog; empty as `fog`
-    /// As `lights`: 0..1, how much of it reaches the visible surface; < 0 where nothing is lit at the pixel. Empty:
+    /// As `lights`: 0..1, how much of it reaches the visible surface; < 0 where it lights nothing at the pixel. Empty:
     /// nothing throws shadows.
     std::vector<std::vector<float>> seen;
     /// How far the relief of a height map moves the coordinates that the visible surface's textures are read at, and

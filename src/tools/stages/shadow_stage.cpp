@@ -83,12 +83,12 @@ Stage shadow_stage(const Sources& of) {
         if (light.type == LightType::ambient) continue;
         s.pictures.push_back(
             {"shadow-" + number,
-             "How much of " + name + " reaches the surface: black nothing, white all; blue: nothing is lit.",
+             "How much of " + name + " reaches the surface: black nothing, white all; blue: it lights nothing there.",
              paint(of, [&](std::size_t p) { return seen[p] < 0 ? beside : gray(double(seen[p])); })});
         if (map >= 0) s.pictures.push_back(map_picture(maps[map], number, name));
     }
     s.rows_note =
-        "Pixels that are lit one by one, and the share of each light that reaches them; texels a meter on the map, of "
+        "Pixels that the light would reach if nothing stood before them, and the share of it that does; texels a meter on the map, of "
         "lamps at a distance of 1 m";
     return s;
 }

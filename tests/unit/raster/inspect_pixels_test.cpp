@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "engines/raster/inspect_samples.h"
@@ -87,7 +89,7 @@ TEST(InspectPixels, ShadowFogAndReliefAreThoseOfThePixel) {
     scene.materials[0].height_texture = scene.materials[0].base_color_texture;
     const Looked looked(scene, s);
     Context context({.threads = 1});
-    int dark = 0, foggy = 0, moved = 0;
+    int dark = 0, foggy = 0, moved = 0, beside = 0;
     for (int p = 30; p < width * height; p += 97) {
         const raster::PixelExplanation e = looked.inspection.explain(p % width, p / width, context);
         const auto at = std::size_t(p);
@@ -96,8 +98,16 @@ TEST(InspectPixels, ShadowFogAndReliefAreThoseOfThePixel) {
         const raster::PixelTrace& t = layer.trace;
         EXPECT_EQ(looked.data.fog_share[at], t.fog_share);
         foggy += t.fog_share < 0.8f;
-        for (std::size_t i = 0; i < 5; ++i)
-            EXPECT_EQ(looked.data.seen[i][at], layer.is_unlit ? -1 : layer.lights[i].seen) << p;
+        for (std::size_t i = 0; i < 5; ++i) {
+            bool arrives = !layer.is_unlit;
+            if (arrives) {
+                const raster::TracedLight& l = layer.lights[i];
+                arrives = std::ranges::any_of(l.ambient_color, [](float x) { return x > 0; }) ||
+                          std::ranges::any_of(l.diffuse_color, [](float x) { return x > 0; });
+                beside += !arrives && l.spot == 0;
+            }
+            EXPECT_EQ(looked.data.seen[i][at], arrives ? layer.lights[i].seen : -1) << p;
+        }
         if (!layer.is_unlit) dark += layer.lights[0].seen < 0.5f;
         if (!t.map[raster::traced_height].is_used) continue;
         EXPECT_EQ(looked.data.relief_height[at], t.relief_height);
@@ -105,6 +115,7 @@ TEST(InspectPixels, ShadowFogAndReliefAreThoseOfThePixel) {
         moved += looked.data.relief_shift[at].x != 0;
     }
     EXPECT_GT(dark, 3);
+    EXPECT_GT(beside, 3) << "beside a cone";
     EXPECT_GT(foggy, 3);
     EXPECT_GT(moved, 3);
 }

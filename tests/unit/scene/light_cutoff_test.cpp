@@ -50,9 +50,9 @@ TEST(LightCutoff, ReachesAreThoseOfTheClosedForms) {
     EXPECT_NEAR(reach_of(photometric(float(pi)), 0.0001), 100, 1e-4);
 }
 
-TEST(LightCutoff, TheBrightestOfAmbientDiffuseAndSpecularCounts) {
-    Light light = classical(0, 0, 1);
-    light.ambient = {0, 0, 9};
+TEST(LightCutoff, AmbientAndTheLargerOfDiffuseAndSpecularCountTogetherInTheBrightestChannel) {
+    Light light = classical(0, 0, 1);  // diffuse and specular are (1, 0.5, 0)
+    light.ambient = {8, 0, 0};
     EXPECT_NEAR(reach_of(light, 0.01), 30, 1e-9);
     light.specular = {0, 16, 0};
     EXPECT_NEAR(reach_of(light, 0.01), 40, 1e-9);
