@@ -90,6 +90,7 @@ Json light_json(const Light& light, std::size_t index, int reflection_model, con
                 {"to_light", list(t.to_light)},
                 {"distance", double(t.distance)},
                 {"attenuation", double(t.attenuation)},
+                {"range_window", double(t.range_window)},
                 {"spot", double(t.spot)},
                 {"n_dot_l", double(t.n_dot_l)}};
     if (reflection_model == 1) out["r_dot_v"] = double(t.lobe_cosine);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explained pixels for people. Floats with the fewest digits that read back as the same float (std::to_chars).
 #include <algorithm>
+#include <cmath>
 
 #include "tools/explain_factors.h"
 #include "tools/explained_pixel.h"
@@ -151,6 +152,9 @@ void add_way(Values& values, const Light& light, const TracedLight& l) {
     add("diffuse of the light", l.own_diffuse, l.diffuse_color);
     add("specular of the light", l.own_specular, l.specular_color);
     values.add("attenuation", l.attenuation);
+    if (const bool has_place = light.type == LightType::point || light.type == LightType::spot;
+        has_place && std::isfinite(light.range))
+        values.add("of which range window", l.range_window, "1 - (distance / " + digits(light.range) + " m)^4");
     if (light.type == LightType::spot) values.add("spot", l.spot);
 }
 

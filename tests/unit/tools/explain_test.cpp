@@ -2,6 +2,7 @@
 // Explained pixels of real models: the sum is the picture's color to the bit.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include <rakelight/explain.h>
@@ -89,6 +90,29 @@ TEST(Explain, CodesAndColorAreThoseOfTheText) {
     EXPECT_NE(to_text(*pixel).find(line + "\n"), std::string::npos);
     request.settings.background.w = 0;
     EXPECT_EQ(codes_of(*explain(request, 0, 0, context)).size(), 4u);
+}
+
+TEST(Explain, TheWindowOfARangeIsAPartOfTheAttenuationAndSaid) {
+    Context context({.threads = 1});
+    Scene scene = load("builtin:teapot", {}, context);
+    const Camera camera = choose_camera(scene, {}, double(width) / height, context);
+    Light lamp, classical, endless;
+    for (Light* light : {&lamp, &classical, &endless}) light->type = LightType::point, light->position = {1, 2, 2};
+    lamp.units = LightUnits::photometric;
+    lamp.range = classical.range = 4;
+    classical.linear = 0.25f, classical.quadratic = 0.125f;
+    scene.lights = {lamp, classical, endless};
+    scene = prepare_scene(scene, {}, context);
+    const raster::Inspection inspection(scene, camera, {.width = width, .height = height}, context);
+    const raster::PixelExplanation e = inspection.explain(width / 2, height / 2, context);
+    ASSERT_FALSE(e.layers.empty());
+    const std::vector<raster::TracedLight>& lights = e.layers[0].lights;
+    const double d = double(lights[0].distance), window = 1 - std::pow(d / 4, 4);
+    EXPECT_NEAR(double(lights[0].range_window), window, 1e-6);
+    EXPECT_NEAR(double(lights[0].attenuation), window / (d * d), 1e-6);
+    EXPECT_NEAR(double(lights[1].range_window), window, 1e-6);
+    EXPECT_NEAR(double(lights[1].attenuation), window / (1 + 0.25 * d + 0.125 * d * d), 1e-6);
+    EXPECT_EQ(lights[2].range_window, 1.0f);
 }
 
 TEST(Explain, BadPixelsAndModelsAreErrorsOfTheirKind) {

@@ -199,13 +199,14 @@ void trace_surface(const MaterialView& m, const lit::Surface& s, PixelTrace& out
 
 void trace_reach(const lighting::LightParameters& p, vec3 position, TracedLight& out) {
     out.distance = 0;
-    out.attenuation = out.spot = 1;
+    out.attenuation = out.range_window = out.spot = 1;
     if (p.kind != lighting::LightKind::point && p.kind != lighting::LightKind::spot) return;
     const vec3 to_light = lit::broadcast3(p.position) - position;
     const lit::LightRay ray = lit::ray_to(lit::broadcast3(p.position), position);
     const real cos_angle = -dot(lit::broadcast3(p.direction), ray.l);
     const bool is_spot = p.kind == lighting::LightKind::spot;
     out.distance = sqrt(dot(to_light, to_light));
+    out.range_window = lit::range_of(p, position);
     if (p.is_photometric) {
         out.attenuation = lit::photometric_attenuation(ray.squared, p.inverse_range);
         if (is_spot) out.spot = lit::photometric_spot(cos_angle, p.cone_scale, p.cone_offset);

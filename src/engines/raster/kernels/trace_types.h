@@ -127,6 +127,7 @@ struct TracedLight {
     float to_light[3];     ///< unit l
     float distance;        ///< [m]; 0 for lights without a place
     float attenuation;     ///< [1], photometric lights [1/m^2]
+    float range_window;    ///< [1] what of it is the window of a range, 1 - (distance / range)^4; 1: there is no range
     float spot;            ///< [1] the cone's factor
     float n_dot_l;
     float lobe_cosine;     ///< n.h (Blinn-Phong, Ward, pbr) or r.v (Phong), 0 for Lambert and Oren-Nayar
