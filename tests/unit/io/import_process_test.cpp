@@ -146,6 +146,9 @@ int files_left_open_by_a_failed_pipe(const std::string& model) {
 }
 
 TEST_F(ImportProcess, AFailedPipeLeavesNoFileOpen) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the sanitizer makes a pipe to see whether memory can be read, and no file is free";
+#endif
     testing::FLAGS_gtest_death_test_style = "threadsafe";  // files of this process stay as they are
     EXPECT_EXIT(std::_Exit(files_left_open_by_a_failed_pipe(model_) & 0xff), testing::ExitedWithCode(0), "");
 }
