@@ -39,7 +39,7 @@ std::vector<WorldValue> material_values(std::span<const std::string> words) {
         table.entries.push_back(std::move(entry));
     }
     try {
-        return read_material(SectionValues(table, section("material"))).values;
+        return read_material(SectionValues(table, section("material"), Written::as_words)).values;
     } catch (const Error& error) {  // a fault of words, not of a file
         throw Error(ErrorCode::usage, error.reason(), {}, error.advice());
     }

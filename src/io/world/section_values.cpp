@@ -45,6 +45,35 @@ const char* expectation(Kind kind) {
     return "";
 }
 
+/// The same of KEY=VALUE on a command line.
+std::string expectation_of_words(Kind kind, const std::string& key) {
+    switch (kind) {
+        case Kind::flag:
+            return "on or off";
+        case Kind::pair:
+        case Kind::integers:
+            return std::string(kind == Kind::pair ? "two numbers" : "two whole numbers") + ", as in " + key + "=2,3";
+        case Kind::vector:
+            return "three numbers, as in " + key + "=1,2,3";
+        case Kind::scale:
+            return "a number, or three as in " + key + "=1,2,3";
+        case Kind::color:
+            return "three numbers, as in " + key + "=1,0.5,0, or a code, as in " + key + "=#ff8000";
+        default:
+            return expectation(kind);
+    }
+}
+
+/// A value as it was written on a command line.
+std::string words_of(const TomlNode& node) {
+    if (node.kind == TomlNode::Kind::number) return text_of(node.number);
+    if (node.kind != TomlNode::Kind::array)
+        return node.kind == TomlNode::Kind::flag ? (node.flag ? "on" : "off") : node.text;
+    std::string all;
+    for (const TomlNode& item : node.items) all += (all.empty() ? "" : ",") + words_of(item);
+    return all;
+}
+
 std::size_t count_of(Kind kind) {
     return kind == Kind::pair || kind == Kind::integers ? 2 : kind == Kind::number || kind == Kind::integer ? 1 : 3;
 }
@@ -52,7 +81,8 @@ std::size_t count_of(Kind kind) {
 /// One reading of a key's value.
 class ValueReader {
 public:
-    ValueReader(const WorldKey& key, const TomlEntry& entry) : key_(key), entry_(entry) {}
+    ValueReader(const WorldKey& key, const TomlEntry& entry, Written written)
+        : key_(key), entry_(entry), written_(written) {}
 
     WorldValue read() const {
         WorldValue value{.key = entry_.key, .words = {}, .numbers = {}, .place = entry_.value.place};
@@ -77,6 +107,9 @@ public:
 
 private:
     [[noreturn]] void refuse(const TomlNode& node) const {
+        if (written_ == Written::as_words)
+            fail(node.place, said(entry_.key) + " must be " + expectation_of_words(key_.kind, entry_.key) + ", not " +
+                                 said(words_of(entry_.value)));
         const std::string found = node.kind == TomlNode::Kind::other ? node.text : name_of(node.kind);
         fail(node.place, said(entry_.key) + " must be " + expectation(key_.kind) + ", not " + found);
     }
@@ -115,7 +148,7 @@ private:
         if (key_.kind == Kind::scale && node.kind == TomlNode::Kind::number)
             return std::vector<double>(3, read_number(node));
         if (node.kind != TomlNode::Kind::array || node.items.size() != count_of(key_.kind)) {
-            if (node.kind == TomlNode::Kind::array)
+            if (node.kind == TomlNode::Kind::array && written_ == Written::in_file)
                 fail(node.place, said(entry_.key) + " must be " + expectation(key_.kind) + ", not " +
                                      std::to_string(node.items.size()) + " values");
             refuse(node);
@@ -139,6 +172,7 @@ private:
 
     const WorldKey& key_;
     const TomlEntry& entry_;
+    Written written_;
 };
 
 void add_scalar(const TomlNode& node, const TomlEntry& entry, WorldValue& value) {
@@ -176,7 +210,8 @@ std::string advice_for(std::string_view word, const std::vector<const char*>& na
     return "there is " + all;
 }
 
-SectionValues::SectionValues(const TomlNode& table, const WorldSection& section) : place_(table.place) {
+SectionValues::SectionValues(const TomlNode& table, const WorldSection& section, Written written)
+    : place_(table.place) {
     const std::string title =
         (section.is_array ? "[[" : "[") + std::string(section.name) + (section.is_array ? "]]" : "]");
     for (const TomlEntry& entry : table.entries) {
@@ -187,7 +222,7 @@ SectionValues::SectionValues(const TomlNode& table, const WorldSection& section)
             for (const WorldKey& k : section.keys) names.push_back(k.name);
             fail(entry.place, "unknown key " + said(entry.key) + " in " + title, advice_for(entry.key, names));
         }
-        values_.push_back(ValueReader(*key, entry).read());
+        values_.push_back(ValueReader(*key, entry, written).read());
     }
     for (const WorldKey& key : section.keys)
         if (key.is_required && !has(key.name)) fail(place_, title + " lacks the key '" + key.name + "'");

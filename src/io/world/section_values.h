@@ -16,11 +16,14 @@ namespace rakelight::io::world {
 /// "; did you mean 'x'?", or all names where none is near.
 std::string advice_for(std::string_view word, const std::vector<const char*>& names);
 
+/// Where a table comes from; refusals say how it is written there.
+enum class Written { in_file, as_words };
+
 /// The checked values of a table, by key.
 class SectionValues {
 public:
     /// @throws Error bad_file: an unknown key, one that is missing, a value of another kind or out of range
-    SectionValues(const TomlNode& table, const WorldSection& section);
+    SectionValues(const TomlNode& table, const WorldSection& section, Written written = Written::in_file);
 
     WorldPlace place() const { return place_; }
     const std::vector<WorldValue>& all() const { return values_; }

@@ -47,7 +47,7 @@ WorldPrimitive shape_of_words(std::string_view words) {
         begin = end;
     }
     try {
-        return read_primitive(SectionValues(table, section("primitive")));
+        return read_primitive(SectionValues(table, section("primitive"), Written::as_words));
     } catch (const Error& error) {  // a fault of words, not of a file
         throw Error(ErrorCode::usage, error.reason(), {}, error.advice());
     }

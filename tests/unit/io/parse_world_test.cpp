@@ -256,6 +256,20 @@ TEST(ShapeWords, AreThoseOfAPrimitive) {
     EXPECT_EQ(shape_of_words("teapot").divisions, 10);
 }
 
+TEST(ShapeWords, AWrongValueIsRefusedWithWhatWouldBeRightOnACommandLine) {
+    const std::string wanted = "'size' must be two numbers, as in size=2,3, not ";
+    for (const std::string wrong : {"4", "[2,3]", "2,3,4", "a,b", "2,"}) {
+        const Error error = error_of([&] { shape_of_words("plane:size=" + wrong); });
+        EXPECT_EQ(error.reason(), wanted + "'" + wrong + "'");
+        EXPECT_EQ(error.code(), ErrorCode::usage);
+    }
+    EXPECT_EQ(error_of([] { shape_of_words("plane:divisions=2,3"); }).reason(),
+              "'divisions' must be a whole number, not '2,3'");
+    const Error color = error_of([] { material_values(std::vector<std::string>{"color=[1,0,0]"}); });
+    EXPECT_EQ(color.reason(),
+              "'color' must be three numbers, as in color=1,0.5,0, or a code, as in color=#ff8000, not '[1,0,0]'");
+}
+
 TEST(ShapeWords, WhatIsNoKeyOfAShapeIsRefusedByItsName) {
     const std::pair<const char*, const char*> wrong[] = {
         {"sphere:tolernce=1", "unknown key 'tolernce'"},
