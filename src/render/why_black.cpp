@@ -10,6 +10,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "render/picture_steps.h"
+#include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -81,6 +82,7 @@ bool is_painted(const Scene& scene) {
 struct Reach {
     bool is_on = false;        ///< has any brightness at all
     bool ends_before = false;  ///< its range is shorter than the way to the model
+    bool is_cut = false;       ///< that range is the one of --light-cutoff
     double at_most = 0;        ///< radiance of a white surface that it could make anywhere in the model's box
 };
 
@@ -102,31 +104,45 @@ Reach reach_of(const Light& light, dvec3 position, const Bounds& box) {
     reach.ends_before = d >= double(light.range);
     const double divisor =
         is_photometric ? d * d : double(light.constant) + double(light.linear) * d + double(light.quadratic) * d * d;
-    reach.at_most = divisor > 0 ? reach.at_most / divisor : std::numeric_limits<double>::infinity();
+    const double d_by_range = d / double(light.range);
+    const double window = std::max(0.0, 1 - d_by_range * d_by_range * d_by_range * d_by_range);
+    reach.at_most = divisor > 0 ? reach.at_most * window / divisor : std::numeric_limits<double>::infinity();
     return reach;
 }
 
-std::vector<Reach> lights_that_are_on(const Scene& scene) {
+std::vector<Reach> lights_that_are_on(const Scene& scene, double cutoff) {
     const std::vector<dmat4> world = world_matrices(scene);
     const Bounds box = world_bounds(scene);
     std::vector<Reach> list;
     for (const Light& light : scene.lights) {
-        const Reach reach = reach_of(light, light.node == none ? light.position : world[light.node][3].xyz(), box);
+        Reach reach = reach_of(light, light.node == none ? light.position : world[light.node][3].xyz(), box);
+        reach.is_cut = is_cut(light, cutoff);
         if (reach.is_on) list.push_back(reach);
     }
     return list;
+}
+
+/// Where the ranges of all lights end before the model: whose doing that is.
+std::string why_out_of_range(const std::vector<Reach>& lights, const std::string& all) {
+    const auto cut = std::count_if(lights.begin(), lights.end(), [](const Reach& r) { return r.is_cut; });
+    const std::string out = "it is out of the range of " + all;
+    if (cut == 0) return out;
+    if (std::size_t(cut) == lights.size())
+        return "--light-cutoff ends " + all + " before it; a smaller value reaches farther";
+    return out + "; of " + std::to_string(cut) + " that is by --light-cutoff: a smaller value reaches farther";
 }
 
 std::string why_unlit(const Scene& scene, const PictureRequest& request, const std::vector<Reach>& lights) {
     const std::string all = lights.size() == 1 ? "the light" : "all " + std::to_string(lights.size()) + " lights";
     if (lights.empty()) return "no light has any brightness";
     if (std::all_of(lights.begin(), lights.end(), [](const Reach& r) { return r.ends_before; }))
-        return "it is out of the range of " + all;
+        return why_out_of_range(lights, all);
     double sum = 0;
     for (const Reach& r : lights) sum += r.ends_before ? 0 : r.at_most;
+    const bool has_cut = std::any_of(lights.begin(), lights.end(), [](const Reach& r) { return r.is_cut; });
     if (sum * math::exp2(request.tone.exposure_ev) < least_visible)
-        return "too little of " + all +
-               " reaches it; see intensity and attenuation of lights, --light-intensity, --exposure";
+        return "too little of " + all + " reaches it; see intensity and attenuation of lights, --light-intensity, " +
+               (has_cut ? "--light-cutoff, " : "") + "--exposure";
     if (all_materials(scene,
                       [&](const Material& m) { return has_highlights_at_most(m, lighting_of(m, request.settings)); }))
         return "its materials have nothing but highlights, and what is seen of it is not lit or mirrors the lights "
@@ -173,7 +189,7 @@ std::string why_black(const Scene& scene, const PictureRequest& request) {
                (has_own_colors ? "its own colors are black" : "too little light falls on what is seen of it");
     if (is_lit_by_environment(scene) && scene.environment->intensity > 0)
         return "no light falls on what is seen of it, the environment's neither";
-    return why_unlit(scene, request, lights_that_are_on(scene));
+    return why_unlit(scene, request, lights_that_are_on(scene, request.light_cutoff));
 }
 
 }  // namespace rakelight

@@ -30,6 +30,9 @@ double distance_of(double c, double l, double q, double wanted) {
     return 2 * beyond / (l + std::sqrt(l * l + 4 * q * beyond));  // l = q = 0: infinity
 }
 
+/// What cut_lights() makes of a reach that is finite.
+float range_of(double reach) { return std::nextafter(float(reach), std::numeric_limits<float>::infinity()); }
+
 std::string number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
@@ -50,6 +53,11 @@ double reach_of(const Light& light, double cutoff) {
     return std::max(distance, least_light_range);
 }
 
+bool is_cut(const Light& light, double cutoff) {
+    const bool has_range = light.type == LightType::point || light.type == LightType::spot;
+    return cutoff > 0 && has_range && std::isfinite(light.range) && light.range == range_of(reach_of(light, cutoff));
+}
+
 CutLights cut_lights(std::vector<Light>& lights, double cutoff) {
     CutLights out;
     for (Light& light : lights) {
@@ -59,7 +67,7 @@ CutLights cut_lights(std::vector<Light>& lights, double cutoff) {
             ++out.endless;
             continue;
         }
-        light.range = std::nextafter(float(reach), std::numeric_limits<float>::infinity());
+        light.range = range_of(reach);
         out.least = out.cut == 0 ? light.range : std::min(out.least, light.range);
         out.most = std::max(out.most, light.range);
         ++out.cut;

@@ -29,6 +29,10 @@ struct CutLights {
 /// Gives point and spot lights without a range the one of reach_of(). All others stay as they are.
 CutLights cut_lights(std::vector<Light>& lights, double cutoff);
 
+/// Whether its range is the one that cut_lights() gives it.
+/// @param cutoff  0: none is
+bool is_cut(const Light& light, double cutoff);
+
 /// A sentence about it without a full stop.
 std::string said(const CutLights& result, double cutoff);
 

@@ -70,8 +70,8 @@ std::string words_of(const TomlNode& node) {
     if (node.kind != TomlNode::Kind::array)
         return node.kind == TomlNode::Kind::flag ? (node.flag ? "on" : "off") : node.text;
     std::string all;
-    for (const TomlNode& item : node.items) all += (all.empty() ? "" : ",") + words_of(item);
-    return all;
+    for (const TomlNode& item : node.items) all += words_of(item) + ",";
+    return all.substr(0, all.size() - 1);
 }
 
 std::size_t count_of(Kind kind) {

@@ -68,6 +68,30 @@ TEST_F(TooDarkOrBright, AModelThatNoLightReachesIsSaidToBeBlackWithTheReason) {
                   "in shadow\n");
 }
 
+TEST_F(TooDarkOrBright, LightsThatTheCutoffEndedAreSaidToBeSo) {
+    Light lamp = point({0, 0, 9});
+    lamp.diffuse = lamp.specular = {0.5f, 0.5f, 0.5f}, lamp.constant = 0, lamp.quadratic = 1;  // 0.5 / d^2
+    const auto cut_at = [](double cutoff) { return [=](PictureRequest& r) { r.light_cutoff = cutoff; }; };
+    EXPECT_EQ(said({lamp}), "");
+    EXPECT_EQ(said({lamp}, cut_at(0.5 / 100)), "") << "10 m; it is 8 m to the sphere";
+    EXPECT_EQ(said({lamp}, cut_at(0.5 / 49)),
+              black + "--light-cutoff ends the light before it; a smaller value reaches farther\n")
+        << "7 m";
+    EXPECT_EQ(said({lamp, lamp}, cut_at(0.5 / 49)),
+              black + "--light-cutoff ends all 2 lights before it; a smaller value reaches farther\n");
+    EXPECT_EQ(said({lamp, point({0, 9, 0}, 3)}, cut_at(0.5 / 49)),
+              black +
+                  "it is out of the range of all 2 lights; of 1 that is by --light-cutoff: a smaller value reaches "
+                  "farther\n");
+    EXPECT_EQ(said({point({0, 9, 0}, 3)}, cut_at(0.5 / 49)), black + "it is out of the range of the light\n")
+        << "its own";
+    EXPECT_EQ(said({lamp}, cut_at(0.5 / 64.0001)),
+              black +
+                  "too little of the light reaches it; see intensity and attenuation of lights, --light-intensity, "
+                  "--light-cutoff, --exposure\n")
+        << "8 m, where next to nothing is left of it";
+}
+
 TEST_F(TooDarkOrBright, ABlackMaterialIsTheReasonWhateverTheLight) {
     const auto none = [](const char* key) { return WorldValue{key, {"#000000"}, {0, 0, 0}, {}}; };
     const auto soot = [&](PictureRequest& r) {
