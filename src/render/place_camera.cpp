@@ -52,12 +52,13 @@ void set_depths(Camera& camera, const Bounds& bounds) {
     camera.near = std::max(camera.near, 1e-4 * camera.far);
 }
 
-/// What is up in a view along `along`, with a remark where what was asked for, or is up otherwise, says nothing there.
+/// What is up in a view along `along`, with a remark where what was asked for, or is up otherwise, says nothing there:
+/// a warning only where somebody asked for it.
 dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::string& file, Report& report) {
     const dvec3 up = view.up.value_or(view.position ? dvec3{0, 1, 0} : base_up);
     if (!is_along(up, along)) return up;
     const NamedUp other = up_of_view(along);
-    report.add(view.up ? Remark::warning : Remark::guessed, file, "",
+    report.add(view.up ? Remark::warning : Remark::note, file, "",
                "the camera's up is along its view, " + other.name + " is up instead");
     return other.up;
 }

@@ -67,12 +67,12 @@ void read_classical(const SectionValues& v, Light& light) {
     light.exponent = float(v.number("exponent", 0));
 }
 
-/// Another where it is along the view, which is remarked.
+/// Another where it is along the view, which is remarked: a warning only where the file names that up.
 dvec3 read_up(const SectionValues& v, dvec3 view, WorldFile& world) {
     const dvec3 up = v.direction("up", {0, 1, 0});
     if (!is_along(up, view)) return up;
     const NamedUp other = up_of_view(view);
-    world.remarks.push_back({v.has("up") ? Remark::warning : Remark::guessed, v.place_of("up"),
+    world.remarks.push_back({v.has("up") ? Remark::warning : Remark::note, v.place_of("up"),
                              "the camera's up is along its view, " + other.name + " is up instead"});
     return other.up;
 }

@@ -358,9 +358,10 @@ TEST_F(LoadWorld, ACameraWhoseUpIsAlongItsViewHasAnotherAndSaysSo) {
     EXPECT_EQ(s.cameras.at(2).to_world[1].xyz(), (dvec3{0, 1, 0}));
     const std::vector<ReportEntry> said = context_.report().entries();
     ASSERT_EQ(said.size(), 3u);
-    EXPECT_EQ(said[0].remark, Remark::guessed);
+    EXPECT_EQ(said[0].remark, Remark::note) << "nobody named an up";
     EXPECT_EQ(said[0].place, "line 3, column 1");
     EXPECT_NE(said[0].message.find("-Z is up instead"), std::string::npos);
+    EXPECT_EQ(said[1].remark, Remark::note);
     EXPECT_EQ(said[2].remark, Remark::warning);
     EXPECT_EQ(said[2].place, "line 9, column 6");
 }

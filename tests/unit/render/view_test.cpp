@@ -174,8 +174,8 @@ void expect_up(const ViewRequest& view, dvec3 up, Remark remark, const std::stri
 
 TEST(ChooseCamera, AnUpAlongTheViewIsReplacedByThatOfTheTopOrTheBottomAndSaid) {
     const dvec3 middle{0, 0.5, 0};
-    expect_up({.position = dvec3{0, 5, 0}, .focal_point = middle}, {0, 0, -1}, Remark::guessed, "-Z is up");
-    expect_up({.position = dvec3{0, -5, 0}, .focal_point = middle}, {0, 0, 1}, Remark::guessed, "+Z is up");
+    expect_up({.position = dvec3{0, 5, 0}, .focal_point = middle}, {0, 0, -1}, Remark::note, "-Z is up");
+    expect_up({.position = dvec3{0, -5, 0}, .focal_point = middle}, {0, 0, 1}, Remark::note, "+Z is up");
     expect_up({.position = dvec3{5, 0.5, 0}, .focal_point = middle, .up = dvec3{3, 0, 0}}, {0, 1, 0}, Remark::warning,
               "+Y is up");
     expect_up({.side = "bottom", .up = dvec3{0, 1, 0}}, {0, 0, 1}, Remark::warning, "along its view");
