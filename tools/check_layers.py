@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Checks every #include against the tables below: modules include only downwards, a library appears in one module only,
-public headers name no library, sources that are compiled per instruction set include only what those may, and the shared
-lighting text uses no word that GLSL reserves. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
+public headers name no library, sources that are compiled per instruction set include only what those may, the shared
+lighting text uses no word that GLSL reserves, and no hash table takes std::hash, for which a file can choose its names. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
 import argparse
 import concurrent.futures
 import os
@@ -148,6 +148,31 @@ def check_glsl(path, wrong):
         wrong.append(f"{path}: '{word}' is a reserved word of GLSL")
 
 
+def template_arguments(code, begin):
+    """The arguments of a template, given where its '<' stands."""
+    depth, arguments = 0, [""]
+    for character in code[begin:]:
+        depth += (character in "<({") - (character in ">)}")
+        if depth == 0:
+            return [a.strip() for a in arguments]
+        if depth == 1 and character == ",":
+            arguments.append("")
+        elif depth > 1 or character != "<":
+            arguments[-1] += character
+    return []
+
+
+def check_hash_tables(path, wrong):
+    """Texts and numbers of a file are hashed under the key of the run (base/name_table.h, base/hash_key.h). Pointers are the system's."""
+    code = re.sub(r"//[^\n]*", "", (ROOT / path).read_text())
+    for found in re.finditer(r"\bunordered_(?:multi)?(map|set)\s*(?=<)", code):
+        arguments = template_arguments(code, found.end())
+        has_hash = len(arguments) > (2 if found.group(1) == "map" else 1)
+        if not has_hash and not arguments[0].endswith("*"):
+            wrong.append(f"{path}: std::{found.group(0)} of '{arguments[0]}' has no hash with a key: take NameMap or NameSet (base/name_table.h), "
+                         "folded_product (base/hash_key.h) or an ordered table")
+
+
 def compile_alone(path):
     per_isa = "wide" in path.name or any(str(path).startswith(f) for f in ISA_FILES)
     if path.name in ("wide_scalar.h", "wide_xsimd.h", "wide_xsimd_memory.h", "wide_pair.h", "wide_functions.h", "wide_vector.h", "prelude.h"):
@@ -166,13 +191,15 @@ def main():
     wrong = []
     for path in sources("src", "include", "apps", "examples"):
         check_file(path, wrong)
+        if path.parts[0] != "examples":
+            check_hash_tables(path, wrong)
         if path.suffix == ".glsl":
             check_glsl(path, wrong)
     if options.compile:
         headers = [p for p in sources("src", "include") if p.suffix == ".h"]
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             wrong += [w for w in pool.map(compile_alone, headers) if w]
-    print("\n".join(wrong) or "layers: every include goes down")
+    print("\n".join(wrong) or "layers: every include goes down, every hash table has a key")
     return 1 if wrong else 0
 
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "base/name_table.h"
 #include "io/import/stream_format.h"
 
 namespace rakelight::import_helper {
@@ -41,7 +41,7 @@ public:
     std::uint32_t find(const aiString& name) const;  ///< the first node of that name, or nothing
 
 private:
-    std::unordered_map<std::string, std::uint32_t> by_name_;
+    NameMap<std::uint32_t> by_name_;
 };
 
 /// Joints of the whole scene, one for each node and inverse bind matrix.

@@ -2,9 +2,9 @@
 // What a run changed, guessed, dropped or wants to warn about. Part of the result, never printed by the library.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace rakelight {
@@ -37,7 +37,8 @@ public:
 private:
     mutable std::mutex mutex_;
     std::vector<ReportEntry> entries_;
-    std::unordered_map<std::string, std::size_t> known_;  ///< kind, file and message -> place in entries_
+    /// Kind, file and message -> place in entries_. Ordered: files choose the texts and could make all hashes equal.
+    std::map<std::string, std::size_t> known_;
     std::uint64_t left_out_ = 0;
 };
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_set>
 
+#include "base/name_table.h"
 #include "geometry/edge_census.h"
 #include "geometry/inside_out.h"
 #include "geometry/mesh_faults.h"
@@ -39,8 +39,7 @@ void count(ObjectSummary& object, const Mesh& mesh) {
 }
 
 /// @param known  the names that the object has already: a file may give it a hundred thousand
-void add_material(ObjectSummary& object, std::unordered_set<std::string>& known, const Scene& scene,
-                  std::uint32_t material) {
+void add_material(ObjectSummary& object, NameSet& known, const Scene& scene, std::uint32_t material) {
     if (material == none) return;
     std::string name = scene.materials[material].name;
     if (name.empty()) name = "material " + std::to_string(material);
@@ -53,7 +52,7 @@ ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
     object.name = object_title(scene, number);
     object.node = number;
     Tally normals, tangents, texcoords, colors, groups, targets, influences;
-    std::unordered_set<std::string> materials;
+    NameSet materials;
     for (const std::uint32_t index : node.meshes) {
         const Mesh& mesh = scene.meshes[index];
         count(object, mesh);

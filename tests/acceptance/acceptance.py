@@ -4,6 +4,8 @@
 
   acceptance.py models  PROGRAM DIR   every model renders: exit 0, a picture that is not blank, nothing not finite, nothing left behind
   acceptance.py hostile PROGRAM DIR   every broken file of DIR/cases.json keeps its rule
+  acceptance.py floods  PROGRAM       models of 50,000 names whose std::hash is equal keep the rule of broken files, and take about as long as
+                                      models of plain names; the test makes them itself
   acceptance.py smooth  PROGRAM DIR   every file of DIR, broken or not, goes through `smooth` to its own kind, to GLB and to PLY: it is refused in
                                       one line, or the output stands alone and a second run over it succeeds and changes nothing
   acceptance.py parts   PROGRAM DIR   models cut into parts render like the whole when smoothed over the model, and unlike it per object
@@ -22,7 +24,8 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent.parent / "tools"))
+sys.path[:0] = [str(HERE), str(HERE.parent.parent / "tools")]
+import name_floods  # noqa: E402
 from png8 import read_rgb  # noqa: E402
 
 FORMATS = {".glb", ".gltf", ".obj", ".fbx", ".stl", ".ply", ".dae", ".3ds", ".ase", ".blend", ".off", ".x"}
@@ -142,6 +145,33 @@ def check_hostile(program, folder):
     return wrong if cases else ["no cases found"]
 
 
+def check_floods(program):
+    wrong, peak = [], 0.0
+
+    def spent_seconds():
+        return sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2])  # of the processor: other work on the machine does not count
+
+    def seconds_of(model, rule):
+        nonlocal peak
+        picture, before = model.with_suffix(".png"), spent_seconds()
+        code, errors, memory = run([program, "render", str(model), "-o", str(picture), "--resolution", "64,64"], 120, model.parent)
+        peak = max(peak, memory)
+        broken = keeps_rule(rule, code, errors, picture.exists(), (model.name,))
+        if broken:
+            wrong.append(f"{model.name}: {broken}")
+        return spent_seconds() - before
+
+    with tempfile.TemporaryDirectory() as temporary:
+        for kind, rule, plain, flood in name_floods.write(pathlib.Path(temporary)):
+            usual, seconds = seconds_of(plain, rule), seconds_of(flood, rule)
+            print(f"{name_floods.COUNT} names of {kind}: {usual:.2f} s, with one std::hash {seconds:.2f} s")
+            if seconds > min(SECONDS, 2 * usual + 0.5) and not SANITIZED:
+                wrong.append(f"{kind}: names of one hash take {seconds:.2f} s, plain names {usual:.2f} s")
+    if peak > GIB * 1024 and not SANITIZED:
+        wrong.append(f"a run took {peak:.0f} MiB")
+    return wrong
+
+
 def has_smoothing_groups(source):
     """They rule the first run and are gone in GLB and PLY; 3DS and ASE may always have them."""
     lines = source.read_bytes().splitlines() if source.suffix.lower() == ".obj" else []
@@ -239,8 +269,8 @@ def check_bits(program, *models):
 
 
 def main():
-    checks = {"models": check_models, "hostile": check_hostile, "smooth": check_smooth, "parts": check_parts, "bits": check_bits}
-    if len(sys.argv) < 4 or sys.argv[1] not in checks:
+    checks = {"models": check_models, "hostile": check_hostile, "floods": check_floods, "smooth": check_smooth, "parts": check_parts, "bits": check_bits}
+    if len(sys.argv) < (3 if sys.argv[1:2] == ["floods"] else 4) or sys.argv[1] not in checks:
         sys.exit(__doc__)
     program, paths = str(pathlib.Path(sys.argv[2]).resolve()), [pathlib.Path(p) for p in sys.argv[3:]]
     if not all(p.exists() for p in paths):

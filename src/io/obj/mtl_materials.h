@@ -5,12 +5,12 @@
 #include <map>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
 
+#include "base/name_table.h"
 #include "io/obj/mtl_file.h"
 #include "io/obj/references.h"
 
@@ -63,7 +63,7 @@ private:
     Context& context_;
     std::string model_path_;
     ReferenceFinder finder_;
-    std::unordered_map<std::string, std::uint32_t> by_name_;
+    NameMap<std::uint32_t> by_name_;
     std::set<std::string> loaded_;                                    ///< paths
     std::map<std::string, ImageHandle> images_;                       ///< by path
     std::map<std::pair<std::string, bool>, std::uint32_t> textures_;  ///< by path and clamping

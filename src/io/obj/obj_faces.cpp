@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
+#include "base/name_table.h"
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"
 #include "io/obj/polygon.h"
@@ -263,7 +263,7 @@ private:
     Elements elements_;
     std::uint64_t line_ = 0, material_line_ = 0, seen_positions_ = 0, seen_texcoords_ = 0, seen_normals_ = 0;
     std::string name_, material_name_;
-    std::unordered_map<std::string, std::uint32_t> groups_;  ///< name -> object, in files without `o`
+    NameMap<std::uint32_t> groups_;  ///< name -> object, in files without `o`
     std::uint32_t object_ = none, material_ = none, smoothing_ = 0;
     bool is_material_known_ = false;
     std::vector<Corner> corners_;  ///< of the element at hand

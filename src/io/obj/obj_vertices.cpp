@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_set>
 
+#include "base/name_table.h"
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"
 #include "math/color.h"
@@ -150,7 +150,7 @@ void check_text(std::string_view file, Remarks& remarks) {
 Contents count_contents(std::string_view file, Remarks& remarks, Context& context) {
     check_text(file, remarks);
     Contents contents;
-    std::unordered_set<std::string> libraries;
+    NameSet libraries;
     LineReader lines(file);
     for (Line line; lines.next(line);) {
         if (line.number % lines_between_checks == 0) context.throw_if_cancelled();
