@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
         rakelight::cli::CancelOnInterrupt::die_of_signal();
         return code;
     } catch (...) {
-        const rakelight::Error error = rakelight::cli::current_error("");
+        const rakelight::Error error = rakelight::current_error();
         rakelight::cli::print_error(error);
         rakelight::cli::CancelOnInterrupt::die_of_signal();
         return rakelight::exit_code(error.code());

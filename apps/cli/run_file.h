@@ -2,6 +2,8 @@
 // The frame around the work of one file: its context, progress, interruption, messages and exit code.
 #pragma once
 #include <functional>
+
+#include <rakelight/current_error.h>
 #include <string>
 
 #include "console.h"
@@ -9,9 +11,6 @@
 #include "options.h"
 
 namespace rakelight::cli {
-
-/// The exception that is being handled, as an error that names the file. Only to be called from a handler.
-Error current_error(const std::string& file);
 
 /// Runs the work of one file with a context of its own; fills the remarks and the error of `row`. Returns the exit
 /// code.
@@ -23,7 +22,7 @@ int run_file(const Options& options, const std::string& file, Row& row, const st
     try {
         work(context);
     } catch (...) {
-        row.error = current_error(file);
+        row.error = current_error().with_file(file);
     }
     progress.wipe();
     row.remarks = context.report().entries();

@@ -16,8 +16,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 #include <stdexcept>
+
+#include <rakelight/current_error.h>
 
 #include "convert.h"
 #include "folder_io.h"
@@ -79,11 +80,21 @@ private:
 /// Only the reader that the name's ending asks for may touch the file: less surface, and no guessing by content.
 void keep_one_reader(Assimp::Importer& importer, const std::string& ending) {
     const std::size_t wanted = importer.GetImporterIndex(ending.c_str());
-    if (wanted == std::size_t(-1)) throw std::runtime_error("this build of Assimp has no reader for ." + ending);
+    if (wanted == std::size_t(-1))
+        throw Error(ErrorCode::bad_file, "this build of Assimp has no reader for ." + ending);
     std::vector<Assimp::BaseImporter*> others;
     for (std::size_t i = 0; i < importer.GetImporterCount(); ++i)
         if (i != wanted) others.push_back(importer.GetImporter(i));
     for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);  // leaks it: the process is short
+}
+
+/// What Assimp throws itself has words for people. It catches the exceptions of the standard library, too; those go on.
+[[noreturn]] void refuse(const Assimp::Importer& importer) {
+    try {
+        if (importer.GetException()) std::rethrow_exception(importer.GetException());
+    } catch (const std::runtime_error&) {
+    }
+    throw Error(ErrorCode::bad_file, importer.GetErrorString());
 }
 
 const aiScene& read(Assimp::Importer& importer, const Options& options, const Format& format) {
@@ -92,14 +103,14 @@ const aiScene& read(Assimp::Importer& importer, const Options& options, const Fo
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_REMOVE_EMPTY_BONES, false);
     const aiScene* scene = importer.ReadFile(options.file, aiProcess_Triangulate);
-    if (!scene) throw std::runtime_error(importer.GetErrorString());
-    if (!scene->mRootNode) throw std::runtime_error("nothing to draw");
+    if (!scene) refuse(importer);
+    if (!scene->mRootNode) throw Error(ErrorCode::bad_file, "nothing to draw");
     return *scene;
 }
 
 void send_scene(const aiScene& scene, const Format& format, Writer& writer) {
     const std::vector<PartSource> parts = list_parts(scene);
-    if (parts.empty()) throw std::runtime_error("nothing to draw: the file holds no triangle, line or point");
+    if (parts.empty()) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no triangle, line or point");
     std::vector<std::vector<std::uint32_t>> parts_of_mesh(scene.mNumMeshes);
     for (std::uint32_t p = 0; p < parts.size(); ++p) parts_of_mesh[parts[p].mesh].push_back(p);
     Document document;
@@ -132,16 +143,17 @@ int run(const Options& options) {
     Output output(take_standard_output());
     Writer writer([&output](std::span<const std::byte> bytes) { output.put(bytes); });
     std::string refusal;
-    auto* importer = new Assimp::Importer;  // never taken down: the end of the process does it faster and cannot crash
     try {
+        // Never taken down: the end of the process does it faster and cannot crash.
+        auto* importer = new Assimp::Importer;
         const Format format = format_of(options.file);
         send_scene(read(*importer, options, format), format, writer);
         output.flush();
         _exit(0);
-    } catch (const std::bad_alloc&) {
-        refusal = "reading it takes more memory than the limit of " + std::to_string(options.memory_bytes >> 20) + " MiB";
-    } catch (const std::exception& e) {
-        refusal = e.what();
+    } catch (...) {
+        refusal = current_error("reading it takes more memory than the limit of " +
+                                std::to_string(options.memory_bytes >> 20) + " MiB")
+                      .reason();
     }
     send_refusal(refusal, writer);  // after a part of a scene the reader sees a broken stream, which is right too
     output.flush();
@@ -172,5 +184,9 @@ int main(int argc, char** argv) {
         return 2;
     }
     rakelight::import_helper::limit_this_process(options.memory_bytes, options.seconds);
-    return rakelight::import_helper::run(options);
+    try {
+        return rakelight::import_helper::run(options);
+    } catch (...) {  // no memory for as much as a refusal: the reader says that this ended early
+        return 1;
+    }
 }

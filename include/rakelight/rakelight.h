@@ -7,6 +7,7 @@
 #include <rakelight/block.h>
 #include <rakelight/check_scene.h>
 #include <rakelight/context.h>
+#include <rakelight/current_error.h>
 #include <rakelight/engine.h>
 #include <rakelight/error.h>
 #include <rakelight/explain.h>

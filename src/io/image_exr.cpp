@@ -19,8 +19,11 @@
 #include <cerrno>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <system_error>
+
+#include <rakelight/current_error.h>
 
 #include "io/file.h"
 #include "io/image_codecs.h"
@@ -207,6 +210,8 @@ private:
     void call(const Call& body) const {
         try {
             body();
+        } catch (const std::bad_alloc&) {
+            throw current_error().with_file(path_);
         } catch (const std::exception& error) {
             throw Error(ErrorCode::failed, std::string("cannot be written: ") + error.what()).with_file(path_);
         }
@@ -233,7 +238,9 @@ Pixels read_exr(std::span<const std::byte> bytes, Context& context) {
         return pixels;
     } catch (const Error&) {
         throw;
-    } catch (const std::exception& error) {  // the library's own and bad_alloc
+    } catch (const std::bad_alloc&) {
+        bad_picture("decoding it takes more memory than there is");
+    } catch (const std::exception& error) {  // the library's own
         bad_picture(std::string("broken EXR: ") + error.what());
     }
 }

@@ -1,13 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/import/precheck.h"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
 #include <utility>
 
 namespace rakelight::io {
+
+std::string line_of(std::string_view text, std::size_t at) {
+    return "line " + std::to_string(1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n'));
+}
+
+namespace {
+
+/// What stands in front of a list ("*MESH_NUMVERTEX 8"): Assimp asks for memory for so many before it reads the list.
+void check_ase_counts(std::string_view text) {
+    constexpr std::uint64_t least = 4;  // bytes of an entry: "*X 0"
+    for (std::size_t at = text.find('*'); at != text.npos; at = text.find('*', at + 1)) {
+        const std::size_t before = text.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
+        const bool begins_line = at == 0 || before == text.npos || text[before] == '\n' || text[before] == '\r';
+        const std::string_view word = text.substr(at, text.find_first_of(" \t\r\n", at) - at);
+        if (!begins_line || (word.find("NUM") == word.npos && !word.ends_with("COUNT"))) continue;
+        const std::size_t digits = std::min(text.find_first_not_of(" \t", at + word.size()), text.size());
+        std::uint64_t count = 0;
+        const auto [end, problem] = std::from_chars(text.data() + digits, text.data() + text.size(), count);
+        if (problem != std::errc::result_out_of_range && count <= text.size() / least) continue;
+        const std::string written(text.substr(digits, std::size_t(end - text.data()) - digits));
+        throw Error(ErrorCode::bad_file,
+                    one_line(std::string(word), 40) + " promises " + one_line(written, 40) +
+                        " entries, but the file has " + std::to_string(text.size()) + " bytes",
+                    line_of(text, at));
+    }
+}
+
+}  // namespace
 
 long long open_braces(std::span<const std::byte> text) {
     long long open = 0;
@@ -28,6 +58,7 @@ void check_ase(const Suspect& s) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     if (!utf16 && (begin == std::string_view::npos || text[begin] != '*')) throw Error(ErrorCode::bad_file, "not an ASE file (it does not begin with '*')");
     if (utf16) s.report.add(Remark::note, s.path, {}, "UTF-16 text was read as UTF-8");
+    if (!utf16) check_ase_counts(text);
     const long long open = open_braces(s.bytes);
     if (open > 0) s.report.add(Remark::warning, s.path, {}, "the file ends inside a block; it is probably cut short");
     if (open < 0) s.report.add(Remark::warning, s.path, {}, "a block is closed that was never opened; the file is probably damaged");

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <rakelight/context.h>
 
@@ -30,6 +31,9 @@ void check_x(const Suspect& s);
 
 /// The check of the format that `ending` (lower case, no dot) names. @throws Error bad_file for an unknown one too.
 void check_before_import(const std::string& ending, const Suspect& s);
+
+/// "line 12", by the line feeds before the byte at `at`.
+std::string line_of(std::string_view text, std::size_t at);
 
 /// Size of a block-structured text: how deep braces stand open at the end, those in quotes not counted; -1 when one is closed
 /// that was never opened. Works for UTF-16 too.

@@ -11,12 +11,6 @@ namespace {
 
 constexpr std::size_t deepest = 512;
 
-std::string line_of(std::string_view text, std::size_t at) {
-    std::uint64_t line = 1;
-    for (const char c : text.substr(0, at)) line += c == '\n';
-    return "line " + std::to_string(line);
-}
-
 [[noreturn]] void bad_xml(const std::string& what, std::string_view text, std::size_t at) { throw Error(ErrorCode::bad_file, what, line_of(text, at)); }
 
 /// Position of the first byte that is no UTF-8 (RFC 3629), or npos.
@@ -58,15 +52,33 @@ std::string_view tag_name(std::string_view tag) {  // "<name ...>" or "</name>"
     return tag.substr(0, tag.find_first_of(" \t\r\n/>"));
 }
 
+/// By its XML declaration; without one it is. What follows the word may lie behind the bytes that are looked at, or be
+/// missing.
+bool is_said_to_be_utf8(std::string_view text) {
+    constexpr std::string_view word = "encoding=";
+    const std::size_t at = text.substr(0, 200).find(word);
+    if (at == std::string_view::npos) return true;
+    std::string_view name = text.substr(at + word.size());
+    if (name.starts_with('"') || name.starts_with('\'')) name.remove_prefix(1);
+    return name.starts_with("utf") || name.starts_with("UTF");
+}
+
+/// Lists of indices hold whole numbers: at anything else Assimp appends zeros until memory ends.
+void check_indices(std::string_view text, std::size_t begin) {
+    const std::string_view list = text.substr(begin, text.find('<', begin) - begin);
+    const std::size_t bad = list.find_first_not_of("0123456789+- \t\r\n");
+    if (bad == std::string_view::npos) return;
+    const std::size_t word = list.find_last_of(" \t\r\n", bad) + 1;  // 0 where there is none
+    const std::string written(list.substr(word, list.find_first_of(" \t\r\n", bad) - word));
+    bad_xml("the indices <p> hold '" + one_line(written, 40) + "', which is no whole number", text, begin + bad);
+}
+
 }  // namespace
 
 void check_collada(const Suspect& s) {
     const std::string_view text(reinterpret_cast<const char*>(s.bytes.data()), s.bytes.size());
-    const std::string_view head = text.substr(0, 200);
-    if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return;  // UTF-16: the helper converts it
-    const std::size_t declared = head.find("encoding=");
-    const bool utf8 = declared == std::string_view::npos || head.substr(declared + 10, 3) == "utf" || head.substr(declared + 10, 3) == "UTF";
-    const std::size_t bad = utf8 ? first_bad_utf8(text) : std::string_view::npos;
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return;  // UTF-16: the helper converts it
+    const std::size_t bad = is_said_to_be_utf8(text) ? first_bad_utf8(text) : std::string_view::npos;
     if (bad != std::string_view::npos) bad_xml("not valid UTF-8 text", text, bad);
     std::vector<std::string_view> open;
     bool any = false;
@@ -84,6 +96,7 @@ void check_collada(const Suspect& s) {
             open.pop_back();
         } else if (!tag.ends_with("/>")) {
             if (open.empty() && any) bad_xml("a second root element", text, at);
+            if (name == "p") check_indices(text, end);
             if (open.size() >= deepest) bad_xml("elements are nested more than 512 deep", text, at);
             open.push_back(name);
             any = true;

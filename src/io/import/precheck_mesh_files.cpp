@@ -30,6 +30,12 @@ std::string_view next_word(std::string_view& rest) {
     return word;
 }
 
+/// Skips lines that begin with "comment".
+void skip_comments(std::string_view& rest) {
+    for (std::string_view after = rest; next_word(after) == "comment"; after = rest)
+        rest = after.substr(std::min(after.find_first_of("\r\n"), after.size()));
+}
+
 std::uint64_t to_count(std::string_view word, const char* what) {
     std::uint64_t n = 0;
     const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), n);
@@ -171,6 +177,29 @@ Walk walk_binary(const PlyHeader& header, std::span<const unsigned char> data) {
     return walk;
 }
 
+/// In text, counts of lists are followed and nothing else is checked: Assimp asks for memory for what they promise.
+void check_ascii_lists(const PlyHeader& header, std::string_view text) {
+    std::string_view rest = text.substr(header.size);
+    for (const PlyElement& e : header.elements)
+        for (std::uint64_t i = 0; i < e.count && !e.properties.empty() && !rest.empty(); ++i) {
+            skip_comments(rest);
+            for (const PlyProperty& p : e.properties) {
+                const std::string_view word = next_word(rest);
+                if (p.count_bytes == 0) continue;
+                std::int64_t n = 0;
+                const auto problem = std::from_chars(word.data(), word.data() + word.size(), n).ec;
+                if (problem == std::errc::invalid_argument) return;  // from here on it cannot be followed
+                if (problem != std::errc() || n < 0 || std::uint64_t(n) > rest.size() / 2 + 1)
+                    throw Error(ErrorCode::bad_file,
+                                "a list of element '" + one_line(std::string(e.name), 40) + "' promises " +
+                                    one_line(std::string(word), 40) + " numbers, but " + std::to_string(rest.size()) +
+                                    " bytes follow",
+                                line_of(text, text.size() - rest.size()));
+                for (std::int64_t k = 0; k < n; ++k) next_word(rest);
+            }
+        }
+}
+
 }  // namespace
 
 void check_stl(const Suspect& s) {
@@ -207,7 +236,7 @@ void check_ply(const Suspect& s) {
         if (e.count * least > body.size() + 1) too_few("elements", e.count, e.count * least, body.size());
     }
     if (vertices == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no vertex");
-    if (header.ascii) return;
+    if (header.ascii) return check_ascii_lists(header, text);
     const Walk walk = walk_binary(header, {reinterpret_cast<const unsigned char*>(body.data()), body.size()});
     if (walk.short_of) throw Error(ErrorCode::bad_file, "the data ends inside element '" + one_line(std::string(walk.short_of->name), 40) + "'; the file is cut short or damaged");
     if (walk.bad_indices != 0) throw Error(ErrorCode::bad_file, std::to_string(walk.bad_indices) + " vertex numbers are out of range");

@@ -78,6 +78,37 @@ TEST(ImportPrecheck, PlyCountsAreHeldAgainstTheData) {
     EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quark x\nend_header\n0\n").error, "");
 }
 
+TEST(ImportPrecheck, ListsOfATextPlyAreHeldAgainstItsSize) {
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nelement face 2\nproperty list uchar int "
+        "vertex_indices\nproperty uchar red\nend_header\n";
+    EXPECT_EQ(check("ply", head + "0\n1\n3 0 1 0 255\n0 7\n").error, "");
+    EXPECT_EQ(check("ply", head + "0\r\ncomment 5 6 7\r\n1\r\n3 0 1 0 255\r\n0 7\r\n").error, "");
+    EXPECT_EQ(check("ply", head + "0\n1\n3 0 1 0 255\n2147483648 0 1\n").error,
+              "line 12: a list of element 'face' promises 2147483648 numbers, but 5 bytes follow");
+    EXPECT_EQ(check("ply", head + "0\n1\n-1 0 1 0 255\n0 7\n").error.substr(0, 9), "line 11: ");
+    EXPECT_NE(check("ply", head + "0\n1\n99999999999999999999999 0 1\n0 7\n").error, "");
+    EXPECT_EQ(check("ply", head + "0\n1\nthree 0 1 0 255\n0 7\n").error, "") << "for Assimp to say";
+    EXPECT_EQ(check("ply", head + "0\n1\n").error, "") << "for Assimp to say";
+    // Elements without properties take no bytes, however many there are.
+    EXPECT_EQ(
+        check("ply",
+              "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement none 1000000000000\nend_header\n0\n")
+            .error,
+        "");
+}
+
+TEST(ImportPrecheck, CountsOfAnAseAreHeldAgainstItsSize) {
+    const std::string head = "*3DSMAX_ASCIIEXPORT 200\n*COMMENT \"\n *MESH_NUMVERTEX x\"\n*MESH {\n\t*MESH_NUMVERTEX ";
+    EXPECT_EQ(check("ase", head + "8\n}\n").error, "");
+    EXPECT_EQ(check("ase", head + "2147483648\n}\n").error,
+              "line 5: *MESH_NUMVERTEX promises 2147483648 entries, but the file has 92 bytes");
+    EXPECT_NE(check("ase", head + "99999999999999999999999\n}\n").error, "");
+    EXPECT_EQ(check("ase", "*3DSMAX_ASCIIEXPORT 200\n*COMMENT \"a *MESH_NUMVERTEX 2147483648\"\n").error, "");
+    EXPECT_EQ(check("ase", "*3DSMAX_ASCIIEXPORT 2147483648\n*MESH_NUMVERTEX").error, "");
+    EXPECT_NE(check("ase", "*MATERIAL_COUNT 2147483648").error, "");
+}
+
 TEST(ImportPrecheck, BinaryPlyIsWalkedToItsEnd) {
     const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
     const std::string vertices(12, '\0'), face = raw(std::uint8_t(3)) + raw(0) + raw(1) + raw(2);
@@ -116,6 +147,26 @@ TEST(ImportPrecheck, BlendFilesReachTheirLastBlock) {
     EXPECT_NE(check("blend", head + block("ENDB", 0)).error, "");
     EXPECT_NE(check("blend", whole.substr(0, 30)).error, "");
     EXPECT_NE(check("blend", std::string("\x28\xb5\x2f\xfd", 4) + std::string(40, 'x')).error, "");
+}
+
+TEST(ImportPrecheck, AColladaEncodingMayEndAnywhere) {
+    const std::string root = "<COLLADA>\xC3\x28</COLLADA>";  // no UTF-8
+    for (std::size_t blanks = 150; blanks < 200; ++blanks) {  // over the end of what is looked at
+        const std::string head = "<?xml version=\"1.0\"" + std::string(blanks, ' ');
+        const bool is_found = head.size() + std::string_view("encoding=").size() <= 200;
+        EXPECT_EQ(check("dae", head + "encoding=\"latin-1\"?>" + root).error == "", is_found) << blanks;
+        EXPECT_NE(check("dae", head + "encoding=\"utf-8\"?>" + root).error, "") << blanks;
+        EXPECT_NE(check("dae", head + "encoding='UTF-8'?>" + root).error, "") << blanks;
+        EXPECT_NE(check("dae", head + "encoding=").error, "") << blanks;
+        EXPECT_NE(check("dae", head + "encoding=\"").error, "") << blanks;
+    }
+}
+
+TEST(ImportPrecheck, IndicesOfAColladaAreWholeNumbers) {
+    EXPECT_EQ(check("dae", "<COLLADA>\n<p>0 1 -1\n+2\t3 </p><p></p><p/><q>1.5</q></COLLADA>").error, "");
+    EXPECT_EQ(check("dae", "<COLLADA>\n<p>0 1\n 1.5 2</p></COLLADA>").error,
+              "line 3: the indices <p> hold '1.5', which is no whole number");
+    EXPECT_NE(check("dae", "<COLLADA><p count=\"3\">x</p></COLLADA>").error, "");
 }
 
 TEST(ImportPrecheck, ColladaHasNoEntitiesAndEndsWhereItBegan) {
