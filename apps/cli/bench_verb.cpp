@@ -214,7 +214,7 @@ int run_bench(const Options& options) {
         text = options.json ? to_json(report) : to_text(report);
     }
     progress.wipe();
-    if (request.is_render) print_remarks(context.report().entries(), context.report().left_out(), options.loudness);
+    if (request.is_render) print_remarks(context.report(), options.loudness);
     print_data(text);
     return 0;
 }

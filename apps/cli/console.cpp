@@ -32,6 +32,13 @@ void print_line(const char* kind, const char* color, const std::string& text) {
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
+void print_remark(bool is_note, const std::string& text) {
+    if (is_note)
+        print_line("note", "\033[36m", text);
+    else
+        print_line("warning", "\033[33m", text);
+}
+
 std::string text_of(const ReportEntry& r) {
     std::string text;
     if (!r.file.empty()) text += one_line(r.file) + ": ";
@@ -47,23 +54,23 @@ double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock:
 
 void print_error(const Error& error) { print_line("error", "\033[31m", error.what()); }
 
-void print_remarks(const std::vector<ReportEntry>& remarks, std::uint64_t left_out, Loudness loudness) {
+void print_remarks(const Report& report, Loudness loudness) {
     if (loudness == Loudness::quiet) return;
-    std::size_t lines = 0, more = left_out;
+    const std::vector<ReportEntry> remarks = report.entries();
+    const bool is_verbose = loudness == Loudness::verbose;
+    std::uint64_t lines = 0, notes = report.notes_left_out(), warnings = report.left_out() - notes;
     for (const ReportEntry& r : remarks) {
-        if (r.remark == Remark::note && loudness != Loudness::verbose) continue;
-        if (++lines > max_lines && loudness != Loudness::verbose) {
-            ++more;
-            continue;
-        }
-        if (r.remark == Remark::note)
-            print_line("note", "\033[36m", text_of(r));
+        const bool is_note = r.remark == Remark::note;
+        if (is_note && !is_verbose) continue;
+        if (++lines > max_lines && !is_verbose)
+            ++warnings;
         else
-            print_line("warning", "\033[33m", text_of(r));
+            print_remark(is_note, text_of(r));
     }
     const std::string file =
         remarks.empty() || remarks.front().file.empty() ? "" : one_line(remarks.front().file) + ": ";
-    if (more) print_line("warning", "\033[33m", file + "... " + std::to_string(more) + " more, see --json");
+    if (warnings) print_remark(false, file + "... " + std::to_string(warnings) + " more, see --json");
+    if (notes && is_verbose) print_remark(true, file + "... " + std::to_string(notes) + " more notes were left out");
 }
 
 void print_note(const std::string& text, Loudness loudness) {

@@ -18,8 +18,9 @@ enum class Loudness { quiet, normal, verbose };
 /// "rakelight: error: FILE: PLACE: REASON; ADVICE". Errors are shown at any loudness.
 void print_error(const Error& error);
 
-/// One "rakelight: warning: ..." line a remark; at most 20 a file, then how many more there are.
-void print_remarks(const std::vector<ReportEntry>& remarks, std::uint64_t left_out, Loudness loudness);
+/// One "rakelight: warning: ..." line a remark; at most 20 a file, then how many more there are. Notes only when
+/// verbose.
+void print_remarks(const Report& report, Loudness loudness);
 
 /// "rakelight: ..." at Loudness::verbose.
 void print_note(const std::string& text, Loudness loudness);
@@ -27,7 +28,7 @@ void print_note(const std::string& text, Loudness loudness);
 /// A picture in words: size, triangles, times.
 std::string summary(const PictureResult& result);
 
-/// Data on standard output. @throws Error failed when it cannot be written (a full disk, a closed pipe).
+/// Data on standard output, as it is. @throws Error failed when it cannot be written (a full disk, a closed pipe).
 void print_data(const std::string& text);
 
 /// A progress line for a terminal: appears after half a second, is wiped when done. Nothing when standard error is no

@@ -27,7 +27,7 @@ int run_file(const Options& options, const std::string& file, Row& row, const st
     progress.wipe();
     row.remarks = context.report().entries();
     row.remarks_left_out = context.report().left_out();
-    print_remarks(row.remarks, row.remarks_left_out, options.loudness);
+    print_remarks(context.report(), options.loudness);
     if (row.error) print_error(*row.error);
     return row.error ? exit_code(row.error->code()) : 0;
 }

@@ -31,7 +31,8 @@ class Report {
 public:
     void add(Remark remark, std::string file, std::string place, std::string message);
     std::vector<ReportEntry> entries() const;
-    std::uint64_t left_out() const;  ///< remarks beyond the first 1000 distinct ones
+    std::uint64_t left_out() const;        ///< remarks beyond the first 1000 distinct ones
+    std::uint64_t notes_left_out() const;  ///< how many of them are notes, which are no warnings
     void clear();
 
 private:
@@ -39,7 +40,7 @@ private:
     std::vector<ReportEntry> entries_;
     /// Kind, file and message -> place in entries_. Ordered: files choose the texts and could make all hashes equal.
     std::map<std::string, std::size_t> known_;
-    std::uint64_t left_out_ = 0;
+    std::uint64_t left_out_ = 0, notes_left_out_ = 0;
 };
 
 }  // namespace rakelight

@@ -65,4 +65,9 @@ std::size_t spelling_distance(std::string_view a, std::string_view b);
 /// The word that a misspelt one is likely to mean; empty: none is near.
 std::string nearest_word(std::string_view word, const std::vector<std::string_view>& words);
 
+/// "a, b, c, d, e and 4 more": names of a file in a message, each once, in the order given and through one_line().
+/// @param most       so many are written, the others counted
+/// @param max_bytes  of each name
+std::string list_of_names(const std::vector<std::string>& names, std::size_t most = 5, std::size_t max_bytes = 40);
+
 }  // namespace rakelight

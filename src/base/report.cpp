@@ -26,6 +26,7 @@ void Report::add(Remark remark, std::string file, std::string place, std::string
         ++entries_[known->second].count;
     } else if (entries_.size() >= max_entries) {
         ++left_out_;
+        notes_left_out_ += remark == Remark::note;
     } else {
         known_.emplace(std::move(key), entries_.size());
         entries_.push_back({remark, std::move(file), std::move(place), std::move(message), 1});
@@ -42,11 +43,16 @@ std::uint64_t Report::left_out() const {
     return left_out_;
 }
 
+std::uint64_t Report::notes_left_out() const {
+    const std::lock_guard lock(mutex_);
+    return notes_left_out_;
+}
+
 void Report::clear() {
     const std::lock_guard lock(mutex_);
     entries_.clear();
     known_.clear();
-    left_out_ = 0;
+    left_out_ = notes_left_out_ = 0;
 }
 
 }  // namespace rakelight

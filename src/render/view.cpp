@@ -25,10 +25,10 @@ bool is_drawable(const Camera& c) {
 
 std::string list_of_cameras(const Scene& scene) {
     if (scene.cameras.empty()) return "the model has none";
-    std::string list = "the model has " + std::to_string(scene.cameras.size()) + ":";
-    for (std::size_t i = 0; i < scene.cameras.size() && i < 8; ++i)
-        list += (i ? ", " : " ") + std::to_string(i) + " '" + one_line(scene.cameras[i].name, 24) + "'";
-    return list + (scene.cameras.size() > 8 ? ", ..." : "");
+    std::vector<std::string> cameras;
+    for (const Camera& camera : scene.cameras)
+        cameras.push_back(std::to_string(cameras.size()) + " '" + one_line(camera.name, 24) + "'");
+    return "the model has " + std::to_string(cameras.size()) + ": " + list_of_names(cameras);
 }
 
 Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {

@@ -2,6 +2,7 @@
 #include <rakelight/words.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace rakelight {
@@ -30,6 +31,15 @@ std::string nearest_word(std::string_view word, const std::vector<std::string_vi
         if (distance < least) least = distance, nearest = other;
     }
     return std::string(nearest);
+}
+
+std::string list_of_names(const std::vector<std::string>& names, std::size_t most, std::size_t max_bytes) {
+    std::string list;
+    std::set<std::string_view> known;
+    for (const std::string& name : names)
+        if (known.insert(name).second && known.size() <= most)
+            list += (known.size() > 1 ? ", " : "") + one_line(name, max_bytes);
+    return known.size() > most ? list + " and " + std::to_string(known.size() - most) + " more" : list;
 }
 
 }  // namespace rakelight

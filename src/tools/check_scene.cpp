@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/check_scene.h>
+#include <rakelight/words.h>
 #include <rakelight/world.h>
 
 #include "engines/raster/shadow_maps.h"
@@ -19,11 +20,17 @@ std::string said(const Light& light) {
     return light.name.empty() ? text : text + " " + quoted(light.name);
 }
 
-std::string list_of(const std::vector<std::string>& names, bool is_numbered) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size() && i < 20; ++i)
-        text += (i ? ", " : "") + (is_numbered ? std::to_string(i) + " " + quoted(names[i]) : names[i]);
-    return text + (names.size() > 20 ? ", ..." : "");
+/// With their numbers, by which the command line takes them.
+std::string list_of(const std::vector<std::string>& things) {
+    std::vector<std::string> numbered;
+    for (const std::string& thing : things) numbered.push_back(std::to_string(numbered.size()) + " " + thing);
+    return list_of_names(numbered, 20, 80);
+}
+
+std::vector<std::string> quoted(const std::vector<std::string>& names) {
+    std::vector<std::string> result;
+    for (const std::string& name : names) result.push_back(quoted(name));
+    return result;
 }
 
 std::string counted(std::uint64_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
@@ -56,17 +63,17 @@ void check_picture(const Scene& scene, const PictureRequest& request, Context& c
 }
 
 std::string to_text(const std::string& file, const SceneSummary& s) {
-    std::string text = file + ": " + (s.is_world ? "world of " + counted(s.parts.size(), "part") : "model") + ", " +
-                       counted(s.objects, "object") + ", " + counted(s.triangles, "triangle") + ", " +
+    std::string text = file + ": " + (s.is_world ? "world of " + counted(s.parts.size(), "part") : "model") +
+                       ", " + counted(s.objects, "object") + ", " + counted(s.triangles, "triangle") + ", " +
                        counted(s.materials, "material") + ", " + counted(s.textures, "texture");
     if (s.skins) text += ", " + counted(s.skins, "skin");
     if (s.animations) text += ", " + counted(s.animations, "animation");
     if (s.has_fog) text += ", fog";
     if (s.has_environment) text += ", surroundings";
     text += "\n";
-    if (s.is_world) text += "  parts: " + list_of(s.parts, true) + "\n";
-    if (!s.cameras.empty()) text += "  cameras: " + list_of(s.cameras, true) + "\n";
-    if (!s.lights.empty()) text += "  lights: " + list_of(s.lights, false) + "\n";
+    if (s.is_world) text += "  parts: " + list_of(quoted(s.parts)) + "\n";
+    if (!s.cameras.empty()) text += "  cameras: " + list_of(quoted(s.cameras)) + "\n";
+    if (!s.lights.empty()) text += "  lights: " + list_of(s.lights) + "\n";
     return text;
 }
 

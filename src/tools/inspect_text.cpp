@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An inspection for people.
 #include <rakelight/inspect.h>
+#include <rakelight/words.h>
 
 #include <algorithm>
 
@@ -29,12 +30,7 @@ std::string attributes_of(const ObjectSummary& o) {
     return text.empty() ? "-" : text;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size() && i < 4; ++i) text += (i ? ", " : "") + one_line(names[i], 24);
-    if (names.size() > 4) text += ", +" + std::to_string(names.size() - 4);
-    return text.empty() ? "-" : text;
-}
+std::string joined(const std::vector<std::string>& names) { return names.empty() ? "-" : list_of_names(names, 4, 24); }
 
 std::string objects_text(const Inspection& i) {
     return section("objects", {">#", "name", ">meshes", ">triangles", ">vertices", "attributes", "materials"},

@@ -202,12 +202,10 @@ void fail(WorldPlace place, std::string reason, std::string advice) {
     throw Error(ErrorCode::bad_file, std::move(reason), to_text(place), std::move(advice));
 }
 
-std::string advice_for(std::string_view word, const std::vector<const char*>& names) {
+std::string advice_for(std::string_view word, const std::vector<const char*>& names, std::size_t most) {
     const std::string near = nearest_word(word, {names.begin(), names.end()});
     if (!near.empty()) return "did you mean '" + near + "'?";
-    std::string all;
-    for (const char* name : names) all += (all.empty() ? "" : ", ") + std::string(name);
-    return "there is " + all;
+    return "there is " + list_of_names({names.begin(), names.end()}, most);
 }
 
 SectionValues::SectionValues(const TomlNode& table, const WorldSection& section, Written written)

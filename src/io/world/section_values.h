@@ -13,8 +13,8 @@ namespace rakelight::io::world {
 /// @throws Error bad_file with the place of the fault
 [[noreturn]] void fail(WorldPlace place, std::string reason, std::string advice = {});
 
-/// "; did you mean 'x'?", or all names where none is near.
-std::string advice_for(std::string_view word, const std::vector<const char*>& names);
+/// "did you mean 'x'?", or a list of names where none is near: `most` of them at most.
+std::string advice_for(std::string_view word, const std::vector<const char*>& names, std::size_t most = 12);
 
 /// Where a table comes from; refusals say how it is written there.
 enum class Written { in_file, as_words };

@@ -154,6 +154,7 @@ static void check_materials(const WorldFile& world) {
 }
 
 void check_names(const WorldFile& world) {
+    constexpr std::size_t most = 5;  // names in a message
     check_materials(world);
     std::vector<const char*> materials, models;
     for (const WorldMaterial& m : world.materials) materials.push_back(m.name.c_str());
@@ -165,14 +166,14 @@ void check_names(const WorldFile& world) {
     const auto check_material = [&](const auto& part) {
         if (!part.material.empty() && !is_in(part.material, materials))
             fail(part.material_place, "there is no [[material]] named '" + one_line(part.material, 40) + "'",
-                 materials.empty() ? "" : advice_for(part.material, materials));
+                 materials.empty() ? "" : advice_for(part.material, materials, most));
     };
     for (const WorldModel& m : world.models) check_material(m);
     for (const WorldPrimitive& p : world.primitives) check_material(p);
     for (const WorldMaterial& m : world.materials)
         if (!m.model.empty() && !is_in(m.model, models))
             fail(m.place, "there is no [[model]] or [[primitive]] named '" + one_line(m.model, 40) + "'",
-                 advice_for(m.model, models));
+                 advice_for(m.model, models, most));
 }
 
 }  // namespace rakelight::io::world

@@ -18,3 +18,17 @@ TEST(Words, TheNearestIsFoundOnlyWhereOneIsNear) {
     EXPECT_EQ(nearest_word("elephant", {"metallic", "roughness"}), "");
     EXPECT_EQ(nearest_word("a", {}), "");
 }
+
+TEST(Words, ListsOfNamesAreCutAndHaveNoDoubles) {
+    EXPECT_EQ(list_of_names({}), "");
+    EXPECT_EQ(list_of_names({"a"}), "a");
+    EXPECT_EQ(list_of_names({"b", "a", "b", "a", "b"}), "b, a");
+    EXPECT_EQ(list_of_names({"a", "b", "c", "d", "e"}), "a, b, c, d, e");
+    EXPECT_EQ(list_of_names({"a", "b", "a", "c", "d", "e", "f", "f", "g"}), "a, b, c, d, e and 2 more");
+    EXPECT_EQ(list_of_names({"a", "b", "c"}, 2), "a, b and 1 more");
+    EXPECT_EQ(list_of_names({"", "x"}), ", x");
+}
+
+TEST(Words, NamesInAListAreShortAndPrintable) {
+    EXPECT_EQ(list_of_names({"a\n\033[31m", "0123456789"}, 5, 8), "a??[31m, 01234...");
+}
