@@ -215,7 +215,7 @@ int run_bench(const Options& options) {
     }
     progress.wipe();
     if (request.is_render) print_remarks(context.report(), options.loudness);
-    print_data(text);
+    options.json ? print_data(text) : print_text(text);
     return 0;
 }
 

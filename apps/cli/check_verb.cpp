@@ -35,7 +35,7 @@ int run_check(const Options& options) {
             row.summary = summarize(scene);
         });
         worst = std::max(worst, code);
-        if (!options.json && row.summary) print_data(to_text(file, *row.summary));
+        if (!options.json && row.summary) print_text(to_text(file, *row.summary));
     }
     if (options.json) print_data(to_json(rows));
     return worst;

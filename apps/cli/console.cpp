@@ -93,6 +93,17 @@ void print_data(const std::string& text) {
     if (!written || std::fflush(stdout) != 0) throw Error(ErrorCode::failed, "cannot write to standard output");
 }
 
+void print_text(const std::string& text) {
+    std::string safe;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find('\n', at), size = (end == text.npos ? text.size() : end) - at;
+        safe += one_line(text.substr(at, size), size);
+        if (end != text.npos) safe += '\n';
+        at += size + 1;
+    }
+    print_data(safe);
+}
+
 ProgressLine::ProgressLine(const std::string& file, Loudness loudness)
     : file_(one_line(file, 40)), enabled_(loudness != Loudness::quiet && isatty(STDERR_FILENO)), start_s_(now_s()) {}
 

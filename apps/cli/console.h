@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words on standard error: messages of one line each, and progress on a terminal.
+// Words on standard error: messages of one line each, and progress on a terminal. What the program says on standard
+// output goes through here, too.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -30,6 +31,9 @@ std::string summary(const PictureResult& result);
 
 /// Data on standard output, as it is. @throws Error failed when it cannot be written (a full disk, a closed pipe).
 void print_data(const std::string& text);
+
+/// Lines for people on standard output. Each goes through one_line(): no name of a file reaches a terminal raw.
+void print_text(const std::string& text);
 
 /// A progress line for a terminal: appears after half a second, is wiped when done. Nothing when standard error is no
 /// terminal.

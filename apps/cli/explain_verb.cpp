@@ -45,7 +45,7 @@ int run_explain(const Options& options) {
                                        [&](Context& c) { row.pixel = explain(input.picture, row.x, row.y, c); });
             worst = std::max(worst, code);
         }
-        if (!options.json && row.pixel) print_data((rows.empty() ? "" : "\n") + to_text(*row.pixel));
+        if (!options.json && row.pixel) print_text((rows.empty() ? "" : "\n") + to_text(*row.pixel));
         rows.push_back(std::move(row));
     }
     if (options.json) print_data(to_json(rows));

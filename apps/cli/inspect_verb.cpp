@@ -140,7 +140,7 @@ int run_inspect(const Options& options) {
         }
         worst = std::max(worst,
                          run_input(options, input, row, [&](Context& c) { inspect_file(options, picture, row, c); }));
-        if (!options.json && row.inspection) print_data(said(options, row, rows.empty()));
+        if (!options.json && row.inspection) print_text(said(options, row, rows.empty()));
         worst = std::max(worst, print_failures(row));
         if (!row.heat_map.empty())
             print_note(

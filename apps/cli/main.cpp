@@ -33,7 +33,7 @@ int run_render(const Options& options) {
         }
         const int code = run_input(options, input, row, [&](Context& c) { row.result = render_picture(request, c); });
         if (code == 0) print_note(summary(row.result), options.loudness);
-        if (code == 0 && options.stats && !options.json) print_data(stats_text(row.result));
+        if (code == 0 && options.stats && !options.json) print_text(stats_text(row.result));
         worst = std::max(worst, code);
     }
     if (options.json) print_data(to_json(rows));

@@ -63,7 +63,7 @@ void check_picture(const Scene& scene, const PictureRequest& request, Context& c
 }
 
 std::string to_text(const std::string& file, const SceneSummary& s) {
-    std::string text = file + ": " + (s.is_world ? "world of " + counted(s.parts.size(), "part") : "model") +
+    std::string text = one_line(file) + ": " + (s.is_world ? "world of " + counted(s.parts.size(), "part") : "model") +
                        ", " + counted(s.objects, "object") + ", " + counted(s.triangles, "triangle") + ", " +
                        counted(s.materials, "material") + ", " + counted(s.textures, "texture");
     if (s.skins) text += ", " + counted(s.skins, "skin");

@@ -23,12 +23,13 @@ th:first-child, td:first-child { text-align: left; }
 
 std::string escaped(const std::string& text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : one_line(text, text.size())) {
         if (c == '&') out += "&amp;";
         else if (c == '<') out += "&lt;";
         else if (c == '>') out += "&gt;";
         else if (c == '"') out += "&quot;";
-        else out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+        else
+            out += c;
     }
     return out;
 }
