@@ -12,6 +12,7 @@
 //   relief_run, first_layer, refined_height, relief_light   -> where rays meet a height map: parallax.glsl
 //   sample_light(parameters, position)                      -> LightSample: l, attenuation and colors at that point
 //   range_of(parameters, position)                          -> 0..1 for classical lights with a range
+//   end_at_range(sample, parameters, position)              -> the sample, times that where there is one
 //   add_light(sum, surface, sample, reflection)             -> sum + the light's ambient + diffuse + specular
 //   light_terms(surface, sample, reflection)                -> the three terms apart
 //   lobe_scale(exponent, reflection)                        -> a surface's energy factor, for all its lights
@@ -97,6 +98,12 @@ RL_FN bool has_classical_range(const LightParameters& p) {
 RL_FN real range_of(const LightParameters& p, vec3 position) {
     const vec3 to_light = broadcast3(p.position) - position;
     return range_window(dot(to_light, to_light), broadcast(p.inverse_range));
+}
+
+/// sample_light(), and what its classical lights lack: their end.
+RL_FN LightSample end_at_range(LightSample light, const LightParameters& p, vec3 position) {
+    if (has_classical_range(p)) light.attenuation = light.attenuation * range_of(p, position);
+    return light;
 }
 
 }  // namespace rakelight::lighting::RL_ISA

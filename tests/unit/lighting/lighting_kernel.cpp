@@ -70,7 +70,7 @@ static void terms_of_step(const Surface& surface, vec3 l, vec3 p, const LightPar
     met.l = l;
     met.attenuation = 1.0f;
     met.ambient = met.diffuse = met.specular = vec3(1.0f);
-    if (light != nullptr) met = sample_light(*light, p);
+    if (light != nullptr) met = end_at_range(sample_light(*light, p), *light, p);
     const LightTerms terms = light_terms(surface, met, reflection_of(choice));
     store3(out, at, terms.ambient);
     store3(out + 3, at, terms.diffuse);
@@ -116,9 +116,9 @@ static void material(const Inputs& in, MaterialChoice choice, float* const* out)
 }
 
 static void sum(const Inputs& in, const LightParameters* lights, int light_count, Choice choice, float* const* out) {
-    RL_LOOP(vec3 total = vec3(0.0f);
-            for (int i = 0; i < light_count; ++i) total =
-                add_light(total, surface_of(n, v, ka, kd, ks, e, choice), sample_light(lights[i], p), reflection_of(choice));
+    RL_LOOP(vec3 total = vec3(0.0f); for (int i = 0; i < light_count; ++i) total = add_light(
+                                         total, surface_of(n, v, ka, kd, ks, e, choice),
+                                         end_at_range(sample_light(lights[i], p), lights[i], p), reflection_of(choice));
             store3(out, at, total))
 }
 

@@ -106,6 +106,48 @@ TEST(Lights, PhotometricRangeGivesTheValuesOfTheTable) {
     }
 }
 
+/// Beside what the distance takes: the table's factors are the window over the square of the distance.
+TEST(Lights, ClassicalRangeGivesTheWindowOfTheTable) {
+    ASSERT_EQ(ranges.size(), 5u);
+    for (const LightKind kind : {LightKind::point, LightKind::spot})
+        for (const Range& row : ranges) {
+            LightParameters light;
+            light.kind = kind;
+            light.position[2] = row.distance;
+            light.cos_cutoff = 0.5f, light.exponent = 0;
+            light.constant_term = 2;
+            light.ambient[0] = 1;
+            light.inverse_range = row.range == 0 ? 0 : 1 / row.range;
+            const float window = row.expected * row.distance * row.distance;
+            EXPECT_NEAR(diffuse_of(light).x, window / 2, 1e-6) << row.distance << " of " << row.range;
+            EXPECT_NEAR(all_terms(light).vector(0, 0).x, window / 2, 1e-6) << "of ambient light";
+        }
+}
+
+TEST(Lights, TheClassicalRangeIsASphereAboutTheLight) {
+    LightParameters light;
+    light.position[0] = 3, light.position[1] = -1, light.position[2] = 2;
+    light.inverse_range = 1 / 2.5f;
+    for (const vec3 from : {vec3{1, 0, 0}, vec3{0, -1, 0}, vec3{0, 0.6f, 0.8f}})
+        for (const float distance : {0.0f, 1.0f, 2.4f, 2.5f, 2.6f, 1e20f}) {
+            const vec3 p = vec3{3, -1, 2} + from * distance;
+            const double ratio = std::min(double(distance), 100.0) / 2.5;
+            light.ambient[0] = 1;
+            EXPECT_NEAR(all_terms(light, p).vector(0, 0).x, std::max(0.0, 1 - std::pow(ratio, 4)), 2e-6) << distance;
+        }
+}
+
+TEST(Lights, RangesDoNotEndLightFromAfar) {
+    LightParameters light;
+    light.inverse_range = 10;
+    light.direction[2] = -1, light.position[2] = 5;
+    light.kind = LightKind::directional;
+    EXPECT_EQ(diffuse_of(light, {0, 0, -100}).x, 1.0f);
+    light.kind = LightKind::ambient;
+    light.ambient[0] = 0.5f;
+    EXPECT_EQ(all_terms(light, {0, 0, -100}).vector(0, 0).x, 0.5f);
+}
+
 TEST(Lights, PhotometricConeGivesTheValuesOfTheTable) {
     ASSERT_EQ(cones.size(), 7u);
     for (const Cone& row : cones) {

@@ -32,10 +32,7 @@ inline void find_full(const ShadeJob& job, int32_t first, FullPixels& f) {
 
 /// Light i as it falls on the surface, ended by its range.
 inline lit::LightSample light_of(const ShadeJob& job, int32_t i, const FullPixels& f) {
-    lit::LightSample light = sample_in_frame(job, i, f.p, f.bumps);
-    if (lit::has_classical_range(job.lights[i]))
-        light.attenuation = light.attenuation * lit::range_of(job.lights[i], f.p.position);
-    return light;
+    return lit::end_at_range(sample_in_frame(job, i, f.p, f.bumps), job.lights[i], f.p.position);
 }
 
 inline lit::LightTerms no_light() {

@@ -41,10 +41,8 @@ struct ReceivedLight {
 
 /// Light i as a point meets it, ended by its range.
 inline lit::LightSample light_at(const ShadeJob& job, int32_t i, vec3 position) {
-    lit::LightSample light = lit::sample_light(job.lights[i], position);
-    if (job.full != nullptr && lit::has_classical_range(job.lights[i]))
-        light.attenuation = light.attenuation * lit::range_of(job.lights[i], position);
-    return light;
+    const lit::LightSample light = lit::sample_light(job.lights[i], position);
+    return job.full != nullptr ? lit::end_at_range(light, job.lights[i], position) : light;
 }
 
 inline ReceivedLight receive(const ShadeJob& job, const lit::Surface& surface, vec3 position) {
