@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line by CLI11: the only file that includes it, since it is slow to compile.
+// The command line by CLI11. It is slow to compile: only this file, those of the verbs and usage_error.cpp include it.
 #include "options.h"
 
 #include <CLI/CLI.hpp>
