@@ -163,7 +163,7 @@ void MaterialWriter::layers(OrderedJson& json, const MetallicRoughnessParameters
 OrderedJson MaterialWriter::material(const Material& source, std::size_t number) {
     const std::string place = "material " + std::to_string(number) + " '" + one_line(source.name, 60) + "'";
     const bool is_classical = source.model == MaterialModel::classical;
-    const Material m = is_classical ? metallic_roughness_from_classical(source) : source;
+    Material m = is_classical ? metallic_roughness_from_classical(source) : source;
     if (is_classical)
         context_.report().add(Remark::changed, scene_.source, place,
                               "a classical material became metallic-roughness, with the same highlight");
@@ -182,7 +182,8 @@ OrderedJson MaterialWriter::material(const Material& source, std::size_t number)
         json["normalTexture"]["scale"] = m.normal_scale;
     if (set_use(json, "occlusionTexture", m.occlusion_texture))
         json["occlusionTexture"]["strength"] = m.occlusion_strength;
-    set_use(json, "emissiveTexture", m.emission_texture);
+    if (m.emission_texture && !set_use(json, "emissiveTexture", m.emission_texture))
+        drop_emission(m, context_.report(), scene_.source, place);
     const float strength = std::max({m.emission.x, m.emission.y, m.emission.z});
     if (strength > 1) {
         json["emissiveFactor"] = json_of(clamped(m.emission / strength));

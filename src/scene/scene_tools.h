@@ -3,8 +3,10 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include <rakelight/report.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -55,6 +57,10 @@ dmat4 camera_to_world(const Scene& scene, const Camera& camera, const std::vecto
 
 /// Calls f(TextureUse&) for every use that a material can have, given or not.
 void for_each_texture_use(Material& m, const std::function<void(TextureUse&)>& f);
+
+/// Without its texture a material has no emission: files write a whole factor beside a texture that is mostly black.
+/// Says so where there was some. (Other textures that are missing count as white: docs/materials.md.)
+void drop_emission(Material& m, Report& report, const std::string& file, const std::string& place);
 
 /// Meshes without a material get one of this name, white and as engines draw such meshes, so that it can be changed.
 void name_default_material(Scene& scene);

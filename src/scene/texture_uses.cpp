@@ -15,6 +15,13 @@ void for_each_texture_use(Material& m, const std::function<void(TextureUse&)>& f
         f(*use);
 }
 
+void drop_emission(Material& m, Report& report, const std::string& file, const std::string& place) {
+    m.emission_texture = {};
+    if (m.emission == vec3{0, 0, 0}) return;
+    m.emission = {0, 0, 0};
+    report.add(Remark::dropped, file, place, "the emission texture is missing: there is no emission");
+}
+
 void name_default_material(Scene& scene) {
     const auto has_none = [](const Mesh& m) { return m.material == none; };
     if (std::none_of(scene.meshes.begin(), scene.meshes.end(), has_none)) return;

@@ -126,6 +126,57 @@ TextureSlot slot_for(const TextureUse& use, const TextureView& view) {
     return slot;
 }
 
+/// Fills the materials of a draw list.
+class MaterialViews {
+public:
+    MaterialViews(DrawList& list, const TextureCache& textures, Report& report)
+        : list_(list), textures_(textures), report_(report), remarks_(list.scene, report) {}
+
+    /// @param is_drawn  else its textures are not looked at
+    void add(Material m, std::uint32_t scene_material, bool is_drawn) {
+        const TextureUse& emission = m.emission_texture;
+        if (is_drawn && m.model != MaterialModel::unlit && emission && !pixels_of(emission, color))
+            drop_emission(m, report_, list_.scene.source, m.name);
+        DrawMaterial out;
+        out.view = factors(m);
+        out.scene_material = scene_material;
+        out.double_sided = m.double_sided;
+        out.classical = m.model == MaterialModel::classical;
+        if (is_drawn)
+            for (const RoleUse& r : roles_of(m))
+                if (*r.use) bind(m, r, out.view);
+        out.view.shares_footprint = share_footprint(out.view.base_color_map, out.view.normal_map);
+        list_.materials.push_back(out);
+    }
+
+private:
+    static constexpr std::uint32_t texcoord_sets = 2;
+
+    /// Null: it could not be had, which has been said, or its coordinates are left out.
+    const TextureData* pixels_of(const TextureUse& use, ColorSpace space) const {
+        if (use.texcoord_set >= texcoord_sets) return nullptr;
+        return textures_.find(key_of(list_.scene.textures[use.texture], space));
+    }
+
+    void bind(const Material& m, const RoleUse& r, MaterialView& view) {
+        if (r.use->texcoord_set >= texcoord_sets)
+            return report_.add(Remark::dropped, list_.scene.source, m.name,
+                               "texture left out: the soft engine has texture coordinate sets 0 and 1");
+        const TextureData* pixels = pixels_of(*r.use, r.space);
+        if (!pixels) return;
+        if (r.slot == &MaterialView::normal_map) remarks_.look_at(m, *r.use, *pixels);
+        if (r.slot == &MaterialView::height_map) remarks_.look_at_heights(m, *r.use, *pixels);
+        list_.views.push_back(with_filters(*pixels, list_.scene.textures[r.use->texture].sampler));
+        view.*r.slot = slot_for(*r.use, list_.views.back());
+        view.uses_texcoords[r.use->texcoord_set] = 1;
+    }
+
+    DrawList& list_;
+    const TextureCache& textures_;
+    Report& report_;
+    NormalMapRemarks remarks_;
+};
+
 TextureKey key_of(const Texture& texture, ColorSpace space) {
     return {texture.image, space, texture.sampler.wrap_u, texture.sampler.wrap_v};
 }
@@ -153,34 +204,9 @@ void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
             for (const RoleUse& r : roles_of(materials[i]))
                 if (*r.use) uses.push_back(key_of(list.scene.textures[r.use->texture], r.space));
     textures.update(uses, context);
-    NormalMapRemarks remarks(list.scene, context.report());
-
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        const Material& m = materials[i];
-        DrawMaterial out;
-        out.view = factors(m);
-        out.scene_material = i + 1 < materials.size() ? std::uint32_t(i) : none;
-        out.double_sided = m.double_sided;
-        out.classical = m.model == MaterialModel::classical;
-        if (is_drawn[i])
-            for (const RoleUse& r : roles_of(m)) {
-                if (!*r.use) continue;
-                if (r.use->texcoord_set > 1) {
-                    context.report().add(Remark::dropped, list.scene.source, m.name, "texture left out: the soft engine has texture coordinate sets 0 and 1");
-                    continue;
-                }
-                const Texture& texture = list.scene.textures[r.use->texture];
-                const TextureData* pixels = textures.find(key_of(texture, r.space));
-                if (!pixels) continue;
-                if (r.slot == &MaterialView::normal_map) remarks.look_at(m, *r.use, *pixels);
-                if (r.slot == &MaterialView::height_map) remarks.look_at_heights(m, *r.use, *pixels);
-                list.views.push_back(with_filters(*pixels, texture.sampler));
-                out.view.*r.slot = slot_for(*r.use, list.views.back());
-                out.view.uses_texcoords[r.use->texcoord_set] = 1;
-            }
-        out.view.shares_footprint = share_footprint(out.view.base_color_map, out.view.normal_map);
-        list.materials.push_back(out);
-    }
+    MaterialViews views(list, textures, context.report());
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        views.add(materials[i], i + 1 < materials.size() ? std::uint32_t(i) : none, is_drawn[i]);
 }
 
 }  // namespace rakelight::raster

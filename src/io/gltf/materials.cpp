@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/scene_tools.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -81,6 +83,8 @@ void Materials::read_common(const Value& source, Material& material) {
     material.occlusion_strength = unit(document_, source.object("occlusionTexture"), "strength", 1);
     material.emission = color3(document_, source, "emissiveFactor", {0, 0, 0});
     material.emission_texture = textures_.use(source, "emissiveTexture");
+    if (source.object("emissiveTexture") && !material.emission_texture)
+        drop_emission(material, document_.context().report(), document_.path(), source.place());
     material.alpha_mode = alpha_mode_of(source);
     material.alpha_cutoff = not_negative(document_, source, "alphaCutoff", 0.5);
     material.double_sided = source.boolean("doubleSided", false);

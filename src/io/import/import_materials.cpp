@@ -7,6 +7,7 @@
 #include "io/import/texture_placement.h"
 #include "math/color.h"
 #include "math/linear.h"
+#include "scene/scene_tools.h"
 
 namespace rakelight::io {
 namespace {
@@ -83,8 +84,10 @@ private:
         set_emission(s, m);
     }
 
-    static void set_emission(const Surface& s, Material& m) {
+    void set_emission(const Surface& s, Material& m) {
         m.emission = linear_color(s.emission);
+        if (link_of(s, Role::emission) && !m.emission_texture)
+            return drop_emission(m, report_, path_, "material '" + one_line(s.name, 60) + "'");
         if (m.emission_texture && is_black(m.emission)) m.emission = {1, 1, 1};
     }
 

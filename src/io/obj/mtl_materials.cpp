@@ -9,6 +9,7 @@
 #include "io/image_io.h"
 #include "io/obj/obj_lines.h"
 #include "math/color.h"
+#include "scene/scene_tools.h"
 
 namespace rakelight::io::obj {
 namespace {
@@ -134,15 +135,11 @@ void MaterialLibrary::add(const MtlMaterial& source, const File& file, Remarks& 
         return remarks.add(Issue::mtl_redefined, source.line);
     context_.memory().charge(sizeof(Material) + source.name.size(), "the materials of an MTL file");
     Material m = default_material(source.name);
-    set_colors(m, source, remarks);
     m.base_color_texture = use(source.map("map_kd"), file);
     m.emission_texture = use(source.map("map_ke"), file);
-    if (m.emission_texture && m.emission == vec3{}) {
-        m.emission = {1, 1, 1};  // exporters write Ke 0 beside map_Ke
-        if (source.emission)
-            remark(Remark::guessed, file.name, source.map("map_ke")->line, "Ke 0 beside map_Ke was read as Ke 1");
-    }
     m.classical.specular_texture = use(source.map("map_ks"), file);
+    set_colors(m, source, remarks);
+    set_emission(m, source, file, remarks);
     const MtlMap *ambient = source.map("map_ka"), *diffuse = source.map("map_kd");
     if (ambient && !(diffuse && diffuse->file == ambient->file)) remarks.add(Issue::mtl_unsupported_map, ambient->line);
     set_alpha(m, source, file, remarks);
@@ -158,15 +155,14 @@ void MaterialLibrary::set_colors(Material& m, const MtlMaterial& source, Remarks
     if (source.diffuse) {
         const vec3 kd = linear_color(*source.diffuse, source.line, remarks);
         m.base_color = {kd.x, kd.y, kd.z, 1};
-    } else if (source.map("map_kd")) {
+    } else if (m.base_color_texture) {
         m.base_color = {1, 1, 1, 1};
     }
     m.classical.ambient = source.ambient ? linear_color(*source.ambient, source.line, remarks) : m.base_color.xyz();
-    if (source.emission) m.emission = linear_emission(*source.emission, source.line, remarks);
     const bool has_specular = source.illumination != 0 && source.illumination != 1;
     if (source.specular && has_specular)
         m.classical.specular = linear_color(*source.specular, source.line, remarks);
-    else if (source.map("map_ks") && has_specular)
+    else if (m.classical.specular_texture && has_specular)
         m.classical.specular = {1, 1, 1};
     if (source.exponent) {
         m.classical.shininess = std::max(1.0f, float(*source.exponent));
@@ -176,6 +172,16 @@ void MaterialLibrary::set_colors(Material& m, const MtlMaterial& source, Remarks
             remarks.add(Issue::mtl_exponent, source.line);
         }
     }
+}
+
+void MaterialLibrary::set_emission(Material& m, const MtlMaterial& source, const File& file, Remarks& remarks) {
+    if (source.emission) m.emission = linear_emission(*source.emission, source.line, remarks);
+    const MtlMap* map = source.map("map_ke");
+    if (!map) return;
+    if (!m.emission_texture) return drop_emission(m, context_.report(), file.name, "line " + std::to_string(map->line));
+    if (!(m.emission == vec3{})) return;
+    m.emission = {1, 1, 1};  // exporters write Ke 0 beside map_Ke
+    if (source.emission) remark(Remark::guessed, file.name, map->line, "Ke 0 beside map_Ke was read as Ke 1");
 }
 
 void MaterialLibrary::set_alpha(Material& m, const MtlMaterial& source, const File& file, Remarks& remarks) {
@@ -225,19 +231,17 @@ void MaterialLibrary::set_metallic_roughness(Material& m, const MtlMaterial& sou
     m.model = MaterialModel::metallic_roughness;
     MetallicRoughnessParameters& p = m.metallic_roughness;
     const MtlMap *rough = source.map("map_pr"), *metal = source.map("map_pm");
-    p.metallic = unit_value(source.metallic.value_or(metal ? 1 : 0), source.line, remarks);
+    const bool is_packed = rough && metal && rough->file == metal->file;
+    p.texture = use(rough, file);
+    p.metallic = unit_value(source.metallic.value_or(p.texture && is_packed ? 1 : 0), source.line, remarks);
     const double from_exponent = source.exponent ? std::sqrt(std::sqrt(2 / (std::max(0.0, *source.exponent) + 2))) : 1;
-    p.roughness = unit_value(source.roughness.value_or(rough ? 1 : from_exponent), source.line, remarks);
+    p.roughness = unit_value(source.roughness.value_or(p.texture ? 1 : from_exponent), source.line, remarks);
     if (source.ior && *source.ior >= 1) p.ior = float(std::min(*source.ior, 100.0));
     if (source.anisotropy) p.anisotropy = unit_value(*source.anisotropy, source.line, remarks);
     if (source.anisotropy_rotation)
         p.anisotropy_rotation_rad = float(2 * pi) * unit_value(*source.anisotropy_rotation, source.line, remarks);
-    const bool is_packed = rough && metal && rough->file == metal->file;
-    p.texture = use(rough, file);
-    if (metal && !is_packed) {
-        if (!source.metallic) p.metallic = 0;
+    if (metal && !is_packed)
         remark(Remark::dropped, file.name, metal->line, "map_Pm is left out: it is not the file of map_Pr");
-    }
     if (p.texture && !is_packed && p.metallic > 0)
         remark(Remark::changed, file.name, rough->line, "map_Pr also scales the metalness (its blue channel)");
 }

@@ -53,6 +53,7 @@ private:
     bool load_file(const std::string& reference);
     void add(const MtlMaterial& source, const File& file, Remarks& remarks);
     void set_colors(Material& m, const MtlMaterial& source, Remarks& remarks) const;
+    void set_emission(Material& m, const MtlMaterial& source, const File& file, Remarks& remarks);
     void set_alpha(Material& m, const MtlMaterial& source, const File& file, Remarks& remarks);
     void set_relief(Material& m, const MtlMaterial& source, const File& file);
     void set_metallic_roughness(Material& m, const MtlMaterial& source, const File& file, Remarks& remarks);

@@ -44,6 +44,29 @@ TEST(Emission, IsDimmedByWhatACoatReflects) {
     EXPECT_NEAR(middle(facing_square(m, {0, 0, 0}, {0, 0, 0}), Lighting::pbr).x, 0.96, 1e-6);
 }
 
+/// A picture that is there but cannot be decoded, and coordinates that this engine does not have.
+TEST(Emission, IsNotThereWhereItsTextureIsMissing) {
+    auto broken = std::make_shared<EncodedImage>();
+    broken->name = "broken.png";
+    broken->decode = [](const EncodedImage&, Context&) -> Pixels { throw Error(ErrorCode::bad_file, "broken"); };
+    for (const bool is_broken : {true, false}) {
+        Scene scene = facing_square(glowing({1, 1, 0}), {0, 0, 0}, {0, 0, 0});
+        const ImageHandle white = picture(rgb_pixels(1, 1, [](int, int) { return std::array<int, 3>{255, 255, 255}; }));
+        scene.materials[0].emission_texture = add_texture(scene, is_broken ? broken : white);
+        scene.materials[0].emission_texture.texcoord_set = is_broken ? 0 : 2;
+        Context context({.threads = 1});
+        auto engine = raster::make_engine();
+        engine->prepare(scene, context);
+        Frame frame;
+        engine->render(flat_camera(), {.width = 32, .height = 32}, frame, context);
+        EXPECT_EQ(pixel(frame, 16, 16), (vec4{0, 0, 0, 1}));
+        int said = 0;
+        for (const ReportEntry& e : context.report().entries())
+            said += e.message == "the emission texture is missing: there is no emission" ? int(e.count) : 0;
+        EXPECT_EQ(said, 1);
+    }
+}
+
 TEST(Emission, IsNotThereOnUnlitSurfaces) {
     Material m = glowing({1, 1, 1});
     m.model = MaterialModel::unlit;
