@@ -98,6 +98,9 @@ struct ClassicalParameters {
     vec3 specular{0, 0, 0};  ///< k_s, linear
     float shininess = 32;    ///< exponent n >= 1 of the specular lobe
     TextureUse specular_texture;  ///< color, multiplies k_s
+    /// k_s is a share of the light, as the reflectance of a metallic-roughness material is: SpecularForm::automatic is
+    /// the normalized form then, else the textbook's, whose k_s says how bright the highlight's center is.
+    bool is_normalized = false;
 };
 
 /// glTF 2.0 metallic-roughness, with the extensions that are kept as data.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Between classical (k_d, k_s, exponent) and metallic-roughness parameters.
 //
-// classical_from_metallic_roughness, for use with the normalized Blinn-Phong lobe, which it asks for:
-//   k_d = base (1 - metallic), k_a = k_d
-//   k_s = mix(F0, base, metallic),  F0 = min(((ior - 1) / (ior + 1))^2 specular_color, 1) specular
-//   (KHR_materials_specular) n   = clamp(2 / alpha^2 - 2, 1, 10000),  alpha = roughness^2
+// classical_from_metallic_roughness, for use with the normalized Blinn-Phong lobe (is_normalized):
+//   k_d = base (1 - metallic), k_a = base: even light from all around shows metals in their color
+//   k_s = mix(F0, base, metallic),  F0 = min(((ior - 1) / (ior + 1))^2 specular_color, 1) specular: dielectric_f0() of
+//         src/lighting/ggx.glsl (KHR_materials_specular)
+//   n   = clamp(2 / alpha^2 - 2, 1, 10000),  alpha = roughness^2
 //         (Karis 2013, "Specular BRDF Reference": the exponent whose Blinn-Phong distribution matches a GGX or Beckmann
 //         alpha)
 //   Lost: Fresnel's rise at grazing angles, the long tail of GGX, roughness above 0.904 (n would be below 1),
@@ -14,11 +15,14 @@
 //
 // metallic_roughness_from_classical, with the highlight's center where it was:
 //   base = k_d, metallic = 0, ior = 1.5, roughness = (2 / (n + 2))^(1/4), so alpha^2 = 2 / (n + 2)
-//   F0 = min(1, 4 alpha^2) k_s: a textbook k_s says how bright the lobe's center is, that of GGX is F0 / (4 alpha^2)
-//   where light and viewer face the surface; of materials that name the normalized form F0 = k_s. specular = min(1, 50
-//   F0), so that what has no highlight has none at grazing angles either (KHR_materials_specular: F90); specular_color
-//   = F0 / (0.04 specular) Lost: k_a, k_s above 1, exponents below 1 or above 10000. There and back gives k_d and n
-//   again, and F0 as k_s.
+//   F0 = min(1, min(1, 4 alpha^2) k_s): a textbook k_s says how bright the lobe's center is, that of GGX is F0 / (4
+//        alpha^2) where light and viewer face the surface; min(1, k_s) in the normalized form (specular_form_of)
+//   specular = min(1, 50 F0), so that what has no highlight has none at grazing angles either (KHR_materials_specular:
+//        F90), specular_color = F0 / (0.04 specular)
+//
+//   Lost: k_a, F0 above 1, exponents below 1 or above 10000. There and back gives k_d and n again, and F0 as k_s.
+//
+// tests/unit/raster/shared_parameters_test.cpp holds both to what the engine draws of the other kind.
 #include <algorithm>
 #include <cmath>
 
@@ -55,8 +59,9 @@ vec3 dielectric_specular(const MetallicRoughnessParameters& p) {
 vec3 textbook_f0(const Material& m, float roughness) {
     const vec3 k_s = m.classical.specular;
     const float alpha = roughness * roughness;
-    const float share = m.specular_form == SpecularForm::normalized ? 1.0f : std::min(1.0f, 4 * alpha * alpha);
-    return {clamp01(k_s.x) * share, clamp01(k_s.y) * share, clamp01(k_s.z) * share};
+    const bool is_normalized = specular_form_of(m, SpecularForm::automatic) == SpecularForm::normalized;
+    const float share = is_normalized ? 1.0f : std::min(1.0f, 4 * alpha * alpha);
+    return {clamp01(k_s.x * share), clamp01(k_s.y * share), clamp01(k_s.z * share)};
 }
 
 }  // namespace
@@ -72,7 +77,7 @@ Material classical_from_metallic_roughness(const Material& m) {
     out.classical.ambient = k_d;
     out.classical.specular = dielectric_specular(p) * (1 - metallic) + base * metallic;
     out.classical.shininess = exponent_of(p.texture ? 0.5f * clamp01(p.roughness) : p.roughness);
-    if (out.specular_form == SpecularForm::automatic) out.specular_form = SpecularForm::normalized;
+    out.classical.is_normalized = true;
     out.classical.specular_texture = metallic > 0.5f ? m.base_color_texture : p.specular_color_texture;
     out.metallic_roughness = {};
     return out;
@@ -94,6 +99,19 @@ Material metallic_roughness_from_classical(const Material& m) {
     out.double_sided = true;  // as classical materials are drawn
     return out;
 }
+float ior_f0(float ior) {
+    const float ratio = (ior - 1) / (ior + 1);
+    return ratio * ratio;
+}
+
+SpecularForm specular_form_of(const Material& m, SpecularForm wanted) {
+    const SpecularForm form = m.specular_form == SpecularForm::automatic ? wanted : m.specular_form;
+    if (form != SpecularForm::automatic) return form;
+    const bool is_normalized = m.model == MaterialModel::metallic_roughness ||
+                               (m.model == MaterialModel::classical && m.classical.is_normalized);
+    return is_normalized ? SpecularForm::normalized : SpecularForm::textbook;
+}
+
 
 bool wants_tangents(const Material& m) {
     const MetallicRoughnessParameters& p = m.metallic_roughness;

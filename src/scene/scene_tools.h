@@ -78,6 +78,14 @@ MergeOffsets merge_scene(Scene& into, const Scene& part, const Node* root = null
 Material classical_from_metallic_roughness(const Material& m);
 Material metallic_roughness_from_classical(const Material& m);
 
+/// Reflectance at normal incidence that an index of refraction gives: ((ior - 1) / (ior + 1))^2 (KHR_materials_ior; 0
+/// is its case for specular-glossiness and gives 1).
+float ior_f0(float ior);
+
+/// How a material's Phong or Blinn-Phong lobe is weighed: as it says itself, else as the picture wants; never
+/// automatic: normalized for metallic-roughness parameters and what was made of them, else the textbook's.
+SpecularForm specular_form_of(const Material& m, SpecularForm wanted);
+
 /// Whether something of a material acts along the tangent: a bump or normal map, an anisotropic highlight.
 bool wants_tangents(const Material& material);
 

@@ -138,10 +138,9 @@ ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParame
     out.material = &view;
     out.lights = lights.data();
     out.light_count = std::int32_t(lights.size());
-    const SpecularForm own = material_of(front, draw).specular_form;
-    const SpecularForm form = own == SpecularForm::automatic ? settings.specular_form : own;
     out.reflection_model = std::int32_t(lighting_of(front, draw)) - std::int32_t(Lighting::lambert);
-    out.reflection_form = form == SpecularForm::automatic ? view.metallic_roughness : form == SpecularForm::normalized;
+    const SpecularForm form = specular_form_of(material_of(front, draw), settings.specular_form);
+    out.reflection_form = form == SpecularForm::normalized;
     if (!front.full.empty() && front.needs_full[draw]) out.full = &front.full[draw];
     out.specular_horizon = settings.specular_horizon;
     out.orthogonalize = settings.orthogonalize;

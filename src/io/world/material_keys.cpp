@@ -126,7 +126,10 @@ std::vector<MaterialKey> classical() {
          [](C& c) { c.material.classical.ambient = c.color(); }},
         {{"specular", Kind::color, "classical: k_s"},
          Of::classical,
-         [](C& c) { c.material.classical.specular = c.color(); }},
+         [](C& c) {
+             c.material.classical.specular = c.color();
+             c.material.classical.is_normalized = false;  // a textbook k_s, also where another kind of material was
+         }},
         {{"shininess", Kind::number, "classical: exponent", {1, 1e6}},
          Of::classical,
          [](C& c) { c.material.classical.shininess = c.number(); }},
