@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The sheets of docs/bump.md and docs/displacement.md, docs/images/bump-*.png and displacement.png: pictures side by side.
+"""The sheets of docs/bump.md, docs/displacement.md and docs/attributes.md: docs/images/bump-*.png, displacement.png, tangents-mirrored.png.
 
   bump_pictures.py [--program build/release/rakelight] [--only NAME] OUT_FOLDER
 
@@ -58,6 +58,9 @@ FACES = (MAPS + "two_faces.obj", "--camera-position", "0,2,3", "--camera-focal-p
 SHEET = (MAPS + "sheet.obj", *maps("brick"), "--bump", "normal", "--normals", "model", "--crease-angle", "180", "--tangents", "published",
          "--orthogonalize", "off", "--light", "point:0.5,0.6,1.1:attenuation=0.6,0.2,0.2", "--light", "ambient:0.1,0.1,0.1",
          "--camera-position", "0.7,0.5,3.4", "--camera-focal-point", "0,0,0", "--camera-view-angle", "32")
+MIRRORED = (MAPS + "mirrored.obj", "--texture-normal", MAPS + "dents_normal.png", "--bump", "normal", "--normals", "model", *LAMP,
+            "--camera-position", "0,0,5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "24")
+MODES = ("averaged", "published", "published-no-handedness")
 FRAMES_OF = {"vertex": ("--tangent-space", "vertex"), "transposed": ("--tangent-space", "transposed"), "world, frames not unit": ("--normalize-frames", "off")}
 ASLANT = wall_at(*VIEWS[1])
 SETTINGS = (("occlusion", "--bump-bias", "0"), ("occlusion", "--bump-bias", "0.5"), ("occlusion", "--bump-bias", "1"), ("occlusion", "--bump-polarity", "depth"),
@@ -102,6 +105,7 @@ SHEETS = {
     "bump-faces": (420, 200, [[FACES]]),
     "bump-moving": (176, 120, [[(*TEAPOT, *lamp_at(place), *SHINY, *MODEL, *maps("leather"), "--bump", how) for place in FRAMES]
                           for how in ("none", "normal")], {"colors": 128}),
+    "tangents-mirrored": (300, 154, [[(*MIRRORED, "--tangents", mode) for mode in MODES]], {"below": [list(MODES)], "colors": 128}),
     "bump-tangents": (208, 162, [[(*SHEET, *how) for how in ((), *FRAMES_OF.values())],
                                  [(*SHEET, "--tangent-space", "pixel"), *((SHEET, (*SHEET, *how), 4) for how in FRAMES_OF.values())]],
                       {"below": [["world", *FRAMES_OF], ["pixel", *["its difference, times 4"] * 3]], "colors": 256}),

@@ -87,8 +87,9 @@ void add_normal_options(CLI::App& app, const char* which, RenderWords& w) {
     add(app, group, "--weight", w.weight, "HOW",
         "How a triangle pulls on a normal: angle (default), uniform, area, angle-area");
     add(app, group, "--tangents", w.tangents, "HOW",
-        "auto (default: the file's, else mikktspace with the file's normals, else averaged), averaged, published, "
-        "mikktspace");
+        "auto (default: the file's, else mikktspace with the file's normals, else averaged), averaged, mikktspace, "
+        "published, published-no-handedness (without its step that turns mirrored texture coordinates into inverted "
+        "maps)");
     add(app, group, "--orthogonalize", w.orthogonalize, "WHERE",
         "Make tangents perpendicular to normals: attribute (default: once, per vertex, and per pixel), shader (per pixel "
         "only), off. When given, how far off they were is said");

@@ -162,6 +162,7 @@ void apply_normals(const RenderWords& w, PrepareOptions& p) {
         p.tangents = word<TangentMode>("--tangents", w.tangents,
                                        {{"averaged", TangentMode::averaged},
                                         {"published", TangentMode::published},
+                                        {"published-no-handedness", TangentMode::published_no_handedness},
                                         {"mikktspace", TangentMode::mikktspace}});
     if (!w.orthogonalize.empty()) {
         p.orthogonalize = word<Orthogonalize>("--orthogonalize", w.orthogonalize,

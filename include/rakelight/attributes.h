@@ -19,12 +19,18 @@ enum class Scope : std::uint8_t { face, object, model };
 enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 
 /// How tangents come about.
-/// `averaged`: summed with the normals' weights over a place, but only among vertices of one handedness whose tangents lie within 45
-/// degrees of one another. `mikktspace`: reproduces MikkTSpace (Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited") at an
-/// angular threshold of 180 degrees, each mesh by itself in its own space: for maps that were baked so. `published`: unit
-/// tangents and unit bitangents of all faces at a place are averaged, mirrored or not, by the scope; the tangent is made
-/// perpendicular to the normal and turned round where it disagrees with the bitangent, which is an attribute of its own.
-enum class TangentMode : std::uint8_t { averaged, published, mikktspace };
+/// `averaged`: summed with the normals' weights over a place, but only among vertices of one handedness whose tangents
+/// lie within 45 degrees of one another. `mikktspace`: reproduces MikkTSpace (Mikkelsen 2008, "Simulation of Wrinkled
+/// Surfaces Revisited") at an angular threshold of 180 degrees, each mesh by itself in its own space: for maps that
+/// were baked so. `published`: unit tangents and unit bitangents of all faces at a place are averaged, mirrored or not,
+/// by the scope; the tangent is made perpendicular to the normal and turned round where it disagrees with the
+/// bitangent, which is an attribute of its own: all frames are right-handed then, and maps on mirrored texture
+/// coordinates run backwards along u. `published_no_handedness`: the same without that last step; w says on which side
+/// the bitangent lies.
+enum class TangentMode : std::uint8_t { averaged, published, mikktspace, published_no_handedness };
+inline bool is_published(TangentMode mode) {
+    return mode == TangentMode::published || mode == TangentMode::published_no_handedness;
+}
 
 /// Whether tangents are made perpendicular to the normals here (`attribute`) or left as summed (`off`).
 enum class Orthogonalize : std::uint8_t { attribute, off };
@@ -84,7 +90,7 @@ struct MeshAttributes {
     /// way to the world); empty without texcoords. Without texture area: the axis farthest from the world normal, made
     /// perpendicular to it, w = +1.
     std::vector<vec4> tangents;
-    std::vector<vec3> bitangents;             ///< [V'] unit, towards decreasing v; filled only by TangentMode::published
+    std::vector<vec3> bitangents;             ///< [V'] unit, towards decreasing v; filled only by the published modes
     std::vector<std::uint32_t> indices;       ///< [3T] each < V'; empty when no vertex was split (the input's hold)
     std::vector<std::uint32_t> source_vertex; ///< [V' - V] the vertex that each appended one copies
     std::uint32_t degenerate_faces = 0;       ///< faces without a vote: zero area or a non-finite corner
@@ -92,6 +98,9 @@ struct MeshAttributes {
     /// [degrees] how far summed tangents were from perpendicular to their normals in the world, before Gram-Schmidt; 0 unless
     /// AttributeOptions::measure_orthogonality.
     double orthogonality_loss_max_deg = 0, orthogonality_loss_mean_deg = 0;
+    /// Faces on which a map runs backwards: the mean of their corners' tangents points against the way of u on the
+    /// face, or that of cross(n, t) * w against the way of -v. Counted by the published modes only.
+    std::uint32_t inverted_faces = 0;
 };
 
 /// Which corners share a normal: made once, used for any positions of the same meshes (poses, morphs), and the start of the next

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tangents and bitangents as the publication has them: averaged over all faces at a place, mirrored or not; then
-// Gram-Schmidt of the tangent alone, then the handedness test against the bitangent.
+// Gram-Schmidt of the tangent alone, then the handedness test against the bitangent. docs/attributes.md has the method.
 #include "geometry/face_vote.h"
 #include "geometry/orthogonality.h"
 #include "geometry/perpendicular.h"
@@ -60,6 +60,7 @@ public:
             vertex(m, sums_[places_.group[row]], v, out, loss);
         }
         if (options_.measure_orthogonality) loss.tell(out);
+        count_inverted(input_.meshes[m], out);
     }
 
 private:
@@ -96,14 +97,31 @@ private:
         const bool orthogonal = options_.orthogonalize == Orthogonalize::attribute || t == dvec3{};
         if (t == dvec3{}) t = perpendicular(normal);
         if (!orthogonal) t = summed;
-        if (dot(cross(normal, t), bitangent) < 0) t = -t;
-        const dvec3 b = bitangent != dvec3{} ? bitangent : cross(normal, t);
+        double hand = dot(cross(normal, t), bitangent) < 0 ? -1 : 1;
+        if (hand < 0 && options_.tangent_mode == TangentMode::published) t = -t, hand = 1;
+        const dvec3 b = bitangent != dvec3{} ? bitangent : cross(normal, t) * hand;
         dvec3 back = to_object(placement, t);
         if (orthogonal) back = direction_of(back - object_normal * dot(object_normal, back)).unit;
         if (back == dvec3{}) back = perpendicular(object_normal);
-        out.tangents[v] = {float(back.x), float(back.y), float(back.z), float(placement.flip)};
-        const dvec3 b_back = to_object(placement, b), crossed = cross(object_normal, back) * placement.flip;
+        out.tangents[v] = {float(back.x), float(back.y), float(back.z), float(placement.flip * hand)};
+        const dvec3 b_back = to_object(placement, b), crossed = cross(object_normal, back) * (placement.flip * hand);
         out.bitangents[v] = cast<float>(b_back != dvec3{} ? b_back : direction_of(crossed).unit);
+    }
+
+    // In object space, where out's vectors are.
+    static void count_inverted(const AttributeMesh& mesh, MeshAttributes& out) {
+        const Placement still{.to_world = {}, .linear = upper_left(dmat4{}), .normal_to_world = upper_left(dmat4{})};
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const Pair face = face_pair(mesh, &mesh.indices[i], still);
+            double along_u = 0, along_v = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t v = out.indices.empty() ? mesh.indices[i + k] : out.indices[i + k];
+                const dvec3 t = cast<double>(out.tangents[v].xyz());
+                along_u += dot(t, face.tangent);
+                along_v += dot(cross(cast<double>(out.normals[v]), t), face.bitangent) * double(out.tangents[v].w);
+            }
+            out.inverted_faces += along_u < 0 || along_v < 0;
+        }
     }
 
     static dvec3 unit_of(dvec3 sum) { return length(sum) > cancelled_share ? direction_of(sum).unit : dvec3{}; }

@@ -21,7 +21,7 @@ void add_mikktspace(std::vector<MeshAttributes>& meshes, const AttributeInput& i
 void add_tangents(std::vector<MeshAttributes>& meshes, const AttributePlan::Impl& plan, const AttributeInput& input,
                   Context& context) {
     if (plan.options.tangent_mode == TangentMode::mikktspace) add_mikktspace(meshes, input, context);
-    if (plan.options.tangent_mode == TangentMode::published) add_published(meshes, plan, input, context);
+    if (is_published(plan.options.tangent_mode)) add_published(meshes, plan, input, context);
 }
 
 }  // namespace rakelight::geometry

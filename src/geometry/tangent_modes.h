@@ -10,7 +10,7 @@ namespace rakelight::geometry {
 void add_tangents(std::vector<MeshAttributes>& meshes, const AttributePlan::Impl& plan, const AttributeInput& input,
                   Context& context);
 
-/// Of these, TangentMode::published: unit tangents and bitangents of the faces at a place (scope face: of a vertex),
+/// Of these, the published modes: unit tangents and bitangents of the faces at a place (scope face: of a vertex),
 /// each face once, averaged apart. No vertex is split. @param meshes with normals, as finish_vertices() made them
 void add_published(std::vector<MeshAttributes>& meshes, const AttributePlan::Impl& plan, const AttributeInput& input,
                    Context& context);

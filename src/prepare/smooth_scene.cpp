@@ -123,6 +123,7 @@ Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers, 
 /// @param numbers  [results] their meshes
 void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers, const std::vector<MeshAttributes>& results,
                    const AttributeOptions& options, Report& report) {
+    InvertedMaps inverted;
     for (std::size_t r = 0; r < results.size(); ++r) {
         const std::uint32_t number = numbers[r];
         const Mesh& mesh = scene.meshes[number];
@@ -130,9 +131,13 @@ void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers
         if (options.normals && results[r].degenerate_faces > 0 && results[r].degenerate_faces < mesh.triangle_count())
             report.add(Remark::note, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
                        std::to_string(results[r].degenerate_faces) + " triangles of no area have no say in the normals");
+        if (results[r].inverted_faces > 0 && inverted.first_mesh == none) inverted.first_mesh = number;
+        inverted.triangles += results[r].inverted_faces;
+        if (!results[r].tangents.empty()) inverted.of += mesh.triangle_count();
         if (options.measure_orthogonality && !results[r].tangents.empty())
             report_orthogonality(scene, number, results[r].orthogonality_loss_max_deg, results[r].orthogonality_loss_mean_deg, report);
     }
+    report_inverted(scene, inverted, options.tangent_mode, report);
 }
 
 }  // namespace
@@ -204,8 +209,7 @@ namespace {
 Scene add_published_tangents(const Scene& scene, const SmoothRequest& request, Context& context) {
     SmoothRequest all = request;
     all.attributes.normals = false;
-    all.attributes.tangent_mode = TangentMode::published;
-    if (all.attributes.scope == Scope::face) all.attributes.scope = Scope::model;
+    all.attributes.tangent_mode = request.kept_tangents;
     all.only_missing = false;
     return smooth_meshes(scene, all, context);
 }
@@ -214,7 +218,7 @@ Scene add_published_tangents(const Scene& scene, const SmoothRequest& request, C
 
 Scene add_missing_tangents(const Scene& scene, const SmoothRequest& request, Context& context) {
     if (request.tangents == TangentWish::none) return scene;
-    if (request.kept_tangents == TangentMode::published) return add_published_tangents(scene, request, context);
+    if (is_published(request.kept_tangents)) return add_published_tangents(scene, request, context);
     std::vector<std::uint32_t> numbers;
     std::vector<bool> seen(scene.meshes.size(), false);
     std::vector<AttributeMesh> meshes;
@@ -248,8 +252,7 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
     request.tangents = options.attributes.tangents ? TangentWish::everywhere : TangentWish::none;
     request.only_missing = options.only_missing;
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
-    const bool published = request.attributes.tangent_mode == TangentMode::published;
-    if (published) request.kept_tangents = TangentMode::published;
+    if (is_published(request.attributes.tangent_mode)) request.kept_tangents = request.attributes.tangent_mode;
     Scene out = options.attributes.normals ? smooth_meshes(scene, request, context) : scene;
     if (request.tangents == TangentWish::none) return out;
     if (!options.attributes.normals && !options.only_missing)

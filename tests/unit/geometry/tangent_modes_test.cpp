@@ -19,7 +19,7 @@ struct Frame {
 
 // Every vertex against every face of every object (all in one space): unit vectors, summed, divided, normalized, t made
 // perpendicular to n, and turned where it disagrees with b.
-Frame brute_force(const std::vector<Shape>& shapes, vec3 at) {
+Frame brute_force(const std::vector<Shape>& shapes, vec3 at, bool handedness = true) {
     Frame sum;
     double count = 0;
     for (const Shape& s : shapes)
@@ -41,7 +41,7 @@ Frame brute_force(const std::vector<Shape>& shapes, vec3 at) {
     Frame f{normalize_or(sum.n / count, dvec3{}), normalize_or(sum.t / count, dvec3{}),
             normalize_or(sum.b / count, dvec3{})};
     f.t = normalize_or(f.t - f.n * dot(f.n, f.t), dvec3{});
-    if (dot(cross(f.n, f.t), f.b) < 0) f.t = -f.t;
+    if (handedness && dot(cross(f.n, f.t), f.b) < 0) f.t = -f.t;
     return f;
 }
 
@@ -78,6 +78,57 @@ TEST(PublishedTangents, EqualTheBruteForceOverAllObjects) {
         }
         EXPECT_GT(compared, 60u);
     }
+}
+
+TEST(PublishedTangents, WithoutTheHandednessStepKeepTheirDirectionAndSayTheSideInW) {
+    AttributeOptions options = published_tangents();
+    options.tangent_mode = TangentMode::published_no_handedness;
+    const auto parts = cut_at_random(askew_sheet(true), 3, 9);
+    const auto out = compute(parts, options);
+    std::size_t sides[2] = {0, 0};
+    for (std::size_t m = 0; m < parts.size(); ++m)
+        for (std::size_t v = 0; v < parts[m].positions.size(); ++v) {
+            const Frame f = brute_force(parts, parts[m].positions[v], false);
+            if (length(f.t) < 0.5 || length(f.b) < 0.5) continue;
+            EXPECT_LT(length(cast<double>(out[m].tangents[v].xyz()) - f.t), 1e-5) << v;
+            EXPECT_LT(length(cast<double>(out[m].bitangents[v]) - f.b), 1e-5) << v;
+            EXPECT_EQ(out[m].tangents[v].w, dot(cross(f.n, f.t), f.b) < 0 ? -1.0f : 1.0f);
+            ++sides[out[m].tangents[v].w < 0];
+        }
+    EXPECT_GT(sides[0], 10u);
+    EXPECT_GT(sides[1], 10u);
+}
+
+// Two squares apart, the texture of the right one mirrored along u.
+std::vector<Shape> mirrored_pair(const dmat4& to_world) {
+    Shape left;
+    left.positions = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}};
+    left.indices = {0, 1, 2, 0, 2, 3};
+    left.texcoords = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    left.to_world = to_world;
+    Shape right = left;
+    for (vec3& p : right.positions) p.x += 2;
+    for (vec2& q : right.texcoords) q.x = 1 - q.x;
+    right.object = 1;
+    return {left, right};
+}
+
+TEST(PublishedTangents, FacesWhoseMapRunsBackwardsAreCounted) {
+    for (const dmat4& to_world :
+         {dmat4{}, scaling(dvec3{-1, 2, 3}), translation(dvec3{5, 0, 1}) * scaling(dvec3{2, 2, -2})})
+        for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
+            AttributeOptions options = published_tangents();
+            options.scope = scope;
+            auto out = compute(mirrored_pair(to_world), options);
+            const bool is_turned = determinant(upper_left(to_world)) < 0;  // then the left one is mirrored in the world
+            EXPECT_EQ(out[is_turned ? 1 : 0].inverted_faces, 0u);
+            EXPECT_EQ(out[is_turned ? 0 : 1].inverted_faces, 2u) << "the step turns the tangent against u";
+            options.tangent_mode = TangentMode::published_no_handedness;
+            out = compute(mirrored_pair(to_world), options);
+            EXPECT_EQ(out[0].inverted_faces + out[1].inverted_faces, 0u);
+            options.tangent_mode = TangentMode::averaged;
+            EXPECT_EQ(compute(mirrored_pair(to_world), options)[1].inverted_faces, 0u);
+        }
 }
 
 TEST(PublishedTangents, AreBitEqualAtOnePlaceAndForAnyNumberOfThreads) {

@@ -250,6 +250,32 @@ TEST(PrepareScene, PublishedTangentsRunOverObjectsWithKeptNormals) {
     EXPECT_NE(out.meshes[0].tangents[1], out.meshes[0].tangents[0]);
 }
 
+TEST(PrepareScene, WarnsOfMapsThatPublishedTangentsInvert) {
+    Mesh left = textured_quad(), right = left;
+    std::vector<vec2> mirrored(right.texcoords[0].begin(), right.texcoords[0].end());
+    for (vec2& q : mirrored) q.x = 1 - q.x;
+    right.texcoords = {mirrored};
+    right.name = "right";
+    Scene scene = scene_of({left, right});
+    scene.nodes[1].local.translation = {9, 0, 0};
+    test::give_texture(scene, &Material::normal_texture);
+    for (const NormalSource source : {NormalSource::model, NormalSource::object, NormalSource::flat})
+        for (const bool handedness : {true, false}) {
+            PrepareOptions options = by(source);
+            options.tangents = handedness ? TangentMode::published : TangentMode::published_no_handedness;
+            Context context;
+            const Scene out = prepare_scene(scene, options, context);
+            std::size_t warnings = 0;
+            for (const ReportEntry& entry : context.report().entries())
+                warnings += entry.remark == Remark::warning && entry.place == "mesh 1 'right'" &&
+                            entry.message.find(
+                                "on 2 of 4 triangles, where bumps look like dents; "
+                                "--tangents published-no-handedness") != std::string::npos;
+            EXPECT_EQ(warnings, handedness ? 1u : 0u);
+            EXPECT_EQ(out.meshes[1].tangents[0], handedness ? (vec4{1, 0, 0, 1}) : (vec4{-1, 0, 0, -1}));
+        }
+}
+
 TEST(PrepareScene, ComputesTangentsWhereTheFilesAreBroken) {
     Mesh mesh = textured_quad();
     mesh.normals = std::vector<vec3>(4, {0, 0, 1});
