@@ -81,6 +81,9 @@ struct AttributeMesh {
     /// step off in every axis: AttributeOptions::weld_distance < 0 takes half of its diagonal for this mesh, and welds it with
     /// any other mesh but one that has a vertex at that very place already (the next code then is another place).
     double position_step = 0;
+    /// [rad] 0..pi in place of AttributeOptions::crease_angle_rad; < 0: that one. Between two meshes the smaller one
+    /// rules.
+    double crease_angle_rad = -1;
 };
 
 /// Result for one mesh: vertex v < V keeps its number; a vertex whose corners differ is appended. Object space.

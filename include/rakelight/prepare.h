@@ -10,10 +10,6 @@
 
 namespace rakelight {
 
-/// Whose normals count. `automatic`: the file's where it has them; else flat for formats that say so (glTF); else
-/// smoothing groups where the file has any; else over the model with the crease angle.
-enum class NormalSource : std::uint8_t { automatic, file, flat, object, model };
-
 enum class UvProjection : std::uint8_t { none, box, sphere, cylinder };
 
 /// Height maps as geometry.
@@ -25,9 +21,9 @@ struct Displacement {
 };
 
 struct PrepareOptions {
-    NormalSource normals = NormalSource::automatic;
+    NormalSource normals = NormalSource::automatic;  ///< `automatic`: Mesh::normal_choice counts where there is one
     CornerWeight weight = CornerWeight::angle;
-    double crease_angle_rad = radians(60);
+    double crease_angle_rad = radians(60);  ///< for meshes whose own choice has none, or does not count
     UvProjection uv = UvProjection::none;  ///< for meshes without texture coordinates
     /// How tangents are made, in place of the file's too. Unset: the file's; else as MikkTSpace where the file's normals are kept
     /// (that is what its maps were baked for); else averaged.

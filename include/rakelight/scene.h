@@ -194,6 +194,18 @@ struct MorphTarget {
 };
 
 /// Primitives of one topology and one material. Vertex arrays are [V] or empty.
+/// Whose normals count. `automatic`: the file's where it has them; else flat for formats that say so (glTF); else
+/// smoothing groups where the file has any; else over the model with the crease angle.
+enum class NormalSource : std::uint8_t { automatic, file, flat, object, model };
+
+/// What one part of a scene says of its normals, for pictures whose options leave it open.
+struct NormalChoice {
+    NormalSource source = NormalSource::automatic;
+    bool missing_are_flat = false;           ///< Scene::missing_normals_are_flat of the file that the part is from
+    std::optional<double> crease_angle_rad;  ///< 0..pi; absent: as the picture's options say
+    bool operator==(const NormalChoice&) const = default;
+};
+
 struct Mesh {
     std::string name;
     Topology topology = Topology::triangles;
@@ -216,6 +228,7 @@ struct Mesh {
     /// there.
     Block<std::uint32_t> polygons;
     std::optional<Subdivision> subdivision;  ///< absent: as the picture's settings say
+    std::optional<NormalChoice> normal_choice;  ///< absent: as the picture's options say
     Block<JointInfluence> influences;    ///< [V] or empty
     std::vector<MorphTarget> targets;
     std::uint32_t material = none;       ///< into Scene::materials; none: the default material

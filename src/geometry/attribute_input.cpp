@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint64_t most_vertices = 0xffffffffull - 1, most_corners = 0xffffffffull - 2;
 constexpr std::uint32_t none = 0xffffffffu;
+constexpr double angle_slack = 1e-9;  // degrees turned into radians may land just beyond pi
 
 [[noreturn]] void fail(std::size_t mesh, const std::string& reason) {
     throw Error(ErrorCode::bad_file, reason, "mesh " + std::to_string(mesh));
@@ -28,6 +29,7 @@ void check_mesh(std::size_t m, const AttributeMesh& mesh) {
     check_size(m, "locks", mesh.locked.size(), mesh.positions.size(), "vertices");
     if (!mesh.locked.empty() && mesh.normals.empty()) fail(m, "locked vertices, but no normals to keep");
     if (!(mesh.position_step >= 0) || !std::isfinite(mesh.position_step)) fail(m, "the step of the positions is not a length");
+    if (!(mesh.crease_angle_rad <= pi + angle_slack)) fail(m, "the crease angle must be 0 to 180 degrees");
     check_size(m, "smoothing groups", mesh.smoothing.size(), triangles, "triangles");
     check_size(m, "smoothing hints", mesh.smoothing_hint.size(), 3 * triangles, "corners");
     for (int c = 0; c < 4; ++c)
@@ -124,10 +126,19 @@ AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& conte
 }
 
 void check_options(const AttributeOptions& options) {
-    constexpr double slack = 1e-9;  // degrees turned into radians may land just beyond pi
-    if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi + slack))
+    if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi + angle_slack))
         throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");
     if (!std::isfinite(options.weld_distance)) throw Error(ErrorCode::usage, "the weld distance must be finite");
+}
+
+CreaseRange crease_range(std::span<const AttributeMesh> meshes, const AttributeOptions& options) {
+    if (meshes.empty()) return {options.crease_angle_rad, options.crease_angle_rad};
+    CreaseRange range{crease_angle(meshes[0], options), crease_angle(meshes[0], options)};
+    for (const AttributeMesh& mesh : meshes) {
+        range.least = std::min(range.least, crease_angle(mesh, options));
+        range.most = std::max(range.most, crease_angle(mesh, options));
+    }
+    return range;
 }
 
 std::vector<Chunk> make_chunks(std::span<const std::uint32_t> base, std::uint32_t target) {

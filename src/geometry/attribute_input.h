@@ -55,6 +55,17 @@ AttributeInput number_input(std::span<const AttributeMesh> meshes);
 void check_indices(const AttributeInput& input, Context& context);
 void check_options(const AttributeOptions& options);
 
+/// [rad] The crease angle of one mesh.
+inline double crease_angle(const AttributeMesh& mesh, const AttributeOptions& options) {
+    return mesh.crease_angle_rad < 0 ? options.crease_angle_rad : mesh.crease_angle_rad;
+}
+/// [rad] Over all meshes; without any, the options'.
+struct CreaseRange {
+    double least, most;
+    bool joins_all() const { return least + 1e-6 >= pi; }
+};
+CreaseRange crease_range(std::span<const AttributeMesh> meshes, const AttributeOptions& options);
+
 /// A share of the work that depends on the sizes alone, never on the threads: one piece of a large mesh (`pieces` > 1), or
 /// some whole meshes.
 struct Chunk {

@@ -76,7 +76,7 @@ std::size_t FastScratch::bytes() const {
 }
 
 bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptions& options) {
-    const bool fits = options.normals && options.scope != Scope::face && options.crease_angle_rad + 1e-6 >= pi &&
+    const bool fits = options.normals && options.scope != Scope::face && crease_range(meshes, options).joins_all() &&
                       options.weight == CornerWeight::uniform && options.weld_distance <= 0;
     if (!fits || !is_plain(options) || meshes.empty() || !keeps_angles(meshes[0].to_world)) return false;
     return std::all_of(meshes.begin(), meshes.end(), [&](const AttributeMesh& m) {

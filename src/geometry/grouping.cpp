@@ -74,8 +74,9 @@ bool same_weld(const AttributeOptions& a, const AttributeOptions& b) {
 Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
                     Context& context) {
     const bool groups = has_groups(input.meshes);
-    const bool flat = options.normals && (options.scope == Scope::face || (options.crease_angle_rad == 0 && !groups));
-    const bool refines = options.normals && (flat || groups || options.fans || options.crease_angle_rad + 1e-6 < pi);
+    const CreaseRange creases = crease_range(input.meshes, options);
+    const bool flat = options.normals && (options.scope == Scope::face || (creases.most == 0 && !groups));
+    const bool refines = options.normals && (flat || groups || options.fans || !creases.joins_all());
     check_memory(input, refines, context);
     if (!flat && !base.places) base.places = weld(input, options, context);
     Grouped made;

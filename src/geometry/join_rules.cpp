@@ -18,6 +18,12 @@ constexpr double turned_back = -0.9986;
 // Up to here pairs are compared directly.
 constexpr std::size_t few = 16;
 
+/// Of the largest angle that joins; -2 for pi, which no cosine is below.
+double cosine_of(double crease_angle_rad) {
+    const double limit = crease_angle_rad + crease_slack;
+    return limit >= pi ? -2 : math::cos(limit);
+}
+
 bool is_hinted(const AttributeMesh& mesh) { return mesh.smoothing.empty() && !mesh.smoothing_hint.empty(); }
 bool is_grouped(const AttributeMesh& mesh) { return !mesh.smoothing.empty() && mesh.group_kind != GroupKind::none; }
 
@@ -27,9 +33,12 @@ JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, cons
                      const FaceNormals& normals)
     : input_(input), places_(topology.places->data()), normals_(normals.data()), rule_(rule),
       groups_across_(options.groups_across) {
-    const double limit = options.crease_angle_rad + crease_slack;
-    joins_all_ = limit >= pi && !options.fans;
-    least_cos_ = limit >= pi ? -2 : math::cos(limit);
+    const CreaseRange creases = crease_range(input.meshes, options);
+    least_cos_ = cosine_of(creases.least);
+    joins_all_ = least_cos_ == -2 && !options.fans;
+    joins_some_ = cosine_of(creases.most) == -2 && !options.fans;
+    if (creases.least != creases.most)
+        for (const AttributeMesh& mesh : input.meshes) own_cos_.push_back(cosine_of(crease_angle(mesh, options)));
     for (const AttributeMesh& mesh : input.meshes) {
         has_hints_ |= is_hinted(mesh);
         has_groups_ |= is_hinted(mesh) || is_grouped(mesh);
@@ -130,7 +139,7 @@ void JoinRules::gather_groups(Fan& fan) const {
 void JoinRules::join(Fan& fan, UnionFind& sets) const {
     sets.reset(fan.size());
     if (rule_ == JoinRule::apart || fan.size() < 2) return;
-    if (rule_ == JoinRule::crease && joins_all_) join_everything(fan, sets);
+    if (rule_ == JoinRule::crease && (joins_all_ || joins_some_)) join_everything(fan, sets);
     gather_places(fan);
     if (fan.size() <= few) join_pairs(fan, sets);
     else join_edges(fan, sets);
@@ -183,11 +192,16 @@ void JoinRules::join_edges(Fan& fan, UnionFind& sets) const {
     }
 }
 
+// At an edge between two meshes the one that is sharper rules.
+double JoinRules::least_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
+    return own_cos_.empty() ? least_cos_ : std::max(own_cos_[fan.mesh[i]], own_cos_[fan.mesh[j]]);
+}
+
 // Of two faces with a common edge; on sides of a shell they run along it in opposite ways.
 bool JoinRules::joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
     const double cosine = dot(fan.normal[i], fan.normal[j]);
     if (rule_ == JoinRule::side) return cosine > turned_back;
-    if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[j]) return cosine >= least_cos_;
+    if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[j]) return cosine >= least_cos(fan, i, j);
     if (fan.kind[i] == GroupKind::masks) return (fan.group[i] & fan.group[j]) != 0;
     return fan.kind[i] == GroupKind::numbers && fan.group[i] != 0 && fan.group[i] == fan.group[j];
 }
@@ -206,10 +220,22 @@ void JoinRules::join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFi
     if (rule_ == JoinRule::crease && has_groups_) join_many_by_group(fan, spokes, sets);
 }
 
+// Faces that one crease angle joins have all got that angle or a larger one: for each angle, those around the edge.
+void JoinRules::join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
+    if (own_cos_.empty() || rule_ != JoinRule::crease) return join_around(fan, spokes, sets);
+    std::vector<Spoke> sorted(spokes.begin(), spokes.end());
+    const auto cosine = [&](const Spoke& s) { return own_cos_[fan.mesh[s.index]]; };
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const Spoke& a, const Spoke& b) { return cosine(a) < cosine(b); });
+    for (std::size_t end = 1; end <= sorted.size(); ++end)
+        if (end == sorted.size() || cosine(sorted[end]) != cosine(sorted[end - 1]))
+            join_around(fan, std::span(sorted).first(end), sets);
+}
+
 // All normals at an edge lie in the plane across it. Faces that obey the angle among one another are those of different
 // authority, or of none (of shells: those that run along the edge in opposite ways); linking each to the next one of these on
 // the circle links all that the angle joins.
-void JoinRules::join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
+void JoinRules::join_around(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
     std::vector<dvec3> normals;
     for (const Spoke& s : spokes) normals.push_back(fan.normal[s.index]);
     const std::vector<std::uint32_t> order = circular_order(normals);
@@ -254,18 +280,21 @@ void JoinRules::join_many_by_group(const Fan& fan, std::span<const Spoke> spokes
     }
 }
 
-// At a crease angle of pi all faces that obey the angle are one group, with or without a common edge: one face of another
-// authority, or of none, joins everything.
+// At a crease angle of pi all faces that obey the angle are one group, with or without a common edge: one face of
+// another authority, or of none, joins everything. Faces of meshes with a smaller angle have no part in it.
 void JoinRules::join_everything(const Fan& fan, UnionFind& sets) const {
+    const auto takes_part = [&](std::size_t i) {
+        return fan.votes(i) && (own_cos_.empty() || own_cos_[fan.mesh[i]] == -2);
+    };
     std::size_t first = fan.size(), other = fan.size();
     for (std::size_t i = 0; i < fan.size() && other == fan.size(); ++i) {
-        if (!fan.votes(i)) continue;
+        if (!takes_part(i)) continue;
         if (first == fan.size()) first = i;
         else if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[first]) other = i;
     }
     if (other == fan.size()) return;
     for (std::size_t i = 0; i < fan.size(); ++i)
-        if (fan.votes(i)) sets.join(std::uint32_t(first), std::uint32_t(i));
+        if (takes_part(i)) sets.join(std::uint32_t(first), std::uint32_t(i));
 }
 
 void JoinRules::join_hints(const Fan& fan, UnionFind& sets) const {

@@ -58,6 +58,7 @@ public:
 
 private:
     void gather_groups(Fan& fan) const;
+    double least_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
     bool joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
     bool joined(const Fan& fan, const Spoke& a, const Spoke& b) const;
     void gather_places(Fan& fan) const;
@@ -65,6 +66,7 @@ private:
     void join_edges(Fan& fan, UnionFind& sets) const;
     void join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
     void join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
+    void join_around(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
     void join_many_by_group(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const;
     void join_everything(const Fan& fan, UnionFind& sets) const;
     void join_hints(const Fan& fan, UnionFind& sets) const;
@@ -77,8 +79,10 @@ private:
     const dvec3* normals_;         ///< [triangles]
     JoinRule rule_;
     bool groups_across_;
-    bool joins_all_;    ///< crease angle pi
+    bool joins_all_, joins_some_;  ///< crease angle pi, of all meshes, of some
     double least_cos_;  ///< of the crease angle
+    /// [meshes] where crease angles differ, else empty: above is that of the smallest then.
+    std::vector<double> own_cos_;
     bool has_groups_ = false, has_hints_ = false;
 };
 

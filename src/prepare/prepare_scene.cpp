@@ -7,6 +7,7 @@
 
 #include "math/linear.h"
 #include "prepare/displace.h"
+#include "prepare/normal_rule.h"
 #include "prepare/prepare.h"
 #include "prepare/repair.h"
 #include "prepare/smooth_request.h"
@@ -21,7 +22,7 @@ namespace rakelight {
 namespace {
 
 /// Which normals are made, for the meshes that have none (all of them when the file's do not count).
-SmoothRequest request_for(const Scene& scene, const PrepareOptions& options) {
+SmoothRequest request_for(const PrepareOptions& options) {
     SmoothRequest request;
     request.attributes.weight = options.weight;
     request.attributes.crease_angle_rad = options.crease_angle_rad;
@@ -31,17 +32,7 @@ SmoothRequest request_for(const Scene& scene, const PrepareOptions& options) {
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
     if (options.all_tangents) request.tangents = TangentWish::everywhere;
     request.only_missing = true;
-    request.groups = false;
-    switch (options.normals) {
-    case NormalSource::automatic:
-        request.attributes.scope = scene.missing_normals_are_flat ? Scope::face : Scope::model;
-        request.groups = !scene.missing_normals_are_flat;  // rule inside an object; across objects the crease angle does
-        break;
-    case NormalSource::file:
-    case NormalSource::flat: request.attributes.scope = Scope::face; break;
-    case NormalSource::object: request.attributes.scope = Scope::object; break;
-    case NormalSource::model: request.attributes.scope = Scope::model; break;
-    }
+    request.source = options.normals;
     return request;
 }
 
@@ -61,10 +52,11 @@ bool spans_texture(const Mesh& mesh, std::uint32_t set) {
 
 /// People wonder why a model of parts looks faceted: glTF asks for it.
 void note_flat_meshes(const Scene& scene, Report& report) {
-    if (!scene.missing_normals_are_flat) return;
     for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& mesh = scene.meshes[i];
-        if (mesh.topology == Topology::triangles && mesh.normals.empty())
+        if (mesh.topology != Topology::triangles || !mesh.normals.empty()) continue;
+        if (mesh.normal_choice && mesh.normal_choice->source != NormalSource::automatic) continue;  // asked for
+        if (normal_rule(scene, mesh, NormalSource::automatic).scope == Scope::face)
             report.add(Remark::note, scene.source, Place{"mesh", i, mesh.name}.text(),
                        "no normals: flat faces, as glTF says; --normals model smooths");
     }
@@ -153,34 +145,46 @@ void warn_of_textures(const Scene& scene, Report& report) {
 Scene subdivided(Scene scene, const PrepareOptions& options, Context& context) {
     if (!wants_subdivision(scene, options.subdivision)) return scene;
     Scene out = subdivide_scene(scene, options.subdivision, context);
-    if (options.normals != NormalSource::flat) return out;
-    for (std::size_t i = 0; i < out.meshes.size(); ++i)
-        if (i >= scene.meshes.size() || !(out.meshes[i].positions == scene.meshes[i].positions))
+    for (std::size_t i = 0; i < out.meshes.size(); ++i) {
+        const NormalRule rule = normal_rule(out, out.meshes[i], options.normals);
+        const bool are_flat = !rule.keeps_given && rule.scope == Scope::face;
+        if (are_flat && (i >= scene.meshes.size() || !(out.meshes[i].positions == scene.meshes[i].positions)))
             out.meshes[i].normals = {};
+    }
     return out;
+}
+
+/// Those that are missing, one pass for each scope: whatever is smoothed over the model is so together.
+Scene with_normals(Scene scene, SmoothRequest request, Context& context) {
+    if (is_published(request.kept_tangents)) request.tangents = TangentWish::none;  // add_missing_tangents() makes them
+    for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
+        request.attributes.scope = scope;
+        scene = smooth_meshes(scene, request, context);
+    }
+    return scene;
 }
 
 /// The stages, for triangles that turn counter-clockwise.
 Scene prepare_stages(const Scene& scene, const PrepareOptions& options, Context& context) {
     check_nodes(scene, context.report());
-    const bool keep_normals = options.normals == NormalSource::automatic || options.normals == NormalSource::file;
-    Scene out = subdivided(repair_scene(scene, keep_normals, context), options, context);
+    Scene out = subdivided(repair_scene(scene, options.normals, context), options, context);
     if (options.uv != UvProjection::none) out = project_texcoords(out, options.uv, context);
     warn_of_tangents(out, options.bump, context.report());
     warn_of_textures(out, context.report());
     if (options.normals == NormalSource::automatic) note_flat_meshes(out, context.report());
-    const SmoothRequest request = request_for(out, options);
+    const SmoothRequest request = request_for(options);
     for (Mesh& mesh : out.meshes)
         if (options.tangents && (options.all_tangents || wants_tangents(out, mesh)))
             mesh.tangents = {};  // the file's do not count
     context.throw_if_cancelled();
     if (options.measure_orthogonality) report_kept_tangents(out, context.report());
-    out = smooth_meshes(out, request, context);
+    out = with_normals(std::move(out), request, context);
     if (wants_displacement(out, options.displacement)) {
         context.throw_if_cancelled();
         out = displace_scene(out, options.displacement, context);
         SmoothRequest again = request;  // the new surface's, over all objects
         again.attributes.scope = Scope::model;
+        again.every_scope = true;
         out = smooth_meshes(out, again, context);
     }
     return add_missing_tangents(out, request, context);

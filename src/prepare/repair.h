@@ -33,9 +33,9 @@ void repair_tangents(Mesh& mesh, std::vector<Finding>& findings);
 /// Warns of drawn nodes whose matrix flattens what it places, and of rotations of no length.
 void check_nodes(const Scene& scene, Report& report);
 
-/// All of the above over the drawn triangle meshes; `keep_normals` false: normals and tangents of the file are dropped
+/// All of the above over the drawn triangle meshes. Normals and tangents that do not count by normal_rule() are dropped
 /// unseen.
 /// @throws Error bad_file "nothing to draw" when no triangle is left and there are no lines or points
-Scene repair_scene(const Scene& scene, bool keep_normals, Context& context);
+Scene repair_scene(const Scene& scene, NormalSource source, Context& context);
 
 }  // namespace rakelight

@@ -5,6 +5,7 @@
 #include <rakelight/error.h>
 
 #include "math/linear.h"
+#include "prepare/normal_rule.h"
 #include "prepare/repair.h"
 #include "prepare/variants.h"
 #include "scene/scene_tools.h"
@@ -74,7 +75,7 @@ static bool has_lines_or_points(const Scene& scene) {
     return false;
 }
 
-Scene repair_scene(const Scene& scene, bool keep_normals, Context& context) {
+Scene repair_scene(const Scene& scene, NormalSource source, Context& context) {
     std::vector<std::uint32_t> numbers;
     for (const Instance& instance : drawn_instances(scene)) numbers.push_back(instance.mesh);
     std::sort(numbers.begin(), numbers.end());
@@ -84,7 +85,7 @@ Scene repair_scene(const Scene& scene, bool keep_normals, Context& context) {
     std::vector<std::vector<Finding>> findings(numbers.size());
     context.parallel_for(numbers.size(), [&](std::size_t i) {
         Mesh& mesh = out.meshes[numbers[i]];
-        if (!keep_normals) {
+        if (!normal_rule(scene, mesh, source).keeps_given) {
             mesh.normals = {};
             mesh.tangents = {};
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Between prepare_scene and smooth_scene: what to compute for which meshes.
 #pragma once
+#include <optional>
+
 #include <rakelight/attributes.h>
 #include <rakelight/scene.h>
 
@@ -13,7 +15,10 @@ struct SmoothRequest {
     AttributeOptions attributes;   ///< `tangents` is overruled by the wish
     TangentWish tangents = TangentWish::where_needed;
     bool only_missing = false;     ///< leave meshes alone that have normals
-    bool groups = true;            ///< smoothing groups of the file count
+    bool groups = true;            ///< smoothing groups of the file count; where `source` is set, as normal_rule() says
+    /// Set: only meshes whose normal_rule() by it has attributes.scope, by their own crease angles.
+    std::optional<NormalSource> source;
+    bool every_scope = false;      ///< with `source`: all meshes, over attributes.scope
     bool keep_instances = false;   ///< instances share the first one's mesh even where they touch different things; said
     TangentMode kept_tangents = TangentMode::mikktspace;  ///< of add_missing_tangents(), in place of attributes.tangent_mode
 };

@@ -5,6 +5,7 @@
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
 #include "prepare/morph_normals.h"
+#include "prepare/normal_rule.h"
 #include "prepare/prepare.h"
 #include "prepare/smooth_request.h"
 #include "prepare/smooth_selection.h"
@@ -25,7 +26,10 @@ AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const
     const std::uint32_t set = tangent_set(scene, mesh, request.tangents);
     if (set != none) out.texcoords = mesh.texcoords[set];
     if (!request.attributes.normals) out.normals = mesh.normals;
-    if (request.groups && request.attributes.normals) {
+    NormalRule rule{.groups = request.groups};
+    if (request.source) rule = normal_rule(scene, mesh, *request.source);
+    out.crease_angle_rad = rule.crease_angle_rad;
+    if (rule.groups && request.attributes.normals) {
         out.smoothing = mesh.smoothing;
         if (!mesh.smoothing.empty())
             out.group_kind = mesh.smoothing_kind == SmoothingKind::masks ? GroupKind::masks : GroupKind::numbers;
@@ -66,6 +70,15 @@ Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_n
     split_vertices(mesh, std::move(attributes.indices), attributes.source_vertex, context);
     if (new_normals) mesh.normals = std::move(attributes.normals);
     mesh.tangents = std::move(attributes.tangents);
+    return mesh;
+}
+
+/// A mesh with what with_attributes() made of another one that had the same arrays.
+Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
+    Mesh mesh = own;
+    mesh.positions = made.positions, mesh.indices = made.indices, mesh.normals = made.normals;
+    mesh.tangents = made.tangents, mesh.texcoords = made.texcoords, mesh.colors = made.colors;
+    mesh.influences = made.influences;
     return mesh;
 }
 
@@ -183,10 +196,12 @@ Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& c
     std::vector<std::uint32_t> placed(results.size(), none);  // the mesh that shows each result
     for (std::size_t i = 0; i < s.instances.size(); ++i) {
         const std::size_t r = s.result_of[i];
-        if (placed[r] != none) {
+        const std::uint32_t number = s.instances[i].mesh;
+        if (placed[r] != none && number == numbers[r]) {
             variants.share(s.instances[i], placed[r]);
+        } else if (placed[r] != none) {
+            variants.place(s.instances[i], with_arrays_of(out.meshes[placed[r]], scene.meshes[number]));
         } else {
-            const std::uint32_t number = s.instances[i].mesh;
             Mesh mesh = with_attributes(scene.meshes[number], std::move(results[r]), new_normals, context);
             set_target_directions(scene, mesh, number, new_normals, computed.targets.empty() ? nullptr : &computed.targets[r],
                                   context.report());
@@ -211,7 +226,16 @@ Scene add_published_tangents(const Scene& scene, const SmoothRequest& request, C
     all.attributes.normals = false;
     all.attributes.tangent_mode = request.kept_tangents;
     all.only_missing = false;
-    return smooth_meshes(scene, all, context);
+    if (!request.source) {
+        if (all.attributes.scope == Scope::face) all.attributes.scope = Scope::model;
+        return smooth_meshes(scene, all, context);
+    }
+    Scene out = scene;
+    for (const Scope scope : {Scope::object, Scope::model}) {
+        all.attributes.scope = scope;
+        out = smooth_meshes(out, all, context);
+    }
+    return out;
 }
 
 }  // namespace

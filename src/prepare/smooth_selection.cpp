@@ -1,32 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scope model: every placement goes in at its place in the world. Scopes face and object do not look beyond the object,
 // so a placement that only moves, turns, mirrors or scales evenly has the results of the first one of its kind: it is
-// computed once, about its own origin, and instances stay shared to the bit. Under an uneven scale angles differ:
-// computed apart.
+// computed once, about its own origin, and instances stay shared to the bit (so do copies of a mesh that share its
+// arrays). Under an uneven scale angles differ: computed apart.
 #include "prepare/smooth_selection.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+
+#include "prepare/normal_rule.h"
 
 #include "math/linear.h"
 
 namespace rakelight {
 namespace {
 
+bool have_same_arrays(const Mesh& a, const Mesh& b) {
+    return a.topology == b.topology && a.origin == b.origin && a.position_step == b.position_step &&
+           a.positions == b.positions && a.indices == b.indices && a.normals == b.normals && a.tangents == b.tangents &&
+           a.texcoords == b.texcoords && a.colors == b.colors && a.smoothing == b.smoothing &&
+           a.smoothing_kind == b.smoothing_kind && a.smoothing_hint == b.smoothing_hint &&
+           a.influences == b.influences && a.targets.empty() && b.targets.empty();
+}
+
+/// [meshes] The first one of which the same becomes, or the mesh itself: a file that stands several times in a world
+/// gives several meshes with the same arrays.
+std::vector<std::uint32_t> first_alike(const Scene& scene, const SmoothRequest& request) {
+    constexpr std::size_t searched = 64;
+    std::vector<std::uint32_t> first(scene.meshes.size());
+    std::map<const void*, std::vector<std::uint32_t>> seen;  // by the positions
+    for (std::uint32_t m = 0; m < first.size(); ++m) {
+        const Mesh& mesh = scene.meshes[m];
+        first[m] = m;
+        auto& candidates = seen[mesh.positions.identity()];
+        for (const std::uint32_t c : candidates) {
+            const Mesh& other = scene.meshes[c];
+            if (first[m] == m && have_same_arrays(mesh, other) && mesh.normal_choice == other.normal_choice &&
+                tangent_set(scene, mesh, request.tangents) == tangent_set(scene, other, request.tangents))
+                first[m] = c;
+        }
+        if (first[m] == m && candidates.size() < searched) candidates.push_back(m);
+    }
+    return first;
+}
+
 /// For scope object: the first earlier node that lists the same meshes evenly placed too, or the node itself.
-std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<bool>& even) {
+/// @param first  [meshes] of first_alike()
+std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<std::uint32_t>& first,
+                                       const std::vector<bool>& even) {
     std::vector<std::uint32_t> alike(scene.nodes.size());
+    const auto lists_the_same = [&](const Node& a, const Node& b) {
+        return std::equal(a.meshes.begin(), a.meshes.end(), b.meshes.begin(), b.meshes.end(),
+                          [&](std::uint32_t x, std::uint32_t y) { return first[x] == first[y]; });
+    };
     // Candidates by their first mesh: nodes that list the same meshes share it.
     std::vector<std::vector<std::uint32_t>> seen(scene.meshes.size());
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
         alike[i] = i;
         const auto& meshes = scene.nodes[i].meshes;
         if (meshes.empty() || !even[i]) continue;
-        auto& candidates = seen[meshes[0]];
+        auto& candidates = seen[first[meshes[0]]];
         for (const std::uint32_t c : candidates)
-            if (scene.nodes[c].meshes == meshes) alike[i] = c;
+            if (lists_the_same(scene.nodes[c], scene.nodes[i])) alike[i] = c;
         if (alike[i] == i && candidates.size() < 64) candidates.push_back(i);
     }
     return alike;
+}
+
+/// Tangents beside normals that are kept have no scope face: they are averaged over the model then.
+bool is_of_scope(const Scene& scene, const Mesh& mesh, const SmoothRequest& request) {
+    if (!request.source || request.every_scope) return true;
+    const Scope scope = normal_rule(scene, mesh, *request.source).scope;
+    return (scope == Scope::face && !request.attributes.normals ? Scope::model : scope) == request.attributes.scope;
 }
 
 }  // namespace
@@ -40,21 +86,25 @@ bool is_similarity(const dmat4& m) {
 
 SmoothSelection select_instances(const Scene& scene, const SmoothRequest& request, const std::vector<dmat4>& world) {
     SmoothSelection s;
-    for (const Instance& instance : drawn_instances(scene))
-        if (scene.meshes[instance.mesh].normals.empty() ? request.attributes.normals : !request.only_missing)
+    for (const Instance& instance : drawn_instances(scene)) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        if ((mesh.normals.empty() ? request.attributes.normals : !request.only_missing) &&
+            is_of_scope(scene, mesh, request))
             s.instances.push_back(instance);
+    }
     const Scope scope = request.attributes.scope;
     std::vector<bool> even(scene.nodes.size(), false);
     if (scope != Scope::model)
         for (std::size_t i = 0; i < even.size(); ++i) even[i] = scope == Scope::face || is_similarity(world[i]);
-    const auto alike = scope == Scope::object ? alike_nodes(scene, even) : std::vector<std::uint32_t>{};
+    const auto first = scope == Scope::model ? std::vector<std::uint32_t>{} : first_alike(scene, request);
+    const auto alike = scope == Scope::object ? alike_nodes(scene, first, even) : std::vector<std::uint32_t>{};
     // Where results can be shared: by mesh (face) or by leading node and slot (object).
     std::vector<std::size_t> by_mesh(scene.meshes.size(), none);
     std::vector<std::vector<std::size_t>> by_slot(scope == Scope::object ? scene.nodes.size() : 0);
     for (std::size_t i = 0; i < s.instances.size(); ++i) {
         const Instance& instance = s.instances[i];
         std::size_t* shared = nullptr;
-        if (scope == Scope::face) shared = &by_mesh[instance.mesh];
+        if (scope == Scope::face) shared = &by_mesh[first[instance.mesh]];
         if (scope == Scope::object) {
             auto& slots = by_slot[alike[instance.node]];
             slots.resize(scene.nodes[instance.node].meshes.size(), none);

@@ -2,6 +2,7 @@
 #include "render/load_world.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <set>
 
@@ -10,7 +11,6 @@
 #include "io/reader.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "prepare/prepare.h"
 #include "render/make_shape.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
@@ -46,61 +46,14 @@ NormalSource normals_of(const std::string& word) {
     return word == "model" ? NormalSource::model : NormalSource::automatic;
 }
 
-bool lacks_normals(const Scene& scene) {
-    return std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) {
-        return m.topology == Topology::triangles && m.normals.empty() && !m.indices.empty();
-    });
-}
-
-/// [bytes] of arrays that `made` has and `source` has not.
-std::uint64_t new_bytes(const Scene& made, const Scene& source) {
-    std::set<const void*> known;
-    std::uint64_t bytes = 0;
-    const auto count = [&](const auto& block) {
-        if (!block.empty() && known.insert(block.identity()).second) bytes += block.size() * sizeof(block[0]);
-    };
-    for (const Scene* scene : {&source, &made}) {
-        bytes = 0;
-        for (const Mesh& m : scene->meshes) {
-            count(m.positions), count(m.normals), count(m.tangents), count(m.colors), count(m.indices);
-            count(m.influences);
-            for (const Block<vec2>& set : m.texcoords) count(set);
-            for (const MorphTarget& t : m.targets) count(t.positions), count(t.normals), count(t.tangents);
-        }
-    }
-    return bytes;
-}
-
-/// The normals that the world asks for, or that only this model's format means.
+/// What the part's normals are to be: the world's word, or what only the format of its file means.
 template <class Part>
-Scene with_normals(Scene scene, const Part& part, Context& context) {
-    const bool means_flat = scene.missing_normals_are_flat && lacks_normals(scene);
-    if (part.normals.empty() && !part.crease_angle_rad && !means_flat) return scene;
-    PrepareOptions options;
-    options.normals = normals_of(part.normals);
-    if (part.crease_angle_rad) options.crease_angle_rad = *part.crease_angle_rad;
-    if (part.crease_angle_rad && part.normals.empty()) options.normals = NormalSource::model;
-    Scene made = prepare_scene(scene, options, context);
-    context.memory().charge(new_bytes(made, scene), "normals of the world's own");
-    return made;
+std::optional<NormalChoice> choice_of(const Part& part, bool missing_are_flat) {
+    if (part.normals.empty() && !part.crease_angle_rad && !missing_are_flat) return std::nullopt;
+    NormalChoice choice{normals_of(part.normals), missing_are_flat, part.crease_angle_rad};
+    if (part.normals.empty() && part.crease_angle_rad) choice.source = NormalSource::model;
+    return choice;
 }
-
-/// What makes one shape equal to another, but for place and material.
-struct ShapeKey {
-    ShapeRequest request;
-    std::string normals;
-    std::optional<double> crease_angle_rad;
-
-    auto operator<=>(const ShapeKey&) const = default;
-};
-
-/// What makes one model equal to another, but for place and material.
-struct ModelKey {
-    std::string file, normals;
-    std::optional<double> crease_angle_rad;
-
-    auto operator<=>(const ModelKey&) const = default;
-};
 
 /// A fault of a file that the world names, with the place where it does.
 Error at_place(const Error& error, const std::string& name, WorldPlace place) {
@@ -142,11 +95,11 @@ public:
     }
 
     void add_model(const WorldModel& model) {
-        Scene part = load_prepared(model);
+        Scene part = load_file(model);
         name_default_material(part);  // so that [[material]] finds it
         if (!model.lights) part.lights.clear();
         if (!model.cameras) part.cameras.clear();
-        add(part, model);
+        add(std::move(part), model);
     }
 
     void add_primitive(const WorldPrimitive& shape) {
@@ -166,6 +119,7 @@ public:
         scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
         check_render(world);
         warn_of_twins(world, path_, context_.report());
+        note_creases();
         if (world.fog) scene_.fog = *world.fog;
         if (world.environment) scene_.environment = surroundings(*world.environment);
         validate(scene_);
@@ -188,32 +142,24 @@ private:
         }
     }
 
-    /// With the normals that it asks for, which are made once too.
-    const Scene& load_prepared(const WorldModel& model) {
-        const ModelKey key{model.file, model.normals, model.crease_angle_rad};
-        const auto known = prepared_.find(key);
-        if (known != prepared_.end()) return known->second;
-        return prepared_.emplace(key, with_normals(load_file(model), model, context_)).first->second;
-    }
-
     /// Equal shapes share their arrays.
     const Scene& make_shape(const WorldPrimitive& shape) {
-        const ShapeKey key{request_of(shape), shape.normals, shape.crease_angle_rad};
-        const auto known = shapes_.find(key);
+        const ShapeRequest request = request_of(shape);
+        const auto known = shapes_.find(request);
         if (known != shapes_.end()) return known->second;
         context_.throw_if_cancelled();
-        Scene made = rakelight::make_shape(key.request, &context_.memory());
-        return shapes_.emplace(key, with_normals(std::move(made), shape, context_)).first->second;
+        return shapes_.emplace(request, rakelight::make_shape(request, &context_.memory())).first->second;
     }
 
     template <class Part>
-    void add(const Scene& part, const Part& of) {
-        if (of.subdivision && std::any_of(part.meshes.begin(), part.meshes.end(),
-                                          [&](const Mesh& m) { return m.subdivision != of.subdivision; })) {
-            Scene own = part;
-            for (Mesh& mesh : own.meshes) mesh.subdivision = of.subdivision;
-            return add(own, of);
+    void add(Scene part, const Part& of) {
+        const std::optional<NormalChoice> choice = choice_of(of, part.missing_normals_are_flat);
+        for (Mesh& mesh : part.meshes) {
+            if (of.subdivision) mesh.subdivision = of.subdivision;
+            mesh.normal_choice = choice;
         }
+        if (choice && choice->source == NormalSource::model && choice->crease_angle_rad)
+            crease_angles_.insert(*choice->crease_angle_rad);
         const auto first_mesh = std::uint32_t(scene_.meshes.size()), first_node = std::uint32_t(scene_.nodes.size());
         Node root = root_node(of.name, of.placement);
         root.shading = of.shading;
@@ -221,6 +167,16 @@ private:
         const auto end_material = std::uint32_t(by.materials + part.materials.size());
         parts_.push_back({of.name, by.materials, end_material, first_mesh, std::uint32_t(scene_.meshes.size()),
                           first_node, std::uint32_t(scene_.nodes.size()), of.material});
+    }
+
+    void note_creases() const {
+        if (crease_angles_.size() < 2) return;
+        char angles[64];
+        std::snprintf(angles, sizeof angles, "%g to %g", degrees(*crease_angles_.begin()),
+                      degrees(*crease_angles_.rbegin()));
+        context_.report().add(Remark::note, path_, {},
+                              "parts that are smoothed together have crease angles of their own (" +
+                                  std::string(angles) + " degrees): where two of them meet, the smaller angle rules");
     }
 
     /// What [render] names is there: the camera and the pictures.
@@ -262,8 +218,8 @@ private:
     Scene scene_;
     std::vector<LoadedPart> parts_;
     std::map<std::string, Scene> loaded_;
-    std::map<ModelKey, Scene> prepared_;
-    std::map<ShapeKey, Scene> shapes_;
+    std::map<ShapeRequest, Scene> shapes_;
+    std::set<double> crease_angles_;  ///< of parts that are smoothed over the model
 };
 
 }  // namespace

@@ -8,9 +8,8 @@
 
 namespace rakelight {
 
-/// Loads every model of a world and puts it together. Models whose normals or crease angle the world names, and those
-/// of formats that mean flat faces where they have no normals, get their normals here; all others by what the picture
-/// asks.
+/// Loads every model of a world and puts it together. What the world says of a part's normals stands in
+/// Mesh::normal_choice, and so does what formats that mean flat faces do.
 /// @param path  of the world file: names are resolved from its folder and stay in it unless `allow_outside`
 /// @throws Error not_found, bad_file: with the place in the world file, a model's faults too
 Scene load_world(const std::string& path, const LoadOptions& options, Context& context);

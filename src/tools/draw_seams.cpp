@@ -20,8 +20,8 @@ Scene gray_scene(const Scene& scene, const InspectOptions& options, Context& con
     std::vector<std::uint32_t> objects;
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i)
         if (!scene.nodes[i].meshes.empty()) objects.push_back(i);
-    const Surfaces surfaces = collect_surfaces(scene, objects);
-    std::vector<PartNormals> normals = normals_before(surfaces.meshes, options, context);
+    const Surfaces surfaces = collect_surfaces(scene, objects, options.prepare.normals);
+    std::vector<PartNormals> normals = normals_before(surfaces, options, context);
     Scene gray;
     gray.source = scene.source;
     const std::vector<dmat4> world = world_matrices(scene);

@@ -150,8 +150,8 @@ std::vector<SeamLine> find_seam_lines(const geometry::PlacedMeshes& placed, cons
 void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometry::PlacedMeshes& placed,
                      const geometry::EdgeCensus& census, const InspectOptions& options, Context& context) {
     if (result.objects.size() > 1) {
-        const SeamNormals normals{normals_before(surfaces.meshes, options, context),
-                                  normals_after(surfaces.meshes, options, context)};
+        const SeamNormals normals{normals_before(surfaces, options, context),
+                                  normals_after(surfaces, options, context)};
         BorderReport report = find_borders(placed, normals, context);
         if (options.seam_lines) result.seam_lines = find_seam_lines(placed, census, report);
         result.seams = report.totals;
@@ -159,7 +159,7 @@ void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometr
         result.borders_left_out = report.borders_left_out;
     }
     result.shared_positions = result.seams.positions;
-    result.seams.normals_before = name_of_source(surfaces.meshes, options.prepare.normals);
+    result.seams.normals_before = name_of_source(surfaces);
     result.seams.crease_angle_deg = degrees(options.prepare.crease_angle_rad);
 }
 
@@ -178,7 +178,7 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     const Bounds bounds = world_bounds(scene);
     if (!bounds.empty()) result.low = bounds.low, result.high = bounds.high;
     if (options.borders || options.surfaces) {
-        const Surfaces surfaces = collect_surfaces(scene, objects);
+        const Surfaces surfaces = collect_surfaces(scene, objects, options.prepare.normals);
         check_memory(surfaces, context);
         const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, options.weld_distance, context);
         const geometry::EdgeCensus census = count_edges(placed, std::uint32_t(objects.size()));

@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/seam_normals.h"
 
-#include <algorithm>
+#include <set>
 
 namespace rakelight {
 namespace {
-
-bool keeps_given(NormalSource source) { return source == NormalSource::automatic || source == NormalSource::file; }
-
-Scope scope_of(NormalSource source) {
-    switch (source) {
-        case NormalSource::model:
-            return Scope::model;
-        case NormalSource::file:
-        case NormalSource::flat:
-            return Scope::face;
-        default:
-            return Scope::object;
-    }
-}
 
 /// Makes the normals of some of the parts.
 void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMesh> meshes,
@@ -42,40 +28,50 @@ void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMe
 
 }  // namespace
 
-std::vector<PartNormals> normals_before(std::span<const AttributeMesh> meshes, const InspectOptions& options,
-                                        Context& context) {
-    std::vector<PartNormals> normals(meshes.size());
-    std::vector<std::size_t> missing;
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-        if (keeps_given(options.prepare.normals) && !meshes[i].normals.empty())
+std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectOptions& options, Context& context) {
+    std::vector<PartNormals> normals(surfaces.meshes.size());
+    std::vector<std::size_t> missing[3];  // by scope
+    std::vector<AttributeMesh> meshes = surfaces.meshes;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const NormalRule& rule = surfaces.rules[i];
+        if (!rule.groups)
+            meshes[i].smoothing = {}, meshes[i].smoothing_hint = {}, meshes[i].group_kind = GroupKind::none;
+        if (rule.keeps_given && !meshes[i].normals.empty())
             normals[i].given = meshes[i].normals;
         else
-            missing.push_back(i);
-    if (!missing.empty()) make_normals(normals, meshes, missing, scope_of(options.prepare.normals), options, context);
+            missing[std::size_t(rule.scope)].push_back(i);
+    }
+    for (const Scope scope : {Scope::face, Scope::object, Scope::model})
+        if (const auto& parts = missing[std::size_t(scope)]; !parts.empty())
+            make_normals(normals, meshes, parts, scope, options, context);
     return normals;
 }
 
-std::vector<PartNormals> normals_after(std::span<const AttributeMesh> meshes, const InspectOptions& options,
-                                       Context& context) {
-    std::vector<PartNormals> normals(meshes.size());
-    std::vector<std::size_t> all(meshes.size());
+std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context) {
+    std::vector<PartNormals> normals(surfaces.meshes.size());
+    std::vector<std::size_t> all(surfaces.meshes.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    make_normals(normals, meshes, all, Scope::model, options, context);
+    make_normals(normals, surfaces.meshes, all, Scope::model, options, context);
     return normals;
 }
 
-std::string name_of_source(std::span<const AttributeMesh> meshes, NormalSource source) {
-    const Scope scope = scope_of(source);
-    const char* made = scope == Scope::model    ? "smoothed over the model"
-                       : scope == Scope::object ? "smoothed per object"
-                                                : "flat";
-    const auto given = std::count_if(meshes.begin(), meshes.end(),
-                                     [&](const AttributeMesh& m) { return keeps_given(source) && !m.normals.empty(); });
-    const std::size_t missing = meshes.size() - std::size_t(given);
-    if (given == 0) return made;
-    if (missing == 0) return "the file's";
-    return "the file's, " + std::string(made) + " where it has none (" + std::to_string(missing) + " of " +
-           std::to_string(meshes.size()) + " meshes)";
+std::string name_of_source(const Surfaces& surfaces) {
+    std::size_t missing = 0;
+    std::set<Scope> scopes;
+    for (std::size_t i = 0; i < surfaces.meshes.size(); ++i) {
+        if (surfaces.rules[i].keeps_given && !surfaces.meshes[i].normals.empty()) continue;
+        ++missing;
+        scopes.insert(surfaces.rules[i].scope);
+    }
+    if (missing == 0) return surfaces.meshes.empty() ? "smoothed per object" : "the file's";
+    const Scope scope = *scopes.begin();
+    const std::string made = scopes.size() > 1        ? "made as the world says"
+                             : scope == Scope::model  ? "smoothed over the model"
+                             : scope == Scope::object ? "smoothed per object"
+                                                      : "flat";
+    if (missing == surfaces.meshes.size()) return made;
+    return "the file's, " + made + " where it has none (" + std::to_string(missing) + " of " +
+           std::to_string(surfaces.meshes.size()) + " meshes)";
 }
 
 }  // namespace rakelight

@@ -8,6 +8,8 @@
 #include <rakelight/attributes.h>
 #include <rakelight/inspect.h>
 
+#include "tools/surfaces.h"
+
 namespace rakelight {
 
 /// The normals of one part: the file's, or made.
@@ -26,16 +28,15 @@ struct SeamNormals {
     std::vector<PartNormals> before, after;  ///< [parts]
 };
 
-/// `options.prepare` says how, `options.weld_distance` what is one place.
-std::vector<PartNormals> normals_before(std::span<const AttributeMesh> meshes, const InspectOptions& options,
-                                        Context& context);
+/// By the rules of the parts and the weight and crease angle of `options.prepare`; `options.weld_distance` what is one
+/// place.
+std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectOptions& options, Context& context);
 
 /// As `rakelight smooth` writes them with the same crease angle and weight.
-std::vector<PartNormals> normals_after(std::span<const AttributeMesh> meshes, const InspectOptions& options,
-                                       Context& context);
+std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context);
 
 /// Whose normals normals_before() gives, for people: "the file's, smoothed per object where it has none (2 of 5
 /// meshes)".
-std::string name_of_source(std::span<const AttributeMesh> meshes, NormalSource source);
+std::string name_of_source(const Surfaces& surfaces);
 
 }  // namespace rakelight

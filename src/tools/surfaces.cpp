@@ -8,8 +8,17 @@
 #include "prepare/smooth_request.h"
 
 namespace rakelight {
+namespace {
 
-Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> objects) {
+NormalRule rule_of(const Scene& scene, const Mesh& mesh, NormalSource source) {
+    NormalRule rule = normal_rule(scene, mesh, source);
+    if (source == NormalSource::automatic && !mesh.normal_choice) rule.scope = Scope::object, rule.groups = true;
+    return rule;
+}
+
+}  // namespace
+
+Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> objects, NormalSource source) {
     const std::vector<dmat4> world = bind_pose_matrices(scene);
     Surfaces out;
     out.parts = drawn_instances(scene);
@@ -27,6 +36,8 @@ Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> obj
             m.group_kind = mesh.smoothing_kind == SmoothingKind::masks ? GroupKind::masks : GroupKind::numbers;
         m.smoothing_hint = mesh.smoothing_hint;
         m.position_step = mesh.position_step;
+        out.rules.push_back(rule_of(scene, mesh, source));
+        m.crease_angle_rad = out.rules.back().crease_angle_rad;
         m.to_world = world[part.node] * translation(mesh.origin);
     }
     return out;

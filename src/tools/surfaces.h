@@ -7,6 +7,7 @@
 #include <rakelight/attributes.h>
 #include <rakelight/scene.h>
 
+#include "prepare/normal_rule.h"
 #include "prepare/variants.h"
 
 namespace rakelight {
@@ -16,9 +17,13 @@ namespace rakelight {
 struct Surfaces {
     std::vector<Instance> parts;
     std::vector<AttributeMesh> meshes;  ///< [parts] with the file's normals, texture coordinates and smoothing groups
+    std::vector<NormalRule> rules;      ///< [parts] by which the normals of a picture come about
 };
 
 /// @param objects  the node of each object, ascending; all nodes that have meshes
-Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> objects);
+/// @param source   whose normals the picture would have. `automatic`: what is neither in the file nor chosen is
+/// smoothed
+///                 per object, as programs do that see no borders
+Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> objects, NormalSource source);
 
 }  // namespace rakelight

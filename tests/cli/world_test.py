@@ -277,6 +277,32 @@ class Worlds(program.Case):
             pictures.add((self.folder / "b.png").read_bytes())
         self.assertEqual(len(pictures), 2)  # the last has a highlight
 
+    def test_models_that_say_model_are_one_surface_in_the_picture_and_for_inspect(self):
+        slope = "v 0 0 0\nv 1 -1 0\nv 1 -1 1\nv 0 0 1\nf 1 4 3 2\n"
+        self.write("slope.obj", slope)
+        parts = "".join(f"[[model]]\nfile = 'slope.obj'\nscale = {scale}\nKEYS" for scale in ("[1, 0.5, 2]", "[-1, 2, 2]"))
+        keys = {"silent": "", "model": "normals = 'model'\ncrease_angle_deg = 180\n", "object": "normals = 'object'\ncrease_angle_deg = 180\n"}
+        for name, key in keys.items():
+            self.write(name + ".scene.toml", parts.replace("KEYS", key))
+        look = ("--resolution", "96,64", "--camera-position", "0,3,5", "--camera-focal-point", "0,-0.5,0.5", "--light", "directional:1,-1,-1")
+
+        def picture(name, *options):
+            done = self.run_program("render", name + ".scene.toml", "-o", name + ".png", *look, *options)
+            self.assertEqual(done.code, 0, done.err)
+            return (self.folder / (name + ".png")).read_bytes()
+
+        def seam(name, *options):
+            return json.loads(self.run_program("inspect", name + ".scene.toml", "--json", *options).out)["rows"][0]["seams"]["seam_deg"]
+
+        for scope in ("model", "object"):
+            as_asked = picture("silent", "--normals", scope, "--crease-angle", "180")
+            self.assertEqual(picture(scope), as_asked, scope)
+        self.assertNotEqual(picture("model"), picture("object"))
+        self.assertLess(seam("model"), 1e-6)
+        self.assertGreater(seam("object"), 60)
+        self.assertAlmostEqual(seam("object"), seam("silent", "--normals", "object", "--crease-angle", "180"), places=3)
+        self.assertEqual(picture("model", "--weight", "area"), picture("silent", "--normals", "model", "--crease-angle", "180", "--weight", "area"))
+
     def test_files_outside_of_the_folder_need_to_be_allowed(self):
         (self.folder / "deep").mkdir()
         (self.folder / "deep/w.scene.toml").write_text("[[model]]\nfile = '../a.obj'\n")

@@ -19,7 +19,9 @@ std::vector<WorldKey> placed(std::vector<WorldKey> keys) {
     keys.push_back({"rotation_deg", Kind::vector, "Turns it about x, then y, then z"});
     keys.push_back({"scale", Kind::scale, "Its size: a number, or one for each of x, y, z; not 0", {-1e9, 1e9}});
     keys.push_back({"material", Kind::text, "Name of a [[material]] for all of it"});
-    keys.push_back({"normals", Kind::word, "Whose normals count, as --normals", any_number, normal_words});
+    keys.push_back({"normals", Kind::word,
+                    "Whose normals count, as --normals; model: over all parts of the world that are smoothed so",
+                    any_number, normal_words});
     keys.push_back({"crease_angle_deg", Kind::number, "Edges bent more stay sharp, as --crease-angle", {0, 180}});
     keys.push_back({"shading", Kind::word, "How often its lighting is evaluated, before --shading", any_number,
                     names_of<Shading>(shading_words)});

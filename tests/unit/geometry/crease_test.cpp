@@ -2,6 +2,9 @@
 // Crease angle: which faces share a normal, where the limit lies, and that joining is transitive.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "unit/geometry/shapes.h"
 
 namespace rakelight::test {
@@ -218,6 +221,99 @@ TEST(Crease, ChainOfObjectsIsSmoothAtEachOfItsEdges) {
         EXPECT_EQ(out[i].normals[1], out[i + 1].normals[0]);
         EXPECT_NE(out[i].normals[0], out[i].normals[1]);  // groups are of one place, not of the whole strip
     }
+}
+
+// --- crease angles of single meshes ---------------------------------------------------------------------------------
+
+/// @param own_deg  [shapes] < 0: none
+std::vector<MeshAttributes> compute_with(const std::vector<Shape>& shapes, const std::vector<double>& own_deg,
+                                         const AttributeOptions& options) {
+    std::vector<AttributeMesh> meshes = views(shapes);
+    for (std::size_t m = 0; m < meshes.size(); ++m)
+        meshes[m].crease_angle_rad = own_deg[m] < 0 ? -1 : radians(own_deg[m]);
+    Context context;
+    return compute_attributes(meshes, options, context);
+}
+
+TEST(CreaseOfMeshes, OneForAllIsAsTheOptionsHaveIt) {
+    const auto parts = cut_at_random(make_torus(24, 12), 3, 4);
+    for (const double angle_deg : {0.0, 20.0, 180.0})
+        for (const double other_deg : {0.0, 20.0, 180.0}) {
+            const auto own = compute_with(parts, {angle_deg, angle_deg, angle_deg}, crease(other_deg));
+            const auto by_options = compute(parts, crease(angle_deg));
+            for (std::size_t m = 0; m < parts.size(); ++m) {
+                EXPECT_EQ(own[m].normals, by_options[m].normals) << angle_deg << " in place of " << other_deg;
+                EXPECT_EQ(own[m].indices, by_options[m].indices);
+            }
+        }
+}
+
+TEST(CreaseOfMeshes, BetweenTwoMeshesTheSmallerRules) {
+    const auto chain = make_chain(3, 40);
+    const auto is_joined = [&](std::vector<double> own_deg, double options_deg) {
+        const auto out = compute_with(chain, own_deg, crease(options_deg));
+        return std::pair(out[0].normals[1] == out[1].normals[0], out[1].normals[1] == out[2].normals[0]);
+    };
+    EXPECT_EQ(is_joined({-1, -1, -1}, 60), std::pair(true, true));
+    EXPECT_EQ(is_joined({180, 50, 30}, 0), std::pair(true, false));
+    EXPECT_EQ(is_joined({30, 180, 180}, 0), std::pair(false, true));
+    EXPECT_EQ(is_joined({180, -1, 180}, 30), std::pair(false, false));
+    EXPECT_EQ(is_joined({180, -1, 180}, 41), std::pair(true, true));
+}
+
+TEST(CreaseOfMeshes, MeshesOf180DegreesJoinAtAPlaceWithoutACommonEdge) {
+    std::vector<Shape> parts(3);
+    parts[0].positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, -1}};
+    parts[1].positions = {{0, 0, 0}, {-1, 1, 0}, {-1, 1, 1}};
+    parts[2].positions = {{0, 0, 0}, {0, -1, 3}, {0.5f, -1, 3}};
+    for (std::uint32_t m = 0; m < 3; ++m) parts[m].indices = {0, 1, 2}, parts[m].object = m;
+    auto out = compute_with(parts, {180, 180, 60}, crease(60));
+    EXPECT_EQ(out[0].normals[0], out[1].normals[0]);
+    EXPECT_NE(out[0].normals[0], out[2].normals[0]);
+    out = compute_with(parts, {180, 179, 180}, crease(60));
+    EXPECT_NE(out[0].normals[0], out[1].normals[0]);
+    EXPECT_EQ(out[0].normals[0], out[2].normals[0]);
+}
+
+// Faces like the pages of a book, each a mesh with one of three angles; against every pair compared.
+TEST(CreaseOfMeshes, ManyFacesOnOneEdgeAreJoinedAsEveryPairAsks) {
+    constexpr double angles_deg[] = {5, 25, 120};
+    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+        std::mt19937 random(seed);
+        const std::size_t count = 5 + random() % 40;
+        std::vector<Shape> pages(count);
+        std::vector<double> turn(count), own(count);
+        std::vector<dvec3> normal(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            turn[i] = radians(double(random() % 3600) / 10 + 0.013 * double(i));  // no angle at a limit
+            own[i] = angles_deg[random() % 3];
+            pages[i].object = std::uint32_t(i);
+            pages[i].positions = {{0, 0, 0}, {0, 0, 1}, {float(std::cos(turn[i])), float(std::sin(turn[i])), 0}};
+            pages[i].indices = {0, 1, 2};
+            normal[i] = normalize_or(cross(dvec3{0, 0, 1}, cast<double>(pages[i].positions[2])), dvec3{});
+        }
+        std::vector<std::size_t> group(count);
+        for (std::size_t i = 0; i < count; ++i) group[i] = i;
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const double angle_deg = degrees(std::acos(std::clamp(dot(normal[i], normal[j]), -1.0, 1.0)));
+                if (angle_deg > std::min(own[i], own[j]) || group[i] == group[j]) continue;
+                const std::size_t from = group[i], to = group[j];
+                for (std::size_t& g : group) g = g == from ? to : g;
+            }
+        const auto out = compute_with(pages, own, crease(60));
+        for (std::size_t i = 0; i < count; ++i) {
+            dvec3 sum;
+            for (std::size_t j = 0; j < count; ++j) sum += group[i] == group[j] ? normal[j] : dvec3{};
+            if (length(sum) < 0.1) continue;  // what cancels is taken apart
+            EXPECT_LT(angle_between(out[i].normals[0], cast<float>(normalize_or(sum, dvec3{}))), 1e-4)
+                << seed << " " << i;
+        }
+    }
+}
+
+TEST(CreaseOfMeshes, BeyondAHalfTurnIsRefused) {
+    EXPECT_THROW(compute_with(make_chain(1, 0), {181}, crease(60)), Error);
 }
 
 }  // namespace

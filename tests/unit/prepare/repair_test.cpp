@@ -40,7 +40,7 @@ TEST(Repair, LeavesAWholeMeshAloneToTheBlock) {
     mesh.tangents = std::vector<vec4>(4, {1, 0, 0, -1});
     mesh.texcoords.emplace_back(std::vector<vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     const Scene scene = scene_of({mesh});
-    const Mesh after = repair_scene(scene, true, context).meshes[0];
+    const Mesh after = repair_scene(scene, NormalSource::automatic, context).meshes[0];
     EXPECT_TRUE(after.positions == mesh.positions && after.indices == mesh.indices && after.normals == mesh.normals);
     EXPECT_TRUE(after.tangents == mesh.tangents && after.texcoords[0] == mesh.texcoords[0]);
     EXPECT_EQ(all_remarks(context), "");
@@ -53,7 +53,7 @@ TEST(Repair, DropsTrianglesThatTouchPositionsThatAreNotFinite) {
         mesh.smoothing = std::vector<std::uint32_t>{7, 8};
         mesh.smoothing_hint = std::vector<vec3>(6, {0, 0, 1});
         mesh.polygons = std::vector<std::uint32_t>{4, 5};
-        const Scene scene = repair_scene(scene_of({mesh}), true, context);
+        const Scene scene = repair_scene(scene_of({mesh}), NormalSource::automatic, context);
         EXPECT_EQ(scene.meshes[0].triangle_count(), 1u);
         EXPECT_EQ(scene.meshes[0].smoothing.size(), 1u);
         EXPECT_EQ(scene.meshes[0].smoothing[0], 7u);
@@ -115,7 +115,8 @@ TEST(Repair, ComputesNormalsWhereAllAreBroken) {
 TEST(Repair, ReplacesSingleBrokenNormalsByThoseOfTheFacesAround) {
     Context context;
     const vec3 tilted{0.6f, 0, 0.8f};
-    const Scene out = repair_scene(scene_of({with_normals({tilted, {nan_f, 0, 0}, {0, 0, 0}, tilted})}), true, context);
+    const Scene out = repair_scene(scene_of({with_normals({tilted, {nan_f, 0, 0}, {0, 0, 0}, tilted})}),
+                                   NormalSource::automatic, context);
     EXPECT_EQ(out.meshes[0].normals[0], tilted);
     EXPECT_EQ(out.meshes[0].normals[1], (vec3{0, 0, 1}));
     EXPECT_EQ(out.meshes[0].normals[2], (vec3{0, 0, 1}));
@@ -134,7 +135,7 @@ TEST(Repair, BrokenNormalsAtASeamAreThoseOfBothSides) {
     for (const std::size_t v : {1u, 6u}) normals[v] = {0, 0, 0};
     mesh.normals = normals;
     Context context;
-    const Mesh after = repair_scene(scene_of({mesh}), true, context).meshes[0];
+    const Mesh after = repair_scene(scene_of({mesh}), NormalSource::automatic, context).meshes[0];
     EXPECT_EQ(after.positions.size(), 8u);
     EXPECT_EQ(after.normals[1], after.normals[6]);
     EXPECT_NEAR(after.normals[1].x, std::sin(radians(20)), 0.02);
@@ -145,7 +146,8 @@ TEST(Repair, MakesNormalsUnitAndSaysSoOnlyWhereItShows) {
     const std::pair<float, Remark> lengths[] = {{5, Remark::changed}, {1e-30f, Remark::changed}, {1e30f, Remark::changed}, {1.01f, Remark::note}};
     for (const auto& [size, remark] : lengths) {
         Context context;
-        const Scene out = repair_scene(scene_of({with_normals(std::vector<vec3>(4, {0, size, 0}))}), true, context);
+        const Scene out = repair_scene(scene_of({with_normals(std::vector<vec3>(4, {0, size, 0}))}),
+                                       NormalSource::automatic, context);
         EXPECT_EQ(out.meshes[0].normals[0], (vec3{0, 1, 0}));
         EXPECT_EQ(remarks(context, remark, "unit length"), 1u) << size;
     }
@@ -156,7 +158,7 @@ TEST(Repair, DropsTangentsWithABrokenSignOrDirection) {
         Context context;
         Mesh mesh = with_normals(std::vector<vec3>(4, {0, 0, 1}));
         mesh.tangents = std::vector<vec4>{{1, 0, 0, 1}, {1, 0, 0, 1}, broken, {1, 0, 0, 1}};
-        EXPECT_TRUE(repair_scene(scene_of({mesh}), true, context).meshes[0].tangents.empty());
+        EXPECT_TRUE(repair_scene(scene_of({mesh}), NormalSource::automatic, context).meshes[0].tangents.empty());
         EXPECT_EQ(remarks(context, Remark::warning, "computed anew"), 1u);
     }
 }
@@ -165,7 +167,8 @@ TEST(Repair, RoundsSignsOfTangentsAndMakesThemUnit) {
     Context context;
     Mesh mesh = with_normals(std::vector<vec3>(4, {0, 0, 1}));
     mesh.tangents = std::vector<vec4>(4, {3, 0, 0, -0.9999f});
-    EXPECT_EQ(repair_scene(scene_of({mesh}), true, context).meshes[0].tangents[1], (vec4{1, 0, 0, -1}));
+    EXPECT_EQ(repair_scene(scene_of({mesh}), NormalSource::automatic, context).meshes[0].tangents[1],
+              (vec4{1, 0, 0, -1}));
     EXPECT_EQ(remarks(context, Remark::changed, "tangents that are not of unit length"), 1u);
 }
 
@@ -173,14 +176,14 @@ TEST(Repair, IgnoresTangentsOfAMeshWithoutNormals) {
     Context context;
     Mesh mesh = quad_mesh();
     mesh.tangents = std::vector<vec4>(4, {1, 0, 0, 1});
-    EXPECT_TRUE(repair_scene(scene_of({mesh}), true, context).meshes[0].tangents.empty());
+    EXPECT_TRUE(repair_scene(scene_of({mesh}), NormalSource::automatic, context).meshes[0].tangents.empty());
 }
 
 TEST(Repair, SetsCoordinatesThatAreNotFiniteToZeroAndWarnsOfHugeOnes) {
     Context context;
     Mesh mesh = quad_mesh();
     mesh.texcoords.emplace_back(std::vector<vec2>{{0, 0}, {nan_f, 1}, {1, inf_f}, {1e20f, 0}});
-    const Scene out = repair_scene(scene_of({mesh}), true, context);
+    const Scene out = repair_scene(scene_of({mesh}), NormalSource::automatic, context);
     EXPECT_EQ(out.meshes[0].texcoords[0][1], (vec2{0, 0}));
     EXPECT_EQ(out.meshes[0].texcoords[0][2], (vec2{0, 0}));
     EXPECT_EQ(out.meshes[0].texcoords[0][3].x, 1e20f);
@@ -193,11 +196,11 @@ TEST(Repair, WarnsOfEqualCoordinatesOnlyWhereATextureIs) {
     mesh.texcoords.emplace_back(std::vector<vec2>(4, {0.5f, 0.5f}));
     Scene scene = scene_of({mesh});
     Context without;
-    repair_scene(scene, true, without);
+    repair_scene(scene, NormalSource::automatic, without);
     EXPECT_EQ(all_remarks(without), "");
     test::give_texture(scene, &Material::base_color_texture);
     Context with;
-    repair_scene(scene, true, with);
+    repair_scene(scene, NormalSource::automatic, with);
     EXPECT_EQ(remarks(with, Remark::warning, "all texture coordinates are the same"), 1u);
 }
 
@@ -234,7 +237,7 @@ TEST(Repair, WarnsOfNodesThatFlattenAndRotationsOfNoLength) {
 TEST(Repair, CountsTheSameFaultOfManyMeshesInOneRemarkInTheOrderOfMeshes) {
     Context context({.threads = 4});
     std::vector<Mesh> meshes(50, with_normals(std::vector<vec3>(4, {0, 0, 0})));
-    repair_scene(scene_of(meshes), true, context);
+    repair_scene(scene_of(meshes), NormalSource::automatic, context);
     const auto entries = context.report().entries();
     ASSERT_EQ(entries.size(), 1u);
     EXPECT_EQ(entries[0].count, 50u);

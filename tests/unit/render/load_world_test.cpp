@@ -8,6 +8,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <tuple>
 
 #include "math/linear.h"
 #include "render/view.h"
@@ -19,6 +21,8 @@ using namespace rakelight;
 using namespace rakelight::test;
 
 namespace {
+
+constexpr const char* roof = "v -1 0 0\nv 0 0.2 0\nv -1 0 1\nv 1 0 0\nv 1 0 1\nv 0 0.2 1\nf 1 3 6 2\nf 2 6 5 4\n";
 
 /// A folder with two small models.
 class LoadWorld : public testing::Test {
@@ -36,6 +40,10 @@ protected:
     Scene load_text(const std::string& text, LoadOptions options = {}) {
         write("w.scene.toml", text);
         return load((folder_ / "w.scene.toml").string(), options, context_);
+    }
+
+    Scene prepared(const std::string& text, const PrepareOptions& options = {}) {
+        return prepare_scene(load_text(text), options, context_);
     }
 
     std::filesystem::path folder_;
@@ -96,29 +104,17 @@ TEST_F(LoadWorld, AFileThatStandsTwiceSharesItsArrays) {
     EXPECT_EQ(s.nodes.at(2).name, "second");
 }
 
-TEST_F(LoadWorld, EqualNormalsOfAFileAreMadeOnceAndOthersCountAsMemory) {
-    write("fan.obj", [] {  // all faces have a vertex in common: flat normals take three times the vertices
-        std::string text = "v 0 0 1\n";
-        for (int i = 0; i < 2000; ++i) text += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
-        for (int i = 2; i <= 2000; ++i) text += "f 1 " + std::to_string(i) + " " + std::to_string(i + 1) + "\n";
-        return text;
-    }());
-    const auto world = [](int count, double angle_step) {
-        std::string text;
-        for (int i = 0; i < count; ++i)
-            text += "[[model]]\nfile = 'fan.obj'\nnormals = 'model'\ncrease_angle_deg = " +
-                    std::to_string(1 + i * angle_step) + "\n";
-        return text;
-    };
-    const Scene s = load_text(world(3, 0));
-    EXPECT_EQ(s.meshes.at(0).normals, s.meshes.at(2).normals);
-    const std::uint64_t bytes = context_.memory().charged();
-    load_text(world(40, 0));
-    const std::uint64_t same = context_.memory().charged() - bytes;
-    load_text(world(40, 0.5));
-    const std::uint64_t others = context_.memory().charged() - bytes - same;
-    EXPECT_LT(same, bytes + 100'000);
-    EXPECT_GT(others, same + 39 * 2000 * sizeof(vec3));
+TEST_F(LoadWorld, NormalsInsideAModelThatStandsSeveralTimesAreMadeOnce) {
+    write("roof.obj", roof);
+    for (const std::string normals : {"flat", "object"}) {
+        const std::string model = "[[model]]\nfile = 'roof.obj'\nnormals = '" + normals + "'\n";
+        const Scene s = prepared(model + "rotation_deg = [0, 40, 0]\n" + model + "position = [9, 0, 0]\n" + model +
+                                 "crease_angle_deg = 5\n");
+        ASSERT_EQ(s.meshes.size(), 3u);
+        EXPECT_EQ(s.meshes[0].normals, s.meshes[1].normals) << normals << ": the same array";
+        EXPECT_EQ(s.meshes[0].positions, s.meshes[1].positions);
+        EXPECT_NE(s.meshes[0].normals, s.meshes[2].normals) << "asked for by another crease angle";
+    }
 }
 
 TEST_F(LoadWorld, MaterialsAreChangedByNameAndByModel) {
@@ -202,15 +198,107 @@ TEST_F(LoadWorld, LightsAndCamerasOfModelsComeAlongOnlyWhereTheWorldSaysSo) {
 }
 
 TEST_F(LoadWorld, NormalsOfOneModelAreMadeAsTheWorldSays) {
-    write("roof.obj", "v -1 0 0\nv 0 0.2 0\nv -1 0 1\nv 1 0 0\nv 1 0 1\nv 0 0.2 1\nf 1 3 6 2\nf 2 6 5 4\n");
-    const auto ridge_is_smooth = [&](const std::string& keys) {
-        const Scene s = load_text("[[model]]\nfile = 'roof.obj'\n" + keys);
-        return s.meshes.at(0).normals.empty() ? -1 : s.meshes[0].normals.size() == 6 ? 1 : 0;
+    write("roof.obj", roof);
+    const auto ridge_is_smooth = [&](const std::string& keys, const PrepareOptions& options = {}) {
+        return prepared("[[model]]\nfile = 'roof.obj'\n" + keys, options).meshes.at(0).normals.size() == 6;
     };
-    EXPECT_EQ(ridge_is_smooth(""), -1);  // as the picture's options say
-    EXPECT_EQ(ridge_is_smooth("normals = 'model'\n"), 1);
-    EXPECT_EQ(ridge_is_smooth("normals = 'flat'\n"), 0);
-    EXPECT_EQ(ridge_is_smooth("crease_angle_deg = 5\n"), 0);
+    EXPECT_TRUE(ridge_is_smooth(""));  // as the picture's options say
+    EXPECT_FALSE(ridge_is_smooth("", {.normals = NormalSource::flat}));
+    EXPECT_TRUE(ridge_is_smooth("normals = 'model'\n"));
+    EXPECT_FALSE(ridge_is_smooth("normals = 'flat'\n"));
+    EXPECT_FALSE(ridge_is_smooth("crease_angle_deg = 5\n"));
+    EXPECT_TRUE(ridge_is_smooth("crease_angle_deg = 40\n", {.crease_angle_rad = 0})) << "its own goes before";
+    EXPECT_FALSE(ridge_is_smooth("normals = 'model'\n", {.crease_angle_rad = 0})) << "none of its own";
+    EXPECT_TRUE(ridge_is_smooth("normals = 'flat'\n", {.normals = NormalSource::model})) << "the picture's for all";
+}
+
+/// World normals at the place (0, 0, 0) of all that is drawn, each once.
+std::set<std::tuple<long, long, long>> normals_at_origin(const Scene& s) {
+    std::set<std::tuple<long, long, long>> found;
+    const std::vector<dmat4> world = world_matrices(s);
+    for (std::size_t n = 0; n < s.nodes.size(); ++n)
+        for (const std::uint32_t m : s.nodes[n].meshes) {
+            const Mesh& mesh = s.meshes[m];
+            const dmat3 linear = upper_left(world[n]), turn = cofactor(linear);
+            for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+                const dvec3 p = transform_point(world[n], cast<double>(mesh.positions[v]));
+                if (length(p) > 1e-6) continue;
+                const dvec3 normal = normalize_or(
+                    turn * cast<double>(mesh.normals[v]) * (determinant(linear) < 0 ? -1.0 : 1.0), dvec3{});
+                found.insert({std::lround(1e5 * normal.x), std::lround(1e5 * normal.y), std::lround(1e5 * normal.z)});
+            }
+        }
+    return found;
+}
+
+/// Three models that meet at the origin, a and b along +z, a and c along an edge too; b is mirrored.
+std::string three_slopes(const std::string& a, const std::string& b, const std::string& c) {
+    return "[[model]]\nfile = 'slope.obj'\nname = 'a'\nscale = [2, 0.5, 1]\n" + a +
+           "[[model]]\nfile = 'slope.obj'\nname = 'b'\nscale = [-2, 0.25, 1]\n" + b +
+           "[[model]]\nfile = 'side.obj'\nname = 'c'\nscale = [2, 0.5, 3]\n" + c;
+}
+constexpr const char* slope = "v 0 0 0\nv 1 -1 0\nv 1 -1 1\nv 0 0 1\nf 1 4 3 2\n";
+constexpr const char* side = "v 0 0 0\nv 1 -1 0\nv 1 -2 -1\nv 0 -1 -1\nf 1 2 3 4\n";
+
+TEST_F(LoadWorld, ModelsThatSayModelAreSmoothedTogether) {
+    write("slope.obj", slope);
+    write("side.obj", side);
+    const std::string model = "normals = 'model'\ncrease_angle_deg = 180\n", object = "normals = 'object'\n";
+    const auto unlike = [&](const std::string& text, const PrepareOptions& options = {}) {
+        return normals_at_origin(prepared(text, options)).size();
+    };
+    EXPECT_EQ(unlike(three_slopes(model, model, model)), 1u);
+    EXPECT_EQ(normals_at_origin(prepared(three_slopes(model, model, model))),
+              normals_at_origin(
+                  prepared(three_slopes("", "", ""), {.normals = NormalSource::model, .crease_angle_rad = pi})));
+    EXPECT_EQ(unlike(three_slopes(object, object, object)), 3u);
+    EXPECT_EQ(unlike(three_slopes(model, object, model)), 2u) << "a and c together, b alone";
+    EXPECT_EQ(unlike(three_slopes("normals = 'flat'\n", object, "normals = 'file'\n")), 3u);
+    EXPECT_EQ(unlike(three_slopes(model, "", model), {.crease_angle_rad = pi}), 1u) << "b by the picture's options";
+    EXPECT_EQ(unlike(three_slopes(model, "", model), {.crease_angle_rad = 0}), 2u)
+        << "by its crease angle at its borders";
+}
+
+TEST_F(LoadWorld, BetweenModelsTheSmallerCreaseAngleRulesAndItIsSaid) {
+    write("slope.obj", slope);
+    write("side.obj", side);
+    const auto by = [](const char* angle) {
+        return "normals = 'model'\ncrease_angle_deg = " + std::string(angle) + "\n";
+    };
+    EXPECT_EQ(normals_at_origin(prepared(three_slopes(by("180"), by("90"), by("120")))).size(), 1u);
+    EXPECT_EQ(normals_at_origin(prepared(three_slopes(by("180"), by("5"), by("120")))).size(), 2u);
+    std::size_t notes = 0;
+    for (const ReportEntry& entry : context_.report().entries())
+        notes += entry.message.find("(5 to 180 degrees): where two of them meet, the smaller angle rules") !=
+                 std::string::npos;
+    EXPECT_EQ(notes, 1u);
+}
+
+TEST_F(LoadWorld, TangentsFollowTheNormalsOverAllModelsThatSayModel) {
+    write("slope.obj", "v 0 0 0\nv 1 -0.1 0\nv 1 -0.1 1\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 4/4 3/3 2/2\n");
+    const auto world = [](const std::string& normals) {
+        std::string text;
+        for (const char* turn : {"0", "20"})
+            text += "[[model]]\nfile = 'slope.obj'\nmaterial = 'bumpy'\nrotation_deg = [0, 0, " + std::string(turn) +
+                    "]\nnormals = '" + normals + "'\n";
+        return text + "[[material]]\nname = 'bumpy'\nnormal_texture = 'n.png'\n";
+    };
+    Frame blue;
+    blue.begin(1, 1, {}, 0);
+    blue.color[0] = {0.2f, 0.2f, 1, 1};
+    save(blue, (folder_ / "n.png").string());
+    const auto turn_deg = [&](const std::string& normals) {  // of the second model's tangent against the first's
+        const Scene s = prepared(world(normals));
+        const std::vector<dmat4> placed = world_matrices(s);
+        dvec3 tangent[2];
+        std::size_t found = 0;
+        for (std::size_t n = 0; n < s.nodes.size(); ++n)
+            for (const std::uint32_t m : s.nodes[n].meshes)
+                tangent[found++] = upper_left(placed[n]) * cast<double>(s.meshes[m].tangents.at(0).xyz());
+        return degrees(std::acos(std::min(1.0, dot(tangent[0], tangent[1]))));
+    };
+    EXPECT_NEAR(turn_deg("model"), 0, 0.01);
+    EXPECT_NEAR(turn_deg("object"), 20, 0.01);
 }
 
 TEST_F(LoadWorld, FilesStayInTheWorldsFolderUnlessTheCallerAllowsOthers) {

@@ -184,10 +184,10 @@ TEST(Borders, NeedlesWhoseDirectionIsRoundingDoNotCount) {
         const BorderSummary b = inspected(scene, {.crease_angle_rad = pi}).borders[0];
         EXPECT_EQ(b.largest_deg, 0) << height;
         Context context;
-        const Surfaces surfaces = collect_surfaces(scene, std::vector<std::uint32_t>{0, 1});
+        const Surfaces surfaces = collect_surfaces(scene, std::vector<std::uint32_t>{0, 1}, NormalSource::automatic);
         const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, -1, context);
-        const SeamNormals normals{normals_before(surfaces.meshes, InspectOptions{}, context),
-                                  normals_after(surfaces.meshes, InspectOptions{}, context)};
+        const SeamNormals normals{normals_before(surfaces, InspectOptions{}, context),
+                                  normals_after(surfaces, InspectOptions{}, context)};
         const std::vector<BorderCorner> corners = find_border_corners(placed, normals, context);
         EXPECT_EQ(std::count_if(corners.begin(), corners.end(), [](const BorderCorner& c) { return c.before >= 4; }),
                   height < 1e-5 ? 0 : 2);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/normal_rule.h"
+
+namespace rakelight {
+
+NormalRule normal_rule(const Scene& scene, const Mesh& mesh, NormalSource source) {
+    NormalRule rule;
+    bool missing_are_flat = scene.missing_normals_are_flat;
+    if (source == NormalSource::automatic && mesh.normal_choice) {
+        source = mesh.normal_choice->source;
+        missing_are_flat = mesh.normal_choice->missing_are_flat;
+        rule.crease_angle_rad = mesh.normal_choice->crease_angle_rad.value_or(-1);
+    }
+    rule.keeps_given = source == NormalSource::automatic || source == NormalSource::file;
+    switch (source) {
+        case NormalSource::automatic:
+            rule.scope = missing_are_flat ? Scope::face : Scope::model;
+            rule.groups = !missing_are_flat;
+            break;
+        case NormalSource::file:
+        case NormalSource::flat:
+            rule.scope = Scope::face;
+            break;
+        case NormalSource::object:
+            rule.scope = Scope::object;
+            break;
+        case NormalSource::model:
+            rule.scope = Scope::model;
+            break;
+    }
+    return rule;
+}
+
+}  // namespace rakelight

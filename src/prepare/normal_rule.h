@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which normals one mesh gets: what its part of a world says, what its file holds and what the picture asks for.
+#pragma once
+#include <rakelight/attributes.h>
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+struct NormalRule {
+    bool keeps_given = true;       ///< the mesh's own normals count; those that are missing are made
+    Scope scope = Scope::model;    ///< over which they are smoothed
+    bool groups = false;           ///< smoothing groups count, inside an object; across objects the crease angle does
+    double crease_angle_rad = -1;  ///< the mesh's own; < 0: as the picture's options say
+};
+
+/// @param source  of the picture's options: all but `automatic` overrule the mesh's own choice
+NormalRule normal_rule(const Scene& scene, const Mesh& mesh, NormalSource source);
+
+}  // namespace rakelight
