@@ -70,6 +70,13 @@ struct BorderSummary {
     double seam_deg = 0;                     ///< the largest angle before at the joined positions
     dvec3 seam_position;                     ///< [m] world: where that is
     double median_deg = 0, largest_deg = 0;  ///< of the angles before; largest_deg == before.max_deg
+    std::uint64_t inconsistent_edges = 0;    ///< common edges along which a face of each goes the same way
+};
+
+/// Two objects of which one is inside out at common edges.
+struct InconsistentPair {
+    std::uint32_t object_a = 0, object_b = 0;  ///< into Inspection::objects, a < b
+    std::uint64_t edges = 0;
 };
 
 /// Over all positions that objects share; where several pairs meet, the pair with the largest angle counts.
@@ -114,6 +121,7 @@ struct Inspection {
     SeamTotals seams;
     std::vector<BorderSummary> borders;  ///< the largest seam first, then the largest angle; at most 10,000
     std::uint64_t borders_left_out = 0;
+    std::vector<InconsistentPair> inconsistent_pairs;  ///< the most edges first; at most 10,000
     std::vector<SeamLine> seam_lines;  ///< when asked for
     Scene scene;  ///< as loaded, but without its meshes: materials, textures, lights, cameras, animations
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <span>
+#include <tuple>
 
 namespace rakelight::geometry {
 namespace {
@@ -37,6 +38,7 @@ public:
                 i = end;
             }
         }
+        count_borders();
         return std::move(result_);
     }
 
@@ -64,9 +66,11 @@ private:
         begin_.pop_back();
     }
 
+    /// Seen from outside: where the matrix mirrors, faces are used from their other side, and so run the other way.
     bool goes_up(std::uint32_t place, Use use) const {
         const std::uint32_t m = placed_.input.mesh_of_triangle(use.corner / 3);
-        return placed_.place[placed_.input.corner_vertex(m, use.corner)] == place;
+        const bool is_mirrored = placed_.input.placements[m].flip < 0;
+        return (placed_.place[placed_.input.corner_vertex(m, use.corner)] == place) != is_mirrored;
     }
 
     void visit_edge(std::uint32_t place, std::span<const Use> uses) {
@@ -82,7 +86,8 @@ private:
         std::sort(by_object_.begin(), by_object_.end());
         if (by_object_.front().first != by_object_.back().first) {
             result_.border_edges.push_back({place, uses[0].larger});
-            result_.inconsistent_between += whole.is_inconsistent();
+            if (whole.is_inconsistent())
+                result_.inconsistent_borders.push_back({by_object_[0].first, by_object_[1].first, 1});
         }
         for (std::size_t i = 0; i < by_object_.size();) {
             const std::uint32_t object = by_object_[i].first;
@@ -93,6 +98,24 @@ private:
             }
             add(result_.objects[object], count);
         }
+    }
+
+    /// One entry an edge -> one a pair.
+    void count_borders() {
+        std::vector<InconsistentBorder>& borders = result_.inconsistent_borders;
+        std::sort(borders.begin(), borders.end(), [](const InconsistentBorder& x, const InconsistentBorder& y) {
+            return std::tie(x.object_a, x.object_b) < std::tie(y.object_a, y.object_b);
+        });
+        std::size_t pairs = 0;
+        for (const InconsistentBorder& edge : borders) {
+            const bool is_known = pairs > 0 && borders[pairs - 1].object_a == edge.object_a &&
+                                  borders[pairs - 1].object_b == edge.object_b;
+            if (is_known)
+                ++borders[pairs - 1].edges;
+            else
+                borders[pairs++] = {edge.object_a, edge.object_b, 1};
+        }
+        borders.resize(pairs);
     }
 
     static void add(ObjectEdges& edges, const Count& count) {

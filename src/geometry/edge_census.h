@@ -23,15 +23,22 @@ struct PlaceEdge {
     bool operator==(const PlaceEdge&) const = default;
 };
 
+/// Edges of two faces, one each of two objects, that go along it the same way.
+struct InconsistentBorder {
+    std::uint32_t object_a, object_b;  ///< a < b
+    std::uint64_t edges;
+};
+
 struct EdgeCensus {
     std::vector<ObjectEdges> objects;
-    std::uint64_t inconsistent_between = 0;   ///< of two faces, one each of two objects, that go along it the same way
+    std::vector<InconsistentBorder> inconsistent_borders;  ///< each pair once, ascending
     std::vector<std::uint32_t> open_corners;  ///< edges of one face in the whole model: the corner where each begins
     std::vector<PlaceEdge> border_edges;      ///< of faces of two or more objects
 };
 
-/// Faces with a corner that is not finite or with two corners at one place are left out. Lists are in the order of the
-/// edges' smaller place. Expected O(n), 8 bytes a corner; `objects` is more than the largest AttributeMesh::object.
+/// Which way a face goes along an edge is judged where it is placed: a matrix that mirrors turns it round. Faces with a
+/// corner that is not finite or with two corners at one place are left out. Lists are in the order of the edges'
+/// smaller place. Expected O(n), 8 bytes a corner; `objects` is more than the largest AttributeMesh::object.
 EdgeCensus count_edges(const PlacedMeshes& placed, std::uint32_t objects);
 
 }  // namespace rakelight::geometry

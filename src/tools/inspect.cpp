@@ -2,6 +2,7 @@
 #include <rakelight/inspect.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "base/name_table.h"
@@ -163,6 +164,22 @@ void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometr
     result.seams.crease_angle_deg = degrees(options.prepare.crease_angle_rad);
 }
 
+void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> edges;
+    for (const geometry::InconsistentBorder& b : census.inconsistent_borders) {
+        result.seams.inconsistent_edges += b.edges;
+        result.inconsistent_pairs.push_back({b.object_a, b.object_b, b.edges});
+        edges[{b.object_a, b.object_b}] = b.edges;
+    }
+    for (BorderSummary& border : result.borders)
+        if (const auto found = edges.find({border.object_a, border.object_b}); found != edges.end())
+            border.inconsistent_edges = found->second;
+    std::vector<InconsistentPair>& pairs = result.inconsistent_pairs;
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const InconsistentPair& x, const InconsistentPair& y) { return x.edges > y.edges; });
+    if (pairs.size() > most_borders) pairs.resize(most_borders);
+}
+
 }  // namespace
 
 Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context) {
@@ -186,7 +203,7 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
         if (options.surfaces) look_at_surfaces(result, placed, census);
         context.throw_if_cancelled();
         if (options.borders) look_at_borders(result, surfaces, placed, census, options, context);
-        result.seams.inconsistent_edges = census.inconsistent_between;
+        look_at_winding(result, census);
     }
     // Only what it says of the tangents is wanted.
     if (options.prepare.measure_orthogonality && result.triangles > 0) prepare_scene(scene, options.prepare, context);

@@ -79,8 +79,10 @@ std::string winding_failure(const Inspection& i) {
     std::string text = count_failure(i, {&SurfaceSummary::inconsistent_edges}, "edge of inconsistent winding");
     if (const std::size_t at = text.find("edge of inconsistent windings"); at != text.npos)
         text.replace(at, 29, "edges of inconsistent winding");
-    if (i.seams.inconsistent_edges == 0) return text;
-    const std::string between = std::to_string(i.seams.inconsistent_edges) + " between two objects";
+    if (i.inconsistent_pairs.empty()) return text;
+    const InconsistentPair& worst = i.inconsistent_pairs.front();
+    const std::string between = std::to_string(worst.edges) + " between " + quoted_name(i, worst.object_a) + " and " +
+                                quoted_name(i, worst.object_b) + more(i.inconsistent_pairs.size() - 1, "pair");
     return text.empty() ? "edges of inconsistent winding: " + between : text + "; " + between;
 }
 

@@ -102,7 +102,12 @@ Json json_of(const BorderSummary& b) {
             {"before", json_of(b.before)},
             {"after", json_of(b.after)},
             {"median_deg", b.median_deg},
-            {"largest_deg", b.largest_deg}};
+            {"largest_deg", b.largest_deg},
+            {"inconsistent_edges", b.inconsistent_edges}};
+}
+
+Json json_of(const InconsistentPair& p) {
+    return {{"object_a", p.object_a}, {"object_b", p.object_b}, {"edges", p.edges}};
 }
 
 Json json_of(const SeamTotals& s) {
@@ -166,6 +171,7 @@ void add(Json& row, const Inspection& i) {
     row["seams"] = json_of(i.seams);
     row["borders"] = list(i.borders);
     row["borders_left_out"] = i.borders_left_out;
+    row["inconsistent_pairs"] = list(i.inconsistent_pairs);
     if (i.surfaces.empty()) return;
     row["inside_out"] = list(i.inside_out);
     row["t_junctions"] = {

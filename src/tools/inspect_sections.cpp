@@ -55,7 +55,10 @@ std::string seams_line(const Inspection& i) {
         text += "  " + counted(s.crowded_positions, "position") +
                 " of more than 8 objects: " + counted(s.pairings_left_out, "pairing") + " there not looked at\n";
     if (s.inconsistent_edges > 0)
-        text += "  " + counted(s.inconsistent_edges, "edge") + " between objects of which one is inside out\n";
+        text += "  " + counted(s.inconsistent_edges, "edge") + " between objects of which one is inside out, most (" +
+                std::to_string(i.inconsistent_pairs[0].edges) + ") between " +
+                quoted_name(i, i.inconsistent_pairs[0].object_a) + " and " +
+                quoted_name(i, i.inconsistent_pairs[0].object_b) + "\n";
     return text;
 }
 
@@ -99,14 +102,15 @@ std::string borders_text(const Inspection& i) {
     return section(
         "borders (degrees)",
         {"object", "object", ">shared", ">continuous", ">smoothed", ">seam", ">max", ">mean", ">95%", ">smoothed max",
-         ">mean", ">95%"},
+         ">mean", ">95%", ">winding"},
         i.borders,
         [&](const BorderSummary& b, std::size_t) {
             return std::vector<std::string>{
-                name_or_number(i, b.object_a),  name_or_number(i, b.object_b),   std::to_string(b.positions),
-                std::to_string(b.continuous),   std::to_string(b.joined),        degrees_text(b.seam_deg),
-                degrees_text(b.before.max_deg), degrees_text(b.before.mean_deg), degrees_text(b.before.p95_deg),
-                degrees_text(b.after.max_deg),  degrees_text(b.after.mean_deg),  degrees_text(b.after.p95_deg)};
+                name_or_number(i, b.object_a),      name_or_number(i, b.object_b),   std::to_string(b.positions),
+                std::to_string(b.continuous),       std::to_string(b.joined),        degrees_text(b.seam_deg),
+                degrees_text(b.before.max_deg),     degrees_text(b.before.mean_deg), degrees_text(b.before.p95_deg),
+                degrees_text(b.after.max_deg),      degrees_text(b.after.mean_deg),  degrees_text(b.after.p95_deg),
+                count_or_dash(b.inconsistent_edges)};
         },
         i.borders_left_out);
 }

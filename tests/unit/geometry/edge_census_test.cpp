@@ -89,15 +89,39 @@ TEST(EdgeCensus, ObjectsAreCountedApartAndTheirBorderIsFound) {
     ASSERT_EQ(c.border_edges.size(), 1u);
     EXPECT_EQ(c.border_edges[0], (geometry::PlaceEdge{0, 1}));
     EXPECT_EQ(c.open_corners.size(), 6u);  // the border is not open in the model
-    EXPECT_EQ(c.inconsistent_between, 0u);
+    EXPECT_TRUE(c.inconsistent_borders.empty());
 }
 
 TEST(EdgeCensus, AnObjectInsideOutIsFoundAtItsBorder) {
     std::vector<Shape> hinge = make_hinge(1);
     for (std::size_t i = 0; i < 6; i += 3) std::swap(hinge[1].indices[i], hinge[1].indices[i + 1]);
     const EdgeCensus c = census_of(hinge, 2);
-    EXPECT_EQ(c.inconsistent_between, 1u);
+    ASSERT_EQ(c.inconsistent_borders.size(), 1u);
+    EXPECT_EQ(c.inconsistent_borders[0].object_a, 0u);
+    EXPECT_EQ(c.inconsistent_borders[0].object_b, 1u);
+    EXPECT_EQ(c.inconsistent_borders[0].edges, 1u);
     EXPECT_EQ(c.objects[1].inconsistent, 0u);
+}
+
+// One stored half of a box, open at x = 0, as itself and as its mirror image.
+TEST(EdgeCensus, WindingIsJudgedWhereAMirroringMatrixPutsIt) {
+    Shape half;
+    for (const float x : {-1.0f, 0.0f})
+        for (const float y : {0.0f, 1.0f})
+            for (const float z : {0.0f, 1.0f}) half.positions.push_back({x, y, z});
+    half.indices = {0, 1, 3, 0, 3, 2, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
+    Shape image = half;
+    image.object = 1;
+    image.to_world = scaling(dvec3{-1, 1, 1});
+    const EdgeCensus c = census_of({half, image}, 2);
+    EXPECT_EQ(c.border_edges.size(), 4u);
+    EXPECT_TRUE(c.inconsistent_borders.empty());
+    EXPECT_EQ(c.objects[0].inconsistent + c.objects[1].inconsistent, 0u);
+
+    for (std::size_t i = 0; i < image.indices.size(); i += 3) std::swap(image.indices[i], image.indices[i + 1]);
+    const EdgeCensus turned = census_of({half, image}, 2);
+    ASSERT_EQ(turned.inconsistent_borders.size(), 1u);
+    EXPECT_EQ(turned.inconsistent_borders[0].edges, 4u);
 }
 
 TEST(EdgeCensus, PartsOfACutTorusHaveTheirBordersAsOpenEdges) {

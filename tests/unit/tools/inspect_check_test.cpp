@@ -107,6 +107,14 @@ TEST(InspectCheck, AnObjectInsideOutIsInconsistentWithItsNeighbor) {
     scene.meshes[1].indices = std::vector<std::uint32_t>{0, 2, 1, 0, 3, 2};
     EXPECT_EQ(limits_passed(scene, {.consistent_winding = true}), Names{"consistent-winding"});
     EXPECT_EQ(inspected(scene).seams.inconsistent_edges, 1u);
+    const Inspection i = inspected(scene);
+    ASSERT_EQ(i.borders.size(), 1u);
+    EXPECT_EQ(i.borders[0].inconsistent_edges, 1u);
+    EXPECT_NE(
+        check_limits(i, {.consistent_winding = true})[0].message.find(
+            "edges of inconsistent winding: 1 between '" + i.objects[0].name + "' and '" + i.objects[1].name + "'"),
+        std::string::npos)
+        << check_limits(i, {.consistent_winding = true})[0].message;
     Context context;
     EXPECT_EQ(check_limits(inspect(scene, {.borders = false}, context), {.consistent_winding = true}).size(), 1u);
 }
