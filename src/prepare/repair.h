@@ -27,7 +27,8 @@ void repair_texcoords(Mesh& mesh, bool is_textured, std::vector<Finding>& findin
 /// are these are computed from all faces of the mesh at their places.
 void repair_normals(Mesh& mesh, std::vector<Finding>& findings, Context& context);
 
-/// Tangents of the file: dropped without normals, and where one is zero or not finite or its w is not +1 or -1; else made unit.
+/// Tangents of the file: dropped without normals, and where one is zero, not finite or parallel to its normal or its w
+/// is not +1 or -1; else made unit.
 void repair_tangents(Mesh& mesh, std::vector<Finding>& findings);
 
 /// Warns of drawn nodes whose matrix flattens what it places, and of rotations of no length.

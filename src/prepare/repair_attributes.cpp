@@ -58,6 +58,17 @@ void fill_broken(const Mesh& mesh, std::vector<vec3>& normals, Context& context)
         if (is_broken(normals[v])) normals[v] = computed.normals[v];
 }
 
+/// Whether some tangent leaves no direction in the surface: within 0.06 degrees of its normal.
+bool has_parallel_tangents(const Mesh& mesh) {
+    constexpr double least_sine = 1e-3;
+    for (std::size_t v = 0; v < mesh.tangents.size(); ++v) {
+        const dvec3 n = cast<double>(mesh.normals[v]), t = cast<double>(mesh.tangents[v].xyz());
+        const dvec3 across = cross(n, t);
+        if (!(dot(across, across) > least_sine * least_sine * dot(n, n) * dot(t, t))) return true;
+    }
+    return false;
+}
+
 void report_lengths(const char* what, float off_unit, std::vector<Finding>& findings) {
     if (off_unit <= 2 * unit_tolerance) return;
     findings.push_back({off_unit <= 2 * quantized_tolerance ? Remark::note : Remark::changed,
@@ -118,9 +129,12 @@ void repair_tangents(Mesh& mesh, std::vector<Finding>& findings) {
     const bool signs_right = signs_exact || std::all_of(mesh.tangents.begin(), mesh.tangents.end(), [](const vec4& t) {
                                  return std::fabs(std::fabs(t.w) - 1) <= unit_tolerance;  // false for NaN
                              });
-    if (check.broken > 0 || !signs_right) {
-        findings.push_back({Remark::warning, check.broken > 0 ? "tangents that are zero or not finite: all of the mesh are computed anew"
-                                                              : "tangents whose w is not +1 or -1: all of the mesh are computed anew"});
+    const char* const fault = check.broken > 0              ? "tangents that are zero or not finite"
+                              : !signs_right                ? "tangents whose w is not +1 or -1"
+                              : has_parallel_tangents(mesh) ? "tangents that are parallel to their normals"
+                                                            : nullptr;
+    if (fault) {
+        findings.push_back({Remark::warning, std::string(fault) + ": all of the mesh are computed anew"});
         mesh.tangents = {};
         return;
     }

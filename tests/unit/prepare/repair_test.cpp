@@ -163,6 +163,20 @@ TEST(Repair, DropsTangentsWithABrokenSignOrDirection) {
     }
 }
 
+TEST(Repair, ATangentAlongItsNormalIsAsBadAsOneOfNoLength) {
+    for (const vec4 tangent : {vec4{0, 0, 1, 1}, vec4{0, 0, -1, -1}, vec4{5e-4f, 0, 1, 1}, vec4{2e-3f, 0, 1, 1}}) {
+        Context context;
+        Mesh mesh = with_normals(std::vector<vec3>(4, {0, 0, 1}));
+        mesh.tangents = std::vector<vec4>{{1, 0, 0, 1}, {1, 0, 0, 1}, tangent, {1, 0, 0, 1}};
+        const bool leaves_a_direction = tangent.x > 1e-3f;
+        EXPECT_EQ(repair_scene(scene_of({mesh}), NormalSource::automatic, context).meshes[0].tangents.empty(),
+                  !leaves_a_direction);
+        EXPECT_EQ(remarks(context, Remark::warning,
+                          "tangents that are parallel to their normals: all of the mesh are computed anew"),
+                  leaves_a_direction ? 0u : 1u);
+    }
+}
+
 TEST(Repair, RoundsSignsOfTangentsAndMakesThemUnit) {
     Context context;
     Mesh mesh = with_normals(std::vector<vec3>(4, {0, 0, 1}));
