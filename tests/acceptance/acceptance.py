@@ -9,9 +9,11 @@
   acceptance.py smooth  PROGRAM DIR   every file of DIR, broken or not, goes through `smooth` to its own kind, to GLB and to PLY: it is refused in
                                       one line, or the output stands alone and a second run over it succeeds and changes nothing
   acceptance.py parts   PROGRAM DIR   models cut into parts render like the whole when smoothed over the model, and unlike it per object
+  acceptance.py growth  PROGRAM       what a file may have many of costs time in proportion
   acceptance.py bits    PROGRAM FILE... the same picture for each number of threads and instruction set, and under qemu as a Nehalem
 
 Exit code 0 when all holds, 1 with a line for each thing that does not, 77 when DIR is not there (the test is skipped)."""
+import base64
 import concurrent.futures
 import itertools
 import json
@@ -19,6 +21,7 @@ import os
 import pathlib
 import resource
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -233,6 +236,38 @@ def check_parts(program, folder):
     return wrong if pairs else ["no cut models found"]
 
 
+def two_triangles(attributes):
+    """A glTF of a bent sheet, so that smoothing splits vertices, whose primitive has many attributes of its own."""
+    corners = struct.pack("<12f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "buffers": [{"byteLength": len(corners), "uri": "data:application/octet-stream;base64," + base64.b64encode(corners).decode()}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 4, "min": [0, 0, 0], "max": [1, 1, 1]},
+                      {"bufferView": 1, "componentType": 5123, "type": "SCALAR", "count": 6}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, **{f"_A{i}": 0 for i in range(attributes)}}, "indices": 1}]}]})
+
+
+def check_growth(program):
+    """Processor time at four times the size: 4 times as much when it is linear, 16 times when it is quadratic."""
+    wrong = []
+    with tempfile.TemporaryDirectory() as temporary:
+        def seconds(count, *options):
+            source = pathlib.Path(temporary) / "many.gltf"
+            source.write_text(two_triangles(count))
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            code, errors, _ = run([program, "smooth", str(source), "-o", str(source.with_name("smooth.glb")), *options], 100, temporary)
+            if code:
+                raise SystemExit(f"{count} attributes: exit {code}: {last_line(errors)}")
+            return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        for what, options in (("kept vertices", ("--crease-angle", "180")), ("split vertices", ("--crease-angle", "30"))):
+            few, many = seconds(20_000, *options), seconds(80_000, *options)
+            print(f"smooth with 20,000 and 80,000 attributes, {what}: {few:.2f} and {many:.2f} s")
+            if many > 8 * few + 0.5:
+                wrong.append(f"smooth, {what}: {many / few:.1f} times the time for 4 times the attributes")
+    return wrong
+
+
 # The picture as displayed with all channels, then its linear floats with each way of lighting.
 BITS_OPTIONS = (("--channels", "depth,normal,object,material"), ("--shading", "unlit"), ("--shading", "flat", "--normals", "model"),
                 ("--shading", "gouraud", "--normals", "model"), ("--lighting", "phong", "--specular", "normalized", "--bump", "none"),
@@ -269,8 +304,9 @@ def check_bits(program, *models):
 
 
 def main():
-    checks = {"models": check_models, "hostile": check_hostile, "floods": check_floods, "smooth": check_smooth, "parts": check_parts, "bits": check_bits}
-    if len(sys.argv) < (3 if sys.argv[1:2] == ["floods"] else 4) or sys.argv[1] not in checks:
+    checks = {"models": check_models, "hostile": check_hostile, "floods": check_floods, "smooth": check_smooth, "parts": check_parts,
+              "growth": check_growth, "bits": check_bits}
+    if len(sys.argv) < (3 if sys.argv[1:2] in (["floods"], ["growth"]) else 4) or sys.argv[1] not in checks:
         sys.exit(__doc__)
     program, paths = str(pathlib.Path(sys.argv[2]).resolve()), [pathlib.Path(p) for p in sys.argv[3:]]
     if not all(p.exists() for p in paths):

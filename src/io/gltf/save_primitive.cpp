@@ -2,6 +2,7 @@
 #include "io/gltf/save_primitive.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 #include "io/gltf/save_meshopt.h"
@@ -111,6 +112,20 @@ std::string PrimitiveEditor::compression_of(const OrderedJson& accessor) const {
     return view ? meshopt_extension(*view) : std::string();
 }
 
+/// Some attribute that was compressed is not any more. An ordered object looks a name up by comparing it with all
+/// before it: sorted once, a primitive of many attributes costs no more than reading it.
+bool PrimitiveEditor::is_plain_now(const OrderedJson& before, const OrderedJson& now) const {
+    std::map<std::string_view, const OrderedJson*> accessors;
+    for (const auto& [name, accessor] : now.get_ref<const OrderedJson::object_t&>()) accessors.emplace(name, &accessor);
+    for (const auto& [name, accessor] : before.get_ref<const OrderedJson::object_t&>()) {
+        const auto found = accessors.find(name);
+        if (found != accessors.end() && *found->second != accessor && !compression_of(accessor).empty() &&
+            compression_of(*found->second).empty())
+            return true;
+    }
+    return false;
+}
+
 PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, const Mesh& before, const Mesh& after,
                                     bool may_overwrite) {
     PrimitiveEdit result;
@@ -162,10 +177,7 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
         json.erase("mode");
     }
     if (result.unpacked) erase_extension(json, draco_name);
-    const OrderedJson& now = json["attributes"];  // `attributes` moved when members were added
-    for (const auto& [name, accessor] : old["attributes"].items())
-        result.plain = result.plain || (now.contains(name) && now[name] != accessor &&
-                                        !compression_of(accessor).empty() && compression_of(now[name]).empty());
+    result.plain = is_plain_now(old["attributes"], json["attributes"]);  // `attributes` moved when members were added
     return result;
 }
 

@@ -42,6 +42,7 @@ private:
     void put(OrderedJson& attributes, const char* name, std::span<const float> numbers, ComponentType type,
              bool may_overwrite);
     std::string compression_of(const OrderedJson& accessor) const;
+    bool is_plain_now(const OrderedJson& before, const OrderedJson& now) const;
     ComponentType index_type(const Value& source) const;
     Accessors& accessors_;
     const DirectionStorage& storage_;
