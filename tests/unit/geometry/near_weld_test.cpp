@@ -184,6 +184,26 @@ TEST(NearWeld, SmallPartsOfAWideSceneHaveNoSeam) {
     EXPECT_LT(seam(parts, framed, within(-1)), 1e-3);
 }
 
+// Small parts a kilometer from the world's origin and half of it from the center of the model: as much as the floats of
+// their pivots are off, so are the places where they meet.
+TEST(NearWeld, PartsMeetWithinTheRoundingOfTheirPivots) {
+    Shape flat, slope, far;
+    flat.positions = {{-0.05f, 0, 0}, {0.05f, 0, 0}, {0.05f, 0, -0.1f}};
+    slope.positions = {{-0.05f, 0, 0}, {0.05f, 0.1f, 0}, {-0.05f, 0, -0.1f}};
+    far.positions = {{0, 0, 0}, {0.1f, 0, 0}, {0, 0, -0.1f}};
+    flat.indices = slope.indices = far.indices = {0, 1, 2};
+    slope.object = 1, far.object = 2;
+    flat.to_world =
+        translation(dvec3{double(1000.1f), 0, 0});  // both 0.05 from where they meet, but for 37 micrometers
+    slope.to_world = translation(dvec3{double(1000.2f), 0, 0});
+    const auto bend_deg = [&](double distance) {
+        const auto out = compute({flat, slope, far}, within(distance));
+        return degrees(angle_between(out[0].normals[1], out[1].normals[0]));
+    };
+    EXPECT_NEAR(bend_deg(0), 45, 1e-3);
+    EXPECT_NEAR(bend_deg(-1), 0, 1e-3);
+}
+
 // Each part is stored about a pivot 500 of its sizes away: its floats are rounded to what that distance leaves.
 TEST(NearWeld, PartsWhosePivotLiesFarOutsideHaveNoSeam) {
     const auto parts = cut_by_planes(make_sphere(40, 20), 2);
