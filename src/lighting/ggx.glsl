@@ -11,6 +11,13 @@ RL_FN real schlick_weight(real c)
     return squared * squared * x;
 }
 
+// f0 of what is no metal (KHR_materials_specular). `color`: that of the index of refraction (KHR_materials_ior) times
+// specularColorFactor and its texture, may exceed 1; `strength`: specularFactor times its texture, f90 too.
+RL_FN vec3 dielectric_f0(vec3 color, real strength)
+{
+    return min(color, vec3(1.0f)) * strength;
+}
+
 RL_FN vec3 schlick(vec3 f0, vec3 f90, real weight)
 {
     return f0 + (f90 - f0) * weight;

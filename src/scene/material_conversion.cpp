@@ -49,8 +49,7 @@ float roughness_of(float exponent) {
 }
 
 vec3 dielectric_specular(const MetallicRoughnessParameters& p) {
-    const float ior = std::isfinite(p.ior) && p.ior >= 0 ? p.ior : 1.5f;
-    const float ratio = (ior - 1) / (ior + 1), f0 = ratio * ratio, strength = clamp01(p.specular);
+    const float f0 = ior_f0(std::isfinite(p.ior) && p.ior >= 0 ? p.ior : 1.5f), strength = clamp01(p.specular);
     return {clamp01(f0 * p.specular_color.x) * strength, clamp01(f0 * p.specular_color.y) * strength,
             clamp01(f0 * p.specular_color.z) * strength};
 }
@@ -74,7 +73,7 @@ Material classical_from_metallic_roughness(const Material& m) {
     const vec3 base = m.base_color.xyz(), k_d = base * (1 - metallic);
     out.model = MaterialModel::classical;
     out.base_color = {k_d.x, k_d.y, k_d.z, m.base_color.w};
-    out.classical.ambient = k_d;
+    out.classical.ambient = base;
     out.classical.specular = dielectric_specular(p) * (1 - metallic) + base * metallic;
     out.classical.shininess = exponent_of(p.texture ? 0.5f * clamp01(p.roughness) : p.roughness);
     out.classical.is_normalized = true;
@@ -99,6 +98,7 @@ Material metallic_roughness_from_classical(const Material& m) {
     out.double_sided = true;  // as classical materials are drawn
     return out;
 }
+
 float ior_f0(float ior) {
     const float ratio = (ior - 1) / (ior + 1);
     return ratio * ratio;
@@ -111,7 +111,6 @@ SpecularForm specular_form_of(const Material& m, SpecularForm wanted) {
                                (m.model == MaterialModel::classical && m.classical.is_normalized);
     return is_normalized ? SpecularForm::normalized : SpecularForm::textbook;
 }
-
 
 bool wants_tangents(const Material& m) {
     const MetallicRoughnessParameters& p = m.metallic_roughness;

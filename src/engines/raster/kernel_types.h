@@ -42,25 +42,27 @@ struct MaterialView {
     int32_t unlit, metallic_roughness;     ///< both 0: classical
     float base_color[4], emission[3], ambient[3], specular[3], shininess;
     int32_t whole_exponent;                ///< shininess of classical materials where it is a whole number, else 0
-    float metallic, roughness, dielectric_f0[3];
+    float metallic, roughness;
+    float dielectric_color[3];  ///< that of the index of refraction times the specular color: may exceed 1
+    float specular_strength;    ///< KHR_materials_specular
     float normal_scale, occlusion_strength;
     float alpha_cutoff;                    ///< < 0: no mask
     int32_t blend;                         ///< 0: alpha is 1
     int32_t shares_footprint;              ///< the normal map is read where the base color map is, texel by texel
     int32_t uses_texcoords[2];             ///< some map is read by the set
     int32_t vertex_colors;                 ///< 0: no mesh with this material has any, all corners are white
-    TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map, metallic_roughness_map;
+    TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map,
+        metallic_roughness_map, specular_strength_map, specular_color_map;
     // read by the full kernel alone
     TextureSlot height_map;
     float lobe_roughness;  ///< of classical materials: that of the GGX or Ward lobe as wide as theirs
     float sigma;           ///< [rad] Oren-Nayar; < 0: from roughness
     float ward_alpha[2];   ///< along tangent and bitangent; 0: from roughness and anisotropy
-    float ior_f0, specular_strength, specular_color[3];  ///< KHR_materials_ior, _specular
-    float anisotropy, anisotropy_axis[2];                ///< KHR_materials_anisotropy: strength, cosine and sine
+    float anisotropy, anisotropy_axis[2];  ///< KHR_materials_anisotropy: strength, cosine and sine
     float clearcoat, clearcoat_roughness, clearcoat_normal_scale;
     float sheen_color[3], sheen_roughness;
-    TextureSlot specular_strength_map, specular_color_map, anisotropy_map, clearcoat_map, clearcoat_roughness_map,
-        clearcoat_normal_map, sheen_color_map, sheen_roughness_map;
+    TextureSlot anisotropy_map, clearcoat_map, clearcoat_roughness_map, clearcoat_normal_map, sheen_color_map,
+        sheen_roughness_map;
 };
 
 /// What a pixel needs of its triangle. Planes over the screen: change per pixel in x and y, value at the tile's first

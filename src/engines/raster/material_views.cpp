@@ -58,18 +58,6 @@ void copy(float (&to)[3], vec3 from) {
     to[2] = from.z;
 }
 
-/// Reflectance of a dielectric at normal incidence, KHR_materials_ior.
-float ior_f0(const MetallicRoughnessParameters& p) {
-    const float r = (p.ior - 1) / (p.ior + 1);
-    return p.ior == 0 ? 1 : r * r;  // ior 0: the specular-glossiness compatibility case of the extension
-}
-
-/// Likewise, with KHR_materials_specular.
-vec3 dielectric_f0(const MetallicRoughnessParameters& p) {
-    const vec3 f0 = p.specular_color * (ior_f0(p) * p.specular);
-    return {f0.x < 1 ? f0.x : 1, f0.y < 1 ? f0.y : 1, f0.z < 1 ? f0.z : 1};
-}
-
 /// Roughness of the GGX, Beckmann or Ward lobe that is as wide as Blinn-Phong's of this exponent: alpha^2 = 2 / (n + 2)
 /// (Karis 2013, "Specular BRDF Reference").
 float roughness_of_exponent(float n) { return float(std::sqrt(std::sqrt(2 / (double(n) + 2)))); }
@@ -81,9 +69,6 @@ void add_full_factors(const Material& m, MaterialView& v) {
     v.sigma = m.sigma_rad.value_or(-1);
     const vec2 alpha = m.ward_alpha.value_or(vec2{0, 0});
     v.ward_alpha[0] = alpha.x, v.ward_alpha[1] = alpha.y;
-    v.ior_f0 = ior_f0(p);
-    v.specular_strength = p.specular;
-    copy(v.specular_color, p.specular_color);
     v.anisotropy = p.anisotropy;
     v.anisotropy_axis[0] = float(math::cos(double(p.anisotropy_rotation_rad)));
     v.anisotropy_axis[1] = float(math::sin(double(p.anisotropy_rotation_rad)));
@@ -107,7 +92,8 @@ MaterialView factors(const Material& m) {
         v.whole_exponent = std::int32_t(v.shininess);
     v.metallic = m.metallic_roughness.metallic;
     v.roughness = m.metallic_roughness.roughness;
-    copy(v.dielectric_f0, dielectric_f0(m.metallic_roughness));
+    copy(v.dielectric_color, m.metallic_roughness.specular_color * ior_f0(m.metallic_roughness.ior));
+    v.specular_strength = m.metallic_roughness.specular;
     v.normal_scale = m.normal_scale;
     v.occlusion_strength = m.occlusion_strength;
     v.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : -1;
@@ -124,6 +110,20 @@ TextureSlot slot_for(const TextureUse& use, const TextureView& view) {
                         float(-s * scale.x), float(c * scale.y), offset.x, offset.y};
     slot.is_transformed = slot.uu != 1 || slot.uv != 0 || slot.vu != 0 || slot.vv != 1 || slot.u0 != 0 || slot.v0 != 0;
     return slot;
+}
+
+TextureKey key_of(const Texture& texture, ColorSpace space) {
+    return {texture.image, space, texture.sampler.wrap_u, texture.sampler.wrap_v};
+}
+
+/// Whether two slots read the same texels of their textures at every pixel.
+bool share_footprint(const TextureSlot& a, const TextureSlot& b) {
+    if (!a.view || !b.view || a.texcoord_set != b.texcoord_set) return false;
+    if (a.uu != b.uu || a.uv != b.uv || a.vu != b.vu || a.vv != b.vv || a.u0 != b.u0 || a.v0 != b.v0) return false;
+    const TextureView &s = *a.view, &t = *b.view;
+    return s.width[0] == t.width[0] && s.height[0] == t.height[0] && s.levels == t.levels && s.wrap_u == t.wrap_u &&
+           s.wrap_v == t.wrap_v && s.mip == t.mip && s.minify_linear == t.minify_linear &&
+           s.magnify_linear == s.minify_linear && t.magnify_linear == t.minify_linear;
 }
 
 /// Fills the materials of a draw list.
@@ -176,20 +176,6 @@ private:
     Report& report_;
     NormalMapRemarks remarks_;
 };
-
-TextureKey key_of(const Texture& texture, ColorSpace space) {
-    return {texture.image, space, texture.sampler.wrap_u, texture.sampler.wrap_v};
-}
-
-/// Whether two slots read the same texels of their textures at every pixel.
-bool share_footprint(const TextureSlot& a, const TextureSlot& b) {
-    if (!a.view || !b.view || a.texcoord_set != b.texcoord_set) return false;
-    if (a.uu != b.uu || a.uv != b.uv || a.vu != b.vu || a.vv != b.vv || a.u0 != b.u0 || a.v0 != b.v0) return false;
-    const TextureView &s = *a.view, &t = *b.view;
-    return s.width[0] == t.width[0] && s.height[0] == t.height[0] && s.levels == t.levels && s.wrap_u == t.wrap_u &&
-           s.wrap_v == t.wrap_v && s.mip == t.mip && s.minify_linear == t.minify_linear &&
-           s.magnify_linear == s.minify_linear && t.magnify_linear == t.minify_linear;
-}
 
 }  // namespace
 

@@ -61,6 +61,18 @@ TEST(EnvironmentLight, AWhiteDielectricSphereVanishesInAWhiteFurnace) {
         }
 }
 
+/// KHR_materials_specular: the factor takes from the rim as well.
+TEST(EnvironmentLight, ABlackSphereOfSpecularFactorZeroMirrorsNothing) {
+    for (const Lighting lighting : {Lighting::phong, Lighting::blinn_phong, Lighting::ward, Lighting::pbr}) {
+        const Scene scene = sphere_in({.image = even(1)}, [&](Material& m) {
+            m.base_color = {0, 0, 0, 1};
+            m.lighting = lighting;
+            m.metallic_roughness.specular = 0;
+        });
+        expect_everywhere(draw(scene, {.channels = channel_object}), 0, 0);
+    }
+}
+
 TEST(EnvironmentLight, AWhiteMetalSphereShowsTheDirectionalAlbedoOfSingleScattering) {
     // roughness, albedo seen along the normal: 1 - ln 2 at 1; the others by a plain sum over the half sphere
     for (const auto& [roughness, albedo] : {std::pair{1.0f, 1 - std::log(2.0)}, std::pair{0.5f, 0.9158}}) {

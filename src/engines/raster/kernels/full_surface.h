@@ -7,10 +7,6 @@
 
 namespace rakelight::raster::RL_ISA {
 
-inline float greatest_of(const float (&v)[3]) {
-    const float xy = v[0] > v[1] ? v[0] : v[1];
-    return xy > v[2] ? xy : v[2];
-}
 inline real greatest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
 inline bool is_pbr(const ShadeJob& job) { return job.reflection_model == RL_PBR; }
@@ -33,42 +29,42 @@ inline real occlusion_of(const MaterialView& m, const Pixels& p) {
     return real(1.0f) + real(m.occlusion_strength) * (texel(m.occlusion_map, p).x - real(1.0f));
 }
 
-/// Classical parameters as those of a microfacet lobe as wide. A textbook k_s is how bright the highlight's center is,
-/// not an albedo: k_s = f0 / (4 alpha^2) there, so f0 = 4 alpha^2 k_s, at most k_s.
+/// f0 of a microfacet lobe as wide as the classical one. A textbook k_s is how bright the highlight's center is, not an
+/// albedo: k_s = f0 / (4 alpha^2) there, so f0 = 4 alpha^2 k_s, at most k_s. As metallic_roughness_from_classical().
+inline vec3 classical_f0(const ShadeJob& job, vec3 k_s) {
+    const float alpha = job.material->lobe_roughness * job.material->lobe_roughness, share = 4.0f * alpha * alpha;
+    if (job.reflection_form == RL_TEXTBOOK) k_s = k_s * real(share < 1.0f ? share : 1.0f);
+    return min(k_s, vec3(real(1.0f)));
+}
+
+/// What the diffuse light of a classical surface loses to its highlight.
+inline void set_classical_dielectric(vec3 f0, lit::MaterialSurface& s) {
+    s.dielectric_f0 = greatest(f0);
+    s.dielectric_f90 = min(real(1.0f), s.dielectric_f0 * real(50.0f));  // none where there is no highlight at all
+}
+
+/// Classical parameters as those of a microfacet lobe as wide.
 inline void set_classical_lobe(const ShadeJob& job, const Pixels& p, const BaseColor& base, lit::MaterialSurface& s) {
     const MaterialView& m = *job.material;
     set_classical(m, p, rgb(base.paint), s.base);
     s.roughness = real(m.lobe_roughness);
-    if (job.reflection_form == RL_TEXTBOOK) {
-        const float alpha = m.lobe_roughness * m.lobe_roughness, share = 4.0f * alpha * alpha;
-        s.base.specular = s.base.specular * real(share < 1.0f ? share : 1.0f);
-    }
-    s.base.specular = min(s.base.specular, vec3(real(1.0f)));
-    s.dielectric_f0 = greatest(s.base.specular);
-    s.dielectric_f90 = min(real(1.0f), s.dielectric_f0 * real(50.0f));  // none where there is no highlight at all
+    s.base.specular = classical_f0(job, s.base.specular);
+    set_classical_dielectric(s.base.specular, s);
     s.f90 = vec3(s.dielectric_f90);
 }
 
+/// Metals reflect all at grazing angles.
+inline vec3 f90_of(const MetallicRoughness& at) { return vec3(mix(at.dielectric_f90, real(1.0f), at.metallic)); }
+
 /// glTF 2.0, appendix B, with KHR_materials_ior and KHR_materials_specular.
-inline void set_metallic_lobe(const MaterialView& m, const Pixels& p, vec3 base, lit::MaterialSurface& s) {
-    const real one(1.0f);
-    real metallic = real(m.metallic), strength = real(m.specular_strength);
-    s.roughness = real(m.roughness);
-    if (m.metallic_roughness_map.view != nullptr) {
-        const vec4 t = texel(m.metallic_roughness_map, p);
-        s.roughness = s.roughness * t.y;
-        metallic = metallic * t.z;
-    }
-    if (m.specular_strength_map.view != nullptr) strength = strength * texel(m.specular_strength_map, p).w;
-    vec3 f0 = splat(m.specular_color) * real(m.ior_f0);
-    if (m.specular_color_map.view != nullptr) f0 = f0 * rgb(texel(m.specular_color_map, p));
-    f0 = min(f0, vec3(one)) * strength;
-    s.dielectric_f0 = greatest(f0);
-    s.dielectric_f90 = strength;
-    s.base.specular = mix(f0, base, metallic);
-    s.f90 = vec3(mix(strength, one, metallic));
-    s.base.diffuse = base * (one - metallic);
-    s.base.ambient = s.base.diffuse;
+inline void set_metallic_lobe(const ShadeJob& job, const Pixels& p, vec3 base, lit::MaterialSurface& s) {
+    const MetallicRoughness at = metallic_roughness_at(*job.material, p);
+    set_metallic_reflectance(at, base, s.base);
+    s.roughness = at.roughness;
+    s.dielectric_f0 = greatest(at.dielectric_f0);
+    s.dielectric_f90 = at.dielectric_f90;
+    s.f90 = f90_of(at);
+    if (is_pbr(job)) s.base.ambient = s.base.diffuse;  // the lobe's share is that of the albedo tables
 }
 
 /// Cosine at which the tables of the lobe's albedos are read for a direction of light, or that to the viewer.
@@ -129,10 +125,8 @@ inline void set_slopes(const MaterialView& m, lit::MaterialSurface& s) {
 
 /// Diffuse models show metals in their base color: they have no highlight that would.
 inline void set_diffuse_model(const ShadeJob& job, vec3 base, lit::MaterialSurface& s) {
-    const MaterialView& m = *job.material;
-    s.base.diffuse = s.base.ambient = base;
-    if (m.metallic_roughness == 0) s.base.ambient = splat(m.ambient);
-    if (job.reflection_model == RL_OREN_NAYAR) set_slopes(m, s);
+    s.base.diffuse = base;
+    if (job.reflection_model == RL_OREN_NAYAR) set_slopes(*job.material, s);
 }
 
 /// All of a surface but its directions and what depends on them.
@@ -147,12 +141,11 @@ inline void set_material(const ShadeJob& job, const Pixels& p, const BaseColor& 
     s.base.diffuse = color;
     s.base.exponent = s.base.lobe_scale = real(1.0f);
     if (m.metallic_roughness != 0)
-        set_metallic_lobe(m, p, color, s);
+        set_metallic_lobe(job, p, color, s);
     else
         set_classical_lobe(job, p, base, s);
     set_widths(job, p, s);
     if (job.reflection_model == RL_LAMBERT || job.reflection_model == RL_OREN_NAYAR) set_diffuse_model(job, color, s);
-    if (job.reflection_model == RL_WARD && m.metallic_roughness != 0) s.base.ambient = color;
     set_sheen_and_coat(m, p, traits_of(job), s);
     if (!is_pbr(job)) s.base.ambient = s.base.ambient * occlusion_of(m, p);
 }
@@ -223,11 +216,12 @@ inline void set_pbr_albedos(const ShadeJob& job, const Pixels& p, const lit::Mat
 
 /// Metallic-roughness materials under Phong and Blinn-Phong mirror surroundings by Karis 2013's split sum, and are
 /// diffuse with what is left.
-inline void set_split_sum(const ShadeJob& job, lit::MaterialSurface& s) {
+inline void set_split_sum(const ShadeJob& job, const Pixels& p, lit::MaterialSurface& s) {
     const lighting::AlbedoTables& t = job.full->albedo;
     const real n_dot_v = dot(s.base.n, s.base.v), whole = lobe_albedo(t, n_dot_v, s.roughness);
     const real grazing = whole * look_up_table(t.grazing, grazing_place(n_dot_v, s.roughness));
-    const vec3 albedo = s.base.specular * (whole - grazing) + vec3(grazing);
+    const vec3 f90 = f90_of(metallic_roughness_at(*job.material, p));
+    const vec3 albedo = s.base.specular * (whole - grazing) + f90 * grazing;
     s.around_diffuse = s.around_diffuse * (vec3(real(1.0f)) - albedo);
     s.around_specular = albedo;
 }
@@ -250,7 +244,7 @@ inline void set_around(const ShadeJob& job, const Pixels& p, lit::MaterialSurfac
         const real alpha_squared = real(2.0f) / (s.base.exponent + real(2.0f));
         s.roughness = sqrt(sqrt(alpha_squared));
         if (m.metallic_roughness != 0)
-            set_split_sum(job, s);
+            set_split_sum(job, p, s);
         else if (job.reflection_form == RL_TEXTBOOK)
             s.around_specular = s.around_specular * min(one, real(4.0f) * alpha_squared);
     }
@@ -302,8 +296,12 @@ inline lit::MaterialSurface full_point(const ShadeJob& job, float mean_roughness
     s.bitangent = cross(normal, s.tangent);
     set_slopes(m, s);
     s.f90 = s.scattering = one;
-    s.dielectric_f0 = real(m.metallic_roughness != 0 ? greatest_of(m.dielectric_f0) : 0.0f);
-    s.dielectric_f90 = real(m.metallic_roughness != 0 ? m.specular_strength : 0.0f);
+    if (m.metallic_roughness != 0) {
+        s.dielectric_f90 = real(m.specular_strength);
+        s.dielectric_f0 = greatest(lit::dielectric_f0(splat(m.dielectric_color), s.dielectric_f90));
+    } else {
+        set_classical_dielectric(classical_f0(job, splat(m.specular)), s);
+    }
     s.albedo = lobe_albedo(job.full->albedo, dot(normal, s.base.v), s.roughness);
     s.albedo_mean = lobe_mean(job.full->albedo, s.roughness);
     return s;

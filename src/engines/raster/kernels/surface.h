@@ -126,18 +126,42 @@ inline void set_classical(const MaterialView& m, const Pixels& p, vec3 paint, li
     s.exponent = real(m.shininess);
 }
 
-/// Metallic-roughness as the parameters of a normalized lobe: what classical_from_metallic_roughness() says, per pixel.
-inline void set_metallic_roughness(const MaterialView& m, const Pixels& p, vec3 base, lit::Surface& s) {
-    real metallic = real(m.metallic), roughness = real(m.roughness);
+/// What a metallic-roughness material is at a pixel, for every lighting model.
+struct MetallicRoughness {
+    real metallic, roughness;
+    vec3 dielectric_f0;  ///< of what is no metal
+    real dielectric_f90;
+};
+
+inline MetallicRoughness metallic_roughness_at(const MaterialView& m, const Pixels& p) {
+    MetallicRoughness at;
+    at.metallic = real(m.metallic), at.roughness = real(m.roughness);
     if (m.metallic_roughness_map.view != nullptr) {
         const vec4 t = texel(m.metallic_roughness_map, p);
-        roughness = roughness * t.y;
-        metallic = metallic * t.z;
+        at.roughness = at.roughness * t.y;
+        at.metallic = at.metallic * t.z;
     }
+    vec3 color = splat(m.dielectric_color);
+    at.dielectric_f90 = real(m.specular_strength);
+    if (m.specular_color_map.view != nullptr) color = color * rgb(texel(m.specular_color_map, p));
+    if (m.specular_strength_map.view != nullptr)
+        at.dielectric_f90 = at.dielectric_f90 * texel(m.specular_strength_map, p).w;
+    at.dielectric_f0 = lit::dielectric_f0(color, at.dielectric_f90);
+    return at;
+}
+
+/// k_d and k_s, or f0; ambient light shows metals in their color.
+inline void set_metallic_reflectance(const MetallicRoughness& at, vec3 base, lit::Surface& s) {
     s.ambient = base;
-    s.diffuse = base * (real(1.0f) - metallic);
-    s.specular = mix(splat(m.dielectric_f0), base, metallic);
-    s.exponent = exponent_of_roughness(roughness);
+    s.diffuse = base * (real(1.0f) - at.metallic);
+    s.specular = mix(at.dielectric_f0, base, at.metallic);
+}
+
+/// Metallic-roughness as the parameters of a normalized lobe: what classical_from_metallic_roughness() says, per pixel.
+inline void set_metallic_roughness(const MaterialView& m, const Pixels& p, vec3 base, lit::Surface& s) {
+    const MetallicRoughness at = metallic_roughness_at(m, p);
+    set_metallic_reflectance(at, base, s);
+    s.exponent = exponent_of_roughness(at.roughness);
 }
 
 /// What the material reflects at the pixel: all of the surface but its directions.

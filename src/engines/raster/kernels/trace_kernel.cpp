@@ -138,6 +138,15 @@ void trace_heights(const ShadeJob& job, const FullPixels& f, TracedTexture& out,
     put(out.value, sum);
 }
 
+/// Whether the job's lighting model reads a map of metallic-roughness materials alone.
+bool reads_of_metallic_roughness(const ShadeJob& job, int map) {
+    if (job.material->metallic_roughness == 0) return false;
+    if (map == traced_specular_strength || map == traced_specular_color)
+        return job.reflection_model != RL_LAMBERT && job.reflection_model != RL_OREN_NAYAR;
+    if (map == traced_anisotropy && job.reflection_model == RL_WARD) return true;
+    return job.full != nullptr && is_pbr(job);
+}
+
 /// The normal map where it acts: not where lighting is not evaluated at pixels, nor with bumps off.
 void trace_maps(const ShadeJob& job, const FullPixels& f, PixelTrace& out, TracedTexels* texels) {
     const Pixels& p = f.p;
@@ -149,12 +158,12 @@ void trace_maps(const ShadeJob& job, const FullPixels& f, PixelTrace& out, Trace
         &m.specular_color_map,      &m.anisotropy_map,       &m.clearcoat_map,
         &m.clearcoat_roughness_map, &m.clearcoat_normal_map, &m.sheen_color_map,
         &m.sheen_roughness_map};
-    const bool has_layers = job.full != nullptr && is_pbr(job), has_heights = job.full != nullptr && has_relief(job);
+    const bool has_heights = job.full != nullptr && has_relief(job);
     for (int i = 0; i < traced_maps; ++i) {
         if (texels != nullptr) texels[i].count = 0;
         TracedTexels* const its_texels = texels != nullptr ? &texels[i] : nullptr;
         if (i == traced_normal && (job.bump == 0 || (has_heights && uses_slopes(job)))) continue;
-        if (i == traced_height ? !has_heights : i > traced_height && !has_layers) continue;
+        if (i == traced_height ? !has_heights : i > traced_height && !reads_of_metallic_roughness(job, i)) continue;
         if (i == traced_height)
             trace_heights(job, f, out.map[i], its_texels);
         else
