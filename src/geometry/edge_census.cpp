@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges are binned by their smaller place and sorted inside a bin, which holds about six.
 #include "geometry/edge_census.h"
 
 #include <algorithm>
 #include <span>
 #include <tuple>
 
+#include "geometry/edge_uses.h"
+
 namespace rakelight::geometry {
 namespace {
-
-/// A use of an edge by a face: it begins at `corner`; the smaller place is the bin's.
-struct Use {
-    std::uint32_t larger, corner;
-};
 
 /// The uses of one edge inside one object.
 struct Count {
@@ -22,63 +18,23 @@ struct Count {
 
 class Census {
 public:
-    Census(const PlacedMeshes& placed, std::uint32_t objects) : placed_(placed) { result_.objects.resize(objects); }
+    Census(const PlacedMeshes& placed, std::uint32_t objects) : placed_(placed), edges_(placed) {
+        result_.objects.resize(objects);
+    }
 
     EdgeCensus run() {
-        bin_uses();
-        for (std::uint32_t place = 0; place + 1 < begin_.size(); ++place) {
-            const std::span<Use> bin(uses_.data() + begin_[place], begin_[place + 1] - begin_[place]);
-            std::sort(bin.begin(), bin.end(), [](const Use& a, const Use& b) {
-                return a.larger != b.larger ? a.larger < b.larger : a.corner < b.corner;
-            });
-            for (std::size_t i = 0; i < bin.size();) {
-                std::size_t end = i + 1;
-                while (end < bin.size() && bin[end].larger == bin[i].larger) ++end;
-                visit_edge(place, bin.subspan(i, end - i));
-                i = end;
-            }
-        }
+        edges_.for_each_edge([&](std::uint32_t place, std::span<const EdgeUse> uses) { visit_edge(place, uses); });
         count_borders();
         return std::move(result_);
     }
 
 private:
-    template <class Body>
-    void for_each_use(const Body& body) const {
-        const AttributeInput& input = placed_.input;
-        FacePlaces face;
-        for (std::uint32_t m = 0; m < input.meshes.size(); ++m)
-            for (std::uint32_t t = input.triangle_base[m]; t < input.triangle_base[m + 1]; ++t) {
-                if (!face_places(placed_, m, t, face)) continue;
-                for (std::uint32_t k = 0; k < 3; ++k) {
-                    const auto [low, high] = std::minmax(face.corner[k], face.corner[(k + 1) % 3]);
-                    body(low, Use{high, 3 * t + k});
-                }
-            }
-    }
-
-    void bin_uses() {
-        begin_.assign(std::size_t(placed_.input.vertex_count()) + 2, 0);
-        for_each_use([&](std::uint32_t low, Use) { ++begin_[low + 2]; });
-        for (std::size_t i = 2; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-        uses_.resize(begin_.back());
-        for_each_use([&](std::uint32_t low, Use use) { uses_[begin_[low + 1]++] = use; });
-        begin_.pop_back();
-    }
-
-    /// Seen from outside: where the matrix mirrors, faces are used from their other side, and so run the other way.
-    bool goes_up(std::uint32_t place, Use use) const {
-        const std::uint32_t m = placed_.input.mesh_of_triangle(use.corner / 3);
-        const bool is_mirrored = placed_.input.placements[m].flip < 0;
-        return (placed_.place[placed_.input.corner_vertex(m, use.corner)] == place) != is_mirrored;
-    }
-
-    void visit_edge(std::uint32_t place, std::span<const Use> uses) {
+    void visit_edge(std::uint32_t place, std::span<const EdgeUse> uses) {
         if (uses.size() == 1) result_.open_corners.push_back(uses[0].corner);
         by_object_.clear();
         Count whole;
-        for (const Use use : uses) {
-            const bool up = goes_up(place, use);
+        for (const EdgeUse use : uses) {
+            const bool up = edges_.goes_up(place, use);
             by_object_.emplace_back(placed_.object_of_triangle(use.corner / 3), up);
             ++whole.faces;
             whole.upwards += up;
@@ -126,9 +82,8 @@ private:
     }
 
     const PlacedMeshes& placed_;
+    EdgeUses edges_;
     EdgeCensus result_;
-    std::vector<std::uint32_t> begin_;
-    std::vector<Use> uses_;
     std::vector<std::pair<std::uint32_t, bool>> by_object_;
 };
 

@@ -73,6 +73,28 @@ void drop_coat_normals(DrawList& list) {
     }
 }
 
+/// Of each mesh where it is drawn first: a table for each of its places would cost more than it mends.
+void find_normal_sides(DrawList& list, Context& context) {
+    std::vector<AttributeMesh> meshes;
+    std::vector<std::uint32_t> numbers;
+    std::vector<bool> seen(list.scene.meshes.size(), false);
+    for (const Draw& draw : list.draws) {
+        const Mesh& mesh = list.scene.meshes[draw.mesh];
+        if (seen[draw.mesh] || mesh.normals.empty() || !list.materials[draw.material].classical) continue;
+        seen[draw.mesh] = true;
+        numbers.push_back(draw.mesh);
+        AttributeMesh& m = meshes.emplace_back();
+        m.positions = mesh.positions;
+        m.indices = mesh.indices;
+        m.normals = mesh.normals;
+        m.to_world = draw.to_world;
+    }
+    list.normal_sides.assign(list.scene.meshes.size(), {});
+    if (meshes.empty()) return;
+    std::vector<geometry::NormalSides> sides = geometry::find_normal_sides(meshes, context);
+    for (std::size_t i = 0; i < numbers.size(); ++i) list.normal_sides[numbers[i]] = std::move(sides[i]);
+}
+
 }  // namespace
 
 void fill_materials(DrawList& list, TextureCache& textures, Context& context);  // material_views.cpp
@@ -84,6 +106,7 @@ DrawList make_draw_list(const Scene& scene, TextureCache& textures, Context& con
     add_draws(list);
     fill_materials(list, textures, context);
     drop_coat_normals(list);
+    find_normal_sides(list, context);
     for (const Draw& draw : list.draws)
         if (!scene.meshes[draw.mesh].colors.empty()) list.materials[draw.material].view.vertex_colors = 1;
     return list;

@@ -9,6 +9,7 @@
 
 #include "engines/raster/kernel_types.h"
 #include "engines/raster/textures.h"
+#include "geometry/normal_sides.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight::raster {
@@ -29,7 +30,7 @@ struct DrawMaterial {
     MaterialView view{};
     std::uint32_t scene_material = none;
     bool double_sided = false;
-    bool classical = false;          ///< its format says nothing about sides: shown from both, turned towards the viewer
+    bool classical = false;  ///< its format says nothing about sides: shown from both (lit_side.h)
 };
 
 struct DrawList {
@@ -39,6 +40,7 @@ struct DrawList {
     std::vector<Draw> line_draws;  ///< of lines and points
     Bounds bounds;                 ///< of the boxes of both in the world
     std::vector<DrawMaterial> materials;
+    std::vector<geometry::NormalSides> normal_sides;  ///< [meshes] of those whose format says nothing about sides
     std::deque<TextureView> views;   ///< what the slots of the materials point to
     std::shared_ptr<const EnvironmentMaps> environment;  ///< null: none; EnvironmentCache
     EnvironmentView environment_view{};                  ///< of it

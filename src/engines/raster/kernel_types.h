@@ -106,7 +106,8 @@ struct RecordJob {
     const float* colors;                  ///< [vertices] of 4; null: white
     float to_normal[3][3], linear[3][3];  ///< rows of the matrices object -> world axes, for normals and for tangents
     float mirror;                         ///< -1: the placement mirrors (DrawRecords::mirror)
-    int32_t by_winding;                   ///< 0: surfaces are lit from the side that is seen, whatever their winding
+    int32_t turned;                       ///< 1: normals are turned round where the front is seen, not the back
+    const int32_t* against;               ///< [triangles] 1: the other way round for this one; null: for none
     int32_t whole;                        ///< 0: texcoord1 and color are not written
     int32_t affine;                       ///< 1: barycentrics are not divided by w
     int32_t orthographic;

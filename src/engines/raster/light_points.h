@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engines/raster/front_end.h"
+#include "engines/raster/lit_side.h"
 
 namespace rakelight::raster {
 
@@ -23,9 +24,8 @@ public:
     };
     Face face(std::uint32_t triangle) const;
 
-    /// 0: the triangle shows the side of its normals, 1: the other one, whose normals are turned round. The rule of the
-    /// pixels (shade_triangle.cpp: facing), without leaving object space.
-    int seen_side(const ScreenTriangle& s) const;
+    /// 0: the triangle shows the side of its normals, 1: the other one, whose normals are turned round.
+    int seen_side(const ScreenTriangle& s) const { return side_.is_turned(s) ? 1 : 0; }
 
 private:
     const std::uint32_t* indices(std::uint32_t triangle) const {
@@ -37,10 +37,7 @@ private:
     const dmat4& to_eye_;
     dmat3 to_normal_;
     double mirror_;
-    bool by_winding_;  ///< glTF: winding says which side is in front
-    dmat3 agreement_;  ///< (C f) . (C n) = f . (agreement n) with C the cofactor matrix
-    dvec3 to_viewer_;  ///< (C f) . (to the viewer) = f . (to_viewer - determinant p), f the face's normal, p on it
-    double determinant_;
+    LitSide side_;
 };
 
 /// What a point receives, per unit of k_a, k_d and k_s.

@@ -38,14 +38,7 @@ DrawFrame::DrawFrame(const FrontEnd& front, std::uint32_t draw)
       to_eye_(front.to_eye[draw]),
       to_normal_(cofactor(upper_left(to_eye_))),
       mirror_(front.list.draws[draw].mirrored ? -1 : 1),
-      by_winding_(!front.list.materials[front.list.draws[draw].material].classical),
-      determinant_(view_.orthographic ? 0 : determinant(upper_left(to_eye_))) {
-    const dmat3& c = to_normal_;
-    const dmat3 transposed = {
-        {dvec3{c[0].x, c[1].x, c[2].x}, dvec3{c[0].y, c[1].y, c[2].y}, dvec3{c[0].z, c[1].z, c[2].z}}};
-    agreement_ = transposed * to_normal_;
-    to_viewer_ = transposed * (view_.orthographic ? view_.camera_to_world[2].xyz() : -to_eye_[3].xyz());
-}
+      side_(front, draw) {}
 
 dvec3 DrawFrame::position(std::uint32_t vertex) const {
     return transform_point(to_eye_, cast<double>(mesh_.positions[vertex]));
@@ -63,17 +56,6 @@ DrawFrame::Face DrawFrame::face(std::uint32_t triangle) const {
     // All of a plane is seen from one side: that of the eye, which is the origin here.
     const double seen = dot(normal, view_.orthographic ? view_.camera_to_world[2].xyz() : -centroid);
     return {centroid, seen < 0 ? -normal : normal};
-}
-
-int DrawFrame::seen_side(const ScreenTriangle& s) const {
-    if (by_winding_) return s.is_back ? 1 : 0;
-    const std::uint32_t* const index = indices(s.triangle);
-    const dvec3 p = cast<double>(mesh_.positions[index[0]]);
-    const dvec3 face = cross(cast<double>(mesh_.positions[index[1]]) - p, cast<double>(mesh_.positions[index[2]]) - p);
-    const vec3 normals = mesh_.normals[index[0]] + mesh_.normals[index[1]] + mesh_.normals[index[2]];
-    const double seen = dot(face, to_viewer_ - p * determinant_),
-                 agree = dot(face, agreement_ * cast<double>(normals)) * mirror_;
-    return (seen < 0) != (agree < 0) ? 1 : 0;
 }
 
 void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s, ShadeTriangle& shade,

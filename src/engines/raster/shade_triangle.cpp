@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engines/raster/full_jobs.h"
+#include "engines/raster/lit_side.h"
 #include "engines/raster/tile.h"
 #include "math/linear.h"
 
@@ -18,6 +19,7 @@ struct DrawRecords {
     const Mesh& mesh;
     const DrawMaterial& material;
     const dmat4& to_eye;
+    LitSide side;
     dmat3 linear, to_normal;  ///< object -> world axes; for normals the cofactor matrix, mirrored back
     double
         mirror;  ///< -1: the placement mirrors; faces that stand in for missing normals turn with clockwise fronts, too
@@ -28,6 +30,7 @@ struct DrawRecords {
           mesh(f.list.scene.meshes[draw.mesh]),
           material(f.list.materials[draw.material]),
           to_eye(f.to_eye[number]),
+          side(f, number),
           linear(upper_left(to_eye)),
           to_normal(cofactor(linear)),
           mirror(draw.mirrored != (mesh.normals.empty() && f.settings.front_face == FrontFace::clockwise) ? -1 : 1) {
@@ -109,16 +112,6 @@ void set_colors(float (&to)[4][3], const Mesh& mesh, const std::uint32_t (&index
     }
 }
 
-/// Whether the shading normal is turned round: the rule of kernels/record_kernel.h. What clipping cut may be seen in
-/// part only, so the side is found in space.
-float facing(const DrawRecords& d, const ScreenTriangle& s, const dvec3 (&position)[3], const dvec3 (&normal)[3]) {
-    if (!d.material.classical) return s.is_back ? -1.0f : 1.0f;
-    const dvec3 face = cross(position[1] - position[0], position[2] - position[0]);
-    const dvec3 to_viewer = d.front.view.orthographic ? d.front.view.camera_to_world[2].xyz() : -position[0];
-    const double seen = dot(face, to_viewer), agree = dot(face, normal[0] + normal[1] + normal[2]);
-    return (seen < 0) != (agree < 0) ? -1.0f : 1.0f;
-}
-
 void make_piece_record(const DrawRecords& d, const ScreenTriangle& s, int tile_x, int tile_y, ShadeTriangle& out) {
     const Mesh& mesh = d.mesh;
     std::uint32_t index[3];
@@ -145,7 +138,7 @@ void make_piece_record(const DrawRecords& d, const ScreenTriangle& s, int tile_x
     set_texcoords(out.texcoord0, out.slope0, d.texcoords(0), index, out);
     set_texcoords(out.texcoord1, out.slope1, d.texcoords(1), index, out);
     set_colors(out.color, mesh, index);
-    out.facing = facing(d, s, position, normal);
+    out.facing = d.side.is_turned(s) ? -1.0f : 1.0f;
 }
 
 /// Rows of a matrix as floats, scaled so that none is out of their range: only directions count.
@@ -173,7 +166,8 @@ RecordJob record_job(const DrawRecords& d, std::uint32_t number, bool whole) {
     set_rows(job.to_normal, d.to_normal);
     set_rows(job.linear, d.linear);
     job.mirror = float(d.mirror);
-    job.by_winding = !d.material.classical;
+    job.turned = d.side.front_turns();
+    job.against = d.side.against();
     job.whole = whole || d.material.view.vertex_colors || d.material.view.uses_texcoords[1];
     job.orthographic = d.front.view.orthographic;
     job.affine = is_affine(d.front);

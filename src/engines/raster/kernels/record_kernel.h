@@ -13,8 +13,9 @@ using rakelight::wide::RL_ISA::store_columns4;
 /// The three corners of `lanes` triangles, in the order of the mesh.
 struct Corners {
     int32_t index[3][lanes];
+    integer triangle;
     integer x[3], y[3];  ///< [1/256 px] about the tile's first pixel center
-    mask is_back, is_swapped;
+    mask is_back;
     bool has_piece;
     bool has_last;  ///< the last vertex is among them: what follows it in memory is not ours
 
@@ -22,10 +23,11 @@ struct Corners {
         const float* const* const rows = reinterpret_cast<const float* const*>(job.row + first);
         real v[4][4];
         for (int k = 0; k < 4; ++k) load_rows4_at(rows, 4 * k, v[k]);
-        const integer triangle = bits_of(v[3][1]), flags = bits_of(v[3][2]);
+        triangle = bits_of(v[3][1]);
+        const integer flags = bits_of(v[3][2]);
         is_back = (flags & integer(1)) != integer(0);
         has_piece = any_lane((flags & integer(1 << 8)) != integer(0));
-        is_swapped = (flags & integer(1 << 16)) != integer(0);
+        const mask is_swapped = (flags & integer(1 << 16)) != integer(0);
         const integer origin_x((job.tile_x << subpixel_bits) + 128), origin_y((job.tile_y << subpixel_bits) + 128);
         for (int k = 0; k < 3; ++k) {
             const int other = k == 0 ? 0 : 3 - k;
@@ -127,17 +129,11 @@ inline vec3 face_normal(const RecordJob& job, const Corners& c) {
                        cross(load_corner3(job.positions, c, 1) - p0, load_corner3(job.positions, c, 2) - p0));
 }
 
-/// -1 where the shading normal is to be turned round: by winding where the format gives winding a meaning, else so that
-/// the normals agree with the side that is seen.
-inline real facing_of(const RecordJob& job, const Corners& c, const vec3 (&normal)[3]) {
-    mask is_turned = c.is_back;
-    if (job.by_winding == 0) {
-        const real agreement = dot(face_normal(job, c), normal[0] + normal[1] + normal[2]) * real(job.mirror);
-        const mask disagrees = agreement < real(0.0f);
-        // Swapped: counter-clockwise as seen.
-        is_turned = (c.is_swapped && disagrees) || (!c.is_swapped && !disagrees);
-    }
-    return select(is_turned, real(-1.0f), real(1.0f));
+/// -1 where the shading normal is to be turned round (lit_side.h).
+inline real facing_of(const RecordJob& job, const Corners& c) {
+    integer turns = select(c.is_back, integer(1), integer(0)) + integer(job.turned);
+    if (job.against != nullptr) turns = turns + gather_i(job.against, c.triangle);
+    return select((turns & integer(1)) != integer(0), real(-1.0f), real(1.0f));
 }
 
 /// A set of texture coordinates and its slopes.
@@ -161,7 +157,7 @@ inline void put_surface(const RecordJob& job, const Corners& c, const Slopes& sl
     for (int32_t k = 0; k < 3 && job.normals != nullptr; ++k)
         normal[k] = safe_normalize(transformed(job.to_normal, load_corner3(job.normals, c, k)));
     set_deltas(normal, v + 10);
-    v[19] = facing_of(job, c, normal);
+    v[19] = facing_of(job, c);
     v[29] = real(job.mirror);
     for (int32_t k = 0; k < 3 && job.tangents != nullptr; ++k) {
         real t[4];
