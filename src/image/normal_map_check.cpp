@@ -29,16 +29,6 @@ Normal decode_srgb(std::uint32_t t) {
     return {at(0), at(8), at(16)};
 }
 
-/// Slopes of the height along u and upwards.
-struct Slope {
-    double p, q;
-};
-Slope slope(std::uint32_t t) {
-    const Normal n = decode(t);
-    const double z = std::max(n.z, 0.1);
-    return {-n.x / z, -n.y / z};
-}
-
 /// Of red, green and blue, [codes].
 double spread(std::uint32_t t) {
     const std::uint32_t r = t & 255u, g = t >> 8 & 255u, b = t >> 16 & 255u;
@@ -46,17 +36,12 @@ double spread(std::uint32_t t) {
 }
 
 struct Sums {
-    double products = 0, p_squares = 0, q_squares = 0, errors = 0, srgb_errors = 0, xy = 0, z = 0, spread = 0;
+    double errors = 0, srgb_errors = 0, xy = 0, z = 0, spread = 0;
     std::size_t count = 0;
 };
 
-void add_row(const std::uint32_t* row, int width, int stride, Sums& s) {
+void add_row(const std::uint32_t* row, int width, Sums& s) {
     for (int x = 1; x + 1 < width; ++x) {
-        const double p_up = slope(row[x - stride]).p - slope(row[x + stride]).p;
-        const double q_right = slope(row[x + 1]).q - slope(row[x - 1]).q;
-        s.products += p_up * q_right;
-        s.p_squares += p_up * p_up;
-        s.q_squares += q_right * q_right;
         s.errors += length_error(decode(row[x]));
         s.xy += 0.5 * (decode(row[x]).x + decode(row[x]).y);
         s.z += decode(row[x]).z;
@@ -81,11 +66,10 @@ NormalMapCheck check_normal_map(std::span<const std::uint32_t> texels, int width
     Sums s;
     for (int i = 0; i < wanted; ++i) {
         const auto y = 1 + std::size_t(i) * std::size_t(rows) / std::size_t(wanted);
-        add_row(texels.data() + y * std::size_t(stride), width, stride, s);
+        add_row(texels.data() + y * std::size_t(stride), width, s);
     }
-    const double squares = std::sqrt(s.p_squares * s.q_squares), count = double(s.count);
-    // Differences of a code or so are rounding, not relief.
-    if (squares > 2e-4 * count) out.green_agreement = s.products / squares;
+    const double count = double(s.count);
+    out.green = find_green_direction(texels, width, height, stride);
     out.length_error = s.errors / count;
     out.mean_xy = s.xy / count;
     out.mean_z = s.z / count;

@@ -4,22 +4,20 @@
 #include <cstdint>
 #include <span>
 
+#include "image/green_direction.h"
+
 namespace rakelight {
 
 struct NormalMapCheck {
     std::uint64_t texels = 0;
     std::uint64_t below = 0;  ///< point into the surface: blue under 128
-    /// -1..1: correlation of dp/dy with dq/dx, p and q the slopes along u and upwards. Both are the mixed derivative of
-    /// one height field where green points up; with green down one has the other's sign. 0 where there is nothing to
-    /// compare.
-    double green_agreement = 0;
+    GreenDirection green;
     double length_error = 0;       ///< mean of | |2 rgb - 1| - 1 |
     double mean_xy = 0;            ///< of red and green, 2 c - 1 each; a flat map saved as sRGB has 0.47
     double mean_z = 0;             ///< of 2 blue - 1
     double mean_spread = 0;        ///< of the largest less the smallest of red, green and blue, in codes of 255
     double srgb_length_error = 0;  ///< the same with the codes taken for sRGB and made linear
 
-    bool looks_green_down() const { return green_agreement < -0.3; }
     /// Unit vectors that stand out of a surface; of a gray picture those have z = 0.58.
     bool looks_like_normals() const { return length_error < 0.05 && mean_z > 0.7; }
     /// Gray, up to what JPEG makes of it. Of normals only (1, 1, 1) is gray, which leans by 55 degrees; the spread of

@@ -48,9 +48,9 @@ void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, 
                    is_of_world_ ? "the normal map looks like a height map: it is gray; 'height_texture' takes it as one"
                                 : "the normal map looks like a height map: it is gray; --height-map takes it as one");
     if (check.below > 0) say(check.below * 1000 >= check.texels ? Remark::warning : Remark::note, said(check).c_str());
-    if (!material.green_down && check.looks_green_down())
+    if (!material.green_down && check.green.is_down())
         say(Remark::warning, "the normal map looks green-down; --normal-map-green down turns it");
-    if (material.green_down && check.green_agreement > 0.3)
+    if (material.green_down && check.green.is_up())
         say(Remark::warning, "the normal map looks green-up; the material takes it for green-down");
     if (check.looks_srgb())
         say(Remark::warning, "the normal map looks sRGB-encoded; it is read as plain numbers, as all normal maps are");

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "image/green_direction.h"
 #include "io/reader.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
@@ -90,6 +91,44 @@ TEST(GltfAssets, TexturesAreFoundWhereTheFilesHaveThem) {
             EXPECT_EQ(entry.message.find("Texture is left out"), std::string::npos)
                 << path << ": " << entry.place << ": " << entry.message;
     }
+}
+
+/// What the normal maps of the materials say of their green, each picture once.
+std::vector<GreenDirection> greens_of(const Scene& scene, std::set<std::string>& seen, Context& context) {
+    std::vector<GreenDirection> greens;
+    for (const Material& m : scene.materials) {
+        if (!m.normal_texture) continue;
+        const EncodedImage& image = *scene.textures[m.normal_texture.texture].image;
+        if (!seen.insert(image.path.empty() ? image.file + image.name : image.path).second) continue;
+        const Pixels pixels = image.decode(image, context);
+        if (pixels.component != Component::u8 || pixels.channels < 3) continue;
+        std::vector<std::uint32_t> texels;
+        for (std::size_t i = 0; i < pixels.bytes.size(); i += std::size_t(pixels.channels))
+            texels.push_back(std::uint32_t(pixels.bytes[i]) | std::uint32_t(pixels.bytes[i + 1]) << 8 |
+                             std::uint32_t(pixels.bytes[i + 2]) << 16);
+        greens.push_back(find_green_direction(texels, pixels.width, pixels.height, pixels.width));
+    }
+    return greens;
+}
+
+/// glTF says that green points up, so none may be called green-down. That of the scanned head does point down.
+TEST(GltfAssets, NormalMapsAreNotCalledGreenDown) {
+    RL_NEEDS_SHARED("assets");
+    Context context({.threads = 1});
+    std::set<std::string> seen;
+    int maps = 0, up = 0;
+    for (const auto& path : gltf_assets())
+        for (const GreenDirection& green : greens_of(io::read_gltf(path.string(), {}, context), seen, context)) {
+            EXPECT_FALSE(green.is_down()) << path;
+            ++maps;
+            up += green.is_up();
+        }
+    EXPECT_GE(maps, 13);
+    EXPECT_GE(up, 5);
+    const std::string head = (test::shared_dir() / "assets/obj/LeePerrySmith/head.obj").string();
+    const std::vector<GreenDirection> of_head = greens_of(io::read_obj(head, {}, context), seen, context);
+    ASSERT_EQ(of_head.size(), 1u);
+    EXPECT_TRUE(of_head[0].is_down());
 }
 
 TEST(GltfAssets, CutCopiesHoldTheSamePositionsAsTheWhole) {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which way the green of a tangent-space normal map points, told from its numbers alone.
+#pragma once
+#include <cstdint>
+#include <span>
+
+namespace rakelight {
+
+/// With p and q the slopes of the height along u and upwards, dp/dy and dq/dx are both the mixed derivative of one
+/// height field where green points up; with green down one has the other's sign. Agreement is 2 sum(dp/dy dq/dx) over
+/// sum((dp/dy)^2 + (dq/dx)^2): 1 where they are equal, -1 where one is the other's negative. A correlation would say
+/// as much of two small numbers that are nothing but rounding beside large slopes, as in painted bricks.
+struct GreenDirection {
+    double fine = 0, coarse = 0;  ///< -1..1: agreement of neighboring texels, and of the means of 2 x 2; 0: no relief
+    int parts = 0;                ///< of the 8 x 8 that the map is cut into: those with relief
+    int up = 0, down = 0;         ///< of these: agreement above 0.25, below -0.25
+
+    /// A wrong guess is worse than none: both scales must say it, and eight of ten parts of the map by themselves.
+    /// What is no height field (combed, painted, of bent charts) stays below; so do maps of little detail.
+    bool is_up() const { return is_sure(fine, coarse, up); }
+    bool is_down() const { return is_sure(-fine, -coarse, down); }
+
+private:
+    bool is_sure(double a, double b, int agreeing) const {
+        return a > 0.6 && b > 0.6 && parts >= 8 && 10 * agreeing >= 8 * parts;
+    }
+};
+
+/// Of windows in the middle of each part, 300 000 texels at most; nothing of maps smaller than 32 x 32.
+/// @param texels  [height][stride], R in the low byte; a row's first `width` are looked at
+GreenDirection find_green_direction(std::span<const std::uint32_t> texels, int width, int height, int stride);
+
+}  // namespace rakelight
