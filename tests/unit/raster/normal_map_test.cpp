@@ -128,6 +128,12 @@ TEST(TangentSpaceLighting, PerPixelIsThePictureOfTheWorld) {
     EXPECT_LT(largest_difference(bent(TangentSpace::pixel, 0.5, true), bent(TangentSpace::world, 0.5, true)), 5e-6);
 }
 
+TEST(TangentSpaceLighting, PerPixelIsAnotherPictureWhereFramesAreSkewed) {
+    // The inverse of a frame that is not orthonormal keeps no angles, which `world` needs.
+    EXPECT_GT(difference(bent(TangentSpace::pixel, 0.5, false), bent(TangentSpace::world, 0.5, false)), 1e-3);
+    EXPECT_LT(largest_difference(bent(TangentSpace::pixel, 0, false), bent(TangentSpace::world, 0, false)), 5e-6);
+}
+
 TEST(TangentSpaceLighting, PerVertexDiffersOnBentSurfacesAndNotOnFlatOnes) {
     EXPECT_GT(difference(bent(TangentSpace::vertex, 0, true), bent(TangentSpace::world, 0, true)), 1e-3);
     Scene flat = square_with(constant(0));
