@@ -244,3 +244,37 @@ TEST(ClipReference, TheNearPlaneEndsAFloorWhereItMeetsIt) {
         }
     }
 }
+
+/// Where the far plane cuts: the same floor begins at the first row that a ray meets before the far plane.
+TEST(ClipReference, TheFarPlaneEndsAFloorWhereItMeetsIt) {
+    for (const bool orthographic : {false, true})
+        for (const double far : {1.5, 2.0, 4.0, 8.0}) {
+            Scene scene;
+            scene.materials = {matte()};
+            Mesh floor = square_mesh(0);
+            floor.positions = std::vector<vec3>{{-50, -1, 50}, {50, -1, 50}, {50, -1, -50}, {-50, -1, -50}};
+            if (orthographic)  // tilted, so that each row has a distance of its own
+                floor.positions = std::vector<vec3>{{-50, -20, 20}, {50, -20, 20}, {50, 20, -20}, {-50, 20, -20}};
+            add_object(scene, floor);
+            Camera camera;
+            camera.projection = orthographic ? Projection::orthographic : Projection::perspective;
+            camera.vertical_fov_rad = radians(90);
+            camera.half_height = 10;
+            camera.near = 0.5;
+            camera.far = far;
+            Context context({.threads = 1});
+            const auto engine = make_engine();
+            engine->prepare(scene, context);
+            Frame frame;
+            engine->render(camera,
+                           {.width = side, .height = side, .shading = Shading::unlit, .background = {0, 0, 0, 0}},
+                           frame, context);
+            for (int y = 0; y < side; ++y) {
+                // Distance along the view axis where the middle of a row meets the floor.
+                const double down = (y + 0.5) / (side / 2.0) - 1, distance = orthographic ? -10 * down : 1 / down;
+                if (std::fabs(distance - far) < 0.05 || std::fabs(distance - 0.5) < 0.05) continue;
+                EXPECT_EQ(frame.color[std::size_t(y * side + side / 2)].w > 0, distance > 0.5 && distance < far)
+                    << far << ", row " << y << (orthographic ? ", parallel" : "");
+            }
+        }
+}

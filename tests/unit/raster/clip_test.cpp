@@ -55,6 +55,23 @@ TEST(Clip, ATriangleThroughTheEyePlaneKeepsOnlyItsFrontPart) {
     for (std::size_t i = 0; i < count; ++i) EXPECT_GE(out[i].w, 0.4999f);
 }
 
+TEST(Clip, ATriangleThroughTheFarPlaneKeepsOnlyItsNearPart) {
+    const ClipVolume volume(view_of());
+    const ClipVertex triangle[3] = {at(-1, -1, 50), at(1, -1, 50), at(0, 1, 200)};
+    ClipVertex out[max_clipped_vertices];
+    ASSERT_EQ(clip_triangle(triangle, clip_far, volume, out), 4u);
+    int at_far = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_LE(out[i].distance, 100.0001f);
+        if (std::fabs(out[i].distance - 100) > 1e-3f) continue;
+        ++at_far;
+        EXPECT_NEAR(out[i].y, -1 + 2.0 / 3, 1e-5) << "a third of the way to the far corner";
+    }
+    EXPECT_EQ(at_far, 2);
+    const ClipVertex behind[3] = {at(-1, -1, 101), at(1, -1, 150), at(0, 1, 200)};
+    EXPECT_EQ(clip_triangle(behind, clip_far, volume, out), 0u);
+}
+
 TEST(Clip, NeighborsThatShareAnEdgeGetTheSameNewVertex) {
     const ClipVolume volume(view_of());
     const ClipVertex p = at(0.3, -0.7, 7), q = at(0.1, 0.9, -3);

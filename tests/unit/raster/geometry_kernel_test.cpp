@@ -172,6 +172,52 @@ TEST(GeometryKernels, SmallTrianglesCoverWhatThePlainFunctionsSayAtTheSameDepth)
     }
 }
 
+/// Squares with corners on pixel centers, of two triangles each: by the top-left rule every center belongs to one.
+TEST(GeometryKernels, CentersOnTheEdgesOfSmallTrianglesBelongToTopAndLeftEdges) {
+    const FlushDenormals guard;
+    const auto triangle = [](int x0, int y0, int x1, int y1, int x2, int y2) {
+        ScreenTriangle s{};
+        const auto at = [](int v) { return v * 256 + 128; };
+        s.x0 = at(x0), s.y0 = at(y0), s.x1 = at(x1), s.y1 = at(y1), s.x2 = at(x2), s.y2 = at(y2);
+        s.key0 = s.key1 = s.key2 = 0.5f;
+        s.bits0 = s.bits1 = s.bits2 = std::uint32_t(1 << (fine_bits - 1)) << outcode_bits |
+                                      std::uint32_t(1 << (fine_bits - 1)) << (outcode_bits + fine_bits);
+        return s;
+    };
+    for (const GeometryKernels* kernels : flavours())
+        for (const int size : {1, 2, 5, 9})
+            for (const bool falls : {false, true}) {  // which diagonal
+                const int l = 70, t = 135, r = l + size, b = t + size;
+                const ScreenTriangle halves[2] = {triangle(l, t, r, t, falls ? r : l, b),
+                                                  falls ? triangle(l, t, r, b, l, b) : triangle(r, t, r, b, l, b)};
+                std::vector<int> covered(tile_size * tile_size, 0);
+                for (const ScreenTriangle& half : halves) {
+                    const std::vector<const TriangleRow*> rows(32, &half);
+                    TilePixels found;
+                    NearestJob job{.rows = rows.data(),
+                                   .count = 1,
+                                   .total = 1,
+                                   .position = 0,
+                                   .tile_x = 64,
+                                   .tile_y = 128,
+                                   .left = 0,
+                                   .top = 0,
+                                   .right = tile_size - 1,
+                                   .bottom = tile_size - 1,
+                                   .farthest = -1,
+                                   .depth = found.depth.data(),
+                                   .visible = found.visible.data()};
+                    kernels->nearest(&job);
+                    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] += found.visible[i] >= 0;
+                }
+                for (int y = 0; y < tile_size; ++y)
+                    for (int x = 0; x < tile_size; ++x)
+                        ASSERT_EQ(covered[std::size_t(y * tile_size + x)],
+                                  x + 64 >= l && x + 64 < r && y + 128 >= t && y + 128 < b)
+                            << x << ", " << y << " of a square of " << size;
+            }
+}
+
 TEST(GeometryKernels, TheFarthestDepthOfAPartOfATileIsThatOfItsPixelsAlone) {
     std::mt19937 random(31);
     for (const GeometryKernels* kernels : flavours()) {

@@ -107,6 +107,23 @@ TEST(Sampling, TheLevelOfDetailIsTheLogarithmOfTexelsAPixel) {
     EXPECT_TRUE(is_gray(show(stripes, level_nearest, {2, 2}))) << "eight: level 3, stripes are gone";
 }
 
+TEST(Sampling, TheNearestMipLevelIsTheOneWhoseTexelsAreNearestToAPixel) {
+    // Columns of one texel are gray from level 1 on, columns of two from level 2.
+    const Sampler s{.magnify = Filter::nearest, .minify = Filter::nearest, .mip = MipFilter::nearest};
+    for (const int width : {1, 2}) {
+        const Pixels columns = rgb_pixels(256, 256, [width](int x, int) {
+            const int v = (x / width) & 1 ? 255 : 0;
+            return std::array<int, 3>{v, v, v};
+        });
+        for (const double above : {0.05, 0.4, 0.45, 0.55, 0.6, 0.95}) {
+            const double lod = width - 1 + above;  // of the level that is read, and the next one, which is gray
+            const float scale = float(0.25 * std::exp2(lod));
+            for (const vec4& c : show(columns, s, {scale, scale}).color)
+                ASSERT_EQ(c.x > 0.1f && c.x<0.9f, above> 0.5) << width << ", " << lod;
+        }
+    }
+}
+
 TEST(Sampling, TextureTransformsScaleTurnAndShiftAsTheExtensionSays) {
     // A quarter turn: u' = v, v' = -u (plus 1 to come back into 0..1).
     const Frame f = show(steps(), nearest, {1, 1}, {0, 1}, float(pi / 2));
