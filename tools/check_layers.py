@@ -33,7 +33,7 @@ BELOW = {
 
 # Public header -> the module that implements it (and whose layer it belongs to).
 PUBLIC = {
-    "error": "base", "current_error": "base", "report": "base", "context": "base",
+    "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base",
     "vector": "math",
     "block": "image", "image": "image",
     "attributes": "geometry",

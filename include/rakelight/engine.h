@@ -246,7 +246,10 @@ public:
     virtual ~Engine() = default;
     virtual std::string name() const = 0;
     /// The scene must be valid (see validate()) and posed; textures that cannot be decoded become a warning in the report.
-    virtual void prepare(const Scene& scene, Context& context) = 0;
+    /// The engine keeps it: who needs it no more moves it in.
+    virtual void prepare(Scene scene, Context& context) = 0;
+    /// What was prepared last; empty before.
+    virtual const Scene& scene() const = 0;
     /// @throws Error usage: impossible settings or camera; failed: cancelled.
     virtual RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) = 0;
 };

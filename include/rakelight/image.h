@@ -25,6 +25,7 @@ struct Pixels {
     std::vector<std::byte> bytes;
     /// The file says that its numbers are sRGB codes (PNG's sRGB chunk, or gAMA of 45455): normal maps are warned of.
     bool is_tagged_srgb = false;
+    SharedCharge charge{};  ///< pays for `bytes`; null: nobody counts them
 
     std::size_t row_bytes() const { return std::size_t(width) * std::size_t(channels) * size_of(component); }
     const std::byte* row(int y) const { return bytes.data() + std::size_t(y) * row_bytes(); }
@@ -42,6 +43,10 @@ struct EncodedImage {
     /// Decodes. Reentrant. @throws Error bad_file or not_found: broken, too large for the memory budget, not a picture.
     std::function<Pixels(const EncodedImage&, Context&)> decode;
     std::string place;  ///< where `file` names it, for messages: "line 9, column 18" of a world file, else empty
+    /// What decode() will give, but without its bytes, so that a picture that is too large is refused before it is decoded.
+    /// Null: not known before. Of a file of its own it tells the budget how much was read, which decode() does not: decode
+    /// by decoded(). Reentrant. @throws Error as decode()
+    std::function<Pixels(const EncodedImage&, Context&)> measure{};
 };
 using ImageHandle = std::shared_ptr<const EncodedImage>;
 

@@ -46,6 +46,6 @@ struct PrepareOptions {
 
 /// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height
 /// map needs them. Says in the report what it replaced (zero or non-finite normals of the file, w = 0 tangents, ...).
-Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& context);
+Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context);
 
 }  // namespace rakelight

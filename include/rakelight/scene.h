@@ -14,6 +14,7 @@
 
 #include <rakelight/block.h>
 #include <rakelight/image.h>
+#include <rakelight/rare.h>
 #include <rakelight/vector.h>
 
 namespace rakelight {
@@ -243,7 +244,7 @@ struct Transform {
     dvec3 translation{0, 0, 0};
     dquat rotation;
     dvec3 scale{1, 1, 1};
-    std::optional<dmat4> matrix;  ///< when set, it alone counts
+    Rare<dmat4> matrix;  ///< when set, it alone counts
 };
 
 struct Node {
@@ -357,6 +358,8 @@ struct Scene {
     std::optional<Environment> environment;
     /// How missing normals are to be understood by `--normals auto`: glTF says flat, others smooth.
     bool missing_normals_are_flat = false;
+    /// What pays for the tables above where a file decided their size; copies share it. Blocks have their own.
+    std::vector<SharedCharge> charges;
 };
 
 }  // namespace rakelight

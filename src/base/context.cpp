@@ -18,13 +18,6 @@
 namespace rakelight {
 namespace {
 
-constexpr std::uint64_t gib = 1ull << 30;
-constexpr std::uint64_t bytes_per_byte_read = 64;
-
-std::string too_much(std::string_view what, std::uint64_t bytes, std::uint64_t limit) {
-    return std::string(what) + " needs " + std::to_string(bytes) + " bytes, more than the limit of " + std::to_string(limit);
-}
-
 #if defined(__SANITIZE_THREAD__)
 /// The thread sanitizer does not see how oneTBB, which is built without it, hands work from thread to thread, and takes each
 /// hand-over for a race. Under it alone, loops run on threads that it understands.
@@ -50,57 +43,6 @@ void run_on_plain_threads(int threads, std::size_t count, void (*call)(const voi
 #endif
 
 }  // namespace
-
-std::uint64_t MemoryBudget::limit() const noexcept {
-    if (max_bytes_ != 0) return max_bytes_;
-    const std::uint64_t read = read_bytes_;
-    const std::uint64_t explained = read > (1ull << 57) ? ~0ull : read * bytes_per_byte_read;
-    return explained > 2 * gib ? explained : 2 * gib;
-}
-
-void MemoryBudget::require(std::uint64_t charged, std::uint64_t bytes, std::string_view what) const {
-    const std::uint64_t allowed = limit();
-    if (bytes <= allowed && charged <= allowed - bytes) return;
-    has_refused_ = true;
-    throw Error(ErrorCode::bad_file, too_much(what, bytes, allowed), {}, "raise it with --max-memory if you trust the file");
-}
-
-void MemoryBudget::check(std::uint64_t bytes, std::string_view what) const {
-    require(*charged_, bytes, what);
-    std::uint64_t largest = largest_check_;
-    while (bytes > largest && !largest_check_.compare_exchange_weak(largest, bytes)) {
-    }
-}
-
-bool MemoryBudget::grants_in_any_order() const noexcept {
-    const std::uint64_t charged = *charged_, allowed = limit();
-    return !has_refused_ && charged <= allowed && largest_check_ <= allowed - charged;
-}
-
-void MemoryBudget::charge(std::uint64_t bytes, std::string_view what) {
-    std::uint64_t before = *charged_;
-    do require(before, bytes, what);  // and again where another thread charged in between
-    while (!charged_->compare_exchange_weak(before, before + bytes));
-}
-
-MemoryCharge::MemoryCharge(MemoryBudget& budget, std::uint64_t bytes, std::string_view what) {
-    budget.charge(bytes, what);
-    charged_ = budget.charged_;
-    bytes_ = bytes;
-}
-
-MemoryCharge::MemoryCharge(MemoryCharge&& from) noexcept
-    : charged_(std::move(from.charged_)), bytes_(std::exchange(from.bytes_, 0)) {}
-
-MemoryCharge& MemoryCharge::operator=(MemoryCharge&& from) noexcept {
-    std::swap(charged_, from.charged_);
-    std::swap(bytes_, from.bytes_);
-    return *this;
-}
-
-MemoryCharge::~MemoryCharge() {
-    if (charged_) *charged_ -= bytes_;
-}
 
 struct Context::Arena {
     // Without the control oneTBB writes a warning to standard error when more threads are asked for than there are cores.

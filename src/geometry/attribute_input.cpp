@@ -2,6 +2,7 @@
 #include "geometry/attribute_input.h"
 
 #include <cmath>
+#include <cstring>
 #include <string>
 
 namespace rakelight::geometry {
@@ -99,9 +100,19 @@ void check_indices(const AttributeInput& input, Context& context) {
                 " exceeds " + std::to_string(input.meshes[m].positions.size()) + " vertices");
 }
 
+void PlacementTable::push_back(const dmat4& to_world) {
+    // Bit for bit: zeros of other signs may give normals with other ones.
+    if (distinct_.empty() || std::memcmp(&distinct_.back().to_world, &to_world, sizeof to_world) != 0)
+        distinct_.push_back(place(to_world));
+    number_.push_back(std::uint32_t(distinct_.size() - 1));
+}
+
 AttributeInput number_input(std::span<const AttributeMesh> meshes) {
     AttributeInput input;
     input.meshes = meshes;
+    input.vertex_base.reserve(meshes.size() + 1);
+    input.triangle_base.reserve(meshes.size() + 1);
+    input.placements.reserve(meshes.size());
     std::uint64_t vertices = 0, triangles = 0;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         check_mesh(m, meshes[m]);
@@ -112,7 +123,7 @@ AttributeInput number_input(std::span<const AttributeMesh> meshes) {
         // Splitting can add a vertex for each corner, and all are numbered with 32 bits.
         if (vertices + 3 * triangles > most_vertices || 3 * triangles > most_corners)
             fail(m, "more than 2^32 vertices and corners in one call");
-        input.placements.push_back(place(meshes[m].to_world));
+        input.placements.push_back(meshes[m].to_world);
     }
     input.vertex_base.push_back(std::uint32_t(vertices));
     input.triangle_base.push_back(std::uint32_t(triangles));

@@ -25,12 +25,28 @@ struct Placement {
     dvec3 position(vec3 p) const { return transform_point(to_world, cast<double>(p)); }
 };
 
+/// The placement of each mesh. Meshes of one object, or of a model whose objects all stand at its origin, come one after
+/// another with one matrix: they share it.
+class PlacementTable {
+public:
+    void reserve(std::size_t meshes) { number_.reserve(meshes); }
+    void push_back(const dmat4& to_world);
+    const Placement& operator[](std::size_t mesh) const { return distinct_[number_[mesh]]; }
+    /// Those that differ from the one before, and which of them a mesh has.
+    const std::vector<Placement>& distinct() const { return distinct_; }
+    std::uint32_t number(std::size_t mesh) const { return number_[mesh]; }
+
+private:
+    std::vector<Placement> distinct_;
+    std::vector<std::uint32_t> number_;  ///< [meshes]
+};
+
 /// All meshes of a call, numbered through: vertex v of mesh m is vertex_base[m] + v, corner k of triangle t is
 /// 3 * (triangle_base[m] + t) + k. Both totals fit 32 bits (checked).
 struct AttributeInput {
     std::span<const AttributeMesh> meshes;
     std::vector<std::uint32_t> vertex_base, triangle_base;  ///< [meshes + 1]
-    std::vector<Placement> placements;                      ///< [meshes]
+    PlacementTable placements;                              ///< [meshes]
 
     std::uint32_t vertex_count() const { return vertex_base.back(); }
     std::uint32_t triangle_count() const { return triangle_base.back(); }

@@ -53,11 +53,14 @@ public:
 private:
     void number_matrices() {
         std::map<std::vector<double>, std::uint32_t> number;
-        for (const Placement& p : input_.placements) {
+        std::vector<std::uint32_t> of_distinct;
+        for (const Placement& p : input_.placements.distinct()) {
             std::vector<double> key(16);
             std::memcpy(key.data(), &p.to_world, sizeof p.to_world);
-            matrix_.push_back(number.try_emplace(key, std::uint32_t(number.size())).first->second);
+            of_distinct.push_back(number.try_emplace(key, std::uint32_t(number.size())).first->second);
         }
+        for (std::size_t m = 0; m < input_.meshes.size(); ++m)
+            matrix_.push_back(of_distinct[input_.placements.number(m)]);
         matrices_ = number.size();
     }
 

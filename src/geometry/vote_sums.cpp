@@ -1,38 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/vote_sums.h"
 
-#include <atomic>
-
 #include "geometry/face_vote.h"
 #include "geometry/tangent_groups.h"
 
 namespace rakelight::geometry {
 namespace {
 
-// What the outboxes hold is charged as they grow: nothing for most models, all votes where the triangles lie in disorder.
-class VoteMemory {
-public:
-    explicit VoteMemory(MemoryBudget& budget) : budget_(budget) {}
-    VoteMemory(const VoteMemory&) = delete;
-    VoteMemory& operator=(const VoteMemory&) = delete;
-    ~VoteMemory() { budget_.release(charged_); }
-    void charge(std::uint64_t bytes) {
-        budget_.charge(bytes, "smoothing normals of triangles in disorder");
-        charged_ += bytes;
-    }
-
-private:
-    MemoryBudget& budget_;
-    std::atomic<std::uint64_t> charged_{0};
-};
-
 // Votes for vertices that another piece of the mesh owns, in the order of sending. Blocks: nothing moves as they grow.
+// What the outboxes hold is charged as they grow: nothing for most models, all votes where the triangles lie in disorder.
 template <class Item>
 class Outbox {
 public:
-    void push(const Item& item, VoteMemory& memory) {
+    void push(const Item& item, MemoryCharge& memory) {
         if (blocks_.empty() || blocks_.back().size() == block) {
-            memory.charge(block * sizeof(Item));
+            memory.grow(block * sizeof(Item), "smoothing normals of triangles in disorder");
             blocks_.emplace_back().reserve(block);
         }
         blocks_.back().push_back(item);
@@ -200,7 +182,7 @@ private:
     Context& context_;
     std::vector<std::uint32_t> appended_base_;
     std::vector<Chunk> chunks_;
-    VoteMemory memory_;
+    MemoryCharge memory_;
     std::vector<std::vector<Outboxes>> outbox_;  // [chunks][receiving piece of the same mesh]
 };
 

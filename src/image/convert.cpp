@@ -75,11 +75,15 @@ void require_whole(const Pixels& pixels) {
 
 }  // namespace
 
+Pixels decoded(const EncodedImage& image, Context& context) {
+    if (image.measure) image.measure(image, context);
+    return image.decode(image, context);
+}
+
 std::vector<std::uint32_t> to_rgba8(const Pixels& pixels, Context& context) {
     require_whole(pixels);
     RL_ASSERT(pixels.component == Component::u8, "only 8-bit pictures have 8-bit codes");
     const std::size_t count = std::size_t(pixels.width) * std::size_t(pixels.height);
-    context.memory().charge(count * sizeof(std::uint32_t), "the texture");
     std::vector<std::uint32_t> out(count);
     for_rows(pixels.height, context, [&](int y) {
         expand_rgba8(pixels.row(y), pixels.channels, pixels.width, out.data() + std::size_t(y) * std::size_t(pixels.width));
@@ -90,7 +94,6 @@ std::vector<std::uint32_t> to_rgba8(const Pixels& pixels, Context& context) {
 std::vector<vec4> to_rgba32f(const Pixels& pixels, ColorSpace space, Context& context) {
     require_whole(pixels);
     const std::size_t count = std::size_t(pixels.width) * std::size_t(pixels.height);
-    context.memory().charge(count * sizeof(vec4), "the texture");
     std::vector<vec4> out(count);
     const bool srgb = space == ColorSpace::srgb && !pixels.is_linear;
     const float* const code16 = srgb && pixels.component == Component::u16 ? linear_of_code16().data() : nullptr;

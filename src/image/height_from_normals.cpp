@@ -7,7 +7,6 @@
 
 #include <rakelight/vector.h>
 
-#include "base/temporary_charges.h"
 #include "image/convert.h"
 #include "image/fourier.h"
 #include "math/flush_denormals.h"
@@ -22,13 +21,15 @@ constexpr double steepest = 20;
 struct Slopes {
     std::size_t width = 0, height = 0;
     std::vector<Complex> values;
+    MemoryCharge charge{};
 };
 
 Slopes slopes_of(const Pixels& normals, bool green_down, Context& context) {
     Slopes s{std::size_t(normals.width), std::size_t(normals.height), {}};
     const std::size_t largest = std::max(s.width * s.height, friendly_length(s.width) * friendly_length(s.height));
-    context.memory().charge(largest * sizeof(Complex) * 2,
+    s.charge = MemoryCharge(context.memory(), largest * sizeof(Complex) * 2,
                             "height map");  // of every step: what it reads, what it makes
+    const MemoryCharge texels_charge(context.memory(), s.width * s.height * sizeof(vec4), "height map");
     s.values.resize(s.width * s.height);
     const std::vector<vec4> texels = to_rgba32f(normals, ColorSpace::linear, context);
     context.parallel_for(s.height, [&](std::size_t y) {
@@ -146,8 +147,8 @@ Pixels gray(const Slopes& heights, double low, double range) {
 
 HeightsFromNormals heights_from_normals(const Pixels& normals, bool green_down, Context& context) {
     if (normals.width <= 0 || normals.height <= 0) return {};
-    const TemporaryCharges charges(context.memory());
     Slopes s = slopes_of(normals, green_down, context);
+    const MemoryCharge charge = std::move(s.charge);
     while (s.width > largest_side || s.height > largest_side) s = halved(s);
     s = with_friendly_sides(std::move(s));
     transform(s, context);
@@ -158,7 +159,10 @@ HeightsFromNormals heights_from_normals(const Pixels& normals, bool green_down, 
     const double bottom = low->re, range = high->re - bottom;
     const double depth = range / double(s.values.size()) / double(normals.width);  // heights count texels of the map
     const bool is_flat = depth < 1e-6;
-    return {gray(s, bottom, is_flat ? 0 : range), is_flat ? 0 : depth};
+    SharedCharge heights = share(MemoryCharge(context.memory(), s.values.size() * sizeof(std::uint16_t), "height map"));
+    HeightsFromNormals out{gray(s, bottom, is_flat ? 0 : range), is_flat ? 0 : depth};
+    out.heights.charge = std::move(heights);
+    return out;
 }
 
 }  // namespace rakelight

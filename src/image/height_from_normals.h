@@ -17,7 +17,7 @@ struct HeightsFromNormals {
 /// sides with other factors than 2, 3 and 5 are stretched to the next without, 2039 to 2048, since transforms of primes
 /// are slow.
 /// @param normals  2 rgb - 1, green up unless `green_down`; u8, u16 or f32 of at least 2 channels
-/// @throws Error bad_file: over the memory budget, to which nothing stays charged
+/// @throws Error bad_file: over the memory budget
 /// The same bits for any number of threads.
 HeightsFromNormals heights_from_normals(const Pixels& normals, bool green_down, Context& context);
 

@@ -137,9 +137,9 @@ void add_rgba32f_levels(MipChain& chain, Context& context) {
     }
 }
 
-/// Texels of all levels but the first.
-std::uint64_t smaller_texels(int width, int height) {
-    std::uint64_t count = 0;
+/// Texels of all levels, or of all but the first.
+std::uint64_t texels_of(int width, int height, bool with_first) {
+    std::uint64_t count = with_first ? std::uint64_t(width) * std::uint64_t(height) : 0;
     while (width > 1 || height > 1) {
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
@@ -148,7 +148,19 @@ std::uint64_t smaller_texels(int width, int height) {
     return count;
 }
 
+std::uint64_t level_bytes(const Pixels& pixels) {
+    return texels_of(pixels.width, pixels.height, true) *
+           (pixels.component == Component::u8 ? sizeof(std::uint32_t) : sizeof(vec4));
+}
+
+/// Unrounded averages live beside the 8-bit levels until all are made.
+std::uint64_t averages_bytes(const Pixels& pixels) {
+    return pixels.component == Component::u8 ? texels_of(pixels.width, pixels.height, false) * sizeof(vec4) : 0;
+}
+
 }  // namespace
+
+std::uint64_t mip_chain_bytes(const Pixels& pixels) { return level_bytes(pixels) + averages_bytes(pixels); }
 
 MipChain make_mip_chain(const Pixels& pixels, ColorSpace space, Context& context) {
     MipChain chain;
@@ -156,14 +168,13 @@ MipChain make_mip_chain(const Pixels& pixels, ColorSpace space, Context& context
     chain.is_srgb = !chain.is_float && space == ColorSpace::srgb && !pixels.is_linear;
     if (pixels.width <= 0 || pixels.height <= 0) return chain;
     MipLevel base{pixels.width, pixels.height, {}, {}};
-    const std::uint64_t texels = smaller_texels(pixels.width, pixels.height);
-    context.memory().charge(texels * (chain.is_float ? sizeof(vec4) : sizeof(std::uint32_t)), "the texture's smaller versions");
+    chain.charge = MemoryCharge(context.memory(), level_bytes(pixels), "the texture");
+    const MemoryCharge averages(context.memory(), averages_bytes(pixels), "the texture while it is made smaller");
     if (chain.is_float) {
         base.rgba32f = to_rgba32f(pixels, space, context);
         chain.levels.push_back(std::move(base));
         add_rgba32f_levels(chain, context);
     } else {
-        context.memory().check(texels * sizeof(vec4), "the texture while it is made smaller");
         base.rgba8 = to_rgba8(pixels, context);
         chain.levels.push_back(std::move(base));
         add_rgba8_levels(chain, context);

@@ -21,6 +21,7 @@ struct MipLevel {
 struct MipChain {
     bool is_srgb = false;          ///< the RGB of rgba8 are sRGB codes (alpha is linear always)
     bool is_float = false;         ///< rgba32f is filled, else rgba8
+    MemoryCharge charge;           ///< pays for the levels
     std::vector<MipLevel> levels;  ///< full size first, 1 x 1 last; each side is max(1, half of the one before, rounded down)
 };
 
@@ -33,5 +34,8 @@ struct MipChain {
 /// @return no level for a picture without pixels
 /// @throws Error bad_file: over the memory budget
 MipChain make_mip_chain(const Pixels& pixels, ColorSpace space, Context& context);
+
+/// [bytes] that make_mip_chain() takes at most beside the pixels, of which it looks at size and kind alone.
+std::uint64_t mip_chain_bytes(const Pixels& pixels);
 
 }  // namespace rakelight

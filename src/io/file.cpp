@@ -156,16 +156,25 @@ int create_beside(const std::string& path, std::string& temporary) {
 
 }  // namespace
 
-Bytes read_file(const std::string& path, Context& context) {
+Bytes charged_bytes(std::vector<std::byte> bytes, MemoryCharge charge) {
+    struct Both {
+        std::vector<std::byte> bytes;
+        MemoryCharge charge;
+    };
+    const std::shared_ptr<const Both> both(new Both{std::move(bytes), std::move(charge)});
+    return {both, &both->bytes};
+}
+
+Bytes read_file(const std::string& path, Context& context, bool is_told) {
     struct ::stat status {};
     const Descriptor file{open_regular(path, status)};
     const std::uint64_t size = std::uint64_t(status.st_size);
     try {
-        context.memory().note_read(size);
-        context.memory().charge(size, "the file");
-        auto bytes = std::make_shared<std::vector<std::byte>>(std::size_t(size));
-        read_all(path, file.fd, *bytes);
-        return bytes;
+        if (!is_told) context.memory().note_read(size);
+        MemoryCharge charge(context.memory(), size, "the file");
+        std::vector<std::byte> bytes(std::size_t{size});
+        read_all(path, file.fd, bytes);
+        return charged_bytes(std::move(bytes), std::move(charge));
     } catch (const Error& error) {
         throw error.with_file(path);
     } catch (const std::bad_alloc&) {

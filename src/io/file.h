@@ -16,10 +16,14 @@ namespace rakelight::io {
 
 using Bytes = std::shared_ptr<const std::vector<std::byte>>;
 
+/// Bytes with what pays for them.
+Bytes charged_bytes(std::vector<std::byte> bytes, MemoryCharge charge);
+
 /// Reads a whole regular file (a link to one is fine). Tells the budget how much was read.
+/// @param is_told  the budget knows of this file already
 /// @throws Error not_found: missing, a directory, a FIFO or device, unreadable, empty name; bad_file: over the memory limit.
 ///         The error carries `path` as its file.
-Bytes read_file(const std::string& path, Context& context);
+Bytes read_file(const std::string& path, Context& context, bool is_told = false);
 
 /// True for an existing regular file.
 bool is_regular_file(const std::string& path);

@@ -12,20 +12,24 @@ namespace rakelight::io::codec {
 
 inline constexpr std::uint32_t max_side = 32768;  ///< [px] the largest picture side that is read
 
-/// Room for a picture, after its size was held against `max_side` and the memory budget.
+/// What a reader is to give: the pixels, or what is known of them before they are decoded (Pixels without bytes).
+enum class Want : std::uint8_t { pixels, header };
+
+/// Room for a picture, after its size was held against `max_side` and the memory budget; none where only the header is
+/// wanted.
 /// @throws Error bad_file: no pixels, too large
-Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Context& context);
+Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Want want, Context& context);
 
 [[noreturn]] void bad_picture(const std::string& reason, const std::string& advice = {});
 
 /// The readers. Each is given bytes that begin like its format. @throws Error bad_file
-Pixels read_png(std::span<const std::byte> bytes, Context& context);
-Pixels read_jpeg(std::span<const std::byte> bytes, Context& context);
-Pixels read_webp(std::span<const std::byte> bytes, Context& context);
-Pixels read_exr(std::span<const std::byte> bytes, Context& context);
-Pixels read_hdr(std::span<const std::byte> bytes, Context& context);
-Pixels read_bmp(std::span<const std::byte> bytes, Context& context);
-Pixels read_tga(std::span<const std::byte> bytes, Context& context);
+Pixels read_png(std::span<const std::byte> bytes, Want want, Context& context);
+Pixels read_jpeg(std::span<const std::byte> bytes, Want want, Context& context);
+Pixels read_webp(std::span<const std::byte> bytes, Want want, Context& context);
+Pixels read_exr(std::span<const std::byte> bytes, Want want, Context& context);
+Pixels read_hdr(std::span<const std::byte> bytes, Want want, Context& context);
+Pixels read_bmp(std::span<const std::byte> bytes, Want want, Context& context);
+Pixels read_tga(std::span<const std::byte> bytes, Want want, Context& context);
 /// Refuses an EXR file whose headers would make the library ask for more memory than the file explains.
 void check_exr(std::span<const std::byte> bytes, Context& context);
 /// TGA has no magic number: true where the header could be one.

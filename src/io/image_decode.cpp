@@ -15,14 +15,15 @@ void bad_picture(const std::string& reason, const std::string& advice) {
     throw Error(ErrorCode::bad_file, reason, {}, advice);
 }
 
-Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Context& context) {
+Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Want want, Context& context) {
     if (width == 0 || height == 0) bad_picture("the picture has no pixels");
     if (width > max_side || height > max_side)
         bad_picture("the picture is " + std::to_string(width) + " x " + std::to_string(height) + " pixels, more than " +
                     std::to_string(max_side) + " a side");
     Pixels pixels{int(width), int(height), channels, component, false, {}};
+    if (want == Want::header) return pixels;
     const std::uint64_t size = std::uint64_t(pixels.row_bytes()) * height;
-    context.memory().charge(size, "the picture");
+    pixels.charge = share(MemoryCharge(context.memory(), size, "the picture"));
     pixels.bytes.resize(std::size_t(size));
     return pixels;
 }
@@ -31,7 +32,8 @@ Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Comp
 
 namespace {
 
-using Reader = Pixels (*)(std::span<const std::byte>, Context&);
+using codec::Want;
+using Reader = Pixels (*)(std::span<const std::byte>, Want, Context&);
 
 bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
     return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
@@ -65,17 +67,25 @@ Reader reader_for(std::span<const std::byte> bytes) {
     codec::bad_picture("is not a picture of a known format");
 }
 
-Pixels decode_own_file(const EncodedImage& image, Context& context) {
+Pixels read(std::span<const std::byte> bytes, Want want, Context& context) {
+    if (bytes.empty()) codec::bad_picture("is not a picture: it is empty");
+    context.throw_if_cancelled();
+    return reader_for(bytes)(bytes, want, context);
+}
+
+template <Want want>
+Pixels read_own_file(const EncodedImage& image, Context& context) {
     try {
-        return decode_image(*read_file(image.path, context), context);
+        return read(*read_file(image.path, context, want == Want::pixels), want, context);
     } catch (const Error& error) {
         throw error.with_file(image.path);
     }
 }
 
-Pixels decode_embedded(const EncodedImage& image, Context& context) {
+template <Want want>
+Pixels read_embedded(const EncodedImage& image, Context& context) {
     try {
-        return decode_image(*image.bytes, context);
+        return read(*image.bytes, want, context);
     } catch (const Error& error) {
         throw Error(error.code(), error.reason(), image.name, error.advice()).with_file(image.file);
     }
@@ -84,21 +94,21 @@ Pixels decode_embedded(const EncodedImage& image, Context& context) {
 }  // namespace
 
 Pixels decode_image(std::span<const std::byte> bytes, Context& context) {
-    if (bytes.empty()) codec::bad_picture("is not a picture: it is empty");
-    context.throw_if_cancelled();
-    return reader_for(bytes)(bytes, context);
+    return read(bytes, Want::pixels, context);
 }
 
 ImageHandle image_from_file(std::string name, std::string model_file, std::string path, std::string place) {
     return std::make_shared<const EncodedImage>(EncodedImage{
-        std::move(name), std::move(model_file), std::move(path), nullptr, {}, decode_own_file, std::move(place)});
+        std::move(name), std::move(model_file), std::move(path), nullptr, {}, read_own_file<Want::pixels>,
+        std::move(place), read_own_file<Want::header>});
 }
 
 ImageHandle image_from_bytes(std::string name, std::string model_file, std::shared_ptr<const std::vector<std::byte>> bytes,
                              std::string mime_type) {
     if (!bytes) bytes = std::make_shared<const std::vector<std::byte>>();
     return std::make_shared<const EncodedImage>(EncodedImage{
-        std::move(name), std::move(model_file), {}, std::move(bytes), std::move(mime_type), decode_embedded, {}});
+        std::move(name), std::move(model_file), {}, std::move(bytes), std::move(mime_type), read_embedded<Want::pixels>,
+        {}, read_embedded<Want::header>});
 }
 
 }  // namespace rakelight::io

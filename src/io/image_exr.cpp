@@ -100,12 +100,13 @@ void divide_by_alpha(Pixels& pixels) {
 std::uint64_t side(int low, int high) { return std::uint64_t(std::int64_t(high) - low + 1); }
 
 /// Luminance with two chroma channels of half the size; the library's own class turns it into RGB.
-Pixels read_luminance_chroma(std::span<const std::byte> bytes, Context& context) {
+Pixels read_luminance_chroma(std::span<const std::byte> bytes, Want want, Context& context) {
     MemoryInput input(bytes);
     Imf::RgbaInputFile file(input, 0);
     const Imath::Box2i window = file.dataWindow();
     const bool alpha = (file.channels() & Imf::WRITE_A) != 0;
-    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), alpha ? 4 : 3, Component::f32, context);
+    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), alpha ? 4 : 3, Component::f32, want, context);
+    if (want == Want::header) return pixels;
     std::vector<Imf::Rgba> row{std::size_t(pixels.width)};
     std::vector<float> floats(row.size() * std::size_t(pixels.channels));
     for (int y = 0; y < pixels.height; ++y) {
@@ -122,11 +123,12 @@ Pixels read_luminance_chroma(std::span<const std::byte> bytes, Context& context)
     return pixels;
 }
 
-Pixels read_part(Imf::MultiPartInputFile& file, Context& context) {
+Pixels read_part(Imf::MultiPartInputFile& file, Want want, Context& context) {
     Imf::InputPart part(file, 0);
     const Imath::Box2i window = part.header().dataWindow();
     const Layout layout = layout_of(part.header().channels());
-    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), layout.channels, Component::f32, context);
+    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), layout.channels, Component::f32, want, context);
+    if (want == Want::header) return pixels;
     Imf::FrameBuffer buffer;
     for (int c = 0; c < layout.channels; ++c)
         buffer.insert(layout.names[std::size_t(c)],
@@ -136,14 +138,14 @@ Pixels read_part(Imf::MultiPartInputFile& file, Context& context) {
     return pixels;
 }
 
-Pixels read_any(std::span<const std::byte> bytes, Context& context) {
+Pixels read_any(std::span<const std::byte> bytes, Want want, Context& context) {
     MemoryInput input(bytes);
     Imf::MultiPartInputFile file(input, 0, false);
     const Imf::Header& header = file.header(0);
     if (header.hasType() && Imf::isDeepData(header.type())) bad_picture("deep EXR pictures are not supported");
     const Imf::ChannelList& list = header.channels();
-    if (list.findChannel("RY") && list.findChannel("BY") && !list.findChannel("R")) return read_luminance_chroma(bytes, context);
-    return read_part(file, context);
+    if (list.findChannel("RY") && list.findChannel("BY") && !list.findChannel("R")) return read_luminance_chroma(bytes, want, context);
+    return read_part(file, want, context);
 }
 
 Imf::PixelType pixel_type(ExrType type) {
@@ -229,12 +231,12 @@ private:
 
 }  // namespace
 
-Pixels read_exr(std::span<const std::byte> bytes, Context& context) {
+Pixels read_exr(std::span<const std::byte> bytes, Want want, Context& context) {
     check_exr(bytes, context);
     try {
-        Pixels pixels = read_any(bytes, context);
+        Pixels pixels = read_any(bytes, want, context);
         pixels.is_linear = true;
-        divide_by_alpha(pixels);
+        if (want == Want::pixels) divide_by_alpha(pixels);
         return pixels;
     } catch (const Error&) {
         throw;

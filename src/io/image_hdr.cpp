@@ -196,11 +196,12 @@ private:
 
 }  // namespace
 
-Pixels read_hdr(std::span<const std::byte> bytes, Context& context) {
+Pixels read_hdr(std::span<const std::byte> bytes, Want want, Context& context) {
     Source source(bytes);
     const Size size = read_header(source);
     if (size.height > source.left() / 4) bad_picture("broken HDR: it ends too early");  // every line has at least four bytes
-    Pixels pixels = make_pixels(size.width, size.height, 3, Component::f32, context);
+    Pixels pixels = make_pixels(size.width, size.height, 3, Component::f32, want, context);
+    if (want == Want::header) return pixels;
     pixels.is_linear = true;
     const std::size_t width = std::size_t(size.width);
     std::vector<std::uint8_t> rgbe(width * 4);

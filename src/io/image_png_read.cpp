@@ -51,7 +51,7 @@ Target target_of(const spng_ihdr& header, bool has_transparency) {
 
 }  // namespace
 
-Pixels read_png(std::span<const std::byte> bytes, Context& context) {
+Pixels read_png(std::span<const std::byte> bytes, Want want, Context& context) {
     const PngContext png = open(bytes);
     spng_ihdr header{};
     require(spng_get_ihdr(png.get(), &header));
@@ -65,7 +65,8 @@ Pixels read_png(std::span<const std::byte> bytes, Context& context) {
     require(spng_decoded_image_size(png.get(), SPNG_FMT_RAW, &raw_bytes));
     if (raw_bytes / max_deflate_ratio > bytes.size()) bad_picture("broken PNG: it is too short for its size in pixels");
 
-    Pixels pixels = make_pixels(header.width, header.height, target.channels, target.component, context);
+    Pixels pixels = make_pixels(header.width, header.height, target.channels, target.component, want, context);
+    if (want == Want::header) return pixels;
     std::size_t needed = 0;
     require(spng_decoded_image_size(png.get(), target.format, &needed));
     if (needed != pixels.bytes.size()) bad_picture("broken PNG: its size is inconsistent");

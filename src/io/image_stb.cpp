@@ -30,14 +30,15 @@ std::uint32_t u16_at(std::span<const std::byte> bytes, std::size_t at) { return 
 std::uint32_t u32_at(std::span<const std::byte> bytes, std::size_t at) { return u16_at(bytes, at) | u16_at(bytes, at + 2) << 16; }
 
 /// A picture that was checked to be whole and within limits.
-Pixels read_by_stb(std::span<const std::byte> bytes, const char* format, Context& context) {
+Pixels read_by_stb(std::span<const std::byte> bytes, const char* format, Want want, Context& context) {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     int width = 0, height = 0, channels = 0;
     if (bytes.size() > INT_MAX) bad_picture(std::string(format) + " files over 2 GiB are not supported");
     const int size = int(bytes.size());
     if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0 || width <= 0 || height <= 0 || channels < 1 || channels > 4)
         bad_picture(std::string("broken ") + format + ": " + stbi_failure_reason());
-    Pixels pixels = make_pixels(std::uint64_t(width), std::uint64_t(height), channels, Component::u8, context);
+    Pixels pixels = make_pixels(std::uint64_t(width), std::uint64_t(height), channels, Component::u8, want, context);
+    if (want == Want::header) return pixels;
     context.memory().check(pixels.bytes.size() * 2, "the picture while it is decoded");
     const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
         stbi_load_from_memory(data, size, &width, &height, &channels, pixels.channels), stbi_image_free);
@@ -97,17 +98,17 @@ bool may_be_tga(std::span<const std::byte> bytes) {
     return h.palette_kind <= 1 && known_type && known_bits && h.width > 0 && h.height > 0 && (h.palette_kind == 1 || !indexed);
 }
 
-Pixels read_tga(std::span<const std::byte> bytes, Context& context) {
+Pixels read_tga(std::span<const std::byte> bytes, Want want, Context& context) {
     const TgaHeader h = tga_header(bytes);
     if (h.palette_kind == 1 && h.palette_start != 0) bad_picture("TGA palettes that begin in the middle are not supported");
     if (h.width > max_side || h.height > max_side) bad_picture("the picture is too large");
     if (!tga_is_whole(bytes, h)) bad_picture("broken TGA: it ends too early");
-    Pixels pixels = read_by_stb(bytes, "TGA", context);
-    if ((h.descriptor & 0x10) != 0) mirror_rows(pixels);  // right to left, which stb_image does not look at
+    Pixels pixels = read_by_stb(bytes, "TGA", want, context);
+    if (want == Want::pixels && (h.descriptor & 0x10) != 0) mirror_rows(pixels);  // right to left, which stb_image does not look at
     return pixels;
 }
 
-Pixels read_bmp(std::span<const std::byte> bytes, Context& context) {
+Pixels read_bmp(std::span<const std::byte> bytes, Want want, Context& context) {
     if (bytes.size() < 26) bad_picture("broken BMP: it ends too early");
     const std::uint64_t offset = u32_at(bytes, 10);
     const bool old = u32_at(bytes, 14) == 12;
@@ -120,7 +121,7 @@ Pixels read_bmp(std::span<const std::byte> bytes, Context& context) {
     if (bits == 0 || bits > 32) bad_picture("broken BMP: " + std::to_string(bits) + " bits a pixel");
     const std::uint64_t row_bytes = (std::uint64_t(width) * bits + 31) / 32 * 4;
     if (offset > bytes.size() || (bytes.size() - offset) / row_bytes < rows) bad_picture("broken BMP: it ends too early");
-    return read_by_stb(bytes, "BMP", context);
+    return read_by_stb(bytes, "BMP", want, context);
 }
 
 }  // namespace rakelight::io::codec

@@ -85,14 +85,15 @@ private:
 
 }  // namespace
 
-Pixels read_webp(std::span<const std::byte> bytes, Context& context) {
+Pixels read_webp(std::span<const std::byte> bytes, Want want, Context& context) {
     WebPDecoderConfig config;
     if (!WebPInitDecoderConfig(&config)) throw Error(ErrorCode::failed, "libwebp does not fit its headers");
     require(WebPGetFeatures(data_of(bytes), bytes.size(), &config.input));
     if (config.input.has_animation) bad_picture("animated WebP is not supported");
     const bool alpha = config.input.has_alpha != 0;
     const std::uint64_t width = std::uint64_t(config.input.width), height = std::uint64_t(config.input.height);
-    Pixels pixels = make_pixels(width, height, alpha ? 4 : 3, Component::u8, context);
+    Pixels pixels = make_pixels(width, height, alpha ? 4 : 3, Component::u8, want, context);
+    if (want == Want::header) return pixels;
     context.memory().check(width * height * 4, "the picture while it is decoded");  // what the lossless decoder keeps
     config.output.colorspace = alpha ? MODE_RGBA : MODE_RGB;
     config.output.is_external_memory = 1;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/temporary_charges.h"
 #include "math/functions.h"
 
 namespace rakelight {
@@ -84,9 +83,8 @@ std::shared_ptr<const HeightField> HeightFields::of(const TextureUse& use) {
     const Texture& texture = scene_.textures[use.texture];
     const auto [entry, is_new] = chains_.try_emplace(texture.image.get());
     if (is_new) try {
-            const TemporaryCharges charges(context_.memory());
             MipChain chain =
-                make_mip_chain(texture.image->decode(*texture.image, context_), ColorSpace::linear, context_);
+                make_mip_chain(decoded(*texture.image, context_), ColorSpace::linear, context_);
             if (!chain.levels.empty()) entry->second = std::make_shared<const MipChain>(std::move(chain));
         } catch (const Error& error) {
             context_.report().add(Remark::warning, texture.image->file, texture.image->name,

@@ -15,6 +15,7 @@
 #include "prepare/tangent_report.h"
 #include "prepare/turn_triangles.h"
 #include "prepare/variants.h"
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 #include "scene/validate_parts.h"
 
@@ -159,15 +160,15 @@ Scene with_normals(Scene scene, SmoothRequest request, Context& context) {
     if (is_published(request.kept_tangents)) request.tangents = TangentWish::none;  // add_missing_tangents() makes them
     for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
         request.attributes.scope = scope;
-        scene = smooth_meshes(scene, request, context);
+        scene = smooth_meshes(std::move(scene), request, context);
     }
     return scene;
 }
 
 /// The stages, for triangles that turn counter-clockwise.
-Scene prepare_stages(const Scene& scene, const PrepareOptions& options, Context& context) {
+Scene prepare_stages(Scene scene, const PrepareOptions& options, Context& context) {
     check_nodes(scene, context.report());
-    Scene out = subdivided(repair_scene(scene, options.normals, context), options, context);
+    Scene out = subdivided(repair_scene(std::move(scene), options.normals, context), options, context);
     if (options.uv != UvProjection::none) out = project_texcoords(out, options.uv, context);
     warn_of_tangents(out, options.bump, context.report());
     warn_of_textures(out, context.report());
@@ -185,20 +186,26 @@ Scene prepare_stages(const Scene& scene, const PrepareOptions& options, Context&
         SmoothRequest again = request;  // the new surface's, over all objects
         again.attributes.scope = Scope::model;
         again.every_scope = true;
-        out = smooth_meshes(out, again, context);
+        out = smooth_meshes(std::move(out), again, context);
     }
-    return add_missing_tangents(out, request, context);
+    return add_missing_tangents(std::move(out), request, context);
 }
 
 }  // namespace
 
-Scene prepare_scene(const Scene& scene, const PrepareOptions& options, Context& context) {
+Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context) {
     if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi))
         throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");
     validate(scene);
-    if (!options.clockwise_fronts) return prepare_stages(scene, options, context);
-    TriangleTurner turner;
-    return turner.turned(prepare_stages(turner.turned(scene, context), options, context), context);
+    const std::set<const void*> own = unpaid_arrays(scene);
+    if (options.clockwise_fronts) {
+        TriangleTurner turner;
+        scene = turner.turned(prepare_stages(turner.turned(std::move(scene), context), options, context), context);
+    } else {
+        scene = prepare_stages(std::move(scene), options, context);
+    }
+    charge_new_arrays(scene, own, context);
+    return scene;
 }
 
 }  // namespace rakelight

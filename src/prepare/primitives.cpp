@@ -20,19 +20,15 @@ constexpr int most_divisions = 1024, most_objects = 1024;
 
 constexpr std::size_t vertex_bytes = 2 * sizeof(vec3) + sizeof(vec2), index_bytes = sizeof(std::uint32_t);
 
-void charge(MemoryBudget* memory, std::size_t bytes) {
-    if (memory) memory->charge(bytes, "a shape");
-}
-
 struct Arrays {
     std::vector<vec3> positions, normals;
     std::vector<vec2> texcoords;
     std::vector<std::uint32_t> indices;
+    MemoryCharge charge;
 
-    std::size_t bytes() const { return positions.size() * vertex_bytes + indices.size() * index_bytes; }
     /// Before anything is added, exactly what will be.
     void reserve(std::size_t vertices, std::size_t triangles, MemoryBudget* memory) {
-        charge(memory, vertices * vertex_bytes + 3 * triangles * index_bytes);
+        if (memory) charge = MemoryCharge(*memory, vertices * vertex_bytes + 3 * triangles * index_bytes, "a shape");
         positions.reserve(vertices), normals.reserve(vertices), texcoords.reserve(vertices);
         indices.reserve(3 * triangles);
     }
@@ -240,10 +236,14 @@ Arrays part_of(const Arrays& all, std::size_t first, std::size_t last, std::vect
 void add_object(std::string name, Arrays arrays, Scene& scene) {
     Mesh mesh;
     mesh.name = name;
-    mesh.positions = std::move(arrays.positions);
-    mesh.normals = std::move(arrays.normals);
-    mesh.texcoords.emplace_back(std::move(arrays.texcoords));
-    mesh.indices = std::move(arrays.indices);
+    const auto block = [&](auto&& array) {
+        MemoryCharge charge = arrays.charge.split(array.size() * sizeof(array[0]));
+        return Block(std::move(array), std::move(charge));
+    };
+    mesh.positions = block(std::move(arrays.positions));
+    mesh.normals = block(std::move(arrays.normals));
+    mesh.texcoords.push_back(block(std::move(arrays.texcoords)));
+    mesh.indices = block(std::move(arrays.indices));
     mesh.material = 0;
     Node node;
     node.name = std::move(name);
@@ -290,7 +290,6 @@ Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory) {
     for (std::size_t i = 0; i < objects; ++i)
         add_object(name + " " + std::to_string(i + 1),
                    part_of(all, triangles * i / objects, triangles * (i + 1) / objects, number, memory), scene);
-    if (memory) memory->release(all.bytes());  // what was cut is gone
     return scene;
 }
 

@@ -37,6 +37,6 @@ void check_nodes(const Scene& scene, Report& report);
 /// All of the above over the drawn triangle meshes. Normals and tangents that do not count by normal_rule() are dropped
 /// unseen.
 /// @throws Error bad_file "nothing to draw" when no triangle is left and there are no lines or points
-Scene repair_scene(const Scene& scene, NormalSource source, Context& context);
+Scene repair_scene(Scene scene, NormalSource source, Context& context);
 
 }  // namespace rakelight

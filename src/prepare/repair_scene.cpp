@@ -75,16 +75,15 @@ static bool has_lines_or_points(const Scene& scene) {
     return false;
 }
 
-Scene repair_scene(const Scene& scene, NormalSource source, Context& context) {
+Scene repair_scene(Scene scene, NormalSource source, Context& context) {
     std::vector<std::uint32_t> numbers;
     for (const Instance& instance : drawn_instances(scene)) numbers.push_back(instance.mesh);
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 
-    Scene out = scene;
     std::vector<std::vector<Finding>> findings(numbers.size());
     context.parallel_for(numbers.size(), [&](std::size_t i) {
-        Mesh& mesh = out.meshes[numbers[i]];
+        Mesh& mesh = scene.meshes[numbers[i]];
         if (!normal_rule(scene, mesh, source).keeps_given) {
             mesh.normals = {};
             mesh.tangents = {};
@@ -97,9 +96,9 @@ Scene repair_scene(const Scene& scene, NormalSource source, Context& context) {
     for (std::size_t i = 0; i < numbers.size(); ++i)
         for (const Finding& f : findings[i])
             context.report().add(f.remark, scene.source, Place{"mesh", numbers[i], scene.meshes[numbers[i]].name}.text(), f.message);
-    if (triangle_count(out) == 0 && !has_lines_or_points(out))
+    if (triangle_count(scene) == 0 && !has_lines_or_points(scene))
         throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
-    return out;
+    return scene;
 }
 
 }  // namespace rakelight

@@ -28,10 +28,10 @@ struct SmoothRequest {
 std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish);
 
 /// New normals (and tangents by the wish) for the drawn triangle meshes. The scene must be valid.
-Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& context);
+Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context);
 
 /// Tangents, by the wish, for drawn meshes that have normals but no tangents; normals stay. Each mesh by itself, so that instances
 /// stay shared; published ones over everything at a place in the world, for all meshes by the wish.
-Scene add_missing_tangents(const Scene& scene, const SmoothRequest& request, Context& context);
+Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& context);
 
 }  // namespace rakelight

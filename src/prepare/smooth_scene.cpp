@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Normals and tangents of a scene by the door of <rakelight/attributes.h>: what goes in, and where the results go.
+#include <map>
 #include <string>
 
 #include "math/linear.h"
@@ -12,6 +13,7 @@
 #include "prepare/split_vertices.h"
 #include "prepare/tangent_report.h"
 #include "prepare/variants.h"
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -42,7 +44,7 @@ AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const
 
 /// Results are vectors of our own making, but a file decides how many placements there are.
 void check_memory(const std::vector<AttributeMesh>& meshes, Context& context) {
-    std::uint64_t bytes = 0;
+    std::uint64_t bytes = meshes.size() * (sizeof(AttributeMesh) + 2 * sizeof(MeshAttributes));
     for (const AttributeMesh& m : meshes)
         bytes += m.positions.size() * (sizeof(vec3) + (m.texcoords.empty() ? 0 : sizeof(vec4))) + m.indices.size() * sizeof(std::uint32_t);
     context.memory().check(bytes, "normals and tangents of all instances");
@@ -172,77 +174,118 @@ std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish
     return none;
 }
 
-Scene smooth_meshes(const Scene& scene, const SmoothRequest& request, Context& context) {
+namespace {
+
+/// Puts the results into the scene. What several results are made of keeps its first form until all are.
+class ResultPlacer {
+public:
+    /// @param numbers  [selection.computed] the meshes that were computed
+    ResultPlacer(Scene& scene, const SmoothRequest& request, const SmoothSelection& selection,
+                 const std::vector<std::uint32_t>& numbers, Context& context)
+        : scene_(scene), request_(request), s_(selection), numbers_(numbers), context_(context),
+          variants_(scene, request.keep_instances), uses_(scene.meshes.size(), 0) {
+        for (const std::uint32_t number : numbers_) ++uses_[number];
+        for (std::size_t i = 0; i < s_.instances.size(); ++i)
+            if (const std::uint32_t mesh = s_.instances[i].mesh; mesh != numbers_[s_.result_of[i]]) ++uses_[mesh];
+    }
+
+    void place(Computed& computed) {
+        const bool new_normals = request_.attributes.normals;
+        std::vector<std::uint32_t> placed(computed.attributes.size(), none);  // the mesh that shows each result
+        for (std::size_t i = 0; i < s_.instances.size(); ++i) {
+            const std::size_t r = s_.result_of[i];
+            const std::uint32_t number = s_.instances[i].mesh;
+            if (placed[r] != none && number == numbers_[r]) {
+                variants_.share(s_.instances[i], placed[r]);
+            } else if (placed[r] != none) {
+                variants_.place(s_.instances[i], with_arrays_of(scene_.meshes[placed[r]], source(number)));
+            } else {
+                Mesh mesh = with_attributes(source(number), std::move(computed.attributes[r]), new_normals, context_);
+                set_target_directions(scene_, mesh, number, new_normals,
+                                      computed.targets.empty() ? nullptr : &computed.targets[r], context_.report());
+                placed[r] = variants_.place(s_.instances[i], std::move(mesh));
+            }
+        }
+    }
+
+    void report() const {
+        if (variants_.kept() > 0)
+            context_.report().add(Remark::warning, scene_.source, {},
+                                  std::to_string(variants_.kept()) +
+                                      " instances that touch other things keep the normals of the first of their mesh: kept shared as asked");
+        if (variants_.copies() > 0)
+            context_.report().add(Remark::note, scene_.source, {},
+                                  std::to_string(variants_.copies()) + " instances got a mesh of their own: their normals differ by what they touch");
+    }
+
+private:
+    const Mesh& source(std::uint32_t number) {
+        if (uses_[number] == 1) return scene_.meshes[number];
+        return originals_.try_emplace(number, scene_.meshes[number]).first->second;
+    }
+
+    Scene& scene_;
+    const SmoothRequest& request_;
+    const SmoothSelection& s_;
+    const std::vector<std::uint32_t>& numbers_;
+    Context& context_;
+    MeshVariants variants_;
+    std::vector<std::uint32_t> uses_;  ///< [meshes] how many results are made of each, at most
+    std::map<std::uint32_t, Mesh> originals_;
+};
+
+}  // namespace
+
+Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context) {
     const std::vector<dmat4> world = bind_pose_matrices(scene);
     const SmoothSelection s = select_instances(scene, request, world);
     if (s.instances.empty()) return scene;
-    std::vector<AttributeMesh> meshes;
     std::vector<std::uint32_t> numbers;
-    for (std::size_t r = 0; r < s.computed.size(); ++r) {
-        const Instance& instance = s.instances[s.computed[r]];
-        numbers.push_back(instance.mesh);
-        meshes.push_back(attribute_mesh(scene, instance, s.in_world[r] ? world[instance.node] : dmat4{}, request));
-    }
-    check_memory(meshes, context);
-    const bool new_normals = request.attributes.normals;
-    Computed computed = compute(scene, numbers, meshes, options_for(request, meshes), context);
-    std::vector<MeshAttributes>& results = computed.attributes;
-    check_split(scene, numbers, results, context);
-    report_faults(scene, numbers, results, request.attributes, context.report());
-    if (new_normals) warn_of_parting_vertices(scene, s.instances, world, context.report());
-
-    Scene out = scene;
-    MeshVariants variants(out, request.keep_instances);
-    std::vector<std::uint32_t> placed(results.size(), none);  // the mesh that shows each result
-    for (std::size_t i = 0; i < s.instances.size(); ++i) {
-        const std::size_t r = s.result_of[i];
-        const std::uint32_t number = s.instances[i].mesh;
-        if (placed[r] != none && number == numbers[r]) {
-            variants.share(s.instances[i], placed[r]);
-        } else if (placed[r] != none) {
-            variants.place(s.instances[i], with_arrays_of(out.meshes[placed[r]], scene.meshes[number]));
-        } else {
-            Mesh mesh = with_attributes(scene.meshes[number], std::move(results[r]), new_normals, context);
-            set_target_directions(scene, mesh, number, new_normals, computed.targets.empty() ? nullptr : &computed.targets[r],
-                                  context.report());
-            placed[r] = variants.place(s.instances[i], std::move(mesh));
+    Computed computed;
+    {
+        std::vector<AttributeMesh> meshes;
+        numbers.reserve(s.computed.size()), meshes.reserve(s.computed.size());
+        for (std::size_t r = 0; r < s.computed.size(); ++r) {
+            const Instance& instance = s.instances[s.computed[r]];
+            numbers.push_back(instance.mesh);
+            meshes.push_back(attribute_mesh(scene, instance, s.in_world[r] ? world[instance.node] : dmat4{}, request));
         }
+        check_memory(meshes, context);
+        computed = compute(scene, numbers, meshes, options_for(request, meshes), context);
     }
-    if (variants.kept() > 0)
-        context.report().add(Remark::warning, scene.source, {},
-                             std::to_string(variants.kept()) +
-                                 " instances that touch other things keep the normals of the first of their mesh: kept shared as asked");
-    if (variants.copies() > 0)
-        context.report().add(Remark::note, scene.source, {},
-                             std::to_string(variants.copies()) + " instances got a mesh of their own: their normals differ by what they touch");
-    return out;
+    check_split(scene, numbers, computed.attributes, context);
+    report_faults(scene, numbers, computed.attributes, request.attributes, context.report());
+    if (request.attributes.normals) warn_of_parting_vertices(scene, s.instances, world, context.report());
+    ResultPlacer placer(scene, request, s, numbers, context);
+    placer.place(computed);
+    placer.report();
+    return scene;
 }
 
 namespace {
 
 // The normals of the scene as it stands; the sums of the publication run over everything that is placed.
-Scene add_published_tangents(const Scene& scene, const SmoothRequest& request, Context& context) {
+Scene add_published_tangents(Scene scene, const SmoothRequest& request, Context& context) {
     SmoothRequest all = request;
     all.attributes.normals = false;
     all.attributes.tangent_mode = request.kept_tangents;
     all.only_missing = false;
     if (!request.source) {
         if (all.attributes.scope == Scope::face) all.attributes.scope = Scope::model;
-        return smooth_meshes(scene, all, context);
+        return smooth_meshes(std::move(scene), all, context);
     }
-    Scene out = scene;
     for (const Scope scope : {Scope::object, Scope::model}) {
         all.attributes.scope = scope;
-        out = smooth_meshes(out, all, context);
+        scene = smooth_meshes(std::move(scene), all, context);
     }
-    return out;
+    return scene;
 }
 
 }  // namespace
 
-Scene add_missing_tangents(const Scene& scene, const SmoothRequest& request, Context& context) {
+Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& context) {
     if (request.tangents == TangentWish::none) return scene;
-    if (is_published(request.kept_tangents)) return add_published_tangents(scene, request, context);
+    if (is_published(request.kept_tangents)) return add_published_tangents(std::move(scene), request, context);
     std::vector<std::uint32_t> numbers;
     std::vector<bool> seen(scene.meshes.size(), false);
     std::vector<AttributeMesh> meshes;
@@ -263,10 +306,10 @@ Scene add_missing_tangents(const Scene& scene, const SmoothRequest& request, Con
     check_memory(meshes, context);
     std::vector<MeshAttributes> results = compute_attributes(meshes, options_for(only, meshes), context);
     report_faults(scene, numbers, results, only.attributes, context.report());
-    Scene out = scene;
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        out.meshes[numbers[i]] = with_attributes(scene.meshes[numbers[i]], std::move(results[i]), false, context);
-    return out;
+        scene.meshes[numbers[i]] =
+            with_attributes(scene.meshes[numbers[i]], std::move(results[i]), false, context);
+    return scene;
 }
 
 Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Context& context) {
@@ -278,11 +321,14 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
     if (is_published(request.attributes.tangent_mode)) request.kept_tangents = request.attributes.tangent_mode;
     Scene out = options.attributes.normals ? smooth_meshes(scene, request, context) : scene;
-    if (request.tangents == TangentWish::none) return out;
-    if (!options.attributes.normals && !options.only_missing)
-        for (Mesh& mesh : out.meshes)
-            if (tangent_set(out, mesh, request.tangents) != none) mesh.tangents = {};  // to be made anew
-    return add_missing_tangents(out, request, context);
+    if (request.tangents != TangentWish::none) {
+        if (!options.attributes.normals && !options.only_missing)
+            for (Mesh& mesh : out.meshes)
+                if (tangent_set(out, mesh, request.tangents) != none) mesh.tangents = {};  // to be made anew
+        out = add_missing_tangents(std::move(out), request, context);
+    }
+    charge_new_arrays(out, unpaid_arrays(scene), context);
+    return out;
 }
 
 }  // namespace rakelight

@@ -150,16 +150,21 @@ Scene make_teapot(int divisions, MemoryBudget* memory) {
     Scene scene;
     scene.source = "builtin:teapot";
     scene.materials.push_back(porcelain());
-    if (memory) memory->charge(bytes_of(std::size_t(divisions)), "a shape");
+    MemoryCharge charge;
+    if (memory) charge = MemoryCharge(*memory, bytes_of(std::size_t(divisions)), "a shape");
+    const auto block = [&](auto&& array) {
+        MemoryCharge own = charge.split(array.size() * sizeof(array[0]));
+        return Block(std::move(array), std::move(own));
+    };
     for (std::size_t part = 0; part < std::size(part_names); ++part) {
         Arrays arrays;
         for (const Patch& patch : patches)
             if (patch.part == Part(part)) add_patch(patch, divisions, arrays);
         Mesh mesh;
         mesh.name = part_names[part];
-        mesh.positions = std::move(arrays.positions);
-        mesh.texcoords.emplace_back(std::move(arrays.texcoords));
-        mesh.indices = std::move(arrays.indices);
+        mesh.positions = block(std::move(arrays.positions));
+        mesh.texcoords.push_back(block(std::move(arrays.texcoords)));
+        mesh.indices = block(std::move(arrays.indices));
         mesh.material = 0;
         Node node;
         node.name = part_names[part];

@@ -34,7 +34,7 @@ Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Co
         .bump = settings.bump,
         .displacement = {.is_on = settings.bump == Bump::displacement, .relief = settings.relief}};
     scene = with_height_maps(std::move(scene), settings, context);
-    engine->prepare(prepare_scene(scene, prepare, context), context);
+    engine->prepare(prepare_scene(std::move(scene), prepare, context), context);
     Frame frame;
     engine->render(camera, settings, frame, context);
     return frame;

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <map>
 
-#include "base/temporary_charges.h"
+#include "image/convert.h"
 #include "image/height_from_normals.h"
 #include "scene/scene_tools.h"
 
@@ -20,7 +20,12 @@ ImageHandle as_image(Pixels pixels, const EncodedImage& from) {
     auto image = std::make_shared<EncodedImage>();
     image->name = from.name + " (heights)";
     image->file = from.file;
-    image->decode = [pixels = std::move(pixels)](const EncodedImage&, Context&) { return pixels; };
+    image->decode = [pixels = std::move(pixels)](const EncodedImage&, Context& context) {
+        MemoryCharge charge(context.memory(), pixels.bytes.size(), "height map");
+        Pixels copy = pixels;
+        copy.charge = share(std::move(charge));
+        return copy;
+    };
     return image;
 }
 
@@ -57,11 +62,10 @@ public:
 private:
     std::uint32_t make(const Texture& normal, const Material& m) {
         try {
-            const HeightsFromNormals made = heights_of(*normal.image, m.green_down);
-            context_.memory().charge(made.heights.bytes.size(), "height map");
+            HeightsFromNormals made = heights_of(*normal.image, m.green_down);
             context_.report().add(Remark::guessed, scene_.source, m.name, said(made.depth));
             scene_.textures.push_back(
-                {normal.name + " (heights)", as_image(made.heights, *normal.image), normal.sampler});
+                {normal.name + " (heights)", as_image(std::move(made.heights), *normal.image), normal.sampler});
             return std::uint32_t(scene_.textures.size() - 1);
         } catch (const Error& error) {
             context_.report().add(Remark::dropped, scene_.source, m.name,
@@ -71,8 +75,7 @@ private:
     }
 
     HeightsFromNormals heights_of(const EncodedImage& normals, bool green_down) {
-        const TemporaryCharges charges(context_.memory());
-        return heights_from_normals(normals.decode(normals, context_), green_down, context_);
+        return heights_from_normals(decoded(normals, context_), green_down, context_);
     }
 
     Scene& scene_;

@@ -19,7 +19,6 @@ TextureUse add_texture(Scene& scene, const std::string& path, Context& context) 
     try {  // what the caller asked for must not be left out silently; the engine decodes it again when it needs it
         const io::Bytes bytes = io::read_file(path, context);
         io::decode_image(*bytes, context);
-        context.memory().release(bytes->size());
     } catch (const Error& error) {
         throw error.with_file(path);
     }

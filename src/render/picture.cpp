@@ -66,7 +66,7 @@ PrepareOptions prepare_options(const PictureRequest& request) {
 
 Scene scene_of_request(const PictureRequest& request, Context& context) {
     Scene scene = load(request.input, request.load, context);
-    scene = override_materials(scene, request.materials, context);
+    if (!(request.materials == MaterialOverrides{})) scene = override_materials(scene, request.materials, context);
     scene = with_height_maps(std::move(scene), request.settings, context);
     return with_environment(std::move(scene), request, context);
 }
@@ -80,8 +80,7 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
     if (request.light_cutoff > 0)
         context.report().add(Remark::note, scene.source, "",
                              said(cut_lights(scene.lights, request.light_cutoff), request.light_cutoff));
-    scene = prepare_scene(scene, prepare_options(request), context);
-    return {std::move(scene), camera};
+    return {prepare_scene(std::move(scene), prepare_options(request), context), camera};
 }
 
 Window whole_window(const RenderSettings& s) {
@@ -126,8 +125,9 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
     result.load_ms = watch.lap_ms();
 
     context.progress("prepare", 0);
-    const auto [scene, camera] = ready_scene(std::move(loaded), request, context);
-    engine.prepare(scene, context);
+    auto [ready, camera] = ready_scene(std::move(loaded), request, context);
+    engine.prepare(std::move(ready), context);
+    const Scene& scene = engine.scene();
     result.view_range = view_range(scene, camera);
     result.triangles = triangle_count(scene);
     result.objects = count_objects(scene);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands all around a picture's scene: the file's own, or what the caller asked for.
-#include "base/temporary_charges.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "render/picture_steps.h"
@@ -11,7 +10,6 @@ namespace {
 /// Decoded once, so that what the caller asked for is not left out silently; the engine decodes it again.
 ImageHandle environment_file(const std::string& path, Context& context) {
     try {
-        const TemporaryCharges charges(context.memory());
         const io::Bytes bytes = io::read_file(path, context);
         const Pixels pixels = io::decode_image(*bytes, context);
         if (pixels.width != 2 * pixels.height)

@@ -162,10 +162,8 @@ std::string checked_picture(const std::string& path, const std::string& name, Wo
                             const LoadOptions& options, Context& context, std::pair<int, int>* size) {
     try {
         std::string file = io::resolve_reference(path, name, options.allow_outside);
-        const std::uint64_t before = context.memory().charged();
         const Pixels pixels = io::decode_image(*io::read_file(file, context), context);
         if (size) *size = {pixels.width, pixels.height};
-        context.memory().release(context.memory().charged() - before);
         return file;
     } catch (const Error& error) {
         throw Error(error.code(), "'" + one_line(name, 80) + "': " + error.reason(), to_text(place), error.advice());

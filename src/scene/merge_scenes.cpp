@@ -90,6 +90,7 @@ MergeOffsets merge_scene(Scene& into, const Scene& part, const Node* root) {
     into.textures.insert(into.textures.end(), part.textures.begin(), part.textures.end());
     add_motion(into, part, by);
     add_lights_and_cameras(into, part, root, by);
+    into.charges.insert(into.charges.end(), part.charges.begin(), part.charges.end());
     return by;
 }
 

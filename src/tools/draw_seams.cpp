@@ -38,12 +38,16 @@ Scene gray_scene(const Scene& scene, const InspectOptions& options, Context& con
         const Mesh& source = scene.meshes[surfaces.parts[i].mesh];
         Mesh mesh{.positions = source.positions, .indices = source.indices, .normals = source.normals, .material = 0};
         if (normals[i].given.empty()) {
-            MeshAttributes& made = normals[i].made;
-            std::vector<vec3> positions(source.positions.begin(), source.positions.end());
-            for (const std::uint32_t v : made.source_vertex) positions.push_back(source.positions[v]);
-            if (!made.source_vertex.empty()) mesh.positions = std::move(positions);
+            PartNormals& made = normals[i];
+            if (made.made.size() > source.positions.size()) {  // vertices were split
+                std::vector<vec3> positions(source.positions.begin(), source.positions.end());
+                positions.resize(made.made.size());
+                for (std::size_t c = 0; c < made.indices.size(); ++c)
+                    positions[made.indices[c]] = source.positions[source.indices[c]];
+                mesh.positions = std::move(positions);
+            }
             if (!made.indices.empty()) mesh.indices = std::move(made.indices);
-            mesh.normals = std::move(made.normals);
+            mesh.normals = std::move(made.made);
         }
         Node& node = gray.nodes.emplace_back();
         node.local.matrix = surfaces.meshes[i].to_world;

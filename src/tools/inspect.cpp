@@ -102,6 +102,7 @@ void look_at_surfaces(Inspection& result, const geometry::PlacedMeshes& placed, 
     const std::uint32_t objects = std::uint32_t(result.objects.size());
     const std::vector<geometry::ObjectFaults> faults = count_faults(placed, objects);
     const geometry::TJunctions t = find_t_junctions(placed, census.open_corners, objects, most_places);
+    result.surfaces.reserve(objects);
     for (std::uint32_t i = 0; i < objects; ++i)
         result.surfaces.push_back(summarize(census.objects[i], faults[i], t.of_objects[i]));
     for (geometry::InsideOutBody& body : find_inside_out(placed, census.open_corners))
@@ -118,7 +119,8 @@ void look_at_surfaces(Inspection& result, const geometry::PlacedMeshes& placed, 
 /// Instances are looked at one by one, so a small file can ask for much.
 void check_memory(const Surfaces& surfaces, Context& context) {
     constexpr std::uint64_t bytes_per_vertex = 32, bytes_per_corner = 8;  // at the peak: weld, edges
-    std::uint64_t bytes = 0;
+    constexpr std::uint64_t bytes_per_part = 3 * sizeof(AttributeMesh) + sizeof(ObjectSummary) + sizeof(SurfaceSummary);
+    std::uint64_t bytes = surfaces.meshes.size() * bytes_per_part;
     for (const AttributeMesh& m : surfaces.meshes)
         bytes += bytes_per_vertex * m.positions.size() + bytes_per_corner * m.indices.size();
     context.memory().check(bytes, "looking at the surfaces of all instances");
@@ -182,6 +184,19 @@ void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
 
 }  // namespace
 
+/// All but nodes and meshes, of which there may be millions.
+static Scene without_objects(const Scene& scene) {
+    Scene out;
+    out.source = scene.source;
+    out.materials = scene.materials, out.textures = scene.textures;
+    out.lights = scene.lights, out.cameras = scene.cameras;
+    out.skins = scene.skins, out.animations = scene.animations;
+    out.fog = scene.fog, out.environment = scene.environment;
+    out.missing_normals_are_flat = scene.missing_normals_are_flat;
+    out.charges = scene.charges;
+    return out;
+}
+
 Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context) {
     validate(scene);
     Inspection result;
@@ -190,6 +205,7 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     std::vector<std::uint32_t> objects;
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i)
         if (!scene.nodes[i].meshes.empty()) objects.push_back(i);
+    result.objects.reserve(objects.size());
     for (const std::uint32_t node : objects) result.objects.push_back(summarize(scene, node));
     result.material_objects = objects_of_materials(scene, objects);
     const Bounds bounds = world_bounds(scene);
@@ -207,8 +223,7 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     }
     // Only what it says of the tangents is wanted.
     if (options.prepare.measure_orthogonality && result.triangles > 0) prepare_scene(scene, options.prepare, context);
-    result.scene = scene;
-    result.scene.meshes.clear();
+    result.scene = without_objects(scene);
     return result;
 }
 

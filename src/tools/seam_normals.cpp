@@ -7,14 +7,14 @@ namespace rakelight {
 namespace {
 
 /// Makes the normals of some of the parts.
-void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMesh> meshes,
-                  const std::vector<std::size_t>& parts, Scope scope, const InspectOptions& options, Context& context) {
-    std::vector<AttributeMesh> chosen;
+/// @param meshes  [parts] of those
+/// @param number_of  (i) -> the part that meshes[i] is
+template <class NumberOf>
+void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMesh> meshes, Scope scope,
+                  const InspectOptions& options, Context& context, const NumberOf& number_of) {
     std::uint64_t bytes = 0;
-    for (const std::size_t part : parts) {
-        chosen.push_back(meshes[part]);
-        bytes += meshes[part].positions.size() * sizeof(vec3) + meshes[part].indices.size() * sizeof(std::uint32_t);
-    }
+    for (const AttributeMesh& m : meshes)
+        bytes += m.positions.size() * sizeof(vec3) + m.indices.size() * sizeof(std::uint32_t);
     context.memory().check(bytes, "normals of all objects, to find their seams");
     AttributeOptions attributes;
     attributes.scope = scope;
@@ -22,36 +22,43 @@ void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMe
     attributes.crease_angle_rad = options.prepare.crease_angle_rad;
     attributes.weld_distance = options.weld_distance;
     attributes.tangents = false;
-    std::vector<MeshAttributes> made = compute_attributes(chosen, attributes, context);
-    for (std::size_t i = 0; i < parts.size(); ++i) normals[parts[i]].made = std::move(made[i]);
+    std::vector<MeshAttributes> made = compute_attributes(meshes, attributes, context);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        PartNormals& part = normals[number_of(i)];
+        part.made = std::move(made[i].normals);
+        part.indices = std::move(made[i].indices);
+    }
 }
 
 }  // namespace
 
 std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectOptions& options, Context& context) {
     std::vector<PartNormals> normals(surfaces.meshes.size());
-    std::vector<std::size_t> missing[3];  // by scope
-    std::vector<AttributeMesh> meshes = surfaces.meshes;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
+    std::vector<std::uint32_t> missing[3];  // by scope
+    for (std::size_t i = 0; i < surfaces.meshes.size(); ++i) {
         const NormalRule& rule = surfaces.rules[i];
-        if (!rule.groups)
-            meshes[i].smoothing = {}, meshes[i].smoothing_hint = {}, meshes[i].group_kind = GroupKind::none;
-        if (rule.keeps_given && !meshes[i].normals.empty())
-            normals[i].given = meshes[i].normals;
+        if (rule.keeps_given && !surfaces.meshes[i].normals.empty())
+            normals[i].given = surfaces.meshes[i].normals;
         else
-            missing[std::size_t(rule.scope)].push_back(i);
+            missing[std::size_t(rule.scope)].push_back(std::uint32_t(i));
     }
-    for (const Scope scope : {Scope::face, Scope::object, Scope::model})
-        if (const auto& parts = missing[std::size_t(scope)]; !parts.empty())
-            make_normals(normals, meshes, parts, scope, options, context);
+    for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
+        const std::vector<std::uint32_t>& parts = missing[std::size_t(scope)];
+        if (parts.empty()) continue;
+        std::vector<AttributeMesh> meshes;
+        meshes.reserve(parts.size());
+        for (const std::uint32_t i : parts) {
+            AttributeMesh& m = meshes.emplace_back(surfaces.meshes[i]);
+            if (!surfaces.rules[i].groups) m.smoothing = {}, m.smoothing_hint = {}, m.group_kind = GroupKind::none;
+        }
+        make_normals(normals, meshes, scope, options, context, [&](std::size_t i) { return parts[i]; });
+    }
     return normals;
 }
 
 std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context) {
     std::vector<PartNormals> normals(surfaces.meshes.size());
-    std::vector<std::size_t> all(surfaces.meshes.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    make_normals(normals, surfaces.meshes, all, Scope::model, options, context);
+    make_normals(normals, surfaces.meshes, Scope::model, options, context, [](std::size_t i) { return i; });
     return normals;
 }
 

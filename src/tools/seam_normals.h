@@ -15,13 +15,15 @@ namespace rakelight {
 /// The normals of one part: the file's, or made.
 struct PartNormals {
     std::span<const vec3> given;  ///< [V] by the mesh's own indices; empty: `made` counts
-    MeshAttributes made;
+    std::vector<vec3> made;               ///< [V'] else
+    std::vector<std::uint32_t> indices;   ///< [3T] into `made`; empty: the mesh's own
 
     /// The vertex that a corner (3 * triangle + k) uses for its normal.
-    std::uint32_t vertex(std::span<const std::uint32_t> indices, std::size_t corner) const {
-        return given.empty() && !made.indices.empty() ? made.indices[corner] : indices[corner];
+    /// @param own  the mesh's indices
+    std::uint32_t vertex(std::span<const std::uint32_t> own, std::size_t corner) const {
+        return indices.empty() ? own[corner] : indices[corner];
     }
-    vec3 normal(std::uint32_t vertex) const { return given.empty() ? made.normals[vertex] : given[vertex]; }
+    vec3 normal(std::uint32_t vertex) const { return given.empty() ? made[vertex] : given[vertex]; }
 };
 
 struct SeamNormals {

@@ -2,6 +2,7 @@
 #include "tools/smooth_file_scene.h"
 
 #include "prepare/smooth_request.h"
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -39,6 +40,7 @@ Scene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Cont
     request.attributes = options.attributes;
     request.attributes.normals = true;
     request.tangents = TangentWish::everywhere;
+    SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "the smoothed scene"));
     Scene open =
         scene;  // without texture coordinates where no tangents are wanted: a mirrored chart then splits no vertex
     std::vector<bool> hidden(scene.meshes.size(), false);
@@ -46,7 +48,7 @@ Scene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Cont
         hidden[i] = !wants_tangents(scene, scene.meshes[i], options.tangents);
         if (hidden[i]) open.meshes[i].texcoords.clear();
     }
-    Scene out = smooth_meshes(open, request, context);
+    Scene out = smooth_meshes(std::move(open), request, context);
     // A copy stands for the mesh that its node showed in the same slot.
     for (std::size_t n = 0; n < out.nodes.size(); ++n)
         for (std::size_t slot = 0; slot < out.nodes[n].meshes.size(); ++slot) {
@@ -54,6 +56,8 @@ Scene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Cont
             Mesh& mesh = out.meshes[out.nodes[n].meshes[slot]];
             if (hidden[was] && mesh.texcoords.empty()) mesh.texcoords = followed(scene.meshes[was], mesh);
         }
+    charge_new_arrays(out, unpaid_arrays(scene), context);
+    out.charges.push_back(std::move(charge));
     return out;
 }
 

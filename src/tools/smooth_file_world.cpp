@@ -12,15 +12,16 @@ namespace {
 
 /// Corners 1 and 2 of each triangle change places.
 template <class T>
-Block<T> rewound(const Block<T>& corners) {
+Block<T> rewound(const Block<T>& corners, Context& context) {
+    MemoryCharge charge(context.memory(), corners.size() * sizeof(T), "a model placed in the world");
     std::vector<T> values(corners.begin(), corners.end());
     for (std::size_t c = 0; c + 2 < values.size(); c += 3) std::swap(values[c + 1], values[c + 2]);
-    return values;
+    return {std::move(values), std::move(charge)};
 }
 
 Mesh placed(const Mesh& mesh, const dmat4& place, Context& context) {
-    context.memory().charge(mesh.positions.size() * 2 * sizeof(vec3) + mesh.indices.size() * 2 * sizeof(std::uint32_t),
-                            "a model placed in the world");
+    MemoryCharge charge(context.memory(), (mesh.positions.size() + mesh.normals.size()) * sizeof(vec3),
+                        "a model placed in the world");
     Mesh out = mesh;
     std::vector<vec3> positions(mesh.positions.size()), normals(mesh.normals.size());
     for (std::size_t v = 0; v < positions.size(); ++v)
@@ -31,14 +32,14 @@ Mesh placed(const Mesh& mesh, const dmat4& place, Context& context) {
         normals[v] = cast<float>(
             normalize_or(turn * cast<double>(mesh.normals[v]) * (is_mirrored ? -1.0 : 1.0), dvec3{0, 0, 1}));
     out.origin = {};
-    out.positions = std::move(positions);
-    out.normals = std::move(normals);
+    out.positions = {std::move(positions), charge.split(mesh.positions.size() * sizeof(vec3))};
+    out.normals = {std::move(normals), std::move(charge)};
     out.tangents = {};
     out.influences = {};
     out.targets.clear();
     if (is_mirrored && mesh.topology == Topology::triangles) {
-        out.indices = rewound(mesh.indices);
-        out.smoothing_hint = rewound(mesh.smoothing_hint);
+        out.indices = rewound(mesh.indices, context);
+        out.smoothing_hint = rewound(mesh.smoothing_hint, context);
     }
     return out;
 }

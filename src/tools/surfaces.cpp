@@ -22,6 +22,7 @@ Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> obj
     const std::vector<dmat4> world = bind_pose_matrices(scene);
     Surfaces out;
     out.parts = drawn_instances(scene);
+    out.meshes.reserve(out.parts.size());
     for (const Instance& part : out.parts) {
         const Mesh& mesh = scene.meshes[part.mesh];
         AttributeMesh& m = out.meshes.emplace_back();

@@ -21,10 +21,13 @@ import os
 import pathlib
 import resource
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import threading
+import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent.parent / "tools")]
@@ -44,6 +47,20 @@ def run(command, seconds=60, folder=None, **environment):
     except subprocess.TimeoutExpired:
         return -999, "", 0
     return done.returncode, done.stderr, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+
+
+def run_alone(command, seconds, folder):
+    """(exit code, -999 when out of time; standard error; peak memory of this process in MiB)"""
+    with tempfile.TemporaryFile() as errors:
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors, cwd=folder)
+        timer = threading.Timer(seconds, process.kill)
+        timer.start()
+        _, status, usage = os.wait4(process.pid, 0)
+        timer.cancel()
+        process.returncode = os.waitstatus_to_exitcode(status)  # it has been waited for
+        errors.seek(0)
+        text = errors.read().decode(errors="replace")
+    return -999 if process.returncode == -signal.SIGKILL else process.returncode, text, usage.ru_maxrss / 1024
 
 
 def last_line(text):
@@ -117,7 +134,8 @@ def keeps_rule(verdict, code, errors, has_picture, names):
 
 def quad_with_material(source, folder):
     """An OBJ of one square that uses the material file."""
-    shutil.copy(source, folder)
+    if source.parent != folder:
+        shutil.copy(source, folder)
     names = [line.split()[1] for line in source.read_text(errors="replace").splitlines() if line.startswith("newmtl") and len(line.split()) > 1]
     model = folder / "quad.obj"
     model.write_text(f"mtllib {source.name}\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
@@ -145,7 +163,61 @@ def check_hostile(program, folder):
     if peak[0] > GIB * 1024 and not SANITIZED:
         wrong.append(f"a run took {peak[0]:.0f} MiB")
     print(f"{len(cases) - len(wrong)} of {len(cases)} hostile files keep the rule, most memory {peak[0]:.0f} MiB")
-    return wrong if cases else ["no cases found"]
+    return wrong + check_memory(program) if cases else ["no cases found"]
+
+
+def gray_png(path, side, gray):
+    """A picture of one gray, a few hundred kilobytes whatever its size."""
+    packer, rows = zlib.compressobj(9), 100
+    data = b"".join(packer.compress((b"\0" + bytes([gray]) * side) * rows) for _ in range(side // rows)) + packer.flush()
+
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 0, 0, 0, 0)) + chunk(b"IDAT", data) + chunk(b"IEND", b""))
+
+
+def gltf_of(nodes, images=0):
+    """One triangle that `nodes` nodes show; with images, each in a mesh and a material of its own, all from one file."""
+    triangle = base64.b64encode(struct.pack("<9f6f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1)).decode()
+    tree = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(nodes))}], "nodes": [{"mesh": i if images else 0} for i in range(nodes)],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}} | ({"material": i} if images else {})]} for i in range(images or 1)],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+                          {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+            "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64," + triangle}]}
+    if images:
+        tree |= {"images": [{"uri": "bomb.png"}] * images, "textures": [{"source": i} for i in range(images)],
+                 "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}} for i in range(images)]}
+    return json.dumps(tree, separators=(",", ":"))
+
+
+def check_memory(program):
+    """Small files that ask for much: at their peak they take what files may ask for and 200 MiB for the program at most."""
+    seconds, most, million = 120, GIB * 1024 + 200, 1000000
+    if SANITIZED:
+        return []
+    wrong = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        gray_png(folder / "gray.png", 16000, 128)
+        gray_png(folder / "bomb.png", 2000, 200)
+        (folder / "quad.mtl").write_text("newmtl m\nmap_Kd gray.png\n")
+        quad_with_material(folder / "quad.mtl", folder)
+        (folder / "images.gltf").write_text(gltf_of(120, 120))
+        (folder / "nodes.gltf").write_text(gltf_of(million))
+        (folder / "objects.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "o a\nf 1 2 3\n" * million)
+        for model, verbs in (("quad.obj", ("render",)), ("images.gltf", ("render",)), ("objects.obj", ("render", "inspect", "smooth")), ("nodes.gltf", ("render", "inspect", "smooth"))):
+            for verb in verbs:
+                out = folder / ("out.png" if verb == "render" else "out" + pathlib.Path(model).suffix)
+                options = {"render": ["-o", str(out), "--resolution", "64,64"], "inspect": [], "smooth": ["-o", str(out)]}[verb]
+                code, errors, peak = run_alone([program, verb, str(folder / model), *options], seconds, folder)
+                print(f"{verb} {model}: exit {code}, {peak:.0f} MiB")
+                if code not in (0, 4):
+                    wrong.append(f"{verb} {model}: exit {code}: {last_line(errors)}")
+                if peak > most:
+                    wrong.append(f"{verb} {model}: {peak:.0f} MiB are more than {most}")
+    return wrong
 
 
 def check_floods(program):

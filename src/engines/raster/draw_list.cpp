@@ -2,8 +2,11 @@
 #include "engines/raster/draw_list.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <tuple>
 
 #include "math/linear.h"
 
@@ -31,9 +34,39 @@ void extend(Bounds& bounds, const Draw& draw) {
     }
 }
 
-void add_draws(DrawList& list) {
+/// The box of each mesh; meshes that share their positions are measured once.
+class BoxTable {
+public:
+    explicit BoxTable(const std::vector<Mesh>& meshes) : meshes_(meshes), first_(meshes.size()) {
+        std::vector<std::uint32_t> order(meshes.size());
+        std::iota(order.begin(), order.end(), 0u);
+        const auto block = [&](std::uint32_t m) { return meshes[m].positions.identity(); };
+        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return block(a) != block(b) ? std::less<>()(block(a), block(b)) : a < b;
+        });
+        for (std::size_t i = 0; i < order.size(); ++i)
+            first_[order[i]] = i > 0 && block(order[i]) == block(order[i - 1]) ? first_[order[i - 1]] : order[i];
+        boxes_.resize(meshes.size());
+        is_known_.resize(meshes.size());
+    }
+    const std::pair<vec3, vec3>& of(std::uint32_t mesh) {
+        const std::uint32_t first = first_[mesh];
+        if (!is_known_[first]) measure(meshes_[first], boxes_[first].first, boxes_[first].second);
+        is_known_[first] = true;
+        return boxes_[first];
+    }
+
+private:
+    const std::vector<Mesh>& meshes_;
+    std::vector<std::uint32_t> first_;  ///< [meshes] the first one of the same positions
+    std::vector<std::pair<vec3, vec3>> boxes_;
+    std::vector<bool> is_known_;
+};
+
+void add_draws(DrawList& list, std::uint64_t placements) {
     const Scene& scene = list.scene;
-    std::map<const void*, std::pair<vec3, vec3>> bounds;  // by position block
+    BoxTable boxes(scene.meshes);
+    list.draws.reserve(placements);
     for (std::uint32_t n = 0; n < scene.nodes.size(); ++n)
         for (const std::uint32_t m : scene.nodes[n].meshes) {
             const Mesh& mesh = scene.meshes[m];
@@ -44,10 +77,7 @@ void add_draws(DrawList& list) {
             draw.material = mesh.material == none ? std::uint32_t(scene.materials.size()) : mesh.material;
             draw.to_world = list.node_to_world[n] * translation(mesh.origin);
             draw.mirrored = determinant(upper_left(draw.to_world)) < 0;
-            const auto [known, is_new] = bounds.try_emplace(mesh.positions.identity());
-            if (is_new) measure(mesh, known->second.first, known->second.second);
-            draw.low = known->second.first;
-            draw.high = known->second.second;
+            std::tie(draw.low, draw.high) = boxes.of(m);
             if (!(draw.low.x <= draw.high.x)) continue;
             extend(list.bounds, draw);
             (mesh.topology == Topology::triangles ? list.draws : list.line_draws).push_back(draw);
@@ -99,11 +129,16 @@ void find_normal_sides(DrawList& list, Context& context) {
 
 void fill_materials(DrawList& list, TextureCache& textures, Context& context);  // material_views.cpp
 
-DrawList make_draw_list(const Scene& scene, TextureCache& textures, Context& context) {
+DrawList make_draw_list(Scene given, TextureCache& textures, Context& context) {
     DrawList list;
-    list.scene = scene;
+    list.scene = std::move(given);
+    const Scene& scene = list.scene;
+    std::uint64_t placements = 0;
+    for (const Node& node : scene.nodes) placements += node.meshes.size();
+    list.charge = MemoryCharge(context.memory(), scene.nodes.size() * sizeof(dmat4) + placements * sizeof(Draw),
+                               "what is drawn");
     list.node_to_world = world_matrices(scene);
-    add_draws(list);
+    add_draws(list, placements);
     fill_materials(list, textures, context);
     drop_coat_normals(list);
     find_normal_sides(list, context);

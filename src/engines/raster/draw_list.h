@@ -38,6 +38,7 @@ struct DrawList {
     std::vector<dmat4> node_to_world;
     std::vector<Draw> draws;       ///< of triangles
     std::vector<Draw> line_draws;  ///< of lines and points
+    MemoryCharge charge;           ///< pays for matrices and draws
     Bounds bounds;                 ///< of the boxes of both in the world
     std::vector<DrawMaterial> materials;
     std::vector<geometry::NormalSides> normal_sides;  ///< [meshes] of those whose format says nothing about sides
@@ -47,7 +48,7 @@ struct DrawList {
 };
 
 /// Flattens a valid, posed scene.
-DrawList make_draw_list(const Scene& scene, TextureCache& textures, Context& context);
+DrawList make_draw_list(Scene scene, TextureCache& textures, Context& context);
 
 /// The lights of a scene about an eye.
 std::vector<lighting::LightParameters> make_lights(const Scene& scene, const std::vector<dmat4>& node_to_world, dvec3 eye);

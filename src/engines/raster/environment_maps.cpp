@@ -34,19 +34,16 @@ void pack_mirrored(const std::vector<OctahedralMap>& maps, EnvironmentMaps& to) 
 
 std::shared_ptr<const EnvironmentMaps> make_maps(const ImageHandle& image, Context& context) {
     const MipChain chain =
-        make_mip_chain(image ? image->decode(*image, context) : studio_panorama(), ColorSpace::srgb, context);
+        make_mip_chain(image ? decoded(*image, context) : studio_panorama(), ColorSpace::srgb, context);
     auto out = std::make_shared<EnvironmentMaps>();
     out->image = image;
-    out->sky = pack_texture(chain, {image, ColorSpace::srgb, Wrap::repeat, Wrap::clamp_to_edge});
+    out->sky = pack_texture(chain, {image, ColorSpace::srgb, Wrap::repeat, Wrap::clamp_to_edge},
+                            MemoryCharge(context.memory()));
     out->sky_view = with_filters(*out->sky, {.wrap_v = Wrap::clamp_to_edge});
     const EnvironmentLight light = make_environment_light(chain, context);
     out->irradiance = light.irradiance;
     pack_mirrored(light.mirrored, *out);
     return out;
-}
-
-std::uint64_t bytes_of(const EnvironmentMaps& maps) {
-    return maps.sky->rgba32f.size() * sizeof(float) + maps.sky->rgba16.size() * sizeof(std::uint32_t);
 }
 
 EnvironmentView view_of(const EnvironmentMaps& maps, const Environment& environment) {
@@ -79,8 +76,6 @@ void EnvironmentCache::update(DrawList& list, Context& context) {
     const std::optional<Environment>& wanted = list.scene.environment;
     if (!wanted || !(wanted->is_light || wanted->is_background)) return maps_.reset();
     if (!maps_ || maps_->image != wanted->image) {
-        MemoryBudget& memory = context.memory();
-        const std::uint64_t before = memory.charged();
         maps_.reset();
         try {
             maps_ = make_maps(wanted->image, context);
@@ -88,8 +83,6 @@ void EnvironmentCache::update(DrawList& list, Context& context) {
             context.report().add(Remark::warning, wanted->image->file, wanted->image->name,
                                  "environment left out: " + error.reason());
         }
-        const std::uint64_t kept = before + (maps_ ? bytes_of(*maps_) : 0);
-        if (memory.charged() > kept) memory.release(memory.charged() - kept);
     }
     if (!maps_) return;
     list.environment = maps_;

@@ -101,7 +101,7 @@ void renew(SetUpMemory& memory, std::size_t chunks) {
 }  // namespace
 
 void PictureMemory::add(std::uint64_t bytes) {
-    if ((used_ += bytes) <= limit_) return;
+    if (bytes <= limit_ && charge_.bytes() <= limit_ - bytes) return charge_.grow(bytes, "the picture");
     throw Error(ErrorCode::bad_file,
                 "the picture's triangles, lines and points need more than " + std::to_string(limit_) + " bytes", {},
                 "raise the limit with --max-memory, or render a part with --window");
@@ -145,6 +145,7 @@ Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Cont
     Binned binned = std::move(used);
     if (!binned.memory) binned.memory = std::make_shared<SetUpMemory>();
     SetUpMemory& memory = *binned.memory;
+    front.memory.add(ranges.size() * sizeof(ChunkTriangles));
     renew(memory, ranges.size());
     context.parallel_for(ranges.size(), [&](std::size_t c) {
         const FlushDenormals guard;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -37,8 +38,9 @@ private:
 };
 static_assert(sizeof(ScreenTriangle) == sizeof(TriangleRow));
 
-/// Where a draw's vertices are in clip space, [vertices + row_padding].
-using ClipVertices = std::vector<ClipVertex>;
+/// A draw's vertices in clip space and on the screen, [vertices]; whole vectors may be loaded past their end.
+using ClipVertices = std::span<ClipVertex>;
+using ScreenVertices = std::span<ScreenVertex>;
 
 /// The tiles of a picture that a window touches.
 struct TileGrid {
@@ -72,17 +74,20 @@ struct Binned {
 };
 
 /// What the geometry of one picture takes. A file of a megabyte can place ten thousand instances of a mesh, or a million
-/// triangles that each fill the picture: half of what files may ask for (MemoryBudget) bounds it. Thread-safe.
+/// triangles that each fill the picture: it is charged, and half of what files may ask for (MemoryBudget) bounds it.
+/// Thread-safe.
 class PictureMemory {
 public:
-    explicit PictureMemory(const MemoryBudget& budget) : limit_(budget.limit() / 2) {}
-    /// @throws Error bad_file where the sum passes the limit
+    explicit PictureMemory(MemoryBudget& budget) : limit_(budget.limit() / 2), charge_(budget) {}
+    /// @throws Error bad_file where the sum passes the limit, or the budget is spent
     void add(std::uint64_t bytes);
-    void remove(std::uint64_t bytes) { used_ -= bytes; }
+    void remove(std::uint64_t bytes) { charge_.shrink(bytes); }
+    /// What was added, for who keeps the memory for the next picture.
+    MemoryCharge take() { return std::move(charge_); }
 
 private:
     std::uint64_t limit_;
-    std::atomic<std::uint64_t> used_{0};
+    MemoryCharge charge_;
 };
 
 struct FrontEnd {
@@ -90,11 +95,13 @@ struct FrontEnd {
     const View& view;
     const RenderSettings& settings;
     const GeometryKernels& kernels;
-    std::vector<ClipVertices> clip;      ///< [draws]; empty for draws wholly outside
-    std::vector<std::vector<ScreenVertex>> screen;  ///< [draws][vertices + row_padding]
+    std::vector<ClipVertex> clip_store;      ///< [vertices of all draws + row_padding]
+    std::vector<ScreenVertex> screen_store;  ///< likewise
     std::vector<dmat4> to_eye;           ///< [draws] object -> world axes about the eye
     RenderStats stats;
     mutable PictureMemory memory;  ///< tiles count what they take, too
+    std::vector<ClipVertices> clip;      ///< [draws] in `clip_store`; empty for draws wholly outside
+    std::vector<ScreenVertices> screen;  ///< [draws] in `screen_store`
     std::vector<Shading> shading;  ///< [draws] never automatic; choose_shading()
     /// [draws] not 0: triangles whose box has pixel centers of the window were culled by the side they are seen from
     std::vector<std::uint8_t> culled_by_side;

@@ -143,15 +143,18 @@ Bump bump_of(const FrontEnd& front, std::uint32_t draw) {
 
 void make_full_jobs(FrontEnd& front, const PictureEffects& effects) {
     const auto draws = std::uint32_t(front.list.draws.size());
-    std::vector<FullJob> jobs(draws);
+    front.full.clear();  // none until one is needed: most pictures need none
     front.needs_full.assign(draws, 0);
     for (std::uint32_t d = 0; d < draws; ++d) {
-        jobs[d] = full_job(front, d, effects);
-        front.needs_full[d] = needs_full(front, d, jobs[d]);
+        const FullJob job = full_job(front, d, effects);
+        front.needs_full[d] = needs_full(front, d, job);
+        if (front.needs_full[d] != 0 && front.full.empty()) {
+            front.memory.add(draws * sizeof(FullJob));
+            front.full.resize(draws);
+            for (std::uint32_t before = 0; before < d; ++before) front.full[before] = full_job(front, before, effects);
+        }
+        if (!front.full.empty()) front.full[d] = job;
     }
-    const bool any =
-        std::any_of(front.needs_full.begin(), front.needs_full.end(), [](std::uint8_t n) { return n != 0; });
-    front.full = any ? std::move(jobs) : std::vector<FullJob>();
 }
 
 bool wants_corner_frames(const FrontEnd& front, std::uint32_t draw) {

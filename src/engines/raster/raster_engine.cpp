@@ -189,25 +189,28 @@ public:
 
     std::string name() const override { return "soft"; }
 
-    void prepare(const Scene& scene, Context& context) override {
+    void prepare(Scene scene, Context& context) override {
         // First: maps are not there beside the new scene's textures, nor of lights that a list left half made lacks.
         shadows_.forget();
         open_surfaces_.forget();
-        list_ = make_draw_list(scene, textures_, context);
+        list_ = make_draw_list(std::move(scene), textures_, context);
         environments_.update(list_, context);
     }
+
+    const Scene& scene() const override { return list_.scene; }
 
     RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {
         const RenderSettings settings = settings_for_method(wanted);
         const View view = view_of(list_, camera, settings);
         StageClock clock;
+        kept_ = {};  // counted anew
         const TileGrid grid(settings.width, settings.height, settings.window);
         FrontEnd front{list_,
                        view,
                        settings,
                        *geometry_kernels_,
-                       std::move(clip_),
-                       std::move(screen_),
+                       std::move(clip_store_),
+                       std::move(screen_store_),
                        {},
                        {},
                        PictureMemory(context.memory())};
@@ -236,8 +239,9 @@ public:
         front.stats.times.tiles = clock.lap() - waited;
         open_surfaces_.remark(front, wanted.cull == Cull::back, context);
         shadow_texels.remark(list_.scene, lights, shadows_.data(), context);
-        clip_ = std::move(front.clip);
-        screen_ = std::move(front.screen);
+        kept_ = front.memory.take();
+        clip_store_ = std::move(front.clip_store);
+        screen_store_ = std::move(front.screen_store);
         binned_ = std::move(binned);
         points_ = std::move(points);
         return front.stats;
@@ -300,9 +304,10 @@ private:
     OpenSurfaces open_surfaces_;
     ShadowMaps shadows_;
     ScratchPool pool_;
-    // Memory of the picture before, used again.
-    std::vector<ClipVertices> clip_;
-    std::vector<std::vector<ScreenVertex>> screen_;
+    // Memory of the picture before, used again, and what pays for it.
+    MemoryCharge kept_;
+    std::vector<ClipVertex> clip_store_;
+    std::vector<ScreenVertex> screen_store_;
     Binned binned_;
     LightPoints points_;
 };

@@ -67,7 +67,7 @@ bool needs_pixels(const FrontEnd& front, std::uint32_t draw) {
 
 /// Whether no edge of a triangle that the whole picture (not only its window) may show is longer than this.
 bool edges_are_within(const FrontEnd& front, std::uint32_t number, double pixels) {
-    const std::vector<ScreenVertex>& screen = front.screen[number];
+    const ScreenVertices screen = front.screen[number];
     const Block<std::uint32_t>& indices = front.list.scene.meshes[front.list.draws[number].mesh].indices;
     constexpr std::uint32_t all_codes = (1u << outcode_bits) - 1;
     const double limit = pixels * (1 << subpixel_bits), square = limit * limit;

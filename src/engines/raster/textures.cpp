@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "base/huge_pages.h"
@@ -43,8 +44,18 @@ void append_bordered(const std::vector<Texel>& texels, const MipLevel& level, co
     }
 }
 
-std::size_t bordered_size(const MipLevel& level) {
-    return (std::size_t(level.width) + 2) * (std::size_t(level.height) + 2);
+std::size_t bordered_size(int width, int height) { return (std::size_t(width) + 2) * (std::size_t(height) + 2); }
+std::size_t bordered_size(const MipLevel& level) { return bordered_size(level.width, level.height); }
+
+/// What pack_texture() makes of a picture of that size.
+std::uint64_t packed_bytes(int width, int height, bool is_float, bool is_srgb) {
+    std::uint64_t texels = 0;
+    for (std::size_t levels = 0; levels < max_mip_levels; ++levels) {
+        texels += bordered_size(width, height);
+        if (width <= 1 && height <= 1) break;
+        width = std::max(1, width / 2), height = std::max(1, height / 2);
+    }
+    return texels * (is_float ? 4 * sizeof(float) : (is_srgb ? 2 : 1) * sizeof(std::uint32_t));
 }
 
 /// Kernels address texels, and the four floats of one, by int32_t.
@@ -79,9 +90,13 @@ void reserve(const MipChain& chain, std::size_t texels, TextureData& data) {
 
 }  // namespace
 
-std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKey& key) {
+std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKey& key, MemoryCharge charge) {
     if (chain.levels.empty()) throw Error(ErrorCode::bad_file, "the picture has no pixels");
+    const auto& full = chain.levels[0];
+    const std::uint64_t bytes = packed_bytes(full.width, full.height, chain.is_float, chain.is_srgb);
+    if (bytes > charge.bytes()) charge.grow(bytes - charge.bytes(), "the texture");
     auto data = std::make_shared<TextureData>();
+    data->charge = std::move(charge);
     TextureView& view = data->view;
     view = {};
     view.levels = int(std::min<std::size_t>(chain.levels.size(), max_mip_levels));
@@ -117,29 +132,71 @@ namespace {
 struct Missing {
     const TextureKey* key;
     std::shared_ptr<const TextureData>* data;
-    std::string fault;  ///< why there is no data
+    std::optional<Pixels> header{};  ///< what the picture will be, where that is known before it is decoded
+    MemoryCharge charge{};           ///< pays for the data
+    std::string fault{};             ///< why there is no data
 };
 
-void load(Missing& m, Context& context) {
-    const EncodedImage& image = *m.key->image;
+template <class Work>
+void try_to(Missing& m, const Work& work) {
     try {
-        const Pixels pixels = image.decode(image, context);
-        const std::shared_ptr<TextureData> data = pack_texture(make_mip_chain(pixels, m.key->space, context), *m.key);
-        data->is_tagged_srgb = pixels.is_tagged_srgb;
-        *m.data = data;
+        work();
     } catch (const Error& error) {
         m.fault = error.reason();
     }
 }
 
-/// What decoding charged beyond the textures themselves is free again.
-void release_temporaries(MemoryBudget& memory, std::uint64_t charged_before, std::span<const Missing> loaded) {
-    std::uint64_t kept = charged_before;
-    for (const Missing& m : loaded)
-        if (*m.data)
-            kept += ((*m.data)->rgba8.size() + (*m.data)->rgba16.size()) * sizeof(std::uint32_t) +
-                    (*m.data)->rgba32f.size() * sizeof(float);
-    if (memory.charged() > kept) memory.release(memory.charged() - kept);
+void measure(Missing& m, Context& context) {
+    const EncodedImage& image = *m.key->image;
+    if (!image.measure) return;
+    try_to(m, [&] { m.header = image.measure(image, context); });
+}
+
+/// Charges what will be kept, and asks for what decoding takes beside: what is refused is not decoded.
+void charge(Missing& m, MemoryBudget& memory) {
+    if (!m.header) return;
+    const Pixels& p = *m.header;
+    const bool is_float = p.component != Component::u8;
+    try_to(m, [&] {
+        MemoryCharge kept(memory, packed_bytes(p.width, p.height, is_float, m.key->space == ColorSpace::srgb),
+                          "the texture");
+        memory.check(p.row_bytes() * std::uint64_t(p.height) + mip_chain_bytes(p), "the texture while it is decoded");
+        m.charge = std::move(kept);
+    });
+}
+
+void load(Missing& m, Context& context) {
+    const EncodedImage& image = *m.key->image;
+    m.fault.clear();
+    try_to(m, [&] {
+        bool is_tagged_srgb = false;
+        const MipChain chain = [&] {
+            const Pixels pixels = image.decode(image, context);
+            is_tagged_srgb = pixels.is_tagged_srgb;
+            return make_mip_chain(pixels, m.key->space, context);
+        }();
+        MemoryCharge charge = m.charge.bytes() > 0 ? std::move(m.charge) : MemoryCharge(context.memory());
+        const std::shared_ptr<TextureData> data = pack_texture(chain, *m.key, std::move(charge));
+        data->is_tagged_srgb = is_tagged_srgb;
+        *m.data = data;
+    });
+}
+
+/// Which are left out where memory is short depends on their order, never on threads: what is kept is charged in order,
+/// before anything is decoded, and what decoding takes beside is refused only where it does not fit alone.
+void load_all(std::vector<Missing>& missing, Context& context) {
+    context.parallel_for(missing.size(), [&](std::size_t i) { measure(missing[i], context); });
+    for (Missing& m : missing) charge(m, context.memory());
+    std::vector<Missing*> measured;
+    for (Missing& m : missing)
+        if (m.header && m.fault.empty()) measured.push_back(&m);
+    const std::uint64_t refused = context.memory().refusals();
+    context.parallel_for(measured.size(), [&](std::size_t i) { load(*measured[i], context); });
+    if (context.memory().refusals() != refused)
+        for (Missing* m : measured)
+            if (!m->fault.empty()) load(*m, context);
+    for (Missing& m : missing)
+        if (!m.header && m.fault.empty()) load(m, context);
 }
 
 }  // namespace
@@ -151,23 +208,9 @@ void TextureCache::update(const std::vector<TextureKey>& uses, Context& context)
         const auto [entry, is_new] = kept.try_emplace(key);
         const auto known = textures_.find(key);
         if (known != textures_.end()) entry->second = known->second;
-        if (is_new && !entry->second) missing.push_back({&entry->first, &entry->second, {}});
+        if (is_new && !entry->second) missing.push_back({&entry->first, &entry->second});
     }
-    MemoryBudget& memory = context.memory();
-    const std::uint64_t before = memory.charged();
-    context.parallel_for(missing.size(), [&](std::size_t i) { load(missing[i], context); });
-    if (memory.grants_in_any_order()) {
-        release_temporaries(memory, before, missing);
-    } else {
-        // Memory is short: one after another, so that what is left out does not depend on threads.
-        for (Missing& m : missing) m.data->reset();
-        memory.release(memory.charged() - before);
-        for (Missing& m : missing) {
-            const std::uint64_t before_this = memory.charged();
-            load(m, context);
-            release_temporaries(memory, before_this, {&m, 1});
-        }
-    }
+    load_all(missing, context);
     for (const Missing& m : missing)
         if (!*m.data) context.report().add(Remark::warning, m.key->image->file, m.key->image->name, "texture left out: " + m.fault);
     textures_ = std::move(kept);

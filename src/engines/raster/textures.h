@@ -18,6 +18,7 @@ struct TextureData {
     std::vector<float> rgba32f;
     TextureView view;  ///< without the sampler's filters
     bool is_tagged_srgb = false;  ///< Pixels::is_tagged_srgb
+    MemoryCharge charge;          ///< pays for the arrays
 };
 
 /// What a texture is made of. How it wraps is in its borders.
@@ -42,8 +43,10 @@ private:
     std::map<TextureKey, std::shared_ptr<const TextureData>> textures_;
 };
 
-/// A mip chain as the kernels read it; `key` says how its borders wrap. @throws Error bad_file: no or too many texels
-std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKey& key);
+/// A mip chain as the kernels read it; `key` says how its borders wrap.
+/// @param charge  grows to what the texture takes
+/// @throws Error bad_file: no or too many texels, over the memory budget
+std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKey& key, MemoryCharge charge);
 
 /// The view of a texture with its sampler's filters filled in.
 TextureView with_filters(const TextureData& data, const Sampler& sampler);

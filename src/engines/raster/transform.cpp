@@ -2,6 +2,7 @@
 // Vertices: object space -> clip space. Whole objects outside the frustum are dropped first.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "base/assert.h"
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::size_t vertices_per_task = 16384;
 constexpr std::size_t vertex_bytes = sizeof(ClipVertex) + sizeof(ScreenVertex);
-static_assert(vertices_per_task % (row_padding + 1) == 0, "tasks do not write into each other");
+static_assert(vertices_per_task % (row_padding + 1) == 0, "tasks begin where a vector does");
 
 /// Object space -> (clip x, clip y, distance) as an affine map, made in double, used in float.
 struct ToClip {
@@ -81,14 +82,70 @@ std::uint64_t count_objects_outside(const FrontEnd& front) {
 
 }  // namespace
 
+namespace {
+
+/// Part of a draw's vertices.
+struct VertexTask {
+    std::size_t draw, first;
+};
+
+/// Room for `count` elements; what is in it is of no use any more.
+template <class T>
+void renew(std::vector<T>& store, std::size_t count) {
+    if (store.size() >= count) return;  // the memory of the picture before
+    store = {};
+    store.resize(count);
+}
+
+/// Gives each draw its part of the stores; those outside have none.
+void place_draws(FrontEnd& front, const std::vector<bool>& outside) {
+    const std::vector<Draw>& draws = front.list.draws;
+    const auto vertices_of = [&](std::size_t d) { return front.list.scene.meshes[draws[d].mesh].positions.size(); };
+    std::size_t vertices = 0;
+    for (std::size_t d = 0; d < draws.size(); ++d) vertices += outside[d] ? 0 : vertices_of(d);
+    front.memory.add(vertices * vertex_bytes);
+    renew(front.clip_store, vertices + row_padding);
+    renew(front.screen_store, vertices + row_padding);
+    front.clip.assign(draws.size(), {});
+    front.screen.assign(draws.size(), {});
+    for (std::size_t d = 0, first = 0; d < draws.size(); ++d) {
+        if (outside[d]) continue;
+        front.clip[d] = std::span(front.clip_store).subspan(first, vertices_of(d));
+        front.screen[d] = std::span(front.screen_store).subspan(first, vertices_of(d));
+        first += vertices_of(d);
+    }
+}
+
+/// Kernels write whole vectors: what does not fill one goes through a buffer, since the next draw follows at once.
+void transform(const GeometryKernels& kernels, VertexJob job) {
+    constexpr std::int32_t most_lanes = row_padding + 1;
+    const std::int32_t count = job.count, whole = count - count % most_lanes;
+    job.count = whole;
+    if (whole > 0) kernels.transform(&job);
+    if (whole == count) return;
+    ClipVertex clip[most_lanes];
+    ScreenVertex screen[most_lanes];
+    float* const to_clip = job.clip + 4 * std::ptrdiff_t(whole);
+    ScreenVertex* const to_screen = job.screen + whole;
+    job.positions += 3 * std::ptrdiff_t(whole);
+    job.total -= whole;
+    job.count = count - whole;
+    job.clip = &clip[0].x;
+    job.screen = screen;
+    kernels.transform(&job);
+    std::memcpy(to_clip, clip, std::size_t(job.count) * sizeof(ClipVertex));
+    std::copy_n(screen, job.count, to_screen);
+}
+
+}  // namespace
+
 void transform_draws(FrontEnd& front, Context& context) {
     const ClipVolume volume(front.view);
     const std::size_t count = front.list.draws.size();
-    front.clip.resize(count);  // the memory of the picture before is used again
-    front.screen.resize(count);
+    front.memory.add(count * (sizeof(ClipVertices) + sizeof(ScreenVertices) + sizeof(dmat4) + sizeof(ToClip)));
     front.to_eye.assign(count, {});
-    struct Task { std::size_t draw, first; };
-    std::vector<Task> tasks;
+    std::vector<bool> outside(count);
+    std::vector<VertexTask> tasks;
     std::vector<ToClip> to_clip;
     to_clip.reserve(count);
     for (std::size_t d = 0; d < count; ++d) {
@@ -97,16 +154,13 @@ void transform_draws(FrontEnd& front, Context& context) {
         front.to_eye[d] = front.view.world_to_eye * draw.to_world;
         to_clip.emplace_back(front.view.world_to_camera * draw.to_world, front.view);
         front.stats.triangles_in += mesh.triangle_count();
-        if (is_outside(draw, to_clip[d], volume)) {
+        outside[d] = is_outside(draw, to_clip[d], volume);
+        if (outside[d])
             front.stats.culled_outside += mesh.triangle_count();
-            front.clip[d].clear();
-            continue;
-        }
-        front.memory.add(mesh.positions.size() * vertex_bytes);
-        front.clip[d].resize(mesh.positions.size() + row_padding);
-        front.screen[d].resize(mesh.positions.size() + row_padding);
-        for (std::size_t v = 0; v < mesh.positions.size(); v += vertices_per_task) tasks.push_back({d, v});
+        else
+            for (std::size_t v = 0; v < mesh.positions.size(); v += vertices_per_task) tasks.push_back({d, v});
     }
+    place_draws(front, outside);
     front.stats.objects_outside = count_objects_outside(front);
     context.parallel_for(tasks.size(), [&](std::size_t t) {
         const FlushDenormals guard;
@@ -118,7 +172,7 @@ void transform_draws(FrontEnd& front, Context& context) {
         job.count = std::min(job.total, std::int32_t(vertices_per_task));
         job.clip = &front.clip[d][first].x;
         job.screen = &front.screen[d][first];
-        front.kernels.transform(&job);
+        transform(front.kernels, job);
     });
 }
 

@@ -111,11 +111,13 @@ void Accessors::apply_sparse(Elements& elements, const Value& accessor, const Va
     indices.data = index_bytes.bytes.data() + index_offset;
 
     // 2. a packed copy of the base, or zeros
-    document_.context().memory().charge(elements.count * bytes + count * 4, "a sparse accessor");
-    auto packed = std::make_shared<std::vector<std::byte>>(std::size_t(elements.count * bytes));
+    MemoryBudget& memory = document_.context().memory();
+    memory.check(elements.count * bytes + count * 4, "a sparse accessor");
+    MemoryCharge charge(memory, elements.count * bytes, "a sparse accessor");
+    std::vector<std::byte> packed(std::size_t(elements.count * bytes));
     if (elements.data)
         for (std::uint64_t i = 0; i < elements.count; ++i)
-            std::memcpy(packed->data() + i * bytes, elements.data + i * elements.stride, bytes);
+            std::memcpy(packed.data() + i * bytes, elements.data + i * elements.stride, bytes);
 
     // 3. replace
     std::uint64_t least = 0;
@@ -125,12 +127,13 @@ void Accessors::apply_sparse(Elements& elements, const Value& accessor, const Va
             accessor.fail("sparse index " + std::to_string(targets[k]) + " at " + std::to_string(k) +
                           " does not ascend or exceeds the count " + std::to_string(elements.count));
         least = std::uint64_t(targets[k]) + 1;
-        std::memcpy(packed->data() + targets[k] * std::uint64_t(bytes),
+        std::memcpy(packed.data() + targets[k] * std::uint64_t(bytes),
                     value_bytes.bytes.data() + value_offset + k * bytes, bytes);
     }
-    elements.data = packed->data();
+    const Bytes replaced = charged_bytes(std::move(packed), std::move(charge));
+    elements.data = replaced->data();
     elements.stride = bytes;
-    elements.owner = packed;
+    elements.owner = replaced;
 }
 
 }  // namespace rakelight::io::gltf

@@ -26,16 +26,16 @@ std::optional<Bytes> decode_data_uri(const std::string& uri, const Value& from, 
     if (comma == std::string::npos) from.fail("its data URI has no comma");
     const std::string_view header = std::string_view(uri).substr(0, comma),
                            body = std::string_view(uri).substr(comma + 1);
-    context.memory().charge(body.size(), "a data URI");
+    MemoryCharge charge(context.memory(), body.size(), "a data URI");
     if (header.ends_with(";base64")) {
         auto bytes = base64_decode(body);
         if (!bytes) from.fail("the base64 of its data URI is broken");
-        return std::make_shared<const std::vector<std::byte>>(std::move(*bytes));
+        return charged_bytes(std::move(*bytes), std::move(charge));
     }
     const auto text = percent_decode(std::string(body));
     if (!text) from.fail("the percent-encoding of its data URI is broken");
     const auto* begin = reinterpret_cast<const std::byte*>(text->data());
-    return std::make_shared<const std::vector<std::byte>>(begin, begin + text->size());
+    return charged_bytes({begin, begin + text->size()}, std::move(charge));
 }
 
 std::string resolve_uri(const Document& document, const std::string& uri, const Value& from) {

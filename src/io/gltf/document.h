@@ -52,6 +52,8 @@ public:
     std::span<const std::byte> binary() const { return binary_; }  ///< the BIN chunk of a GLB file
     std::uint64_t file_bytes() const { return file_->size(); }
     const Bytes& file() const { return file_; }
+    /// Pays for the tables of the scene that is read; becomes one of Scene::charges.
+    MemoryCharge& scene_charge() const { return scene_charge_; }
 
 private:
     void check_version() const;
@@ -63,6 +65,8 @@ private:
     Bytes file_;
     std::span<const std::byte> binary_;
     bool has_binary_ = false, uses_quantization_ = false;
+    mutable MemoryCharge scene_charge_;
+    MemoryCharge tree_charge_;
     std::shared_ptr<const Json> tree_;
     Value root_;
 };

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "io/file.h"
 #include "io/gltf/draco_header.h"
 
 namespace rakelight::io::gltf {
@@ -183,8 +184,8 @@ Elements DracoMesh::attribute(std::uint32_t id, const Elements& description, con
     elements.count = vertex_count();
     elements.stride = elements.element_bytes();
     const std::uint64_t bytes = elements.element_bytes(), step = std::uint64_t(attribute->byte_stride());
-    context.memory().charge(elements.count * bytes, "a Draco attribute");
-    auto packed = std::make_shared<std::vector<std::byte>>(std::size_t(elements.count * bytes));
+    MemoryCharge charge(context.memory(), elements.count * bytes, "a Draco attribute");
+    std::vector<std::byte> packed(std::size_t(elements.count * bytes));
     const draco::DataBuffer* values = attribute->buffer();
     const std::uint64_t start = std::uint64_t(attribute->byte_offset());
     for (draco::PointIndex p(0); p < impl_->mesh->num_points(); ++p) {
@@ -192,15 +193,16 @@ Elements DracoMesh::attribute(std::uint32_t id, const Elements& description, con
         if (!values || step < bytes || value >= attribute->size() || start + value * step + bytes > values->data_size())
             from.fail("Draco attribute " + std::to_string(id) + " has no value for vertex " +
                       std::to_string(p.value()));
-        std::memcpy(packed->data() + p.value() * bytes, values->data() + start + value * step, std::size_t(bytes));
+        std::memcpy(packed.data() + p.value() * bytes, values->data() + start + value * step, std::size_t(bytes));
     }
     if (attribute->data_type() == draco::DT_INT32) {
-        narrow(*packed, description.type, from);
+        narrow(packed, description.type, from);
         elements.type = description.type;
         elements.stride = elements.element_bytes();
     }
-    elements.data = packed->data();
-    elements.owner = packed;
+    const Bytes values_of_all = charged_bytes(std::move(packed), std::move(charge));
+    elements.data = values_of_all->data();
+    elements.owner = values_of_all;
     return elements;
 }
 

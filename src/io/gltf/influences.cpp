@@ -51,6 +51,7 @@ void report(const Counts& counts, const Document& document, const Value& primiti
 struct Set {
     std::vector<std::uint32_t> joints;
     std::vector<float> weights;
+    MemoryCharge charge;
 };
 
 std::vector<Set> read_sets(VertexData& vertices, const Document& document, const Value& primitive) {
@@ -63,8 +64,8 @@ std::vector<Set> read_sets(VertexData& vertices, const Document& document, const
         if (!joints && !weights) break;
         if (!joints || !weights) primitive.fail("JOINTS_" + number + " and WEIGHTS_" + number + " must come together");
         weights->normalized = true;  // integers as weights mean nothing else
-        document.context().memory().charge(joints->count * 32, "joint weights");
-        sets.push_back({to_integers(*joints), to_scalars(*weights)});
+        MemoryCharge charge(document.context().memory(), joints->count * 32, "joint weights");
+        sets.push_back({to_integers(*joints), to_scalars(*weights), std::move(charge)});
     }
     return sets;
 }
@@ -74,7 +75,7 @@ std::vector<Set> read_sets(VertexData& vertices, const Document& document, const
 Block<JointInfluence> read_influences(VertexData& vertices, const Document& document, const Value& primitive) {
     const std::vector<Set> sets = read_sets(vertices, document, primitive);
     if (sets.empty()) return {};
-    document.context().memory().charge(vertices.vertex_count() * sizeof(JointInfluence), "joint weights");
+    MemoryCharge charge(document.context().memory(), vertices.vertex_count() * sizeof(JointInfluence), "joint weights");
     std::vector<JointInfluence> result(std::size_t(vertices.vertex_count()));
     Counts counts;
     std::vector<Weighted> all(4 * sets.size());
@@ -85,7 +86,7 @@ Block<JointInfluence> read_influences(VertexData& vertices, const Document& docu
         result[v] = strongest(all, counts);
     }
     report(counts, document, primitive);
-    return result;
+    return {std::move(result), std::move(charge)};
 }
 
 std::uint32_t joints_used(const Block<JointInfluence>& influences) {

@@ -16,7 +16,8 @@ constexpr std::uint64_t charge_step = 1u << 20;
 /// Builds the tree from the parser's events. nlohmann's own builder has no limit on depth.
 class TreeBuilder final : public nlohmann::json_sax<Json> {
 public:
-    TreeBuilder(Json& root, const std::string& file, Context& context) : root_(root), file_(file), context_(context) {}
+    TreeBuilder(Json& root, const std::string& file, MemoryCharge& charge, Context& context)
+        : root_(root), file_(file), charge_(charge), context_(context) {}
 
     bool null() override { return add(nullptr); }
     bool boolean(bool value) override { return add(value); }
@@ -50,7 +51,7 @@ public:
         throw Error(ErrorCode::bad_file, "not valid JSON: " + text);
     }
 
-    void finish() { context_.memory().charge(pending_, "the JSON tree"); }
+    void finish() { charge_.grow(pending_, "the JSON tree"); }
 
 private:
     template <class T>
@@ -86,12 +87,13 @@ private:
     void charge(std::uint64_t bytes) {
         pending_ += bytes;
         if (pending_ < charge_step) return;
-        context_.memory().charge(pending_, "the JSON tree");
+        charge_.grow(pending_, "the JSON tree");
         pending_ = 0;
     }
 
     Json& root_;
     const std::string& file_;
+    MemoryCharge& charge_;
     Context& context_;
     std::vector<Json*> stack_;  // stays right while arrays grow: only the last element of an array is ever open
     Json* member_ = nullptr;
@@ -100,7 +102,7 @@ private:
 
 }  // namespace
 
-Json parse_json(std::span<const std::byte> text, const std::string& file, Context& context) {
+Json parse_json(std::span<const std::byte> text, const std::string& file, MemoryCharge& charge, Context& context) {
     const char* begin = reinterpret_cast<const char*>(text.data());
     const char* end = begin + text.size();
     if (text.size() >= 3 && std::memcmp(begin, "\xEF\xBB\xBF", 3) == 0) {
@@ -108,7 +110,7 @@ Json parse_json(std::span<const std::byte> text, const std::string& file, Contex
         context.report().add(Remark::warning, file, {}, "the JSON begins with a byte order mark, which glTF forbids");
     }
     Json root;
-    TreeBuilder builder(root, file, context);
+    TreeBuilder builder(root, file, charge, context);
     Json::sax_parse(begin, end, &builder);
     builder.finish();
     return root;

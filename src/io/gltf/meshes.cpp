@@ -11,9 +11,6 @@ namespace rakelight::io::gltf {
 namespace {
 
 constexpr std::uint32_t max_texcoord_sets = 8;
-/// What later stages (normals, tangents, engines) ask for a vertex or a corner. Charged for every mesh, so that many
-/// primitives over one large array cannot make them ask for more than the budget.
-constexpr std::uint64_t later_bytes_per_vertex = 48, later_bytes_per_corner = 8;
 
 PrimitiveMode mode_of(const Value& primitive) {
     const std::uint64_t mode = primitive.count("mode", 4);
@@ -39,7 +36,7 @@ const LoadedMesh& Meshes::load(std::uint32_t index, const Value& from) {
         const Value primitive = primitives.element(p, mesh.place() + ", primitive " + std::to_string(p));
         Mesh result;
         result.name = Document::name_of(mesh, mesh_kind, index);
-        document().context().memory().charge(sizeof(Mesh) + result.name.size(), "meshes");  // each has its own copy
+        document().scene_charge().grow(sizeof(Mesh) + result.name.size(), "meshes");  // each has its own copy
         result.source_mesh = index;
         result.source_primitive = std::uint32_t(p);
         read_primitive(mesh, primitive, result);
@@ -82,15 +79,15 @@ void Meshes::read_primitive(const Value& mesh, const Value& primitive, Mesh& res
     read_targets(vertices, mesh, primitive, result);
 
     // 2. indices
-    std::vector<std::uint32_t> corners = vertices.corners();
     MemoryBudget& memory = document().context().memory();
-    memory.charge(expanded_size(mode, corners.size()) * (sizeof(std::uint32_t) + later_bytes_per_corner), "indices");
-    memory.charge(vertices.vertex_count() * later_bytes_per_vertex, "vertex data");
+    MemoryCharge corners_charge(memory);
+    std::vector<std::uint32_t> corners = vertices.corners(corners_charge);
+    MemoryCharge charge(memory, expanded_size(mode, corners.size()) * sizeof(std::uint32_t), "indices");
     Expanded expanded = expand(mode, std::move(corners));
     if (expanded.left_over)
         document().remark(Remark::dropped, primitive.place(),
                           std::to_string(expanded.left_over) + " indices are too few for one more primitive");
-    result.indices = std::move(expanded.indices);
+    result.indices = {std::move(expanded.indices), std::move(charge)};
     if (result.indices.empty())
         document().remark(Remark::dropped, primitive.place(), "a primitive without corners is left out");
 
@@ -118,8 +115,8 @@ void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& 
         if (!result.texcoords[set].empty()) continue;
         document().remark(Remark::guessed, primitive.place(),
                           "TEXCOORD_" + std::to_string(set) + " is missing below a higher set; taken as 0");
-        document().context().memory().charge(vertices.vertex_count() * sizeof(vec2), "vertex data");
-        result.texcoords[set] = std::vector<vec2>(std::size_t(vertices.vertex_count()));
+        MemoryCharge charge(document().context().memory(), vertices.vertex_count() * sizeof(vec2), "vertex data");
+        result.texcoords[set] = {std::vector<vec2>(std::size_t(vertices.vertex_count())), std::move(charge)};
     }
 }
 

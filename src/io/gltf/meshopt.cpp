@@ -54,19 +54,19 @@ Bytes decode_meshopt(const Value& packed, std::span<const std::byte> data, Conte
     const Mode mode = mode_of(packed);
     const std::uint64_t count = packed.required_count("count"), stride = packed.required_count("byteStride");
     check_sizes(packed, mode, count, stride, data.size());
-    context.memory().charge(count * stride, "an unpacked buffer view");
-    auto unpacked = std::make_shared<std::vector<std::byte>>(std::size_t(count * stride));
-    if (count == 0) return unpacked;
+    MemoryCharge charge(context.memory(), count * stride, "an unpacked buffer view");
+    std::vector<std::byte> unpacked(std::size_t(count * stride));
+    if (count == 0) return charged_bytes({}, {});
     const auto* source = reinterpret_cast<const unsigned char*>(data.data());
     const std::size_t n = std::size_t(count), size = std::size_t(stride);
     const int result =
-        mode == Mode::attributes  ? meshopt_decodeVertexBuffer(unpacked->data(), n, size, source, data.size())
-        : mode == Mode::triangles ? meshopt_decodeIndexBuffer(unpacked->data(), n, size, source, data.size())
-                                  : meshopt_decodeIndexSequence(unpacked->data(), n, size, source, data.size());
+        mode == Mode::attributes  ? meshopt_decodeVertexBuffer(unpacked.data(), n, size, source, data.size())
+        : mode == Mode::triangles ? meshopt_decodeIndexBuffer(unpacked.data(), n, size, source, data.size())
+                                  : meshopt_decodeIndexSequence(unpacked.data(), n, size, source, data.size());
     if (result != 0)
         packed.fail("its meshopt data is broken or of a newer version (code " + std::to_string(result) + ")");
-    apply_filter(packed, mode, unpacked->data(), n, size);
-    return unpacked;
+    apply_filter(packed, mode, unpacked.data(), n, size);
+    return charged_bytes(std::move(unpacked), std::move(charge));
 }
 
 }  // namespace rakelight::io::gltf

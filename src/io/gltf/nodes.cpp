@@ -9,8 +9,8 @@
 namespace rakelight::io::gltf {
 namespace {
 
-/// What an engine keeps for one mesh at one place, rounded up: bounds the product of nodes and primitives.
-constexpr std::uint64_t bytes_per_placement = 256;
+/// What a node holds for each of its meshes.
+constexpr std::uint64_t bytes_per_placement = sizeof(std::uint32_t) + 16;
 
 std::vector<std::uint32_t> indices_of(const Value& list) {
     std::vector<std::uint32_t> result(list.size());
@@ -63,7 +63,8 @@ void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {
     if (scene_of_[waiting.file] != none)
         throw Error(ErrorCode::bad_file,
                     "it is placed twice: the node hierarchy has a cycle or a node with two parents", source.place());
-    document().context().memory().charge(sizeof(Node), "nodes");
+    MemoryCharge& charge = document().scene_charge();
+    charge.grow(sizeof(Node), "nodes");
     const auto index = std::uint32_t(scene_.nodes.size());
     scene_of_[waiting.file] = index;
     placed_.push_back({waiting.file, index});
@@ -75,7 +76,7 @@ void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {
     scene_.nodes.push_back(std::move(node));
     attach_mesh(source, index);
     const std::vector<std::uint32_t> children = indices_of(source.list("children"));
-    document().context().memory().charge(children.size() * (sizeof(Waiting) + sizeof(std::uint32_t)), "nodes");
+    charge.grow(children.size() * (sizeof(Waiting) + sizeof(std::uint32_t)), "nodes");
     for (auto child = children.rbegin(); child != children.rend(); ++child) stack.push_back({*child, index});
 }
 
@@ -91,8 +92,8 @@ void Nodes::attach_mesh(const Value& source, std::uint32_t node) {
                               "its number of morph weights is not that of its mesh's targets");
         weights = loaded.default_weights;
     }
-    document().context().memory().charge(loaded.meshes.size() * bytes_per_placement + targets * sizeof(float),
-                                         "placed meshes");
+    document().scene_charge().grow(loaded.meshes.size() * bytes_per_placement + targets * sizeof(float),
+                                   "placed meshes");
     scene_.nodes[node].meshes = loaded.meshes;
     scene_.nodes[node].morph_weights = std::move(weights);
     if (const Value instancing = source.extension("EXT_mesh_gpu_instancing")) add_instances(source, instancing, node);
@@ -102,6 +103,7 @@ void Nodes::attach_mesh(const Value& source, std::uint32_t node) {
 void Nodes::add_instances(const Value& source, const Value& extension, std::uint32_t node) {
     const Value attributes = extension.object("attributes");
     std::optional<std::uint64_t> count;
+    MemoryCharge arrays(document().context().memory());
     const auto read = [&](const char* name, std::uint32_t width) {
         std::vector<float> values;
         const std::uint32_t accessor = attributes.index(name);
@@ -110,7 +112,7 @@ void Nodes::add_instances(const Value& source, const Value& extension, std::uint
         if (count.value_or(elements.count) != elements.count)
             source.fail("its instance attributes have different counts");
         count = elements.count;
-        document().context().memory().charge(elements.count * width * sizeof(float), "instances");
+        arrays.grow(elements.count * width * sizeof(float), "instances");
         values = to_scalars(elements);
         if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
             source.fail(std::string("its instances have a ") + name + " that is not finite");
@@ -124,7 +126,7 @@ void Nodes::add_instances(const Value& source, const Value& extension, std::uint
     const std::uint64_t each = sizeof(Node) + 64 + group.name.size() + group.meshes.size() * bytes_per_placement +
                                group.morph_weights.size() * sizeof(float);
     if (*count > (1ull << 40) / each) source.fail(std::to_string(*count) + " instances are too many");
-    document().context().memory().charge(*count * each, "instances");
+    document().scene_charge().grow(*count * each, "instances");
     for (std::size_t i = 0; i < *count; ++i) {
         Node instance;
         instance.name = group.name + " instance " + std::to_string(i);

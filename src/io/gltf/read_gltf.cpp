@@ -38,6 +38,7 @@ Scene read_document(const std::string& path, Bytes file, const ReadOptions& opti
     read_animations(accessors, nodes, scene);
     read_cameras(document, nodes, scene);
     read_lights(document, nodes, scene);
+    scene.charges.push_back(share(std::move(document.scene_charge())));
     context.progress("load", 1);
     return scene;
 }

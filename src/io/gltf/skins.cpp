@@ -20,8 +20,8 @@ std::vector<dmat4> inverse_bind_matrices(Accessors& accessors, const Value& skin
     if (elements.count < joints)
         skin.fail("it has " + std::to_string(joints) + " joints but " + std::to_string(elements.count) +
                   " inverse bind matrices");
-    accessors.document().context().memory().charge(elements.count * matrix_components * sizeof(float),
-                                                   "inverse bind matrices");
+    const MemoryCharge charge(accessors.document().context().memory(),
+                              elements.count * matrix_components * sizeof(float), "inverse bind matrices");
     const std::vector<float> values = to_scalars(elements);
     for (std::size_t j = 0; j < joints; ++j)
         for (std::size_t k = 0; k < matrix_components; ++k) {
@@ -36,7 +36,7 @@ Skin read_skin(Accessors& accessors, const Nodes& nodes, const Value& source, st
     Skin skin;
     skin.name = Document::name_of(source, skin_kind, index);
     const Value joints = source.list("joints");
-    accessors.document().context().memory().charge(joints.size() * (sizeof(dmat4) + sizeof(std::uint32_t)), "skins");
+    accessors.document().scene_charge().grow(joints.size() * (sizeof(dmat4) + sizeof(std::uint32_t)), "skins");
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const std::uint32_t node = nodes.scene_index(joints.index_at(j));
         if (node == none) source.fail("its joint " + std::to_string(joints.index_at(j)) + " is no node of the scene");

@@ -104,21 +104,32 @@ ImageHandle Textures::image(std::uint32_t index, const Value& from) {
     const std::string* uri = image.text_pointer("uri");
     ImageHandle handle;
     if (!uri) {
-        const Region region = buffers_.view(image.required_index("bufferView"), image);
-        document_.context().memory().charge(region.bytes.size(), "an embedded image");
-        handle = image_from_bytes(
-            name, document_.path(),
-            std::make_shared<const std::vector<std::byte>>(region.bytes.begin(), region.bytes.end()), mime_type);
+        handle = image_in_view(image.required_index("bufferView"), name, image);
     } else if (const auto embedded = decode_data_uri(*uri, image, document_.context())) {
         handle = image_from_bytes(name, document_.path(), *embedded, mime_type);
     } else {
-        const std::string path = resolve_uri(document_, *uri, image);
-        const auto slash = uri->find_last_of("/\\");
-        const std::string last = slash == std::string::npos ? *uri : uri->substr(slash + 1);
-        if (!is_regular_file(path)) image.fail("the file '" + one_line(last, 80) + "' is missing or no regular file");
-        handle = image_from_file(image.has("name") ? name : *uri, document_.path(), path);
+        handle = image_in_file(*uri, image.has("name") ? name : *uri, image);
     }
     return images_[index] = std::move(handle);
+}
+
+ImageHandle Textures::image_in_view(std::uint32_t view, std::string name, const Value& image) {
+    ImageHandle& known = views_[view];
+    if (known) return known;
+    const Region region = buffers_.view(view, image);
+    MemoryCharge charge(document_.context().memory(), region.bytes.size(), "an embedded image");
+    Bytes bytes = charged_bytes({region.bytes.begin(), region.bytes.end()}, std::move(charge));
+    return known = image_from_bytes(std::move(name), document_.path(), std::move(bytes), image.text("mimeType"));
+}
+
+ImageHandle Textures::image_in_file(const std::string& uri, std::string name, const Value& image) {
+    const std::string path = resolve_uri(document_, uri, image);
+    ImageHandle& known = files_[path];
+    if (known) return known;
+    const auto slash = uri.find_last_of("/\\");
+    const std::string last = slash == std::string::npos ? uri : uri.substr(slash + 1);
+    if (!is_regular_file(path)) image.fail("the file '" + one_line(last, 80) + "' is missing or no regular file");
+    return known = image_from_file(std::move(name), document_.path(), path);
 }
 
 Sampler Textures::sampler(std::uint32_t index, const Value& from) const {

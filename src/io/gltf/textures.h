@@ -22,12 +22,17 @@ public:
 private:
     std::uint32_t load(std::uint32_t index, const Value& from);
     ImageHandle image(std::uint32_t index, const Value& from);
+    ImageHandle image_in_view(std::uint32_t view, std::string name, const Value& image);
+    ImageHandle image_in_file(const std::string& uri, std::string name, const Value& image);
     Sampler sampler(std::uint32_t index, const Value& from) const;
     const Document& document_;
     Buffers& buffers_;
     Scene& scene_;
     std::map<std::uint32_t, std::uint32_t> textures_;  // of the file -> of the scene, or none
     std::map<std::uint32_t, ImageHandle> images_;
+    /// Images of one view, or of one file, are one picture: decoded once, under the name of the first.
+    std::map<std::uint32_t, ImageHandle> views_;
+    std::map<std::string, ImageHandle> files_;  ///< by path
 };
 
 }  // namespace rakelight::io::gltf

@@ -70,8 +70,8 @@ Block<T> VertexData::block(std::map<std::uint32_t, Block<T>>& cache, const Value
             return known->second;
         }
     const auto found = find(owner, semantic, {semantic.c_str(), component_counts, float_or_small});
-    document().context().memory().charge(found->count * sizeof(T), "vertex data");
-    Block<T> made(make(*found));
+    MemoryCharge charge(document().context().memory(), found->count * sizeof(T), "vertex data");
+    Block<T> made(make(*found), std::move(charge));
     if (!draco_) cache.emplace(accessor, made);
     return made;
 }
@@ -117,26 +117,25 @@ Block<vec3> VertexData::offsets(const Value& target, const std::string& semantic
     }
     const Elements found = accessors_.elements(accessor, {"a morph target", components(3), float_or_small}, primitive_);
     check_count(found.count, "the morph target's " + semantic);
-    document().context().memory().charge(found.count * sizeof(vec3), "morph targets");
-    return cache_.vec3s.emplace(accessor, to_vec3(found)).first->second;
+    MemoryCharge charge(document().context().memory(), found.count * sizeof(vec3), "morph targets");
+    return cache_.vec3s.emplace(accessor, Block<vec3>(to_vec3(found), std::move(charge))).first->second;
 }
 
-std::vector<std::uint32_t> VertexData::corners() {
-    MemoryBudget& memory = document().context().memory();
+std::vector<std::uint32_t> VertexData::corners(MemoryCharge& charge) {
     if (draco_) {
         std::vector<std::uint32_t> unpacked = draco_->indices();
-        memory.charge(unpacked.size() * sizeof(std::uint32_t), "indices");
+        charge.grow(unpacked.size() * sizeof(std::uint32_t), "indices");
         return unpacked;
     }
     if (!primitive_.has("indices")) {
-        memory.charge(vertex_count() * sizeof(std::uint32_t), "indices");
+        charge.grow(vertex_count() * sizeof(std::uint32_t), "indices");
         std::vector<std::uint32_t> each_once(std::size_t{vertex_count()});
         std::iota(each_once.begin(), each_once.end(), 0u);
         return each_once;
     }
     const Elements elements = accessors_.elements(primitive_.required_index("indices"),
                                                   {"indices", components(1), unsigned_types}, primitive_);
-    memory.charge(elements.count * sizeof(std::uint32_t), "indices");
+    charge.grow(elements.count * sizeof(std::uint32_t), "indices");
     std::vector<std::uint32_t> read = to_integers(elements);
     check_corners(read, vertex_count(), restart_value(elements.type), primitive_);
     return read;

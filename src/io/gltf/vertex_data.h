@@ -39,7 +39,8 @@ public:
 
     /// Corners of the primitive before its mode is looked at: all < vertex_count(). @throws Error: out of range or
     /// restart value.
-    std::vector<std::uint32_t> corners();
+    /// @param charge  grows by what they take
+    std::vector<std::uint32_t> corners(MemoryCharge& charge);
     std::uint64_t vertex_count() const { return count_.value_or(0); }
 
 private:

@@ -67,6 +67,10 @@ bool has_stray_vertices(const std::vector<vec3>& positions) {
 }  // namespace
 
 void detail::add_meshes(import_stream::Import& import, const std::string& path, Scene& scene, Context& context) {
+    const auto block = [&](auto&& array) {  // takes its part of what was charged for the import
+        MemoryCharge charge = import.charge.split(array.size() * sizeof(array[0]));
+        return Block(std::move(array), std::move(charge));
+    };
     for (Part& part : import.parts) {
         Mesh& mesh = scene.meshes.emplace_back();
         mesh.name = std::move(part.name);
@@ -75,18 +79,18 @@ void detail::add_meshes(import_stream::Import& import, const std::string& path, 
         if (has_stray_vertices(part.positions))
             context.report().add(Remark::warning, path, "mesh '" + one_line(mesh.name, 60) + "'", "some vertices lie a million times farther out than half of the others; the file is probably damaged");
         const bool had_tangents = !part.tangents.empty();
-        mesh.influences = influences_of(part);
-        mesh.positions = std::move(part.positions);
-        mesh.indices = std::move(part.indices);
-        mesh.normals = unit_normals(std::move(part.normals));
-        mesh.tangents = unit_tangents(std::move(part.tangents));
+        mesh.influences = block(influences_of(part));
+        mesh.positions = block(std::move(part.positions));
+        mesh.indices = block(std::move(part.indices));
+        mesh.normals = block(unit_normals(std::move(part.normals)));
+        mesh.tangents = block(unit_tangents(std::move(part.tangents)));
         if (had_tangents && mesh.tangents.empty())
             context.report().add(Remark::dropped, path, "mesh '" + one_line(mesh.name, 60) + "'", "the file's tangents hold zeros and are made anew");
-        mesh.smoothing_hint = std::move(part.smoothing_hint);
-        mesh.polygons = std::move(part.polygons);
-        for (auto& set : part.texcoords) mesh.texcoords.emplace_back(v_down(std::move(set)));
-        mesh.colors = linear_colors(std::move(part.colors));
-        for (auto& s : part.shapes) mesh.targets.push_back({std::move(s.name), std::move(s.positions), std::move(s.normals), {}});
+        mesh.smoothing_hint = block(std::move(part.smoothing_hint));
+        mesh.polygons = block(std::move(part.polygons));
+        for (auto& set : part.texcoords) mesh.texcoords.push_back(block(v_down(std::move(set))));
+        mesh.colors = block(linear_colors(std::move(part.colors)));
+        for (auto& s : part.shapes) mesh.targets.push_back({std::move(s.name), block(std::move(s.positions)), block(std::move(s.normals)), {}});
     }
     import.parts.clear();
 }

@@ -145,6 +145,7 @@ Scene scene_from_import(Import&& import, const std::string& path, const std::str
     add_animations(import.document, scene);
     detail::add_lights_and_cameras(import.document, matrices_to_world(scene), path, scene, context);
     if (!draws_something(scene)) throw Error(ErrorCode::bad_file, "nothing to draw: no object has a triangle, line or point");
+    scene.charges.push_back(share(std::move(import.charge)));  // without what the meshes' arrays have taken along
     return scene;
 }
 

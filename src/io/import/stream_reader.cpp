@@ -110,7 +110,7 @@ std::uint64_t Reader::checked_count(std::size_t element_bytes) {
     std::uint64_t count = 0;
     value(count);
     require(count <= ~std::uint64_t(0) / element_bytes, "count of an array");
-    if (count != 0) context_.memory().charge(count * element_bytes, "the imported model");
+    if (count != 0) charge_.grow(count * element_bytes, "the imported model");
     return count;
 }
 
@@ -131,7 +131,7 @@ Import read_import(Source& source, Context& context) {
     Import result;
     transfer(reader, result.document);
     check_document(result.document);
-    context.memory().charge(std::uint64_t(result.document.part_count) * sizeof(Part), "the imported model");
+    reader.charge().grow(std::uint64_t(result.document.part_count) * sizeof(Part), "the imported model");
     for (std::uint32_t i = 0; i < result.document.part_count; ++i) {
         context.throw_if_cancelled();
         Part& part = result.parts.emplace_back();
@@ -141,6 +141,7 @@ Import read_import(Source& source, Context& context) {
     std::uint64_t mark = 0;
     reader.value(mark);
     require(mark == end_mark, "no end mark");
+    result.charge = std::move(reader.charge());
     return result;
 }
 

@@ -35,7 +35,9 @@ private:
 /// Counts are charged to the memory budget and memory is taken in steps as bytes arrive, so a lying count costs nothing.
 class Reader {
 public:
-    Reader(Source& source, Context& context) : source_(source), context_(context) {}
+    Reader(Source& source, Context& context) : source_(source), charge_(context.memory()) {}
+    /// Pays for all that was read.
+    MemoryCharge& charge() { return charge_; }
 
     template <class T> void value(T& v) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -66,10 +68,11 @@ private:
     /// Reads a count and charges count * element_bytes.
     std::uint64_t checked_count(std::size_t element_bytes);
     Source& source_;
-    Context& context_;
+    MemoryCharge charge_;
 };
 
 struct Import {
+    MemoryCharge charge;  ///< pays for all of it
     Document document;
     std::vector<Part> parts;
 };

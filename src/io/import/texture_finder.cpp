@@ -63,17 +63,26 @@ Wrap wrap_of(std::uint32_t mode) {
     return mode == std::uint32_t(WrapMode::clamp) ? Wrap::clamp_to_edge : mode == std::uint32_t(WrapMode::mirror) ? Wrap::mirrored_repeat : Wrap::repeat;
 }
 
+io::Bytes bytes_of(const Picture& p, Context& context) {
+    MemoryCharge charge(context.memory(), p.bytes.size(), "a picture");
+    std::vector<std::byte> bytes(p.bytes.size());
+    std::transform(p.bytes.begin(), p.bytes.end(), bytes.begin(), [](std::uint8_t b) { return std::byte(b); });
+    return charged_bytes(std::move(bytes), std::move(charge));
+}
+
 /// A picture that the model holds as plain pixels: nothing to decode but a copy.
-ImageHandle raw_image(std::string name, const std::string& model, Picture& p) {
+ImageHandle raw_image(std::string name, const std::string& model, Picture& p, Context& context) {
     auto image = std::make_shared<EncodedImage>();
     image->name = std::move(name);
     image->file = model;
-    std::vector<std::byte> bytes(p.bytes.size());
-    std::transform(p.bytes.begin(), p.bytes.end(), bytes.begin(), [](std::uint8_t b) { return std::byte(b); });
-    image->bytes = std::make_shared<const std::vector<std::byte>>(std::move(bytes));
-    image->decode = [width = int(p.width), height = int(p.height)](const EncodedImage& self, Context& context) {
-        context.memory().charge(self.bytes->size(), "a picture");
-        return Pixels{width, height, 4, Component::u8, false, *self.bytes};
+    image->bytes = bytes_of(p, context);
+    const Pixels header{int(p.width), int(p.height), 4, Component::u8, false, {}};
+    image->measure = [header](const EncodedImage&, Context&) { return header; };
+    image->decode = [header](const EncodedImage& self, Context& decoding) {
+        Pixels pixels = header;
+        pixels.charge = share(MemoryCharge(decoding.memory(), self.bytes->size(), "a picture"));
+        pixels.bytes = *self.bytes;
+        return pixels;
     };
     return image;
 }
@@ -97,10 +106,8 @@ ImageHandle TextureTable::embedded(std::uint32_t number) {
         context_.report().add(Remark::warning, model_, name, "an embedded picture is empty or too large and is left out");
         return nullptr;
     }
-    if (p.width != 0) return raw_image(name, model_, p);
-    std::vector<std::byte> bytes(p.bytes.size());
-    std::transform(p.bytes.begin(), p.bytes.end(), bytes.begin(), [](std::uint8_t b) { return std::byte(b); });
-    return image_from_bytes(name, model_, std::make_shared<const std::vector<std::byte>>(std::move(bytes)), mime_of(p));
+    if (p.width != 0) return raw_image(name, model_, p, context_);
+    return image_from_bytes(name, model_, bytes_of(p, context_), mime_of(p));
 }
 
 ImageHandle TextureTable::image(const TextureLink& link) {

@@ -54,7 +54,7 @@ private:
         const std::string key = canonical(ascii_lower(line.keyword.text));
         line_ = line.number;
         if (key == "newmtl") {
-            context_.memory().charge(sizeof(MtlMaterial), "the materials of an MTL file");
+            context_.memory().check((materials_.size() + 1) * sizeof(MtlMaterial), "the materials of an MTL file");
             materials_.emplace_back();
             materials_.back().name = name_text(file_, line.keyword.end(), line.end);
             materials_.back().line = line_;

@@ -77,6 +77,7 @@ void MaterialLibrary::finish() {
         context_.report().add(
             Remark::warning, model_path_, {},
             std::to_string(remarks_made_ - most_remarks) + " more remarks about materials and textures");
+    scene_.charges.push_back(share(std::move(charge_)));
 }
 
 void MaterialLibrary::load(const std::string& argument) {
@@ -122,7 +123,7 @@ bool MaterialLibrary::load_file(const std::string& reference) {
 std::uint32_t MaterialLibrary::find(const std::string& name, std::uint64_t line) {
     const auto [entry, is_new] = by_name_.try_emplace(name, std::uint32_t(scene_.materials.size()));
     if (!is_new) return entry->second;
-    context_.memory().charge(sizeof(Material) + name.size(), "the materials of an OBJ file");
+    charge_.grow(sizeof(Material) + name.size(), "the materials of an OBJ file");
     scene_.materials.push_back(default_material(name.empty() ? "default" : name));
     if (!name.empty())
         remark(Remark::warning, model_path_, line,
@@ -133,7 +134,7 @@ std::uint32_t MaterialLibrary::find(const std::string& name, std::uint64_t line)
 void MaterialLibrary::add(const MtlMaterial& source, const File& file, Remarks& remarks) {
     if (!by_name_.emplace(source.name, std::uint32_t(scene_.materials.size())).second)
         return remarks.add(Issue::mtl_redefined, source.line);
-    context_.memory().charge(sizeof(Material) + source.name.size(), "the materials of an MTL file");
+    charge_.grow(sizeof(Material) + source.name.size(), "the materials of an MTL file");
     Material m = default_material(source.name);
     m.base_color_texture = use(source.map("map_kd"), file);
     m.emission_texture = use(source.map("map_ke"), file);

@@ -36,7 +36,7 @@ bool is_normal_map_name(const std::string& file);
 class MaterialLibrary {
 public:
     MaterialLibrary(Scene& scene, std::string model_path, bool allow_outside, Context& context)
-        : scene_(scene), context_(context), model_path_(model_path), finder_(std::move(model_path), allow_outside) {}
+        : scene_(scene), context_(context), charge_(context.memory()), model_path_(model_path), finder_(std::move(model_path), allow_outside) {}
 
     /// Reads what one mtllib line names: one file whose name may hold blanks, else several. What is missing is a
     /// warning.
@@ -44,7 +44,7 @@ public:
     /// For usemtl: index into Scene::materials; an undefined name becomes a default material with a warning, the empty
     /// name the default one (light gray, k_d 0.8 as display value, no highlight).
     std::uint32_t find(const std::string& name, std::uint64_t line);
-    void finish();  ///< says how many warnings were held back
+    void finish();  ///< says how many warnings were held back; the scene gets the charge for its materials
 
 private:
     struct File {
@@ -62,6 +62,7 @@ private:
 
     Scene& scene_;
     Context& context_;
+    MemoryCharge charge_;  ///< pays for the scene's materials
     std::string model_path_;
     ReferenceFinder finder_;
     NameMap<std::uint32_t> by_name_;

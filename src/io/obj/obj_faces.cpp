@@ -43,6 +43,12 @@ std::uint32_t resolved(std::int64_t written, std::uint64_t seen, std::uint64_t t
     return back != 0 && back <= seen ? std::uint32_t(seen - back) : none;
 }
 
+/// An entry of a table by names, without what a long name keeps outside.
+constexpr std::uint64_t group_bytes = sizeof(std::string) + 48;
+
+/// What a string keeps outside itself, at most.
+std::uint64_t heap_bytes(const std::string& text) { return text.size() < 16 ? 0 : text.size() + 1; }
+
 class ElementReader {
 public:
     ElementReader(std::string_view file, const Contents& contents, const VertexData& data,
@@ -53,7 +59,10 @@ public:
           find_material_(find_material),
           remarks_(remarks),
           context_(context),
-          observe_(observe) {}
+          observe_(observe),
+          charge_(context.memory()) {
+        elements_.charge = MemoryCharge(context.memory());
+    }
 
     Elements read(const std::string& default_object) {
         name_ = default_object;
@@ -139,14 +148,19 @@ private:
     GrowingMesh& mesh(Topology topology, bool has_normals) {
         if (object_ == none) {
             object_ = std::uint32_t(elements_.objects.size());
+            make_room(elements_.objects, elements_.charge);
+            elements_.charge.grow(heap_bytes(name_), "the names of an OBJ file");
             elements_.objects.push_back(name_);
-            if (!contents_.has_objects) groups_.emplace(name_, object_);
+            if (!contents_.has_objects) {
+                charge_.grow(group_bytes + heap_bytes(name_), "the names of an OBJ file");
+                groups_.emplace(name_, object_);
+            }
         }
         if (!is_material_known_) {
             material_ = find_material_(material_name_, material_line_);
             is_material_known_ = true;
         }
-        return elements_.meshes.mesh({object_, material_, topology, has_normals});
+        return elements_.meshes.mesh({object_, material_, topology, has_normals}, elements_.charge);
     }
 
     // --- elements ---
@@ -168,7 +182,7 @@ private:
                 c.normal = resolved(*token->normal, seen_normals_, contents_.normals);
                 if (c.normal == none) remarks_.add(Issue::face_normal_index, line_);
             }
-            push_charged(corners_, c, context_.memory());
+            push_charged(corners_, c, charge_);
         }
         return true;
     }
@@ -196,7 +210,7 @@ private:
                 is_drawable = is_drawable && is_finite(data_.positions[c.position]);
             }
             elements_.drawable += is_drawable;
-            if (contents_.has_smoothing) push_charged(target.smoothing, smoothing_, context_.memory());
+            if (contents_.has_smoothing) push_charged(target.smoothing, smoothing_, elements_.charge);
         }
     }
 
@@ -204,7 +218,7 @@ private:
     void add_polygon(GrowingMesh& target) {
         const std::size_t first = target.indices.size() / 3, end = first + triangles_.size() / 3;
         for (std::size_t t = target.polygons.size(); t < end; ++t)
-            push_charged(target.polygons, std::uint32_t(std::min(t, first)), context_.memory());
+            push_charged(target.polygons, std::uint32_t(std::min(t, first)), elements_.charge);
     }
 
     void cut() {
@@ -248,8 +262,7 @@ private:
     }
 
     void add_index(GrowingMesh& target, const Corner& corner) {
-        MemoryBudget& budget = context_.memory();
-        push_charged(target.indices, target.table.index_of(corner, budget), budget);
+        push_charged(target.indices, target.table.index_of(corner, elements_.charge), elements_.charge);
     }
 
     std::string_view file_;
@@ -266,6 +279,7 @@ private:
     NameMap<std::uint32_t> groups_;  ///< name -> object, in files without `o`
     std::uint32_t object_ = none, material_ = none, smoothing_ = 0;
     bool is_material_known_ = false;
+    MemoryCharge charge_;          ///< pays for groups_ and corners_
     std::vector<Corner> corners_;  ///< of the element at hand
     std::vector<dvec3> polygon_;
     std::vector<std::uint32_t> triangles_;

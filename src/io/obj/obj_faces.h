@@ -29,6 +29,7 @@ using FaceObserver = std::function<void(const ReadFace& face)>;
 struct Elements {
     std::vector<std::string> objects;  ///< names, in order of their first face, line or point
     MeshSet meshes;                    ///< MeshKey::object counts `objects`
+    MemoryCharge charge;               ///< pays for the names, the table of meshes and what grows in it
     std::uint64_t drawable = 0;        ///< triangles, segments and points whose corners are all finite
 };
 

@@ -21,14 +21,19 @@ struct Corner {
     bool operator==(const Corner&) const = default;
 };
 
-/// A vector whose growth is charged to the budget before it happens.
+/// Room for one more element: its growth is charged before it happens, and the old room is given back after it.
 template <class T>
-void push_charged(std::vector<T>& array, const T& value, MemoryBudget& budget) {
-    if (array.size() == array.capacity()) {
-        const std::size_t capacity = array.empty() ? 16 : 2 * array.size();
-        budget.charge(capacity * sizeof(T), "the faces of an OBJ file");
-        array.reserve(capacity);
-    }
+void make_room(std::vector<T>& array, MemoryCharge& charge) {
+    if (array.size() < array.capacity()) return;
+    const std::size_t before = array.capacity(), capacity = before == 0 ? 3 : 2 * before;  // most faces are triangles
+    charge.grow(capacity * sizeof(T), "the faces of an OBJ file");
+    array.reserve(capacity);
+    charge.shrink(before * sizeof(T));
+}
+
+template <class T>
+void push_charged(std::vector<T>& array, const T& value, MemoryCharge& charge) {
+    make_room(array, charge);
     array.push_back(value);
 }
 
@@ -37,13 +42,15 @@ std::uint64_t hash_of(const Corner& corner, HashKey key);
 /// Numbers unique corners in order of first use. Expected O(1) a corner.
 class CornerTable {
 public:
-    std::uint32_t index_of(const Corner& corner, MemoryBudget& budget);
+    /// @param charge  grows by what the table takes more
+    std::uint32_t index_of(const Corner& corner, MemoryCharge& charge);
+    std::uint64_t bytes() const;  ///< of its arrays
     const std::vector<Corner>& corners() const { return corners_; }
     /// Full slots in a row: as far as a look for a corner can go.
     std::size_t longest_run() const;
 
 private:
-    void grow(MemoryBudget& budget);
+    void grow(MemoryCharge& charge);
     HashKey key_ = hash_key_of_this_run();
     std::vector<Corner> corners_;
     std::vector<std::uint32_t> slots_;  ///< open addressing, a power of two, at most half full
@@ -62,12 +69,14 @@ struct GrowingMesh {
     CornerTable table;
     std::vector<std::uint32_t> indices, smoothing;
     std::vector<std::uint32_t> polygons;  ///< Mesh::polygons up to the last face of more than three corners
+    std::uint64_t bytes() const;          ///< of its arrays
 };
 
 /// All meshes of a file, in order of first use.
 class MeshSet {
 public:
-    GrowingMesh& mesh(const MeshKey& key);  ///< finds or begins it; the reference holds until the next call
+    /// Finds or begins it; the reference holds until the next call. @param charge  grows by what a new one takes
+    GrowingMesh& mesh(const MeshKey& key, MemoryCharge& charge);
     std::vector<GrowingMesh>& meshes() { return meshes_; }
 
 private:
@@ -86,8 +95,9 @@ private:
 /// equal.
 dvec3 choose_origin(const std::vector<dvec3>& positions, const std::vector<GrowingMesh>& meshes);
 
-/// The finished mesh; `growing` is emptied. Charges its blocks to the budget.
+/// The finished mesh, whose blocks have charges of their own; `growing` is emptied.
+/// @param charge  has paid for `growing` and gives back what that took
 Mesh finish_mesh(GrowingMesh& growing, const VertexData& data, dvec3 origin, bool has_smoothing, Remarks& remarks,
-                 Context& context);
+                 MemoryCharge& charge, Context& context);
 
 }  // namespace rakelight::io::obj

@@ -44,6 +44,7 @@ class VertexReader {
 public:
     VertexReader(const Contents& contents, Remarks& remarks, Context& context)
         : contents_(contents), remarks_(remarks), context_(context) {
+        data_.charge = MemoryCharge(context.memory());
         reserve(data_.positions, contents.positions, "the vertices of an OBJ file");
         reserve(data_.texcoords, contents.texcoords, "the texture coordinates of an OBJ file");
         reserve(data_.normals, contents.normals, "the normals of an OBJ file");
@@ -92,13 +93,13 @@ public:
 private:
     template <class T>
     void reserve(std::vector<T>& array, std::uint64_t count, const char* what) {
-        context_.memory().charge(count * sizeof(T), what);  // counts are below 2^32
+        data_.charge.grow(count * sizeof(T), what);  // counts are below 2^32
         array.reserve(std::size_t(count));
     }
 
     void color(const Numbers& n, std::uint64_t line) {
         if (data_.colors.empty()) {
-            context_.memory().charge(contents_.positions * (sizeof(vec4) + 1), "the vertex colors of an OBJ file");
+            data_.charge.grow(contents_.positions * (sizeof(vec4) + 1), "the vertex colors of an OBJ file");
             data_.colors.resize(std::size_t(contents_.positions), {1, 1, 1, 1});
             data_.has_color.resize(std::size_t(contents_.positions));
         }

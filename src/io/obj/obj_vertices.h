@@ -28,6 +28,7 @@ struct VertexData {
     std::vector<bool> has_color;   ///< [colors]
     std::vector<vec2> texcoords;   ///< v down, finite
     std::vector<vec3> normals;     ///< unit; (0, 0, 0) where the file's is unusable
+    MemoryCharge charge;
 };
 
 /// @throws Error bad_file: UTF-16 text, more than 2^32 - 2 vertices of a kind; failed: cancelled

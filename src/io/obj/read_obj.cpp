@@ -19,23 +19,27 @@ using namespace obj;
 void add_objects(Scene& scene, Elements& elements, const VertexData& data, bool has_smoothing, Remarks& remarks,
                  Context& context) {
     const dvec3 origin = choose_origin(data.positions, elements.meshes.meshes());
-    context.memory().charge(elements.objects.size() * sizeof(Node) + elements.meshes.meshes().size() * sizeof(Mesh),
-                            "the objects of an OBJ file");
+    const std::size_t meshes = elements.meshes.meshes().size();
+    MemoryCharge charge(context.memory(),
+                        elements.objects.size() * sizeof(Node) + meshes * (sizeof(Mesh) + sizeof(std::uint32_t)),
+                        "the objects of an OBJ file");
     scene.nodes.resize(elements.objects.size());
+    scene.meshes.reserve(meshes);
     for (std::size_t i = 0; i < elements.objects.size(); ++i) scene.nodes[i].name = elements.objects[i];
     std::set<std::pair<std::uint32_t, std::uint32_t>> without_normals;  // object and material
     for (GrowingMesh& growing : elements.meshes.meshes()) {
         const MeshKey& key = growing.key;
         scene.nodes[key.object].meshes.push_back(std::uint32_t(scene.meshes.size()));
-        scene.meshes.push_back(finish_mesh(growing, data, origin, has_smoothing, remarks, context));
+        scene.meshes.push_back(finish_mesh(growing, data, origin, has_smoothing, remarks, elements.charge, context));
         const std::string& name = elements.objects[key.object];
-        context.memory().charge(name.size(), "the names of an OBJ file");  // each mesh has its own copy
+        charge.grow(name.size(), "the names of an OBJ file");  // each mesh has its own copy
         scene.meshes.back().name = name;
         if (key.topology == Topology::triangles && !key.has_normals) without_normals.emplace(key.object, key.material);
     }
     for (const GrowingMesh& m : elements.meshes.meshes())
         if (m.key.has_normals && without_normals.count({m.key.object, m.key.material}))
             remarks.add(Issue::normals_missing, 0);
+    scene.charges.push_back(share(std::move(charge)));
 }
 
 Scene scene_of(std::string_view text, const std::string& path, const ReadOptions& options, Remarks& remarks,

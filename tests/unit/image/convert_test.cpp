@@ -52,13 +52,6 @@ TEST(ToRgba32f, MakesFloatsFiniteAndLeavesThemOtherwiseAlone) {
     EXPECT_EQ(to_rgba32f(gray, ColorSpace::srgb, context)[0], (vec4{0.25f, 0.25f, 0.25f, 1}));
 }
 
-TEST(ToRgba, AsksTheBudgetFirst) {
-    Context small({.max_memory = 99});
-    const auto picture = picture_of<std::uint8_t>(5, 5, 3, [](int, int, int) { return 1; });
-    EXPECT_THROW(to_rgba8(picture, small), Error);
-    EXPECT_THROW(to_rgba32f(picture, ColorSpace::linear, small), Error);
-}
-
 TEST(ToRgba, APictureWithoutPixelsGivesNone) {
     Context context;
     EXPECT_TRUE(to_rgba8(Pixels{0, 0, 3, Component::u8, false, {}}, context).empty());

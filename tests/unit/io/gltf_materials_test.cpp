@@ -169,6 +169,27 @@ TEST(GltfTextures, ReferencesThatCannotBeUsedAreLeftOut) {
     }
 }
 
+TEST(GltfTextures, ImagesOfOneFileOrOneViewAreOnePicture) {
+    const TestFolder folder;
+    folder.write("a.png", "x");
+    GltfFile file = textured(R"([{"source": 0}, {"source": 1}, {"source": 2}, {"source": 3}])",
+                             R"([{"uri": "a.png", "name": "first"}, {"uri": "%61.png", "name": "second"}, {}, {}])");
+    const int view = file.view(std::vector<std::uint8_t>(100, 7));
+    for (const std::size_t i : {2, 3}) file.root["images"][i] = {{"bufferView", view}, {"mimeType", "image/png"}};
+    auto& material = file.root["materials"][0];
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 1}};
+    material["occlusionTexture"] = {{"index", 2}};
+    material["emissiveTexture"] = {{"index", 3}};
+    folder.write("data.bin", file.data);
+    Context context({.threads = 1});
+    const Scene scene = io::read_gltf(folder.write("model.gltf", file.text()), {}, context);
+    const Material& m = scene.materials[0];
+    const auto image_of = [&](const TextureUse& use) { return scene.textures.at(use.texture).image; };
+    EXPECT_EQ(image_of(m.normal_texture), image_of(m.base_color_texture));
+    EXPECT_EQ(image_of(m.occlusion_texture), image_of(m.emission_texture));
+    EXPECT_NE(image_of(m.normal_texture), image_of(m.occlusion_texture));
+}
+
 TEST(GltfTextures, PercentEncodedNamesAreFound) {
     const TestFolder folder;
     folder.write("two words.png", "x");

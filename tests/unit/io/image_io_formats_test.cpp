@@ -275,6 +275,31 @@ TEST(EncodedImages, NameTheirFileAndPlaceInErrors) {
     EXPECT_EQ(error_of([&] { nothing->decode(*nothing, context); }).code(), ErrorCode::bad_file);
 }
 
+TEST(EncodedImages, AreMeasuredAsTheyWillBeDecodedWithoutMemory) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "a.jpg", "a.webp", "a.exr", "a.hdr"})
+        for (const int channels : {1, 3}) {
+            if (channels == 1 && std::string_view(name) == "a.hdr") continue;
+            write_image(folder.path(name), noise_picture(37, 21, channels, component_for(name)));
+            const ImageHandle image = image_from_file("a", "m.gltf", folder.path(name));
+            Context context;
+            const Pixels decoded = image->decode(*image, context);
+            Context small({.max_memory = std::filesystem::file_size(folder.path(name))});
+            const Pixels measured = image->measure(*image, small);
+            EXPECT_TRUE(measured.bytes.empty()) << name;
+            EXPECT_EQ(measured.width, decoded.width) << name;
+            EXPECT_EQ(measured.height, decoded.height) << name;
+            EXPECT_EQ(measured.channels, decoded.channels) << name;
+            EXPECT_EQ(measured.component, decoded.component) << name;
+            EXPECT_EQ(small.memory().charged(), 0u) << name;
+            EXPECT_EQ(context.memory().charged(), decoded.bytes.size()) << name;
+        }
+    std::ofstream(folder.path("b.bmp")) << "BM";
+    const ImageHandle broken = image_from_file("b", "m.gltf", folder.path("b.bmp"));
+    Context context;
+    EXPECT_EQ(error_of([&] { broken->measure(*broken, context); }).file(), folder.path("b.bmp"));
+}
+
 TEST(ImageWriting, EndingsSayTheComponentAndUnknownOnesAreAnErrorOfUsage) {
     EXPECT_EQ(component_for("a.PNG"), Component::u8);
     EXPECT_EQ(component_for("x/b.jpeg"), Component::u8);

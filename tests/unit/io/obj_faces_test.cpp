@@ -287,8 +287,10 @@ TEST_F(ObjFaces, CornersMadeToMeetInOneSlotDoNot) {
         EXPECT_GT(slots.size(), 800u);
     }
     obj::CornerTable table;  // in its 2048 slots all would meet in the first
-    Context context;
-    for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(table.index_of(corners[i], context.memory()), i);
+    MemoryBudget memory;
+    MemoryCharge charge(memory);
+    for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(table.index_of(corners[i], charge), i);
+    EXPECT_EQ(charge.bytes(), table.bytes());
     EXPECT_LT(table.longest_run(), 200u);
 }
 

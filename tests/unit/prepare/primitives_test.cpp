@@ -198,7 +198,8 @@ TEST(Primitives, ChargeWhatTheirArraysHoldBeforeTheyAreMade) {
             r.objects = objects;
             MemoryBudget memory;
             std::uint64_t held = 0;
-            for (const Mesh& mesh : make_primitive(r, &memory).meshes)
+            const Scene scene = make_primitive(r, &memory);
+            for (const Mesh& mesh : scene.meshes)
                 held += mesh.positions.size() * 32 + mesh.indices.size() * 4;
             EXPECT_EQ(memory.charged(), held) << name_of(shape) << objects;
             MemoryBudget small(held - 1);

@@ -72,7 +72,8 @@ TEST(Teapot, RefusesDivisionsOutsideItsRange) {
     for (const int n : {1, 9}) {
         MemoryBudget memory;
         std::uint64_t held = 0;
-        for (const Mesh& mesh : make_teapot(n, &memory).meshes)
+        const Scene scene = make_teapot(n, &memory);
+        for (const Mesh& mesh : scene.meshes)
             held += mesh.positions.size() * 20 + mesh.indices.size() * 4;
         EXPECT_EQ(memory.charged(), held) << n;
     }

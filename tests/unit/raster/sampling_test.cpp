@@ -202,6 +202,32 @@ TEST(Sampling, BrokenPicturesAreReportedInTheOrderOfTheirUseForAnyNumberOfThread
     }
 }
 
+TEST(Sampling, PicturesThatDoNotFitAreLeftOutBeforeTheyAreDecoded) {
+    Scene scene;
+    int decoded = 0;
+    for (int i = 0; i < 8; ++i) {
+        auto image = std::make_shared<EncodedImage>();
+        const int side = i == 0 ? 16000 : 64;
+        image->name = std::to_string(i);
+        image->measure = [side](const EncodedImage&, Context&) { return Pixels{side, side, 1, Component::u8, false, {}}; };
+        image->decode = [side, &decoded](const EncodedImage&, Context&) {
+            ++decoded;
+            return Pixels{side, side, 1, Component::u8, false, std::vector<std::byte>(std::size_t(side) * std::size_t(side))};
+        };
+        Material m = matte();
+        m.base_color_texture = add_texture(scene, image);
+        scene.materials.push_back(m);
+        add_object(scene, square_mesh(std::uint32_t(i)));
+    }
+    Context context({.threads = 1, .max_memory = 200'000});  // a small one is kept as 48 kB
+    raster::make_engine()->prepare(scene, context);
+    EXPECT_EQ(decoded, 3);
+    const std::vector<ReportEntry> entries = context.report().entries();
+    ASSERT_EQ(entries.size(), 5u);
+    EXPECT_EQ(entries[0].place, "0");
+    EXPECT_EQ(entries[1].place, "4");
+}
+
 /// Which textures are left out when memory is short is a matter of their order, never of threads; what only decoding needed
 /// is given back.
 TEST(Sampling, ShortMemoryLeavesOutTheSameTexturesForAnyNumberOfThreads) {
@@ -211,9 +237,13 @@ TEST(Sampling, ShortMemoryLeavesOutTheSameTexturesForAnyNumberOfThreads) {
         image->name = std::to_string(i);
         const int side = 32 << (i * 5 % 3);
         image->decode = [side](const EncodedImage&, Context& context) {
-            context.memory().charge(std::uint64_t(3) * std::uint64_t(side * side), "the picture");
-            return rgb_pixels(side, side, [](int, int) { return std::array<int, 3>{200, 100, 50}; });
+            MemoryCharge charge(context.memory(), std::uint64_t(3) * std::uint64_t(side * side), "the picture");
+            Pixels pixels = rgb_pixels(side, side, [](int, int) { return std::array<int, 3>{200, 100, 50}; });
+            pixels.charge = share(std::move(charge));
+            return pixels;
         };
+        if (i % 4 != 0)
+            image->measure = [side](const EncodedImage&, Context&) { return Pixels{side, side, 3, Component::u8, false, {}}; };
         Material m = matte();
         m.base_color_texture = add_texture(scene, image);
         scene.materials.push_back(m);

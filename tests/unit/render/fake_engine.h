@@ -12,7 +12,8 @@ namespace rakelight::test {
 class FakeEngine final : public Engine {
 public:
     std::string name() const override { return "fake"; }
-    void prepare(const Scene& scene, Context&) override { prepared = scene; }
+    void prepare(Scene scene, Context&) override { prepared = std::move(scene); }
+    const Scene& scene() const override { return prepared; }
 
     RenderStats render(const Camera& c, const RenderSettings& s, Sink& sink, Context& context) override {
         camera = c;

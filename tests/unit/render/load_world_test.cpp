@@ -422,7 +422,7 @@ TEST_F(LoadWorld, EqualShapesShareTheirArraysAndAreChargedOnce) {
     EXPECT_GT(once, s.meshes.at(0).positions.size() * 32);
     s = load_text(sphere + "position = [3, 0, 0]\n" + sphere + pot + pot + "name = 'other'\n" + sphere);
     EXPECT_EQ(s.meshes.at(0).positions.data(), s.meshes.at(1).positions.data());
-    EXPECT_LT(context_.memory().charged(), 2 * once + 10'000);  // the text's bytes besides
+    EXPECT_LT(context_.memory().charged(), once + 10'000);
 }
 
 TEST_F(LoadWorld, ShapesBeyondTheBudgetAreRefusedWithTheirPlace) {

@@ -174,10 +174,14 @@ TEST_F(Picture, ExrHoldsLinearLight) {
 class FailingEngine final : public Engine {
 public:
     std::string name() const override { return "failing"; }
-    void prepare(const Scene&, Context&) override {}
+    void prepare(Scene scene, Context&) override { scene_ = std::move(scene); }
+    const Scene& scene() const override { return scene_; }
     RenderStats render(const Camera&, const RenderSettings&, Sink&, Context&) override {
         throw Error(ErrorCode::failed, "cancelled");
     }
+
+private:
+    Scene scene_;
 };
 
 TEST_F(Picture, NothingIsLeftBehindWhenAnEngineFails) {

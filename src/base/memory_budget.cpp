@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/memory_budget.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <rakelight/error.h>
+
+#include "base/assert.h"
+
+namespace rakelight {
+
+/// Shared by a budget and its charges, so that these may outlive it.
+struct MemoryBudget::Account {
+    explicit Account(std::uint64_t max) : max_bytes(max) {}
+    std::uint64_t limit() const noexcept;
+    void require(std::uint64_t before, std::uint64_t bytes, std::string_view what);
+    void charge(std::uint64_t bytes, std::string_view what);
+
+    const std::uint64_t max_bytes;  ///< 0: the default rule
+    std::atomic<std::uint64_t> read_bytes{0}, charged{0}, refusals{0};
+};
+
+namespace {
+
+constexpr std::uint64_t default_limit = 2ull << 30;
+constexpr std::uint64_t bytes_per_byte_read = 64;
+
+std::string too_much(std::string_view what, std::uint64_t bytes, std::uint64_t limit) {
+    return std::string(what) + " needs " + std::to_string(bytes) + " bytes, more than the limit of " +
+           std::to_string(limit);
+}
+
+}  // namespace
+
+std::uint64_t MemoryBudget::Account::limit() const noexcept {
+    if (max_bytes != 0) return max_bytes;
+    const std::uint64_t read = read_bytes;
+    const std::uint64_t explained = read > ~0ull / bytes_per_byte_read ? ~0ull : read * bytes_per_byte_read;
+    return explained > default_limit ? explained : default_limit;
+}
+
+void MemoryBudget::Account::require(std::uint64_t before, std::uint64_t bytes, std::string_view what) {
+    const std::uint64_t allowed = limit();
+    if (bytes <= allowed && before <= allowed - bytes) return;
+    ++refusals;
+    throw Error(ErrorCode::bad_file, too_much(what, bytes, allowed), {}, "raise it with --max-memory if you trust the file");
+}
+
+void MemoryBudget::Account::charge(std::uint64_t bytes, std::string_view what) {
+    std::uint64_t before = charged;
+    do require(before, bytes, what);  // and again where another thread charged in between
+    while (!charged.compare_exchange_weak(before, before + bytes));
+}
+
+MemoryBudget::MemoryBudget(std::uint64_t max_bytes) : account_(std::make_shared<Account>(max_bytes)) {}
+
+void MemoryBudget::note_read(std::uint64_t bytes) noexcept { account_->read_bytes += bytes; }
+void MemoryBudget::check(std::uint64_t bytes, std::string_view what) const { account_->require(account_->charged, bytes, what); }
+std::uint64_t MemoryBudget::charged() const noexcept { return account_->charged; }
+std::uint64_t MemoryBudget::limit() const noexcept { return account_->limit(); }
+std::uint64_t MemoryBudget::refusals() const noexcept { return account_->refusals; }
+
+MemoryCharge::MemoryCharge(MemoryBudget& budget, std::uint64_t bytes, std::string_view what) {
+    budget.account_->charge(bytes, what);
+    account_ = budget.account_;
+    bytes_ = bytes;
+}
+
+MemoryCharge::MemoryCharge(MemoryCharge&& from) noexcept
+    : account_(std::move(from.account_)), bytes_(from.bytes_.exchange(0)) {}
+
+MemoryCharge& MemoryCharge::operator=(MemoryCharge&& from) noexcept {
+    MemoryCharge old(std::move(*this));  // gives back what this paid for
+    account_ = std::move(from.account_);
+    bytes_ = from.bytes_.exchange(0);
+    return *this;
+}
+
+MemoryCharge::~MemoryCharge() {
+    if (account_) account_->charged -= bytes_;
+}
+
+void MemoryCharge::grow(std::uint64_t bytes, std::string_view what) {
+    RL_ASSERT(account_, "a charge of no budget cannot grow");
+    account_->charge(bytes, what);
+    bytes_ += bytes;
+}
+
+void MemoryCharge::shrink(std::uint64_t bytes) noexcept {
+    if (!account_) return;
+    bytes_ -= bytes;
+    account_->charged -= bytes;
+}
+
+MemoryCharge MemoryCharge::split(std::uint64_t bytes) noexcept {
+    MemoryCharge part;
+    part.account_ = account_;
+    part.bytes_ = std::min(bytes, bytes_.load());
+    bytes_ -= part.bytes_;
+    return part;
+}
+
+}  // namespace rakelight
