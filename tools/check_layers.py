@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks every #include against the tables below: modules include only downwards, a library appears in one module only,
 public headers name no library, sources that are compiled per instruction set include only what those may, the shared
-lighting text uses no word that GLSL reserves, and no hash table takes std::hash, for which a file can choose its names. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
+lighting text uses no word that GLSL reserves, no hash table takes std::hash, for which a file can choose its names, and tests
+have temporary files in one way. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
 import argparse
 import concurrent.futures
 import os
@@ -37,7 +38,7 @@ PUBLIC = {
     "vector": "math",
     "block": "image", "image": "image",
     "attributes": "geometry",
-    "scene": "scene", "light_limits": "scene", "words": "scene", "world": "io",
+    "scene": "scene", "light_limits": "scene", "words": "scene", "world": "io", "unfinished_outputs": "io",
     "prepare": "prepare",
     "engine": "engines",
     "render": "render",
@@ -142,6 +143,12 @@ def check_file(path, wrong):
             wrong.append(f"{where}: is compiled per instruction set and may not include \"{name}\"")
 
 
+def check_temporary_files(path, wrong):
+    """Names that two processes may choose alike make tests of two users, or of two builds, disturb each other."""
+    if path.name != "temporary_folder.h" and re.search(r"temp_directory_path|TempDir\(|mkdtemp|tmpnam|mkstemp", (ROOT / path).read_text()):
+        wrong.append(f"{path}: tests have their files in a TemporaryFolder (tests/support/temporary_folder.h)")
+
+
 def check_glsl(path, wrong):
     code = re.sub(r"//[^\n]*", "", (ROOT / path).read_text())
     for word in sorted(set(re.findall(r"\b[a-z]\w*\b", code)) & GLSL_RESERVED):
@@ -195,6 +202,8 @@ def main():
             check_hash_tables(path, wrong)
         if path.suffix == ".glsl":
             check_glsl(path, wrong)
+    for path in sources("tests", "fuzz", "bench"):
+        check_temporary_files(path, wrong)
     if options.compile:
         headers = [p for p in sources("src", "include") if p.suffix == ".h"]
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -201,7 +201,7 @@ int run_bench(const Options& options) {
     // What the machine has not is refused, for a model that is too large is not told so by the system: the process is ended.
     const std::uint64_t memory = options.max_memory != 0 ? options.max_memory : std::min(memory_for(request), memory_of_machine());
     Context context({.threads = options.threads, .max_memory = memory, .progress = progress.callback()});
-    const CancelOnInterrupt guard(context);
+    const CancelOnInterrupt guard(context, {});
     std::string text;
     if (request.is_render) {
         RenderBenchOptions render = request.render;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t max_lines = 20;  ///< warnings a file
 constexpr std::size_t max_text = 600;  ///< bytes of a message
+constexpr const char* wipe_line = "\r\033[K";
 
 bool has_colors() {
     static const bool answer = [] {
@@ -24,11 +25,15 @@ bool has_colors() {
     return answer;
 }
 
-/// One write a line, so that lines of several processes do not mix.
-void print_line(const char* kind, const char* color, const std::string& text) {
+std::string line_of(const char* kind, const char* color, const std::string& text) {
     std::string line = "rakelight: ";
     if (*kind) line += has_colors() ? std::string(color) + kind + ":\033[0m " : std::string(kind) + ": ";
-    line += text + "\n";
+    return line + text + "\n";
+}
+
+/// One write a line, so that lines of several processes do not mix.
+void print_line(const char* kind, const char* color, const std::string& text) {
+    const std::string line = line_of(kind, color, text);
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
@@ -53,6 +58,10 @@ double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock:
 }  // namespace
 
 void print_error(const Error& error) { print_line("error", "\033[31m", error.what()); }
+
+std::string error_line(const Error& error) {
+    return (isatty(STDERR_FILENO) ? wipe_line : "") + line_of("error", "\033[31m", error.what());
+}
 
 void print_remarks(const Report& report, Loudness loudness) {
     if (loudness == Loudness::quiet) return;
@@ -108,7 +117,7 @@ ProgressLine::ProgressLine(const std::string& file, Loudness loudness)
     : file_(one_line(file, 40)), enabled_(loudness != Loudness::quiet && isatty(STDERR_FILENO)), start_s_(now_s()) {}
 
 void ProgressLine::wipe() {
-    if (shown_) std::fputs("\r\033[K", stderr);
+    if (shown_) std::fputs(wipe_line, stderr);
     shown_ = false;
 }
 

@@ -16,6 +16,9 @@ namespace rakelight::cli {
 
 enum class Loudness { quiet, normal, verbose };
 
+/// The line of print_error(), with what wipes a progress line on a terminal: for who may not call print_error().
+std::string error_line(const Error& error);
+
 /// "rakelight: error: FILE: PLACE: REASON; ADVICE". Errors are shown at any loudness.
 void print_error(const Error& error);
 

@@ -67,7 +67,8 @@ space:
 All else is 0 where nothing is.
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
 4 file broken or nothing to draw; of several inputs the largest. A signal ends
-the program as that signal (130 and 143 in a shell).)";
+the program as that signal (130 and 143 in a shell) within half a second: no
+unfinished file stays; --json prints nothing where work had to be broken off.)";
 
 inline constexpr const char* inspect_footer =
     R"(Borders are world positions that two objects share. Their angle says how far

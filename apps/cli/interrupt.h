@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C, SIGTERM and SIGHUP cancel the run, so that no temporary file stays; a second one ends the program at once.
-// SIGXFSZ is ignored: writing beyond the file size limit is an error with a message then.
+// Ctrl-C, SIGTERM and SIGHUP cancel the run, so that no temporary file stays. What does not stop by itself within 0.3
+// seconds (the work of a library that cannot be cancelled) is ended then, and a second signal ends the program at once:
+// without the rows of --json, but without temporary files, too. The import helper dies with its parent. SIGXFSZ is
+// ignored: writing beyond the file size limit is an error with a message then.
 #pragma once
+#include <string>
+
 #include <rakelight/context.h>
 
 namespace rakelight::cli {
 
 class CancelOnInterrupt {
 public:
-    explicit CancelOnInterrupt(Context& context);
+    /// @param file  the input that a message names
+    CancelOnInterrupt(Context& context, const std::string& file);
     ~CancelOnInterrupt();
     CancelOnInterrupt(const CancelOnInterrupt&) = delete;
     CancelOnInterrupt& operator=(const CancelOnInterrupt&) = delete;
@@ -18,6 +23,9 @@ public:
 
     /// Ends the program by the signal that came, so that a shell sees it and stops its loop too; returns where none came.
     static void die_of_signal();
+
+private:
+    std::string last_words_;
 };
 
 }  // namespace rakelight::cli

@@ -18,7 +18,7 @@ template <class Row>
 int run_file(const Options& options, const std::string& file, Row& row, const std::function<void(Context&)>& work) {
     ProgressLine progress(file, options.loudness);
     Context context({.threads = options.threads, .max_memory = options.max_memory, .progress = progress.callback()});
-    const CancelOnInterrupt guard(context);
+    const CancelOnInterrupt guard(context, file);
     try {
         work(context);
     } catch (...) {

@@ -71,8 +71,8 @@ void add(const std::string& name, std::function<void(benchmark::State&)> body) {
     add_untimed(name, std::move(body))->UseRealTime();
 }
 
-void add_loop(const std::string& what, const Case& c,
-              void (*loop)(const BenchModel&, std::span<const AttributeBuffers>)) {
+template <class Loop>
+void add_loop(const std::string& what, const Case& c, const Loop& loop) {
     add(name_of(what, c), [=](benchmark::State& state) {
         const BenchModel& model = model_of(c);
         Buffers out(model);
@@ -160,7 +160,8 @@ void add_all(const Case& c) {
     add_smooth("tolerance_normals", c, uniform, 0.1);
     add_steps(c, creased);
     if (!c.shuffled) add_assimp(c);
-    if (c.triangles <= 50'000) add_loop("brute_force", c, brute_force);
+    if (c.triangles <= 50'000)
+        add_loop("brute_force", c, [](const BenchModel& model, auto out) { brute_force(model, out, Context()); });
 }
 
 }  // namespace

@@ -71,12 +71,19 @@ struct RenderBenchOptions {
     std::vector<std::uint32_t> other_lights;  ///< of the built-in scene: also with so many, pictures interleaved
     std::vector<std::string> engines = {"soft"};  ///< see make_engine(); each once or more often
     std::uint32_t frames = 15;          ///< counted pictures of each engine, 1 to 10 000, after one that is not counted
-    RenderSettings settings = {.width = 1920, .height = 1080};  ///< back faces of the built-in scene are culled whatever it says
+    RenderSettings settings = full_hd();  ///< back faces of the built-in scene are culled whatever it says
     /// Of a scene file: its materials, normals, view, lights, surroundings and tone, as a picture of it would have
     /// them. Input, load options, settings and output are those of here.
     PictureRequest picture;
     std::string output;       ///< picture file for what the first engine drew; empty: none
     std::string export_file;  ///< .glb file for the scene; empty: none
+
+    static RenderSettings full_hd() {
+        RenderSettings settings;
+        settings.width = 1920;
+        settings.height = 1080;
+        return settings;
+    }
 };
 
 /// One engine's pictures. Times are wall clock; pictures of all engines are interleaved.

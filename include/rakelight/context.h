@@ -14,11 +14,14 @@
 
 namespace rakelight {
 
+class Context;
+
 struct ContextOptions {
     int threads = 0;               ///< worker threads, the calling one included; 0: as many as the machine has. 1..1024
     std::uint64_t max_memory = 0;  ///< [bytes] limit for data that files ask for; 0: the default rule of MemoryBudget
     /// Called now and then with a stage ("load", "render") and how far it is, 0..1. From any thread, one call at a time.
     std::function<void(std::string_view stage, double fraction)> progress;
+    const Context* parent = nullptr;  ///< cancelling it cancels this one too; must outlive it
 };
 
 /// One per run; not copyable; every long function takes it by reference. Results never depend on the number of threads.
@@ -37,12 +40,13 @@ public:
     /// What is reported from now on, 0..1, stands for this part of its stage. For work that is done in several goes.
     void set_progress_part(double from, double to);
     void cancel() noexcept { cancelled_ = true; }
-    bool cancelled() const noexcept { return cancelled_; }
+    bool cancelled() const noexcept { return cancelled_ || (options_.parent && options_.parent->cancelled()); }
     void throw_if_cancelled() const;  ///< @throws Error failed "cancelled"
 
     /// Calls body(i) for every i in 0..count-1, on the context's threads, in any order, each once; returns when all are
     /// done. The first exception of a body is thrown again here. Bodies must not depend on one another; calls may nest.
     /// `body` is any callable; no copy of it is made.
+    /// @throws Error failed "cancelled": what had not begun when the context was cancelled was not called.
     template <class Body>
     void parallel_for(std::size_t count, const Body& body) {
         run_parallel(count, [](const void* b, std::size_t i) { (*static_cast<const Body*>(b))(i); }, &body);

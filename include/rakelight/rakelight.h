@@ -21,6 +21,7 @@
 #include <rakelight/scene.h>
 #include <rakelight/smooth_file.h>
 #include <rakelight/stages.h>
+#include <rakelight/unfinished_outputs.h>
 #include <rakelight/vector.h>
 #include <rakelight/version.h>
 #include <rakelight/words.h>

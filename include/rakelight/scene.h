@@ -19,8 +19,10 @@
 
 namespace rakelight {
 
+inline namespace markers {  // GCC's -Wshadow takes the `none` of an enum class for one that hides a constant beside it
 /// "No such element" for indices into the arrays of a Scene.
 inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+}  // namespace markers
 
 // --- textures and materials ----------------------------------------------------------------------------------------------
 

@@ -21,13 +21,17 @@ namespace {
 #if defined(__SANITIZE_THREAD__)
 /// The thread sanitizer does not see how oneTBB, which is built without it, hands work from thread to thread, and takes each
 /// hand-over for a race. Under it alone, loops run on threads that it understands.
-void run_on_plain_threads(int threads, std::size_t count, void (*call)(const void*, std::size_t), const void* body) {
+void run_on_plain_threads(const Context& context, std::size_t count, void (*call)(const void*, std::size_t),
+                          const void* body) {
     std::atomic<std::size_t> next{0};
     std::exception_ptr error;
     std::mutex error_mutex;
     const auto work = [&] {
         try {
-            for (std::size_t i = next++; i < count; i = next++) call(body, i);
+            for (std::size_t i = next++; i < count; i = next++) {
+                context.throw_if_cancelled();
+                call(body, i);
+            }
         } catch (...) {
             const std::lock_guard lock(error_mutex);
             if (!error) error = std::current_exception();
@@ -35,7 +39,7 @@ void run_on_plain_threads(int threads, std::size_t count, void (*call)(const voi
         }
     };
     std::vector<std::thread> others;
-    for (int t = 1; t < threads; ++t) others.emplace_back(work);
+    for (int t = 1; t < context.threads(); ++t) others.emplace_back(work);
     work();
     for (std::thread& t : others) t.join();
     if (error) std::rethrow_exception(error);
@@ -77,12 +81,15 @@ void Context::set_progress_part(double from, double to) {
 }
 
 void Context::throw_if_cancelled() const {
-    if (cancelled_) throw Error(ErrorCode::failed, "cancelled");
+    if (cancelled()) throw Error(ErrorCode::failed, "cancelled");
 }
 
 void Context::run_parallel(std::size_t count, void (*call)(const void*, std::size_t), const void* body) {
     if (options_.threads == 1 || count <= 1) {
-        for (std::size_t i = 0; i < count; ++i) call(body, i);
+        for (std::size_t i = 0; i < count; ++i) {
+            throw_if_cancelled();
+            call(body, i);
+        }
         return;
     }
     {
@@ -90,12 +97,16 @@ void Context::run_parallel(std::size_t count, void (*call)(const void*, std::siz
         if (!arena_) arena_ = std::make_unique<Arena>(options_.threads);
     }
 #if defined(__SANITIZE_THREAD__)
-    run_on_plain_threads(options_.threads, count, call, body);
+    run_on_plain_threads(*this, count, call, body);
 #else
-    arena_->arena.execute([=] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [=](const tbb::blocked_range<std::size_t>& range) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i) call(body, i);
-        });
+    arena_->arena.execute([=, this] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1),
+                          [=, this](const tbb::blocked_range<std::size_t>& range) {
+                              for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                                  throw_if_cancelled();
+                                  call(body, i);
+                              }
+                          });
     });
 #endif
 }

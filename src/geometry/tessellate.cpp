@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/cancel_check.h"
 #include "base/hash_key.h"
 #include "math/linear.h"
 
@@ -24,20 +25,23 @@ public:
     }
 
     /// Triangles after one more round.
-    std::uint64_t count_next() const {
+    std::uint64_t count_next(CancelCheck check) const {
         std::uint64_t count = fine.indices.size() / 3;
-        for (std::size_t i = 0; i < fine.indices.size(); i += 3)
+        for (std::size_t i = 0; i < fine.indices.size(); i += 3) {
+            check();
             for (std::size_t k = 0; k < 3; ++k)
                 count += std::uint64_t(is_cut(fine.indices[i + k], fine.indices[i + (k + 1) % 3]));
+        }
         return count;
     }
 
-    void run_round() {
+    void run_round(CancelCheck check) {
         middles_.clear();
         std::vector<std::uint32_t> indices, sources;
         std::swap(indices, fine.indices);
         std::swap(sources, fine.source_triangle);
         for (std::size_t t = 0; t < sources.size(); ++t) {
+            check();
             source_ = sources[t];
             cut({indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]});
         }
@@ -138,15 +142,16 @@ Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::ui
     for (const CoarseMesh& mesh : meshes) cutters.emplace_back(mesh, edge);
     Tessellation out;
     std::vector<std::uint64_t> next(cutters.size());
+    const CancelCheck check(context);
     for (int round = 0;; ++round) {
         context.throw_if_cancelled();
-        context.parallel_for(cutters.size(), [&](std::size_t i) { next[i] = cutters[i].count_next(); });
+        context.parallel_for(cutters.size(), [&](std::size_t i) { next[i] = cutters[i].count_next(check); });
         std::uint64_t now = 0, after = 0;
         for (std::size_t i = 0; i < cutters.size(); ++i) now += cutters[i].fine.indices.size() / 3, after += next[i];
         if (after == now) break;
         out.is_complete = after <= most_triangles && round < most_rounds;
         if (!out.is_complete) break;
-        context.parallel_for(cutters.size(), [&](std::size_t i) { cutters[i].run_round(); });
+        context.parallel_for(cutters.size(), [&](std::size_t i) { cutters[i].run_round(check); });
     }
     if (met) *met = 0;
     for (Cutter& cutter : cutters) {

@@ -44,10 +44,11 @@ Slopes slopes_of(const Pixels& normals, bool green_down, Context& context) {
 }
 
 /// At half the size: a texel is twice as wide, so heights change twice as much across it.
-Slopes halved(const Slopes& s) {
+Slopes halved(const Slopes& s, const Context& context) {
     Slopes to{std::max<std::size_t>(s.width / 2, 1), std::max<std::size_t>(s.height / 2, 1), {}};
     to.values.resize(to.width * to.height);
-    for (std::size_t y = 0; y < to.height; ++y)
+    for (std::size_t y = 0; y < to.height; ++y) {
+        context.throw_if_cancelled();
         for (std::size_t x = 0; x < to.width; ++x) {
             Complex sum;
             for (std::size_t k = 0; k < 4; ++k)
@@ -55,6 +56,7 @@ Slopes halved(const Slopes& s) {
                       s.values[std::min(2 * y + k / 2, s.height - 1) * s.width + std::min(2 * x + k % 2, s.width - 1)];
             to.values[y * to.width + x] = {sum.re * 0.5, sum.im * 0.5};
         }
+    }
     return to;
 }
 
@@ -70,12 +72,13 @@ Between between(std::size_t i, std::size_t from, std::size_t to) {
 
 /// At sides that the transform is fast for, linearly between texels. A texel is narrower, so heights change less
 /// across.
-Slopes with_friendly_sides(Slopes s) {
+Slopes with_friendly_sides(Slopes s, const Context& context) {
     Slopes to{friendly_length(s.width), friendly_length(s.height), {}};
     if (to.width == s.width && to.height == s.height) return s;
     to.values.resize(to.width * to.height);
     const double x_scale = double(s.width) / double(to.width), y_scale = double(s.height) / double(to.height);
-    for (std::size_t y = 0; y < to.height; ++y)
+    for (std::size_t y = 0; y < to.height; ++y) {
+        context.throw_if_cancelled();
         for (std::size_t x = 0; x < to.width; ++x) {
             const Between u = between(x, s.width, to.width), v = between(y, s.height, to.height);
             const auto row = [&](std::size_t r) {
@@ -86,6 +89,7 @@ Slopes with_friendly_sides(Slopes s) {
             to.values[y * to.width + x] = {(a.re + (b.re - a.re) * v.share) * x_scale,
                                            (a.im + (b.im - a.im) * v.share) * y_scale};
         }
+    }
     return to;
 }
 
@@ -113,9 +117,10 @@ double frequency(std::size_t k, std::size_t n) {
 }
 
 /// Transformed slopes -> the conjugate of the transformed heights.
-void divide(Slopes& s) {
+void divide(Slopes& s, const Context& context) {
     std::vector<Complex> heights(s.values.size());
-    for (std::size_t y = 0; y < s.height; ++y)
+    for (std::size_t y = 0; y < s.height; ++y) {
+        context.throw_if_cancelled();
         for (std::size_t x = 0; x < s.width; ++x) {
             const Complex z = s.values[y * s.width + x];
             const Complex opposite = s.values[(s.height - y) % s.height * s.width + (s.width - x) % s.width];
@@ -126,6 +131,7 @@ void divide(Slopes& s) {
             const Complex sum = {(u * p.re + v * q.re) / square, (u * p.im + v * q.im) / square};
             heights[y * s.width + x] = {sum.im, sum.re};  // conjugate of -i sum
         }
+    }
     s.values = std::move(heights);
 }
 
@@ -149,10 +155,10 @@ HeightsFromNormals heights_from_normals(const Pixels& normals, bool green_down, 
     if (normals.width <= 0 || normals.height <= 0) return {};
     Slopes s = slopes_of(normals, green_down, context);
     const MemoryCharge charge = std::move(s.charge);
-    while (s.width > largest_side || s.height > largest_side) s = halved(s);
-    s = with_friendly_sides(std::move(s));
+    while (s.width > largest_side || s.height > largest_side) s = halved(s, context);
+    s = with_friendly_sides(std::move(s), context);
     transform(s, context);
-    divide(s);
+    divide(s, context);
     transform(s, context);  // of the conjugate: n times the conjugate of the heights, which are real
     const auto [low, high] = std::minmax_element(s.values.begin(), s.values.end(),
                                                  [](const Complex& a, const Complex& b) { return a.re < b.re; });

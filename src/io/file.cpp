@@ -142,13 +142,14 @@ std::string behind_link(const std::string& path) {
 
 /// Creates a file in the folder of `path` under a name that nobody has; a short one, so that it fits wherever `path` fits.
 /// @return the descriptor, or -1 with errno
-int create_beside(const std::string& path, std::string& temporary) {
+int create_beside(const std::string& path, std::string& temporary, UnfinishedOutput& unfinished) {
     static std::atomic<unsigned> counter{0};
     const std::size_t slash = path.find_last_of('/');
     const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
     int fd = -1;
     do {  // a taken name is the rest of a process of the same number that died; the counter goes on
         temporary = folder + ".rl-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+        unfinished.watch(temporary);
         fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (fd < 0 && errno == EEXIST);
     return fd;
@@ -247,7 +248,8 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     // Renaming over /dev/null or a FIFO would replace it: such targets are written to as they are.
     const bool direct = exists && !S_ISREG(status.st_mode);
     if (exists && !direct) path_ = behind_link(path_);
-    Descriptor file{direct ? ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY) : create_beside(path_, temporary_)};
+    Descriptor file{direct ? ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY)
+                           : create_beside(path_, temporary_, unfinished_)};
     if (file.fd < 0) refuse_output(path_, errno);
     if (exists && !direct) static_cast<void>(::fchmod(file.fd, status.st_mode & 0777));
     file_ = ::fdopen(file.fd, "wb");

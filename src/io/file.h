@@ -12,6 +12,8 @@
 
 #include <rakelight/context.h>
 
+#include "io/unfinished_output.h"
+
 namespace rakelight::io {
 
 using Bytes = std::shared_ptr<const std::vector<std::byte>>;
@@ -55,6 +57,7 @@ public:
 
 private:
     std::string path_, temporary_;
+    UnfinishedOutput unfinished_;  ///< of temporary_
     std::FILE* file_ = nullptr;
 };
 

@@ -110,6 +110,7 @@ Pixels read_luminance_chroma(std::span<const std::byte> bytes, Want want, Contex
     std::vector<Imf::Rgba> row{std::size_t(pixels.width)};
     std::vector<float> floats(row.size() * std::size_t(pixels.channels));
     for (int y = 0; y < pixels.height; ++y) {
+        context.throw_if_cancelled();
         const std::int64_t line = std::int64_t(window.min.y) + y;  // the library adds base, x and y strides: row 0 is at -min
         file.setFrameBuffer(row.data() - window.min.x, 1, 0);
         file.readPixels(int(line));
@@ -134,7 +135,11 @@ Pixels read_part(Imf::MultiPartInputFile& file, Want want, Context& context) {
         buffer.insert(layout.names[std::size_t(c)],
                       Imf::Slice::Make(Imf::FLOAT, pixels.bytes.data() + 4 * c, window, std::size_t(4 * layout.channels), pixels.row_bytes()));
     part.setFrameBuffer(buffer);
-    part.readPixels(window.min.y, window.max.y);
+    constexpr std::int64_t rows_at_once = 256;  // more than a block of any compression
+    for (std::int64_t y = window.min.y; y <= window.max.y; y += rows_at_once) {
+        context.throw_if_cancelled();
+        part.readPixels(int(y), int(std::min<std::int64_t>(y + rows_at_once - 1, window.max.y)));
+    }
     return pixels;
 }
 

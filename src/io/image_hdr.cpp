@@ -207,6 +207,7 @@ Pixels read_hdr(std::span<const std::byte> bytes, Want want, Context& context) {
     std::vector<std::uint8_t> rgbe(width * 4);
     std::vector<float> rgb(width * 3);
     for (int y = 0; y < pixels.height; ++y) {
+        context.throw_if_cancelled();
         read_line(source, width, rgbe.data());
         floats_of(rgbe.data(), width, rgb.data());
         std::memcpy(pixels.row(size.bottom_up ? pixels.height - 1 - y : y), rgb.data(), pixels.row_bytes());

@@ -25,6 +25,7 @@ struct JpegReader {
     jpeg_error_mgr errors{};
     jpeg_progress_mgr progress{};
     std::jmp_buf escape;
+    const Context* context = nullptr;
     char message[JMSG_LENGTH_MAX] = {};
 
     JpegReader() = default;
@@ -53,8 +54,9 @@ void on_message(j_common_ptr info, int level) {
 }
 
 void on_progress(j_common_ptr info) {
-    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number <= max_scans) return;
     auto* reader = static_cast<JpegReader*>(info->client_data);
+    if (reader->context->cancelled()) std::longjmp(reader->escape, 1);
+    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number <= max_scans) return;
     std::snprintf(reader->message, sizeof(reader->message), "more than %d scans", max_scans);
     std::longjmp(reader->escape, 1);
 }
@@ -110,12 +112,16 @@ std::uint64_t coefficient_bytes(jpeg_decompress_struct& info) {
     return blocks * sizeof(JBLOCK);
 }
 
-[[noreturn]] void broken(const JpegReader& reader) { bad_picture(std::string("broken JPEG: ") + reader.message); }
+[[noreturn]] void broken(const JpegReader& reader) {
+    reader.context->throw_if_cancelled();
+    bad_picture(std::string("broken JPEG: ") + reader.message);
+}
 
 }  // namespace
 
 Pixels read_jpeg(std::span<const std::byte> bytes, Want want, Context& context) {
     JpegReader reader;
+    reader.context = &context;
     const long max_memory = long(std::min<std::uint64_t>(context.memory().limit(), std::numeric_limits<long>::max()));
     if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), max_memory)) broken(reader);
     const bool cmyk = is_cmyk(reader.info), gray = reader.info.jpeg_color_space == JCS_GRAYSCALE;

@@ -34,6 +34,20 @@ PngContext open(std::span<const std::byte> bytes) {
     return png;
 }
 
+/// Row by row, so that it stops where it is cancelled.
+void decode_rows(spng_ctx* png, int format, Pixels& pixels, const Context& context) {
+    require(spng_decode_image(png, nullptr, 0, format, SPNG_DECODE_TRNS | SPNG_DECODE_PROGRESSIVE));
+    for (;;) {
+        context.throw_if_cancelled();
+        spng_row_info row{};
+        require(spng_get_row_info(png, &row));
+        const int result =
+            spng_decode_row(png, pixels.bytes.data() + row.row_num * pixels.row_bytes(), pixels.row_bytes());
+        if (result == SPNG_EOI) return;
+        require(result);
+    }
+}
+
 Target target_of(const spng_ihdr& header, bool has_transparency) {
     const bool deep = header.bit_depth == 16;
     const Component component = deep ? Component::u16 : Component::u8;
@@ -70,7 +84,7 @@ Pixels read_png(std::span<const std::byte> bytes, Want want, Context& context) {
     std::size_t needed = 0;
     require(spng_decoded_image_size(png.get(), target.format, &needed));
     if (needed != pixels.bytes.size()) bad_picture("broken PNG: its size is inconsistent");
-    require(spng_decode_image(png.get(), pixels.bytes.data(), pixels.bytes.size(), target.format, SPNG_DECODE_TRNS));
+    decode_rows(png.get(), target.format, pixels, context);
     std::uint8_t intent = 0;
     std::uint32_t gamma = 0;  // times 100000; 45455 is 1 / 2.2, what the PNG specification writes beside an sRGB chunk
     const bool is_gamma_srgb = spng_get_gama_int(png.get(), &gamma) == 0 && gamma == 45455;

@@ -7,6 +7,7 @@
 #include <span>
 #include <tuple>
 
+#include "base/cancel_check.h"
 #include "geometry/place_classes.h"
 #include "geometry/tessellate.h"
 #include "math/functions.h"
@@ -171,7 +172,8 @@ private:
             const Relief& relief = relief_of(*part.material, options_);
             const Block<vec2>& uv = meshes_[i].texcoords[part.material->height_texture.texcoord_set];
             part.offset.reserve(uv.size());
-            for (std::size_t v = 0; v < uv.size(); ++v) {
+            CancelCheck check(context_);
+            for (std::size_t v = 0; v < uv.size(); ++v, check()) {
                 const double value = double(part.heights->at(uv[v], part.blur[v])), stays = 1 - double(relief.bias);
                 part.offset.push_back(float(part.depth * ((relief.holds_depth ? 1 - value : value) - stays)));
             }
@@ -181,9 +183,11 @@ private:
 
     /// Vertices at one place, one after another, in the order of parts and vertices.
     void collect_classes() {
+        CancelCheck check(context_);
         for (std::uint32_t i = 0; i < parts_.size(); ++i)
-            for (std::uint32_t v = 0; v < fine_.meshes[i].places.size(); ++v)
+            for (std::uint32_t v = 0; v < fine_.meshes[i].places.size(); ++v, check())
                 members_.push_back({fine_.meshes[i].places[v], i, v});
+        context_.throw_if_cancelled();
         std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
             return std::tie(a.place.x, a.place.y, a.place.z, a.part, a.vertex) <
                    std::tie(b.place.x, b.place.y, b.place.z, b.part, b.vertex);
@@ -229,7 +233,8 @@ private:
 
     template <class Work>
     void for_each_class(const Work& work) const {
-        for (std::size_t first = 0; first < members_.size();) {
+        CancelCheck check(context_);
+        for (std::size_t first = 0; first < members_.size(); check()) {
             std::size_t end = first + 1;
             while (end < members_.size() && members_[end].place == members_[first].place) ++end;
             work(std::span(members_).subspan(first, end - first));

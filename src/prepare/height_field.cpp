@@ -87,6 +87,7 @@ std::shared_ptr<const HeightField> HeightFields::of(const TextureUse& use) {
                 make_mip_chain(decoded(*texture.image, context_), ColorSpace::linear, context_);
             if (!chain.levels.empty()) entry->second = std::make_shared<const MipChain>(std::move(chain));
         } catch (const Error& error) {
+            context_.throw_if_cancelled();
             context_.report().add(Remark::warning, texture.image->file, texture.image->name,
                                   "no displacement: " + error.reason());
         }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancel_check.h"
 #include "geometry/polygon_loops.h"
 #include "math/linear.h"
 
@@ -55,13 +56,14 @@ struct Refined {
 
 /// The part's fine faces as triangles of its own vertices, which come to stand in `vertices`.
 std::vector<std::uint32_t> number_corners(const SurfacePart& part, const Refined& fine, std::uint32_t first_face,
-                                          std::uint32_t end_face, CornerVertices& vertices) {
+                                          std::uint32_t end_face, CornerVertices& vertices, const Context& context) {
     const std::uint32_t n = fine.surface.corners_of_face;
     const bool turns = is_mirrored(part);
     std::vector<std::uint32_t> indices, key(1 + fine.values.size());
     indices.reserve(std::size_t(end_face - first_face) * 3 * (n - 2));
     vertices.clear();
-    for (std::uint32_t f = first_face; f < end_face; ++f) {
+    CancelCheck check(context);
+    for (std::uint32_t f = first_face; f < end_face; ++f, check()) {
         std::uint32_t corners[4];
         for (std::uint32_t k = 0; k < n; ++k) {
             const std::size_t c = std::size_t(f) * n + k;
@@ -76,13 +78,15 @@ std::vector<std::uint32_t> number_corners(const SurfacePart& part, const Refined
 }
 
 /// Points and normals, back in the part's own space.
-void set_points(Mesh& mesh, const SurfacePart& part, const Refined& fine, const CornerVertices& vertices) {
+void set_points(Mesh& mesh, const SurfacePart& part, const Refined& fine, const CornerVertices& vertices,
+                const Context& context) {
     dmat4 to_object;
     inverse_affine(part.to_surface, to_object);
     const bool stays = part.to_surface == dmat4{};
     const dmat3 back = upper_left(transpose(part.to_surface));
     std::vector<vec3> positions, normals;
-    for (std::size_t v = 0; v < vertices.points().size(); ++v) {
+    CancelCheck check(context);
+    for (std::size_t v = 0; v < vertices.points().size(); ++v, check()) {
         const dvec3 p = fine.surface.positions[vertices.points()[v]];
         const dvec3 normal = fine.surface.normals[vertices.key(v, 0, 1 + fine.values.size())];
         positions.push_back(cast<float>(stays ? p : transform_point(to_object, p)));
@@ -109,10 +113,11 @@ void set_values(Mesh& mesh, const Refined& fine, const CornerVertices& vertices)
 }
 
 Mesh mesh_of(const SurfacePart& part, const Refined& fine, std::uint32_t first_face, std::uint32_t end_face,
-             CornerVertices& vertices) {
+             CornerVertices& vertices, const Context& context) {
     Mesh mesh = *part.mesh;
-    mesh.indices = number_corners(part, fine, first_face, end_face, vertices);
-    set_points(mesh, part, fine, vertices);
+    mesh.indices = number_corners(part, fine, first_face, end_face, vertices, context);
+    set_points(mesh, part, fine, vertices, context);
+    context.throw_if_cancelled();
     set_values(mesh, fine, vertices);
     mesh.tangents = {};
     mesh.smoothing = {};
@@ -299,7 +304,7 @@ std::vector<Mesh> SurfaceSubdivider::run(Context& context) const {
             count = control_.faces.first[first_face_[i + 1]] - control_.faces.first[first_face_[i]];
         count <<= 2 * (control_.scheme == geometry::Scheme::loop ? control_.level : control_.level - 1);
         meshes.push_back(
-            mesh_of(parts_[i], fine, std::uint32_t(first), std::uint32_t(first + count), vertices));
+            mesh_of(parts_[i], fine, std::uint32_t(first), std::uint32_t(first + count), vertices, context));
         first += count;
     }
     return meshes;

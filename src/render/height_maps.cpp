@@ -68,6 +68,7 @@ private:
                 {normal.name + " (heights)", as_image(std::move(made.heights), *normal.image), normal.sampler});
             return std::uint32_t(scene_.textures.size() - 1);
         } catch (const Error& error) {
+            context_.throw_if_cancelled();
             context_.report().add(Remark::dropped, scene_.source, m.name,
                                   "no height map made from the normal map: " + error.reason());
             return none;

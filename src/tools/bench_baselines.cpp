@@ -28,7 +28,7 @@ void plain_loop(const BenchModel& model, std::span<const AttributeBuffers> out) 
     }
 }
 
-void brute_force(const BenchModel& model, std::span<const AttributeBuffers> out) {
+void brute_force(const BenchModel& model, std::span<const AttributeBuffers> out, const Context& context) {
     struct Face {
         vec3 corner[3], normal;
     };
@@ -42,6 +42,7 @@ void brute_force(const BenchModel& model, std::span<const AttributeBuffers> out)
         }
     for (std::size_t k = 0; k < model.parts.size(); ++k)
         for (std::size_t v = 0; v < model.parts[k].positions.size(); ++v) {
+            if (v % 64 == 0) context.throw_if_cancelled();  // each takes as long as there are faces
             const vec3 p = model.parts[k].positions[v];
             vec3 sum;
             for (const Face& f : faces)

@@ -13,7 +13,7 @@ namespace rakelight {
 void plain_loop(const BenchModel& model, std::span<const AttributeBuffers> out);
 
 /// The publication's way: for every vertex, all faces of all objects, by equal positions. One thread, O(n^2).
-void brute_force(const BenchModel& model, std::span<const AttributeBuffers> out);
+void brute_force(const BenchModel& model, std::span<const AttributeBuffers> out, const Context& context);
 
 /// [GB/s] of memcpy on all threads, bytes read plus bytes written; the best of five.
 double copy_bandwidth(Context& context);

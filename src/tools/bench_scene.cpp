@@ -146,7 +146,7 @@ Scene make_bench_scene(std::uint64_t triangles, std::uint32_t objects, std::uint
     scene.meshes.resize(objects);
     context.parallel_for(objects, [&](std::size_t i) {
         const std::uint64_t share = triangles * (i + 1) / objects - triangles * i / objects;
-        scene.meshes[i] = make_bench_shape(BenchShape(order[i] % 3), share, variants[i]);
+        scene.meshes[i] = make_bench_shape(BenchShape(order[i] % 3), share, variants[i], context);
         scene.meshes[i].name = scene.nodes[i].name;
         scene.meshes[i].material = std::uint32_t(i);
     });

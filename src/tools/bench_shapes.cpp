@@ -93,11 +93,13 @@ void add_vertex(const Grid& g, std::uint32_t row, std::uint32_t column, Arrays& 
 
 }  // namespace
 
-Mesh make_bench_shape(BenchShape shape, std::uint64_t triangles, double variant) {
+Mesh make_bench_shape(BenchShape shape, std::uint64_t triangles, double variant, const Context& context) {
     const Grid g = grid_for(shape, triangles, variant);
     Arrays a;
-    for (std::uint32_t row = 0; row <= g.rows; ++row)
+    for (std::uint32_t row = 0; row <= g.rows; ++row) {
+        context.throw_if_cancelled();
         for (std::uint32_t column = 0; column <= g.columns; ++column) add_vertex(g, row, column, a);
+    }
     for (std::uint32_t row = 0; row < g.rows; ++row)
         for (std::uint32_t column = 0; column < g.columns; ++column) {
             const std::uint32_t v = row * (g.columns + 1) + column, below = v + g.columns + 1;

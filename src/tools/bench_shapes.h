@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include <rakelight/context.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -11,6 +12,6 @@ enum class BenchShape : std::uint8_t { sphere, knot, torus };
 /// A closed grid of about `triangles` (at least 20), of radius about 1 around the origin: positions, normals of the surface,
 /// tangents along u, texture coordinates, indices. No triangle is degenerate.
 /// @param variant  0..1, how wavy it is
-Mesh make_bench_shape(BenchShape shape, std::uint64_t triangles, double variant);
+Mesh make_bench_shape(BenchShape shape, std::uint64_t triangles, double variant, const Context& context);
 
 }  // namespace rakelight

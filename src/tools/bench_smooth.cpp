@@ -98,7 +98,8 @@ public:
             add_pair(options_.shuffled ? "coherent, " : "shuffled, ", other_, plain);
         }
         if (options_.brute_force) {
-            add_loop(brute_force_name, model_, brute_force);
+            add_loop(brute_force_name, model_,
+                     [this](const BenchModel& model, auto out) { brute_force(model, out, context_); });
             measured_.back().most_repetitions = 1;
         }
         repeat();
@@ -119,8 +120,8 @@ private:
         context_.throw_if_cancelled();
     }
 
-    void add_loop(const std::string& what, const BenchModel& model,
-                  void (*loop)(const BenchModel&, std::span<const AttributeBuffers>)) {
+    template <class Loop>
+    void add_loop(const std::string& what, const BenchModel& model, const Loop& loop) {
         auto out = std::make_shared<Outputs>(model, false);
         add(what, 1, [=, &model] { loop(model, out->spans); });
     }

@@ -40,10 +40,10 @@ def quantized_corner(component, code, stride):
             "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]}
 
 
-class Smooth(unittest.TestCase):
+class Smooth(program.Case):
     def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.dir)
+        super().setUp()
+        self.dir = self.folder
         (self.dir / "parts.obj").write_text(TWO_PARTS)
 
     def run_program(self, *arguments):

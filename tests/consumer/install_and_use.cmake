@@ -1,4 +1,5 @@
-# Installs the build into a folder of its own, builds the consumer project against it, and runs it and the installed program.
+# Installs the build into a folder of its own, builds the consumer project against it, with the compiler of the build and with
+# Clang where that is there, and runs it and the installed program.
 set(place ${BUILD}/consumer)
 file(REMOVE_RECURSE ${place})
 function(run)
@@ -14,10 +15,17 @@ set(flags "")
 if(SANITIZE)
   set(flags "-fsanitize=${SANITIZE}")
 endif()
-run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -B ${place}/build -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${flags}
-  -DCMAKE_PREFIX_PATH=${place}/installed -DRAKELIGHT_VERSION=${VERSION})
-run(${CMAKE_COMMAND} --build ${place}/build)
-run(${CMAKE_COMMAND} -E chdir ${place}/build ./consumer)
+function(build_and_run compiler folder)
+  run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -B ${folder} -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags}
+    -DCMAKE_PREFIX_PATH=${place}/installed -DRAKELIGHT_VERSION=${VERSION})
+  run(${CMAKE_COMMAND} --build ${folder})
+  run(${CMAKE_COMMAND} -E chdir ${folder} ./consumer)
+endfunction()
+build_and_run(${COMPILER} ${place}/build)
+find_program(clang clang++)
+if(clang AND NOT SANITIZE)  # the sanitizers' runtimes of two compilers do not mix
+  build_and_run(${clang} ${place}/build_clang)
+endif()
 run(${place}/installed/bin/rakelight render builtin:teapot -o ${place}/installed.png --resolution 64,48)
 if(NOT EXISTS ${place}/installed.png OR NOT EXISTS ${place}/build/consumer.png)
   message(FATAL_ERROR "a picture is missing")

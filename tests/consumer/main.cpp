@@ -12,14 +12,18 @@ int main() {
     Context context;
     const std::vector<vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const std::vector<std::uint32_t> indices{0, 1, 2};
-    const AttributeMesh mesh{.positions = positions, .indices = indices};
+    AttributeMesh mesh;
+    mesh.positions = positions;
+    mesh.indices = indices;
     const std::vector<MeshAttributes> attributes = compute_attributes({&mesh, 1}, {}, context);
     if (attributes.size() != 1 || std::fabs(attributes[0].normals[0].z - 1) > 1e-6f) return std::puts("wrong normal"), 1;
 
     const Inspection found = inspect(load("builtin:teapot", {}, context), {}, context);
     if (found.objects.size() != 6) return std::puts("wrong number of objects"), 1;
 
-    PictureRequest request{.input = "builtin:teapot", .output = "consumer.png"};
+    PictureRequest request;
+    request.input = "builtin:teapot";
+    request.output = "consumer.png";
     request.settings.width = 64;
     request.settings.height = 48;
     const PictureResult result = render_picture(request, context);

@@ -80,6 +80,7 @@ void EnvironmentCache::update(DrawList& list, Context& context) {
         try {
             maps_ = make_maps(wanted->image, context);
         } catch (const Error& error) {
+            context.throw_if_cancelled();
             context.report().add(Remark::warning, wanted->image->file, wanted->image->name,
                                  "environment left out: " + error.reason());
         }

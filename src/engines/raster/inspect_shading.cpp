@@ -9,7 +9,7 @@ namespace rakelight::raster {
 ShadedPicture draw_shaded(const Inspection& of, Shading shading, Context& context) {
     context.throw_if_cancelled();
     // What the other frequencies leave out is no news to who asked for this one: remarks go nowhere.
-    Context quiet({.threads = context.threads(), .max_memory = context.memory().limit()});
+    Context quiet({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context});
     const Inspection::Geometry geometry(of, {}, false, quiet, shading);
     const TileJob job{geometry.front, geometry.binned, geometry.grid, of.lights(), *scalar::kernels(),
                       true,           geometry.points, false,         false,       nullptr,

@@ -57,7 +57,8 @@ void OpenSurfaces::remark(const FrontEnd& front, bool asked, Context& context) {
     if (front.settings.cull == Cull::none || front.settings.cull == Cull::front) return;
     const DrawList& list = front.list;
     const std::vector<Draw>& draws = list.draws;
-    Context silent({.threads = context.threads()});  // what welding has to say is no remark on the picture
+    Context silent(
+        {.threads = context.threads(), .parent = &context});  // what welding has to say is no remark on the picture
     std::set<Key> seen;
     const std::uint64_t most = asked ? most_for_warning : most_for_note;
     std::uint64_t looked_at = 0, open = 0, edges = 0;

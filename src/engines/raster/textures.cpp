@@ -142,6 +142,7 @@ void try_to(Missing& m, const Work& work) {
     try {
         work();
     } catch (const Error& error) {
+        context.throw_if_cancelled();
         m.fault = error.reason();
     }
 }

@@ -188,8 +188,9 @@ private:
 
     const Scene &before_, &after_;
     Context& context_;
-    Context quiet_{
-        {.threads = 1, .max_memory = context_.memory().limit()}};  // the remarks were made when the scene was read
+    Context quiet_{{.threads = 1,
+                    .max_memory = context_.memory().limit(),
+                    .parent = &context_}};  // the remarks were made when the scene was read
     const Document document_;
     OrderedJson tree_;
     Buffers buffers_;

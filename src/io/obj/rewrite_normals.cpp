@@ -207,7 +207,7 @@ private:
     std::string path_;
     const Scene& after_;
     Context& context_;
-    Context quiet_{{.threads = 1, .max_memory = context_.memory().limit()}};
+    Context quiet_{{.threads = 1, .max_memory = context_.memory().limit(), .parent = &context_}};
     VertexData data_;
     std::vector<FaceNormals> faces_;
     std::vector<std::pair<std::size_t, std::size_t>> read_;  ///< [faces] mesh and first index

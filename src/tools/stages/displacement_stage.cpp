@@ -145,11 +145,8 @@ private:
     /// Stops with the whole run, and has the memory that it leaves.
     ContextOptions options() {
         const std::uint64_t limit = context_.memory().limit(), charged = context_.memory().charged();
-        return {.threads = context_.threads(),
-                .max_memory = limit > charged ? limit - charged : 1,
-                .progress = [this](std::string_view, double) {
-                    if (context_.cancelled()) quiet_.cancel();
-                }};
+        return {
+            .threads = context_.threads(), .max_memory = limit > charged ? limit - charged : 1, .parent = &context_};
     }
 
     void compare(const Scene& flat) {

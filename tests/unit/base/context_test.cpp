@@ -5,6 +5,8 @@
 #include <atomic>
 #include <vector>
 
+#include "base/cancel_check.h"
+
 using namespace rakelight;
 
 TEST(Context, ParallelForCallsEachIndexOnceForAnyNumberOfThreads) {
@@ -46,4 +48,55 @@ TEST(Context, CancelIsSeen) {
     EXPECT_NO_THROW(context.throw_if_cancelled());
     context.cancel();
     EXPECT_THROW(context.throw_if_cancelled(), Error);
+}
+
+TEST(Context, CancellingAParentCancelsItsChildrenAndNotTheOtherWay) {
+    Context parent;
+    Context child({.threads = 1, .parent = &parent}), grandchild({.threads = 1, .parent = &child});
+    child.cancel();
+    EXPECT_TRUE(grandchild.cancelled());
+    EXPECT_FALSE(parent.cancelled());
+    Context other({.threads = 1, .parent = &parent});
+    parent.cancel();
+    EXPECT_THROW(other.throw_if_cancelled(), Error);
+}
+
+TEST(Context, NothingOfALoopBeginsAfterTheCancel) {
+    for (int threads : {1, 2, 4}) {
+        Context context({.threads = threads});
+        std::atomic<int> calls{0};
+        const auto call = [&](std::size_t) {
+            ++calls;
+            context.cancel();
+        };
+        EXPECT_THROW(context.parallel_for(100'000, call), Error);
+        EXPECT_LE(calls, threads);  // each thread may have been at one
+        const int before = calls;
+        EXPECT_THROW(context.parallel_for(1, call), Error);
+        EXPECT_EQ(calls, before);
+    }
+}
+
+TEST(Context, AnInnerLoopStopsTheOuterOne) {
+    Context context({.threads = 2});
+    std::atomic<int> calls{0};
+    EXPECT_THROW(context.parallel_for(100,
+                                      [&](std::size_t) {
+                                          context.parallel_for(100, [&](std::size_t) {
+                                              ++calls;
+                                              context.cancel();
+                                          });
+                                      }),
+                 Error);
+    EXPECT_LE(calls, 2);
+}
+
+TEST(CancelCheck, LooksNowAndThen) {
+    Context context;
+    CancelCheck check(context);
+    for (int i = 0; i < 100'000; ++i) EXPECT_NO_THROW(check());
+    context.cancel();
+    int calls = 0;
+    EXPECT_THROW(for (;; ++calls) check(), Error);
+    EXPECT_LT(calls, 16'384);
 }

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/temporary_folder.h"
 #include "support/thrown_error.h"
 
 namespace rakelight::io {
@@ -23,19 +24,11 @@ using test::error_of;
 class FileTest : public testing::Test {
 protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / (std::string("rl_file_") + test->name() + "_" + std::to_string(::getpid()));
         fs::create_directories(folder_ / "model" / "textures");
         fs::create_directories(folder_ / "other");
     }
-    void TearDown() override {
-        fs::permissions(folder_ / "other", fs::perms::owner_all);
-        fs::remove_all(folder_);
-    }
-    std::string put(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
-        return (folder_ / name).string();
-    }
+    void TearDown() override { fs::permissions(folder_ / "other", fs::perms::owner_all); }
+    std::string put(const std::string& name, const std::string& text) const { return folder_.write(name, text); }
     std::string text_of(const std::string& name) const {
         std::ostringstream text;
         text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
@@ -45,7 +38,7 @@ protected:
         return std::size_t(std::distance(fs::directory_iterator(folder_ / name), fs::directory_iterator()));
     }
     std::string model() const { return (folder_ / "model" / "m.gltf").string(); }
-    fs::path folder_;
+    test::TemporaryFolder folder_;
     Context context_;
 };
 
@@ -72,7 +65,7 @@ TEST_F(FileTest, RefusesWhatIsNoRegularFileWithoutWaitingForIt) {
     ASSERT_LT(socket_path.size(), sizeof(address.sun_path));
     std::strcpy(address.sun_path, socket_path.c_str());
     ASSERT_EQ(::bind(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
-    for (const std::string& path : {fifo, socket_path, folder_.string(), std::string("/dev/zero"), (folder_ / "absent").string(),
+    for (const std::string& path : {fifo, socket_path, folder_.path().string(), std::string("/dev/zero"), (folder_ / "absent").string(),
                                     std::string(), std::string("a\0b", 3), std::string(5000, 'x')}) {
         const Error error = error_of([&] { read_file(path, context_); });
         EXPECT_EQ(error.code(), ErrorCode::not_found) << error.what();
@@ -222,7 +215,7 @@ TEST_F(FileTest, ADeviceIsWrittenToAndNotReplaced) {
 }
 
 TEST_F(FileTest, RefusesOutputThatCannotBeMade) {
-    for (const std::string& path : {(folder_ / "absent" / "x").string(), folder_.string(), std::string(), std::string("a\0b", 3),
+    for (const std::string& path : {(folder_ / "absent" / "x").string(), folder_.path().string(), std::string(), std::string("a\0b", 3),
                                     put("plain", "x") + "/below"}) {
         EXPECT_EQ(error_of([&] { OutputFile file(path); }).code(), ErrorCode::failed);
     }

@@ -8,7 +8,7 @@ namespace {
 using namespace test;
 
 std::string read_error(const std::string& bytes, const char* name = "model.glb") {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     Context context({.threads = 1});
     try {
         io::read_gltf(folder.write(name, bytes), {}, context);
@@ -67,7 +67,7 @@ TEST(GltfJson, WhatIsNoJsonIsRefused) {
 TEST(GltfJson, ANameThatStandsTwiceIsSaidAndTheLastCounts) {
     GltfFile file;
     file.triangle();
-    const TestFolder folder;
+    const TemporaryFolder folder;
     std::string text = file.text();
     text.insert(1, "\"scene\": 5, ");
     folder.write("data.bin", file.data);
@@ -94,7 +94,7 @@ TEST(GltfBuffers, BrokenReferencesAreRefused) {
         GltfFile file;
         file.triangle();
         file.root["buffers"] = {{{"byteLength", 36}, {"uri", uri}}};
-        const TestFolder folder;
+        const TemporaryFolder folder;
         const std::string path = folder.write("model.gltf", file.root.dump());
         Context context({.threads = 1});
         EXPECT_THROW(io::read_gltf(path, {}, context), Error) << uri;

@@ -191,7 +191,7 @@ TEST(GltfTextures, ImagesOfOneFileOrOneViewAreOnePicture) {
 }
 
 TEST(GltfTextures, PercentEncodedNamesAreFound) {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     folder.write("two words.png", "x");
     GltfFile file = textured(R"([{"source": 0}])", R"([{"uri": "two%20words.png"}])");
     folder.write("data.bin", file.data);

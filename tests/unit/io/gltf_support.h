@@ -13,35 +13,9 @@
 #include <vector>
 
 #include "io/reader.h"
+#include "support/temporary_folder.h"
 
 namespace rakelight::test {
-
-/// A new folder for the running test, removed at the end.
-class TestFolder {
-public:
-    TestFolder() {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::temp_directory_path() /
-                (std::string("rakelight_") + info->test_suite_name() + "_" + info->name());
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_);
-    }
-    ~TestFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TestFolder(const TestFolder&) = delete;
-    TestFolder& operator=(const TestFolder&) = delete;
-
-    std::string write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(path_ / name, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
-        return (path_ / name).string();
-    }
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 inline constexpr int i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126;
 
@@ -90,7 +64,7 @@ struct GltfFile {
     }
 
     Scene load(Context& context) {
-        const TestFolder folder;
+        const TemporaryFolder folder;
         const std::string json = text();
         folder.write("data.bin", data);
         return io::read_gltf(folder.write("model.gltf", json), {}, context);

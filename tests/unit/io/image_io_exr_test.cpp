@@ -84,11 +84,11 @@ TEST(ExrReading, HalvesOfEveryCompressionInAWindowAwayFromTheOrigin) {
         for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::HALF));
         {
             const Planes<half> planes(3);
-            Imf::OutputFile file(folder.path("a.exr").c_str(), header);
+            Imf::OutputFile file(folder.file("a.exr").c_str(), header);
             file.setFrameBuffer(planes.slices({"R", "G", "B"}, header));
             file.writePixels(height);
         }
-        expect_planes(decode(folder.path("a.exr")), 3);
+        expect_planes(decode(folder.file("a.exr")), 3);
     }
 }
 
@@ -99,20 +99,20 @@ TEST(ExrReading, TilesAndBottomUpLines) {
     header.setTileDescription(Imf::TileDescription(8, 4, Imf::MIPMAP_LEVELS));
     const Planes<float> planes(1);
     {
-        Imf::TiledOutputFile file(folder.path("tiled.exr").c_str(), header);
+        Imf::TiledOutputFile file(folder.file("tiled.exr").c_str(), header);
         file.setFrameBuffer(planes.slices({"Y"}, header));
         file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
     }
-    expect_planes(decode(folder.path("tiled.exr")), 1);
+    expect_planes(decode(folder.file("tiled.exr")), 1);
     header = header_at(0, 0);
     header.lineOrder() = Imf::DECREASING_Y;
     header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
     {
-        Imf::OutputFile file(folder.path("up.exr").c_str(), header);
+        Imf::OutputFile file(folder.file("up.exr").c_str(), header);
         file.setFrameBuffer(planes.slices({"Y"}, header));
         file.writePixels(height);
     }
-    expect_planes(decode(folder.path("up.exr")), 1);
+    expect_planes(decode(folder.file("up.exr")), 1);
 }
 
 TEST(ExrReading, TheFirstOfSeveralPartsAndOtherLayersAreLeftOut) {
@@ -125,7 +125,7 @@ TEST(ExrReading, TheFirstOfSeveralPartsAndOtherLayersAreLeftOut) {
     }
     const Planes<float> planes(4);
     {
-        Imf::MultiPartOutputFile file(folder.path("a.exr").c_str(), headers.data(), 2);
+        Imf::MultiPartOutputFile file(folder.file("a.exr").c_str(), headers.data(), 2);
         for (int i = 0; i < 2; ++i) {
             Imf::OutputPart part(file, i);
             part.setFrameBuffer(i == 0 ? planes.slices({"R", "G", "B", "diffuse.R"}, headers[0])
@@ -133,7 +133,7 @@ TEST(ExrReading, TheFirstOfSeveralPartsAndOtherLayersAreLeftOut) {
             part.writePixels(height);
         }
     }
-    expect_planes(decode(folder.path("a.exr")), 3);
+    expect_planes(decode(folder.file("a.exr")), 3);
 }
 
 TEST(ExrReading, LuminanceAndChromaBecomeRgb) {
@@ -144,11 +144,11 @@ TEST(ExrReading, LuminanceAndChromaBecomeRgb) {
     for (int i = 0; i < w * h; ++i) grays.emplace_back(float(1 + i % w), float(1 + i % w), float(1 + i % w));
     for (int x = 0; x < w; ++x) grays[std::size_t(x)] = Imf::Rgba(40, 40, 40);  // the first row is another
     {
-        Imf::RgbaOutputFile file(folder.path("a.exr").c_str(), Imf::Header(window, window), Imf::WRITE_YC);
+        Imf::RgbaOutputFile file(folder.file("a.exr").c_str(), Imf::Header(window, window), Imf::WRITE_YC);
         file.setFrameBuffer(grays.data() + 4 - 6 * w, 1, w);
         file.writePixels(h);
     }
-    const Pixels pixels = decode(folder.path("a.exr"));
+    const Pixels pixels = decode(folder.file("a.exr"));
     ASSERT_EQ(pixels.channels, 3);
     ASSERT_EQ(pixels.width, w);
     ASSERT_EQ(pixels.height, h);
@@ -162,18 +162,18 @@ TEST(ExrReading, ChannelsThatAreNoColorAreRefused) {
     header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
     const Planes<float> planes(1);
     {
-        Imf::OutputFile file(folder.path("a.exr").c_str(), header);
+        Imf::OutputFile file(folder.file("a.exr").c_str(), header);
         file.setFrameBuffer(planes.slices({"Z"}, header));
         file.writePixels(height);
     }
-    EXPECT_NE(error_of([&] { decode(folder.path("a.exr")); }).reason().find("R, G, B or Y"), std::string::npos);
+    EXPECT_NE(error_of([&] { decode(folder.file("a.exr")); }).reason().find("R, G, B or Y"), std::string::npos);
 }
 
 /// A small file of ours with `count` bytes `offset` after the end of a header value's name replaced.
 Error error_after_change(const std::string& name, std::size_t offset, const std::vector<int>& bytes) {
     const TemporaryFolder folder;
-    write_image(folder.path("a.exr"), test::noise_picture(16, 16, 3, Component::f32));
-    auto file = bytes_of_file(folder.path("a.exr"));
+    write_image(folder.file("a.exr"), test::noise_picture(16, 16, 3, Component::f32));
+    auto file = bytes_of_file(folder.file("a.exr"));
     const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
     const std::size_t at = text.find(name + '\0') + name.size() + 1 + offset;
     for (std::size_t i = 0; i < bytes.size(); ++i) file[at + i] = std::byte(bytes[i]);

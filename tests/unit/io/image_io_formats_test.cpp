@@ -39,9 +39,9 @@ std::vector<float> values_of(const Pixels& pixels) {
 
 Pixels round_trip(const std::string& name, const Pixels& pixels) {
     const TemporaryFolder folder;
-    write_image(folder.path(name), pixels);
+    write_image(folder.file(name), pixels);
     Context context;
-    return decode_image(bytes_of_file(folder.path(name)), context);
+    return decode_image(bytes_of_file(folder.file(name)), context);
 }
 
 /// A picture without hard edges, which lossy formats keep well.
@@ -230,8 +230,8 @@ TEST(FloatReading, EveryTruncationIsRefused) {
     const TemporaryFolder folder;
     for (const char* name : {"a.exr", "a.hdr", "b.webp"}) {
         const Component component = component_for(name);
-        write_image(folder.path(name), noise_picture(20, 20, 3, component));
-        const auto bytes = bytes_of_file(folder.path(name));
+        write_image(folder.file(name), noise_picture(20, 20, 3, component));
+        const auto bytes = bytes_of_file(folder.file(name));
         Context context;
         for (std::size_t size = 0; size < bytes.size(); size += 7)
             EXPECT_EQ(error_of([&] { decode_image(std::span(bytes).first(size), context); }).code(), ErrorCode::bad_file) << name << size;
@@ -253,9 +253,9 @@ TEST(DecodeImage, SaysWhatItCannotRead) {
 TEST(DecodeImage, GoesByContentAndNotByName) {
     const TemporaryFolder folder;
     const Pixels pixels = noise_picture(3, 3, 3, Component::u8);
-    write_image(folder.path("a.png"), pixels);
-    std::filesystem::rename(folder.path("a.png"), folder.path("a.jpg"));
-    const ImageHandle image = image_from_file("a", "m.gltf", folder.path("a.jpg"));
+    write_image(folder.file("a.png"), pixels);
+    std::filesystem::rename(folder.file("a.png"), folder.file("a.jpg"));
+    const ImageHandle image = image_from_file("a", "m.gltf", folder.file("a.jpg"));
     Context context;
     EXPECT_EQ(image->decode(*image, context).bytes, pixels.bytes);
 }
@@ -312,7 +312,7 @@ TEST(ImageWriting, EndingsSayTheComponentAndUnknownOnesAreAnErrorOfUsage) {
 TEST(ImageWriting, ImpossiblePicturesAreAnErrorOfUsageAndLeaveNothing) {
     const TemporaryFolder folder;
     const auto code = [&](const char* name, int width, int height, int channels, Component component) {
-        return error_of([&] { make_image_writer(folder.path(name), width, height, channels, component); }).code();
+        return error_of([&] { make_image_writer(folder.file(name), width, height, channels, component); }).code();
     };
     EXPECT_EQ(code("a.png", 0, 1, 3, Component::u8), ErrorCode::usage);
     EXPECT_EQ(code("a.png", 1, 65537, 3, Component::u8), ErrorCode::usage);
@@ -332,13 +332,13 @@ TEST_P(EveryEnding, AFullDiskIsAnErrorAndAnUnfinishedPictureLeavesNothing) {
     const std::string name = std::string("a.") + GetParam();
     const Pixels pixels = noise_picture(300, 300, 3, component_for(name));
     {
-        const auto writer = make_image_writer(folder.path(name), 300, 300, 3, pixels.component);
+        const auto writer = make_image_writer(folder.file(name), 300, 300, 3, pixels.component);
         for (int y = 0; y < 299; ++y) writer->write_row(pixels.row(y));
         EXPECT_EQ(error_of([&] { writer->finish(); }).code(), ErrorCode::failed);
     }
     EXPECT_TRUE(folder.is_empty());
-    std::filesystem::create_symlink("/dev/full", folder.path(name));
-    EXPECT_EQ(error_of([&] { write_image(folder.path(name), pixels); }).code(), ErrorCode::failed);
+    std::filesystem::create_symlink("/dev/full", folder.file(name));
+    EXPECT_EQ(error_of([&] { write_image(folder.file(name), pixels); }).code(), ErrorCode::failed);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryEnding, testing::Values("png", "jpg", "webp", "exr", "hdr"));

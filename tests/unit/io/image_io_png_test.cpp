@@ -94,9 +94,9 @@ TEST_P(PngRoundTrip, GivesTheSamePixelsBack) {
     const TemporaryFolder folder;
     for (const auto& [width, height] : {std::pair{1, 1}, {7, 5}, {300, 3}, {3, 200}}) {
         const Pixels pixels = noise_picture(width, height, channels, component);
-        write_image(folder.path("a.png"), pixels);
+        write_image(folder.file("a.png"), pixels);
         Context context;
-        const Pixels back = decode_image(bytes_of_file(folder.path("a.png")), context);
+        const Pixels back = decode_image(bytes_of_file(folder.file("a.png")), context);
         EXPECT_EQ(back.width, width);
         EXPECT_EQ(back.height, height);
         EXPECT_EQ(back.channels, channels);
@@ -112,9 +112,9 @@ TEST(PngWriting, NothingAppearsBeforeFinishAndAnUnfinishedPictureLeavesNothing) 
     const TemporaryFolder folder;
     const Pixels pixels = noise_picture(4, 4, 3, Component::u8);
     {
-        const auto writer = make_image_writer(folder.path("a.png"), 4, 4, 3, Component::u8);
+        const auto writer = make_image_writer(folder.file("a.png"), 4, 4, 3, Component::u8);
         for (int y = 0; y < 3; ++y) writer->write_row(pixels.row(y));
-        EXPECT_FALSE(std::filesystem::exists(folder.path("a.png")));
+        EXPECT_FALSE(std::filesystem::exists(folder.file("a.png")));
         EXPECT_EQ(error_of([&] { writer->finish(); }).code(), ErrorCode::failed);
     }
     EXPECT_TRUE(folder.is_empty());
@@ -123,15 +123,16 @@ TEST(PngWriting, NothingAppearsBeforeFinishAndAnUnfinishedPictureLeavesNothing) 
 TEST(PngWriting, AFullDiskIsAnError) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
     const TemporaryFolder folder;
-    std::filesystem::create_symlink("/dev/full", folder.path("a.png"));
-    EXPECT_EQ(error_of([&] { write_image(folder.path("a.png"), noise_picture(400, 400, 4, Component::u8)); }).code(), ErrorCode::failed);
+    std::filesystem::create_symlink("/dev/full", folder.file("a.png"));
+    EXPECT_EQ(error_of([&] { write_image(folder.file("a.png"), noise_picture(400, 400, 4, Component::u8)); }).code(),
+              ErrorCode::failed);
 }
 
 TEST(PngReading, EveryTruncationIsRefusedOrWhole) {
     const TemporaryFolder folder;
     const Pixels pixels = noise_picture(16, 16, 3, Component::u8);
-    write_image(folder.path("a.png"), pixels);
-    const auto bytes = bytes_of_file(folder.path("a.png"));
+    write_image(folder.file("a.png"), pixels);
+    const auto bytes = bytes_of_file(folder.file("a.png"));
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         Context context;
         try {
@@ -146,8 +147,8 @@ TEST(PngReading, EveryTruncationIsRefusedOrWhole) {
 
 TEST(PngReading, ASmallFileThatClaimsToBeHugeIsRefusedBeforeMemoryIsAskedFor) {
     const TemporaryFolder folder;
-    write_image(folder.path("a.png"), noise_picture(4, 4, 1, Component::u8));
-    auto bytes = bytes_of_file(folder.path("a.png"));
+    write_image(folder.file("a.png"), noise_picture(4, 4, 1, Component::u8));
+    auto bytes = bytes_of_file(folder.file("a.png"));
     const std::byte header[] = {std::byte(0), std::byte(0), std::byte(0x40), std::byte(0), std::byte(0), std::byte(0), std::byte(0x40),
                                 std::byte(0)};
     std::copy(std::begin(header), std::end(header), bytes.begin() + 16);
@@ -159,9 +160,9 @@ TEST(PngReading, ASmallFileThatClaimsToBeHugeIsRefusedBeforeMemoryIsAskedFor) {
 
 TEST(PngReading, APictureLargerThanTheMemoryLimitIsRefused) {
     const TemporaryFolder folder;
-    write_image(folder.path("a.png"), noise_picture(100, 100, 3, Component::u8));
+    write_image(folder.file("a.png"), noise_picture(100, 100, 3, Component::u8));
     Context small({.max_memory = 29999}), enough({.max_memory = 30000});
-    const auto bytes = bytes_of_file(folder.path("a.png"));
+    const auto bytes = bytes_of_file(folder.file("a.png"));
     EXPECT_EQ(error_of([&] { decode_image(bytes, small); }).code(), ErrorCode::bad_file);
     EXPECT_EQ(decode_image(bytes, enough).bytes.size(), 30000u);
 }

@@ -3,7 +3,6 @@
 #pragma once
 #include <gtest/gtest.h>
 #include <rakelight/image.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -12,32 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.h"
 #include "support/thrown_error.h"
 
 namespace rakelight::test {
-
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string(test->test_suite_name()) + "_" + test->name();
-        for (char& c : name)
-            if (c == '/') c = '_';
-        folder_ = std::filesystem::path(testing::TempDir()) / ("rl_" + name + "_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    bool is_empty() const { return std::filesystem::is_empty(folder_); }
-
-private:
-    std::filesystem::path folder_;
-};
 
 inline std::vector<std::byte> bytes_of_file(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

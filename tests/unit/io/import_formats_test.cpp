@@ -29,7 +29,7 @@ TEST_F(ImportFormats, NamesThatLookLikeOptionsAreNames) {
     const auto here = std::filesystem::current_path();
     write("--memory.off", off_square);
     write("-", off_square);
-    std::filesystem::current_path(folder_);
+    std::filesystem::current_path(folder_.path());
     const Outcome outcome = read_import("--memory.off");
     std::filesystem::current_path(here);
     EXPECT_TRUE(outcome.scene) << outcome.what();

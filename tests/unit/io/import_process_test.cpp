@@ -20,17 +20,9 @@ constexpr const char* triangle = "solid s\nfacet normal 0 0 1\nouter loop\nverte
 
 class ImportProcess : public ::testing::Test {
 protected:
-    void SetUp() override {
-        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("rl_process_") + info->name() + "_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
-        model_ = (folder_ / "model.stl").string();
-        std::ofstream(model_) << triangle;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
+    void SetUp() override { model_ = folder_.write("model.stl", triangle); }
     std::string script(const std::string& body) {
-        const std::string path = (folder_ / "helper.sh").string();
-        std::ofstream(path) << "#!/bin/sh\n" << body << "\n";
+        const std::string path = folder_.write("helper.sh", "#!/bin/sh\n" + body + "\n");
         ::chmod(path.c_str(), 0755);
         return path;
     }
@@ -38,7 +30,7 @@ protected:
         const Environment helper("RAKELIGHT_IMPORT", script(body));
         return read_import(model_, options);
     }
-    std::filesystem::path folder_;
+    rakelight::test::TemporaryFolder folder_;
     std::string model_;
 };
 
@@ -127,7 +119,7 @@ int open_files(int limit) {
 
 /// With standard input closed and one more file free below the limit, a pipe can be made but not moved off the standard
 /// streams. @return how many files more are open after the failure; negative: it did not fail
-int files_left_open_by_a_failed_pipe(const std::string& model) {
+int files_left_open_by_a_failed_pipe() {
     constexpr int limit = 64;
     const rlimit files{limit, limit};
     ::setrlimit(RLIMIT_NOFILE, &files);
@@ -138,19 +130,19 @@ int files_left_open_by_a_failed_pipe(const std::string& model) {
     const int before = open_files(limit);
     Context context({.threads = 1});
     try {
-        HelperProcess("/bin/true", model, {}, context);
+        HelperProcess("/bin/true", "model.stl", {}, context);
     } catch (const Error&) {
         return open_files(limit) - before;
     }
     return -1;
 }
 
-TEST_F(ImportProcess, AFailedPipeLeavesNoFileOpen) {
+TEST(ImportPipe, ThatFailsLeavesNoFileOpen) {  // without a folder, which the child would not remove
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "the sanitizer makes a pipe to see whether memory can be read, and no file is free";
 #endif
     testing::FLAGS_gtest_death_test_style = "threadsafe";  // files of this process stay as they are
-    EXPECT_EXIT(std::_Exit(files_left_open_by_a_failed_pipe(model_) & 0xff), testing::ExitedWithCode(0), "");
+    EXPECT_EXIT(std::_Exit(files_left_open_by_a_failed_pipe() & 0xff), testing::ExitedWithCode(0), "");
 }
 
 TEST_F(ImportProcess, ACancelledRunEndsTheHelper) {

@@ -15,6 +15,7 @@
 #include "io/reader.h"
 #include "scene/scene_tools.h"
 #include "support/shared.h"
+#include "support/temporary_folder.h"
 
 namespace rakelight::io::test {
 
@@ -64,23 +65,12 @@ protected:
     void SetUp() override {
 #if defined(RL_IMPORT_HELPER)
         helper_.emplace("RAKELIGHT_IMPORT", RL_IMPORT_HELPER);
-        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("rl_import_") + info->name() + "_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
 #else
         GTEST_SKIP() << "built without the import helper";
 #endif
     }
-    void TearDown() override {
-        if (!folder_.empty()) std::filesystem::remove_all(folder_);
-    }
-    std::string write(const std::string& name, const std::string& text) const {
-        const auto path = folder_ / name;
-        std::filesystem::create_directories(path.parent_path());
-        std::ofstream(path, std::ios::binary) << text;
-        return path.string();
-    }
-    std::filesystem::path folder_;
+    std::string write(const std::string& name, const std::string& text) const { return folder_.write(name, text); }
+    rakelight::test::TemporaryFolder folder_;
     std::optional<Environment> helper_;
 };
 

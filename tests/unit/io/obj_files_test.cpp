@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The real and the hostile OBJ files beside the repository.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "io/reader.h"
 #include "scene/scene_tools.h"
 #include "support/shared.h"
+#include "support/temporary_folder.h"
 
 namespace rakelight::io {
 namespace {
@@ -170,9 +170,7 @@ class ObjHostile : public ::testing::TestWithParam<HostileCase> {};
 
 /// A copy of an MTL case beside a quad that uses its first material.
 Loaded load_through_quad(const fs::path& mtl) {
-    const fs::path folder =
-        fs::path(::testing::TempDir()) / ("rl_mtl_" + mtl.stem().string() + "_" + std::to_string(::getpid()));
-    fs::create_directories(folder);
+    const rakelight::test::TemporaryFolder folder;
     std::string name = "m";
     std::ifstream in(mtl, std::ios::binary);
     for (std::string line; std::getline(in, line);)
@@ -183,9 +181,7 @@ Loaded load_through_quad(const fs::path& mtl) {
     std::ofstream(folder / "case.mtl", std::ios::binary) << std::ifstream(mtl, std::ios::binary).rdbuf();
     std::ofstream(folder / "quad.obj", std::ios::binary)
         << "mtllib case.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl " << name << "\nf 1 2 3 4\n";
-    Loaded l = load(folder / "quad.obj");
-    fs::remove_all(folder);
-    return l;
+    return load(folder / "quad.obj");
 }
 
 TEST_P(ObjHostile, KeepsTheRule) {

@@ -2,7 +2,6 @@
 // A temporary folder in which a test writes model files, and what loading one of them gave.
 #pragma once
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,25 +11,13 @@
 #include <vector>
 
 #include "io/reader.h"
+#include "support/temporary_folder.h"
 
 namespace rakelight::io::test {
 
 class ObjFolder : public ::testing::Test {
 protected:
-    void SetUp() override {
-        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(::testing::TempDir()) /
-                  (std::string("rl_obj_") + info->name() + "_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
-    std::string write(const std::string& name, const std::string& text) {
-        const auto path = folder_ / name;
-        std::filesystem::create_directories(path.parent_path());
-        std::ofstream(path, std::ios::binary) << text;
-        return path.string();
-    }
+    std::string write(const std::string& name, const std::string& text) { return folder_.write(name, text); }
     /// Writes model.obj and loads it into a fresh report.
     Scene load(const std::string& text, const ReadOptions& options = {}) {
         context_.emplace();
@@ -53,7 +40,7 @@ protected:
         return std::nullopt;
     }
 
-    std::filesystem::path folder_;
+    rakelight::test::TemporaryFolder folder_;
     std::optional<Context> context_;
 };
 

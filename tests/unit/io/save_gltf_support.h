@@ -33,7 +33,7 @@ inline Scene rounded(Scene written, const Scene& computed) {
 /// Saves `file` after `change`, reads it again, and saves that once more, which must change nothing.
 template <class Change>
 Saved save(GltfFile& file, Context& context, Change change, const std::string& output = "out.gltf") {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::string json = file.text();
     folder.write("data.bin", file.data);
     const std::string source = folder.write("model.gltf", json), out = (folder.path() / output).string();

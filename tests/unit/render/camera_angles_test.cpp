@@ -5,10 +5,10 @@
 #include <rakelight/rakelight.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "io/glb_writer.h"
 #include "render/view.h"
+#include "support/temporary_folder.h"
 
 namespace rakelight {
 namespace {
@@ -154,10 +154,10 @@ TEST(CameraAngles, WrittenFilesHaveThemAsAnAspect) {
         camera.aspect = 8;
     }
     scene.cameras[1].projection = Projection::orthographic;
-    const std::string path = (std::filesystem::temp_directory_path() / "rakelight_camera_angles.glb").string();
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("cameras.glb");
     io::write_glb(scene, path, context);
     const std::vector<Camera> read = load(path, {}, context).cameras;
-    std::filesystem::remove(path);
     ASSERT_EQ(read.size(), 2u);
     EXPECT_NEAR(read[0].aspect.value_or(0), 1 / std::tan(radians(30)), 1e-6);
     EXPECT_NEAR(read[1].aspect.value_or(0), 4, 1e-6);

@@ -2,19 +2,18 @@
 #include <gtest/gtest.h>
 #include <rakelight/rakelight.h>
 
-#include <filesystem>
 #include <limits>
 
 #include "io/file.h"
 #include "io/image_io.h"
 #include "math/color.h"
 #include "render/drawable.h"
+#include "support/temporary_folder.h"
 #include "unit/render/test_scene.h"
 
 namespace rakelight {
 namespace {
 
-namespace fs = std::filesystem;
 using test::two_squares;
 
 RenderSettings small() { return {.width = 80, .height = 60}; }
@@ -52,9 +51,7 @@ TEST(Facade, ACameraOfANodeSeesWhatTheSameCameraInTheWorldSees) {
 }
 
 TEST(Facade, ASavedFrameHoldsItsPixelsAndItsAlpha) {
-    const fs::path folder = fs::temp_directory_path() / "rakelight_facade_save";
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    const test::TemporaryFolder folder;
     Context context;
     Frame frame;
     frame.begin(3, 2, {}, 0);
@@ -71,7 +68,6 @@ TEST(Facade, ASavedFrameHoldsItsPixelsAndItsAlpha) {
     EXPECT_EQ(with_alpha.channels, 4);
     EXPECT_EQ(std::uint8_t(with_alpha.row(1)[11]), 128);
     EXPECT_THROW(save(frame, (folder / "a.txt").string()), Error);
-    fs::remove_all(folder);
 }
 
 TEST(Facade, UnknownEnginesAreRefusedByName) {

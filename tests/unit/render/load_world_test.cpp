@@ -3,8 +3,6 @@
 #include <rakelight/picture.h>
 #include <rakelight/world.h>
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +13,7 @@
 #include "render/view.h"
 #include "scene/scene_tools.h"
 #include "support/shared.h"
+#include "support/temporary_folder.h"
 #include "support/thrown_error.h"
 
 using namespace rakelight;
@@ -28,15 +27,12 @@ constexpr const char* roof = "v -1 0 0\nv 0 0.2 0\nv -1 0 1\nv 1 0 0\nv 1 0 1\nv
 class LoadWorld : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = std::filesystem::temp_directory_path() / ("rakelight_world_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
         write("a.obj", "mtllib m.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         write("m.mtl", "newmtl red\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 20\n");
         write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 
-    void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+    void write(const std::string& name, const std::string& text) { folder_.write(name, text); }
     Scene load_text(const std::string& text, LoadOptions options = {}) {
         write("w.scene.toml", text);
         return load((folder_ / "w.scene.toml").string(), options, context_);
@@ -46,7 +42,7 @@ protected:
         return prepare_scene(load_text(text), options, context_);
     }
 
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
     Context context_{{.threads = 1}};
 };
 

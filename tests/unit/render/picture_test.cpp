@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 class Picture : public test::PictureFiles {
 protected:
     std::size_t count_files() const {
-        return std::size_t(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+        return std::size_t(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
     }
 };
 

@@ -2,14 +2,13 @@
 // The pictures of a world's materials: each multiplies what glTF says, by the channel that it says.
 #include <gtest/gtest.h>
 #include <rakelight/picture.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 
 #include "math/linear.h"
+#include "support/temporary_folder.h"
 #include "support/thrown_error.h"
 
 using namespace rakelight;
@@ -23,12 +22,9 @@ constexpr unsigned char texel_png[] = {137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0,
 class WorldTextures : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = std::filesystem::temp_directory_path() / ("rakelight_textures_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
         std::ofstream(folder_ / "t.png", std::ios::binary).write(reinterpret_cast<const char*>(texel_png), sizeof texel_png);
         std::ofstream(folder_ / "words.png") << "these are words";
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 
     /// A sphere of one material, whose keys start in line 6.
     Scene sphere(const std::string& keys) {
@@ -53,7 +49,7 @@ protected:
         return greatest;
     }
 
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
     Context context_{{.threads = 1}};
 };
 

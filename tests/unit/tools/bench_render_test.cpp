@@ -12,6 +12,7 @@
 
 #include "math/linear.h"
 #include "scene/scene_tools.h"
+#include "support/temporary_folder.h"
 #include "tools/bench_scene.h"
 #include "tools/bench_shapes.h"
 #include "tools/bench_textures.h"
@@ -24,7 +25,7 @@ constexpr BenchShape shapes[] = {BenchShape::sphere, BenchShape::knot, BenchShap
 TEST(BenchShape, HasAboutTheTrianglesAskedForAndNoneIsDegenerate) {
     for (const BenchShape shape : shapes)
         for (const std::uint64_t triangles : {20ull, 100ull, 1000ull, 10'000ull}) {
-            const Mesh mesh = make_bench_shape(shape, triangles, 0.5);
+            const Mesh mesh = make_bench_shape(shape, triangles, 0.5, Context());
             EXPECT_NEAR(double(mesh.triangle_count()), double(triangles), 0.1 * double(triangles) + 12);
             for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
                 const vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
@@ -36,7 +37,7 @@ TEST(BenchShape, HasAboutTheTrianglesAskedForAndNoneIsDegenerate) {
 
 TEST(BenchShape, NormalsPointToTheSideThatTrianglesAreCounterClockwiseSeenFrom) {
     for (const BenchShape shape : shapes) {
-        const Mesh mesh = make_bench_shape(shape, 4000, 0.5);
+        const Mesh mesh = make_bench_shape(shape, 4000, 0.5, Context());
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             const std::uint32_t* const v = &mesh.indices[i];
             const vec3 a = mesh.positions[v[0]],
@@ -48,7 +49,7 @@ TEST(BenchShape, NormalsPointToTheSideThatTrianglesAreCounterClockwiseSeenFrom) 
 
 TEST(BenchShape, TangentsAreUnitAndPerpendicularAndFollowTheTexture) {
     for (const BenchShape shape : shapes) {
-        const Mesh mesh = make_bench_shape(shape, 4000, 0.5);
+        const Mesh mesh = make_bench_shape(shape, 4000, 0.5, Context());
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
             const vec3 t = mesh.tangents[v].xyz();
             EXPECT_NEAR(length(t), 1, 1e-5);
@@ -157,11 +158,10 @@ TEST(BenchRender, ReportsARowForEachEngineWithTimesAndStages) {
 
 TEST(BenchRender, WritesThePictureAndTheSceneWhichIsReadBackWhole) {
     Context context({.threads = 2});
-    const auto folder = std::filesystem::path(::testing::TempDir()) / "bench_render";
-    std::filesystem::create_directories(folder);
+    const test::TemporaryFolder folder;
     RenderBenchOptions options = small();
-    options.output = (folder / "picture.png").string();
-    options.export_file = (folder / "scene.glb").string();
+    options.output = folder.file("picture.png");
+    options.export_file = folder.file("scene.glb");
     const RenderBenchReport report = bench_render(options, context);
     EXPECT_GT(std::filesystem::file_size(options.output), 1000u);
     const Scene read = load(options.export_file, {}, context);
@@ -176,7 +176,6 @@ TEST(BenchRender, WritesThePictureAndTheSceneWhichIsReadBackWhole) {
     const RenderBenchReport file = bench_render(again, context);
     EXPECT_EQ(file.triangles, report.triangles);
     EXPECT_EQ(file.rows[0].stats.pixels_covered, report.rows[0].stats.pixels_covered);
-    std::filesystem::remove_all(folder);
 }
 
 TEST(BenchRender, RefusesWhatItCannotDo) {

@@ -5,14 +5,14 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <sstream>
 
 #include <rakelight/explain.h>
 #include <nlohmann/json.hpp>
+
+#include "support/temporary_folder.h"
 
 using namespace rakelight;
 using Json = nlohmann::json;
@@ -56,21 +56,15 @@ shininess = 12
 /// A world file for the time of a test.
 class ExplainFactors : public testing::Test {
 protected:
-    void SetUp() override {
-        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        path_ = std::filesystem::temp_directory_path() / ("rakelight-" + name + ".scene.toml");
-        std::ofstream(path_) << world;
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
-
     PictureRequest request() const {
-        PictureRequest r{.input = path_.string()};
+        PictureRequest r{.input = path_};
         r.settings.width = width, r.settings.height = height;
         return r;
     }
 
 private:
-    std::filesystem::path path_;
+    test::TemporaryFolder folder_;
+    std::string path_ = folder_.write("factors.scene.toml", world);
 };
 
 using Rgb = std::array<double, 3>;

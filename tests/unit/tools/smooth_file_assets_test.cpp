@@ -270,7 +270,7 @@ void expect_same_model_and_no_second_change(const fs::path& input, const fs::pat
 
 /// Runs `check` for each model in an empty folder of its own.
 void for_each(const std::vector<fs::path>& files, const std::function<void(const fs::path&, const fs::path&)>& check) {
-    const fs::path out = folder();
+    const TemporaryFolder out;
     for (std::size_t i = 0; i < files.size(); ++i) {
         SCOPED_TRACE(files[i].string());
         const fs::path dir = out / std::to_string(i);

@@ -52,7 +52,8 @@ Json fold_tree() {
 }
 
 struct Files {
-    fs::path dir = folder(), model = dir / "fold.gltf";
+    const TemporaryFolder dir;
+    const fs::path model = dir / "fold.gltf";
     explicit Files(Json tree = fold_tree()) {
         write(dir / "fold data.bin", fold_buffer());
         write(model, tree.dump(2) + "\n");

@@ -14,6 +14,8 @@
 
 #include <rakelight/rakelight.h>
 
+#include "support/temporary_folder.h"
+
 namespace rakelight::test {
 
 namespace fs = std::filesystem;
@@ -24,15 +26,6 @@ inline std::string bytes_of(const fs::path& path) {
 }
 
 inline void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
-
-/// An empty folder of the running test.
-inline fs::path folder() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    fs::path path = fs::path(testing::TempDir()) / (std::string("rl_") + test->test_suite_name() + "_" + test->name());
-    fs::remove_all(path);
-    fs::create_directories(path);
-    return path;
-}
 
 /// The helper that this build made; false in a build without it.
 inline bool use_import_helper() {

@@ -28,7 +28,8 @@ constexpr const char* two_quads =
     "f -6 -3 -1 -2\r\nf 1 2 99//1\r\nl 1 2\r\n";
 
 TEST(SmoothFile, ObjLinesWithContinuationRelativeIndicesAndFaultyFacesAreRewrittenInPlace) {
-    const fs::path file = folder() / "quads.obj";
+    const TemporaryFolder folder;
+    const fs::path file = folder / "quads.obj";
     write(file, two_quads);
     Context context;
     SmoothFileOptions options;
@@ -61,7 +62,8 @@ TEST(SmoothFile, ObjLinesWithContinuationRelativeIndicesAndFaultyFacesAreRewritt
 }
 
 TEST(SmoothFile, FreeFormSurfacesNeverNameNormalsThatAreGone) {
-    const fs::path file = folder() / "surface.obj";
+    const TemporaryFolder folder;
+    const fs::path file = folder / "surface.obj";
     const std::string surface = "cstype bezier\ndeg 1 1\nsurf 0.0 1 0 1.0 1/1/3 -3/1/-2 \\\n 3/1 4 # control points\nend\n";
     write(file, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 1 0\nvn 1 0 0\nvn 0 1 1\nf 1//1 2//2 3//3\n" + surface);
     Context context;
@@ -72,7 +74,8 @@ TEST(SmoothFile, FreeFormSurfacesNeverNameNormalsThatAreGone) {
 }
 
 TEST(SmoothFile, PlyAndGlbOfAnObjHaveTheSameNormals) {
-    const fs::path out = folder(), file = out / "quads.obj";
+    const TemporaryFolder out;
+    const fs::path file = out / "quads.obj";
     write(file, two_quads);
     Context context;
     SmoothFileOptions options;
@@ -105,7 +108,7 @@ std::string triangle_from(unsigned byte) {
 
 TEST(SmoothFile, PlyDataNeverBeginsWithWhiteSpaceWhichReadersSkip) {
     if (!use_import_helper()) GTEST_SKIP() << "built without the import helper";
-    const fs::path out = folder();
+    const TemporaryFolder out;
     for (const unsigned byte : {0u, 8u, 9u, 10u, 11u, 12u, 13u, 14u, 31u, 32u, 33u, 255u}) {
         SCOPED_TRACE(byte);
         write(out / "a.obj", triangle_from(byte));
@@ -127,7 +130,7 @@ TEST(SmoothFile, PlyDataNeverBeginsWithWhiteSpaceWhichReadersSkip) {
 /// A fold of two placements that meet only to rounding.
 TEST(SmoothFile, PlyIsSmoothWherePartsMeetThroughDifferentMatrices) {
     if (!use_import_helper()) GTEST_SKIP() << "built without the import helper";
-    const fs::path out = folder();
+    const TemporaryFolder out;
     const double c = std::cos(0.7), s = std::sin(0.7);
     Scene scene;
     for (const bool is_turned : {false, true}) {
@@ -160,7 +163,8 @@ TEST(SmoothFile, PlyIsSmoothWherePartsMeetThroughDifferentMatrices) {
 
 /// An OBJ model with an MTL file in a folder of its own, and pictures here and there.
 struct ModelWithMaterials {
-    fs::path dir = folder(), model = dir / "from" / "a.obj", to = dir / "to";
+    const TemporaryFolder dir;
+    const fs::path model = dir / "from" / "a.obj", to = dir / "to";
     ModelWithMaterials() {
         fs::create_directories(dir / "from" / "mats" / "deep");
         fs::create_directories(to);
@@ -263,11 +267,12 @@ TEST(SmoothFile, SkinnedMeshesStandInTheirBindPoseWhereTheFormatHasNoSkins) {
     EXPECT_EQ(plain.nodes[3].meshes, (std::vector<std::uint32_t>{0}));
     EXPECT_EQ((*plain.nodes[3].local.matrix)[3].x, 5);
     for (const Node& node : plain.nodes) EXPECT_EQ(node.skin, none);
-    io::write_glb(plain, (folder() / "a.glb").string(), context);
+    const TemporaryFolder folder;
+    io::write_glb(plain, folder.file("a.glb"), context);
 }
 
 TEST(SmoothFile, StlAsOutputIsRefusedWithTheReason) {
-    const fs::path out = folder();
+    const TemporaryFolder out;
     write(out / "a.obj", two_quads);
     Context context;
     try {
@@ -281,7 +286,7 @@ TEST(SmoothFile, StlAsOutputIsRefusedWithTheReason) {
 }
 
 TEST(SmoothFile, AFolderAsOutputIsCalledOne) {
-    const fs::path out = folder();
+    const TemporaryFolder out;
     write(out / "a.obj", two_quads);
     fs::create_directory(out / "b.glb");
     for (const char* name : {"", "b.glb", "none/"}) {
@@ -297,7 +302,7 @@ TEST(SmoothFile, AFolderAsOutputIsCalledOne) {
 }
 
 TEST(SmoothFile, FormatsWithoutAWayBetweenThemAreAUsageError) {
-    const fs::path out = folder();
+    const TemporaryFolder out;
     write(out / "a.obj", two_quads);
     Context context;
     for (const char* name : {"b.gltf", "b.stl", "b"}) try {

@@ -61,7 +61,7 @@ GltfFile quantized_file(const std::array<Part, 2>& parts, bool normalized) {
     return file;
 }
 
-std::string write(const TestFolder& folder, GltfFile& file) {
+std::string write(const TemporaryFolder& folder, GltfFile& file) {
     const std::string text = file.text();
     folder.write("data.bin", file.data);
     return folder.write("model.gltf", text);
@@ -80,7 +80,7 @@ TEST(SmoothQuantized, BordersWhoseCodesDifferByAStepHaveOneNormal) {
         for (const auto& shift : {std::array{1, 0, 0}, {0, -1, 1}, {-1, 1, 1}}) {
             const auto parts = two_parts(shift);
             GltfFile file = quantized_file(parts, normalized);
-            const TestFolder folder;
+            const TemporaryFolder folder;
             const std::string model = write(folder, file), out = (folder.path() / "out.gltf").string();
             Context context;
             PrepareOptions options;
@@ -101,7 +101,7 @@ TEST(SmoothQuantized, BordersWhoseCodesDifferByAStepHaveOneNormal) {
 
 TEST(SmoothQuantized, TheSecondRunChangesNothing) {
     GltfFile file = quantized_file(two_parts({1, -1, 0}), true);
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::string model = write(folder, file), out = (folder.path() / "out.glb").string();
     Context context;
     EXPECT_TRUE(smooth_file(model, out, {}, context).changed);
@@ -127,7 +127,7 @@ TEST(SmoothSkinned, PartsOfOneModelHaveOneNormalWhereverTheirNodesAre) {
         attributes["WEIGHTS_0"] = file.accessor(weights, u8, 4, true);
         file.root["nodes"][n]["skin"] = 0;
     }
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::string model = write(folder, file), out = (folder.path() / "out.gltf").string();
     Context context;
     smooth_file(model, out, {}, context);
@@ -178,7 +178,7 @@ TEST(SmoothMorphed, TargetsGetTheNormalsOfTheMorphedSurface) {
     for (const bool with_normals : {false, true})
         for (const char* name : {"out.gltf", "out.glb"}) {
             GltfFile file = morphed_file(two_parts({0, 0, 0}), with_normals);
-            const TestFolder folder;
+            const TemporaryFolder folder;
             const std::string model = write(folder, file), out = (folder.path() / name).string();
             Context context;
             smooth_file(model, out, {}, context);
@@ -202,7 +202,7 @@ TEST(SmoothMorphed, TargetsGetTheNormalsOfTheMorphedSurface) {
 TEST(SmoothMorphed, ATargetWithoutNormalsBesideAMeshWithSomeStaysSo) {
     GltfFile file = morphed_file(two_parts({0, 0, 0}), true);
     file.root["meshes"][1]["primitives"][0]["targets"][0].erase("NORMAL");
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::string model = write(folder, file), out = (folder.path() / "out.glb").string();
     Context context;
     smooth_file(model, out, {}, context);
@@ -213,7 +213,7 @@ TEST(SmoothMorphed, ATargetWithoutNormalsBesideAMeshWithSomeStaysSo) {
 
 TEST(SmoothMorphed, SplitVerticesCarryTheirTargets) {
     GltfFile file = morphed_file(two_parts({0, 0, 0}), true);
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::string model = write(folder, file), out = (folder.path() / "out.glb").string();
     Context context;
     SmoothFileOptions options;

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// For programs that are told to end and cannot wait until the work that they cancelled has stopped.
+#pragma once
+
+namespace rakelight {
+
+/// Removes the temporary files of all outputs that are being written by this process. What was whole stays. To be
+/// called last: the process must end now, for what is still being written fails. Async-signal-safe.
+void remove_unfinished_outputs() noexcept;
+
+}  // namespace rakelight
