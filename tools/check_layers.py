@@ -38,7 +38,7 @@ PUBLIC = {
     "vector": "math",
     "block": "image", "image": "image",
     "attributes": "geometry",
-    "scene": "scene", "light_limits": "scene", "words": "scene", "world": "io", "unfinished_outputs": "io",
+    "scene": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "unfinished_outputs": "io",
     "prepare": "prepare",
     "engine": "engines",
     "render": "render",

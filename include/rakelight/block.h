@@ -12,8 +12,8 @@
 
 namespace rakelight {
 
-/// An immutable array that any number of scenes share. Copying shares; equality is identity of the storage (so engines can
-/// keep what they made of a block while a new scene still holds it). The empty block is the default.
+/// An immutable array that any number of scenes share. Copying shares; equality is identity of the storage (so engines
+/// can keep what they made of a block while a new scene still holds it). The empty block is the default.
 template <class T>
 class Block {
 public:
@@ -21,7 +21,10 @@ public:
     /// A vector becomes a block by being moved in.
     /// @param charge  what pays for it; it ends with the last owner of the array
     Block(std::vector<T> values, MemoryCharge charge = {})  // NOLINT(google-explicit-constructor)
-        : storage_(values.empty() ? nullptr : new Storage(std::move(values), std::move(charge))) {}
+    {
+        // As an if: GCC 12 warns of freed memory in users' code where this is a conditional expression.
+        if (!values.empty()) storage_ = new Storage(std::move(values), std::move(charge));
+    }
     Block(const Block& other) noexcept : storage_(other.storage_) {
         if (storage_) storage_->owners.fetch_add(1, std::memory_order_relaxed);
     }

@@ -13,7 +13,7 @@ namespace rakelight {
 
 /// A rectangle of pixels; row 0 on top.
 struct Window {
-    int x = 0, y = 0, width = 0, height = 0;  ///< [px]; width 0: the whole picture
+    int x = 0, y = 0, width = 0, height = 0;  ///< [px]; all 0: the whole picture
     bool operator==(const Window&) const = default;
 };
 
@@ -198,7 +198,7 @@ struct ChannelArrays {
 class Frame final : public Sink, public ChannelArrays {
 public:
     void begin(int width, int height, Window window, std::uint32_t channels) override;  ///< @throws Error: too large
-    void tile(const Tile& tile) override;
+    void tile(const Tile& tile) override;  ///< @throws Error usage: out of the window, an array of another size
     void end_pass(int pass) override;
 
     int width = 0, height = 0;  ///< of the whole picture
@@ -245,8 +245,8 @@ class Engine {
 public:
     virtual ~Engine() = default;
     virtual std::string name() const = 0;
-    /// The scene must be valid (see validate()) and posed; textures that cannot be decoded become a warning in the report.
-    /// The engine keeps it: who needs it no more moves it in.
+    /// Of a posed scene, which the engine keeps: who needs it no more moves it in. Textures that cannot be decoded become a
+    /// warning. @throws Error bad_file, see validate()
     virtual void prepare(Scene scene, Context& context) = 0;
     /// What was prepared last; empty before.
     virtual const Scene& scene() const = 0;

@@ -22,6 +22,7 @@
 #include <rakelight/smooth_file.h>
 #include <rakelight/stages.h>
 #include <rakelight/unfinished_outputs.h>
+#include <rakelight/validate.h>
 #include <rakelight/vector.h>
 #include <rakelight/version.h>
 #include <rakelight/words.h>

@@ -45,7 +45,8 @@ void MemoryBudget::Account::require(std::uint64_t before, std::uint64_t bytes, s
     const std::uint64_t allowed = limit();
     if (bytes <= allowed && before <= allowed - bytes) return;
     ++refusals;
-    throw Error(ErrorCode::bad_file, too_much(what, bytes, allowed), {}, "raise it with --max-memory if you trust the file");
+    throw Error(ErrorCode::bad_file, too_much(what, bytes, allowed), {},
+                "raise it with --max-memory if you trust the file");
 }
 
 void MemoryBudget::Account::charge(std::uint64_t bytes, std::string_view what) {
@@ -57,7 +58,9 @@ void MemoryBudget::Account::charge(std::uint64_t bytes, std::string_view what) {
 MemoryBudget::MemoryBudget(std::uint64_t max_bytes) : account_(std::make_shared<Account>(max_bytes)) {}
 
 void MemoryBudget::note_read(std::uint64_t bytes) noexcept { account_->read_bytes += bytes; }
-void MemoryBudget::check(std::uint64_t bytes, std::string_view what) const { account_->require(account_->charged, bytes, what); }
+void MemoryBudget::check(std::uint64_t bytes, std::string_view what) const {
+    account_->require(account_->charged, bytes, what);
+}
 std::uint64_t MemoryBudget::charged() const noexcept { return account_->charged; }
 std::uint64_t MemoryBudget::limit() const noexcept { return account_->limit(); }
 std::uint64_t MemoryBudget::refusals() const noexcept { return account_->refusals; }

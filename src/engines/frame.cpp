@@ -9,7 +9,6 @@
 #include <new>
 #include <string>
 
-#include "base/assert.h"
 #include "engines/channel_arrays.h"
 
 namespace rakelight {
@@ -20,12 +19,19 @@ template <class T>
 void copy_rows(std::span<const T> from, const Window& area, std::vector<T>& to, const Window& window) {
     if (from.empty() || to.empty()) return;
     const std::size_t width = std::size_t(area.width);
-    RL_ASSERT(from.size() == width * std::size_t(area.height), "an array of a tile has not its area's size");
+    if (from.size() != width * std::size_t(area.height))
+        throw Error(ErrorCode::usage, "an array of a tile has " + std::to_string(from.size()) + " entries for " +
+                                          std::to_string(area.width) + " x " + std::to_string(area.height) + " pixels");
     for (int row = 0; row < area.height; ++row) {
         const std::size_t at =
             std::size_t(area.y - window.y + row) * std::size_t(window.width) + std::size_t(area.x - window.x);
         std::copy_n(from.begin() + std::ptrdiff_t(std::size_t(row) * width), width, to.begin() + std::ptrdiff_t(at));
     }
+}
+
+/// Along one axis; without sums that may overflow.
+bool is_inside(int from, int length, int outer_from, int outer_length) {
+    return length >= 0 && from >= outer_from && std::int64_t(from) + length <= std::int64_t(outer_from) + outer_length;
 }
 
 /// What the arrays take [bytes]; double, since sizes from anywhere may be multiplied.
@@ -56,6 +62,8 @@ Error too_large(const Window& window, double bytes) {
 }  // namespace
 
 void Frame::begin(int picture_width, int picture_height, Window picture_window, std::uint32_t channels) {
+    if (picture_width < 0 || picture_height < 0 || picture_window.width < 0 || picture_window.height < 0)
+        throw Error(ErrorCode::usage, "a picture or window has a size below 0");
     width = picture_width;
     height = picture_height;
     window = picture_window.width == 0 ? Window{0, 0, width, height} : picture_window;
@@ -72,9 +80,8 @@ void Frame::begin(int picture_width, int picture_height, Window picture_window, 
 
 void Frame::tile(const Tile& tile) {
     const Window& a = tile.area;
-    RL_ASSERT(a.x >= window.x && a.y >= window.y && a.x + a.width <= window.x + window.width &&
-                  a.y + a.height <= window.y + window.height,
-              "a tile reaches out of the window");
+    if (!is_inside(a.x, a.width, window.x, window.width) || !is_inside(a.y, a.height, window.y, window.height))
+        throw Error(ErrorCode::usage, "a tile reaches out of the window");
     copy_rows(tile.color, a, color, window);
     for_each_channel([&](std::uint32_t, const auto& from, auto& to) { copy_rows(from, a, to, window); }, tile,
                      static_cast<ChannelArrays&>(*this));

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string>
 
+#include "base/enumerators.h"
+
 namespace rakelight::geometry {
 namespace {
 
@@ -22,6 +24,7 @@ void check_size(std::size_t mesh, const char* what, std::size_t given, std::uint
 }
 
 void check_mesh(std::size_t m, const AttributeMesh& mesh) {
+    if (!exists(mesh.group_kind, GroupKind::numbers)) fail(m, no_such("kind of smoothing groups", mesh.group_kind));
     if (mesh.indices.size() % 3 != 0)
         fail(m, std::to_string(mesh.indices.size()) + " indices, not a multiple of 3");
     const std::uint64_t triangles = mesh.indices.size() / 3;
@@ -140,6 +143,13 @@ void check_options(const AttributeOptions& options) {
     if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi + angle_slack))
         throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");
     if (!std::isfinite(options.weld_distance)) throw Error(ErrorCode::usage, "the weld distance must be finite");
+    const auto require = [](const char* what, auto value, auto last) {
+        if (!exists(value, last)) throw Error(ErrorCode::usage, no_such(what, value));
+    };
+    require("scope", options.scope, Scope::model);
+    require("weight", options.weight, CornerWeight::angle_area);
+    require("way to make tangents", options.tangent_mode, TangentMode::published_no_handedness);
+    require("way to orthogonalize", options.orthogonalize, Orthogonalize::off);
 }
 
 CreaseRange crease_range(std::span<const AttributeMesh> meshes, const AttributeOptions& options) {

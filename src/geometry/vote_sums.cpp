@@ -8,7 +8,8 @@ namespace rakelight::geometry {
 namespace {
 
 // Votes for vertices that another piece of the mesh owns, in the order of sending. Blocks: nothing moves as they grow.
-// What the outboxes hold is charged as they grow: nothing for most models, all votes where the triangles lie in disorder.
+// What the outboxes hold is charged as they grow: nothing for most models, all votes where the triangles lie in
+// disorder.
 template <class Item>
 class Outbox {
 public:

@@ -75,11 +75,6 @@ void require_whole(const Pixels& pixels) {
 
 }  // namespace
 
-Pixels decoded(const EncodedImage& image, Context& context) {
-    if (image.measure) image.measure(image, context);
-    return image.decode(image, context);
-}
-
 std::vector<std::uint32_t> to_rgba8(const Pixels& pixels, Context& context) {
     require_whole(pixels);
     RL_ASSERT(pixels.component == Component::u8, "only 8-bit pictures have 8-bit codes");

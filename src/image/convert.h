@@ -9,9 +9,6 @@
 
 namespace rakelight {
 
-/// The picture's pixels. What decode() is called by, so that the budget knows how much was read. @throws Error as that
-Pixels decoded(const EncodedImage& image, Context& context);
-
 /// What the numbers of an integer picture mean. Float pictures are always linear.
 enum class ColorSpace : std::uint8_t { srgb, linear };
 

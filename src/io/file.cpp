@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -14,21 +13,12 @@
 #include <system_error>
 #include <utility>
 
+#include "io/descriptor.h"
+
 namespace rakelight::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A descriptor that closes itself.
-struct Descriptor {
-    int fd = -1;
-    ~Descriptor() {
-        if (fd >= 0) ::close(fd);
-    }
-};
-
-/// strerror is not thread-safe; this is.
-std::string system_message(int code) { return std::generic_category().message(code); }
 
 [[noreturn]] void refuse_input(const std::string& path, const std::string& reason) {
     throw Error(ErrorCode::not_found, reason).with_file(path);
@@ -127,34 +117,6 @@ int base64_digit(char c) {
     return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-[[noreturn]] void refuse_output(const std::string& path, int code) {
-    throw Error(ErrorCode::failed, "cannot be written: " + system_message(code)).with_file(path);
-}
-
-/// Output goes through a symbolic link, not over it.
-std::string behind_link(const std::string& path) {
-    std::error_code error;
-    if (!fs::is_symlink(path, error)) return path;
-    const fs::path target = fs::canonical(path, error);
-    if (error) refuse_output(path, error.value());
-    return target.string();
-}
-
-/// Creates a file in the folder of `path` under a name that nobody has; a short one, so that it fits wherever `path` fits.
-/// @return the descriptor, or -1 with errno
-int create_beside(const std::string& path, std::string& temporary, UnfinishedOutput& unfinished) {
-    static std::atomic<unsigned> counter{0};
-    const std::size_t slash = path.find_last_of('/');
-    const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
-    int fd = -1;
-    do {  // a taken name is the rest of a process of the same number that died; the counter goes on
-        temporary = folder + ".rl-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
-        unfinished.watch(temporary);
-        fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    } while (fd < 0 && errno == EEXIST);
-    return fd;
-}
-
 }  // namespace
 
 Bytes charged_bytes(std::vector<std::byte> bytes, MemoryCharge charge) {
@@ -237,53 +199,6 @@ std::optional<std::vector<std::byte>> base64_decode(std::string_view text) {
         if (held >= 8) bytes.push_back(std::byte(bits >> (held -= 8) & 0xff));
     }
     return bytes;
-}
-
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
-    if (path_.empty() || path_.find('\0') != std::string::npos)
-        throw Error(ErrorCode::failed, "the name of the output file is empty or holds a zero byte");
-    struct ::stat status {};
-    const bool exists = ::stat(path_.c_str(), &status) == 0;
-    if (exists && S_ISDIR(status.st_mode)) refuse_output(path_, EISDIR);
-    // Renaming over /dev/null or a FIFO would replace it: such targets are written to as they are.
-    const bool direct = exists && !S_ISREG(status.st_mode);
-    if (exists && !direct) path_ = behind_link(path_);
-    Descriptor file{direct ? ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY)
-                           : create_beside(path_, temporary_, unfinished_)};
-    if (file.fd < 0) refuse_output(path_, errno);
-    if (exists && !direct) static_cast<void>(::fchmod(file.fd, status.st_mode & 0777));
-    file_ = ::fdopen(file.fd, "wb");
-    if (file_ == nullptr) {
-        const int code = errno;
-        if (!direct) ::unlink(temporary_.c_str());
-        refuse_output(path_, code);
-    }
-    file.fd = -1;
-}
-
-OutputFile::~OutputFile() {
-    if (file_ != nullptr) std::fclose(file_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
-}
-
-void OutputFile::write(std::span<const std::byte> bytes) {
-    if (!bytes.empty() && std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
-        refuse_output(path_, errno);
-}
-
-void OutputFile::finish() {
-    // stdio keeps an earlier failure in ferror() only; fclose() alone may report success after it.
-    const bool broken = std::fflush(file_) != 0 || std::ferror(file_) != 0;
-    int code = broken ? errno : 0;
-    if (std::fclose(std::exchange(file_, nullptr)) != 0 && code == 0) code = errno;
-    if (broken || code != 0) refuse_output(path_, code != 0 ? code : EIO);
-}
-
-void OutputFile::commit() {
-    if (file_ != nullptr) finish();
-    if (temporary_.empty()) return;
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) refuse_output(path_, errno);
-    temporary_.clear();
 }
 
 }  // namespace rakelight::io

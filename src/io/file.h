@@ -12,6 +12,7 @@
 
 #include <rakelight/context.h>
 
+#include "io/sync.h"
 #include "io/unfinished_output.h"
 
 namespace rakelight::io {
@@ -42,17 +43,21 @@ std::optional<std::string> percent_decode(const std::string& uri);
 /// Bytes of base64 (RFC 4648, padding optional, no white space); nullopt when a character is illegal.
 std::optional<std::vector<std::byte>> base64_decode(std::string_view text);
 
-/// A file written under a temporary name beside its place and renamed when whole; removed when never committed.
+/// A file written under a temporary name beside its place, and renamed when whole and on the disk; removed when never
+/// committed. Symbolic links are followed, also to a file that is not there yet. Devices and pipes are written to as
+/// they are.
 class OutputFile {
 public:
-    /// @throws Error failed: the folder is missing or not writable.
+    /// @throws Error failed: the folder is missing or not writable, the path is a folder, links that lead in a circle.
     explicit OutputFile(std::string path);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     void write(std::span<const std::byte> bytes);  ///< @throws Error failed: disk full
-    void finish();                                 ///< flush, close: what may fail for want of space; @throws Error failed
-    void commit();                                 ///< finish where that was not done, rename; @throws Error failed
+    void finish(Sync sync = Sync::now);  ///< flush, fsync, close: what may fail for want of space; @throws Error failed
+    /// Finish where that was not done, rename, fsync of the folder. @throws Error failed; the file may then be in its
+    /// place
+    void commit(Sync sync = Sync::now);
     std::FILE* handle() { return file_; }          ///< for libraries that want a FILE*
 
 private:
@@ -60,5 +65,13 @@ private:
     UnfinishedOutput unfinished_;  ///< of temporary_
     std::FILE* file_ = nullptr;
 };
+
+/// The bytes of a file that was written are on the disk. @throws Error failed: as sync_folder(); it cannot be opened
+void sync_file(const std::string& path);
+
+/// Names that were made or renamed in a folder stay after a crash of the machine; where the folder cannot be opened,
+/// nothing.
+/// @throws Error failed: EIO and the like, but not where the file system does not offer it
+void sync_folder(const std::string& folder);
 
 }  // namespace rakelight::io

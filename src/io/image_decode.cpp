@@ -15,7 +15,8 @@ void bad_picture(const std::string& reason, const std::string& advice) {
     throw Error(ErrorCode::bad_file, reason, {}, advice);
 }
 
-Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Want want, Context& context) {
+Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Want want,
+                   Context& context) {
     if (width == 0 || height == 0) bad_picture("the picture has no pixels");
     if (width > max_side || height > max_side)
         bad_picture("the picture is " + std::to_string(width) + " x " + std::to_string(height) + " pixels, more than " +
@@ -93,22 +94,30 @@ Pixels read_embedded(const EncodedImage& image, Context& context) {
 
 }  // namespace
 
-Pixels decode_image(std::span<const std::byte> bytes, Context& context) {
-    return read(bytes, Want::pixels, context);
-}
+Pixels decode_image(std::span<const std::byte> bytes, Context& context) { return read(bytes, Want::pixels, context); }
 
 ImageHandle image_from_file(std::string name, std::string model_file, std::string path, std::string place) {
-    return std::make_shared<const EncodedImage>(EncodedImage{
-        std::move(name), std::move(model_file), std::move(path), nullptr, {}, read_own_file<Want::pixels>,
-        std::move(place), read_own_file<Want::header>});
+    return std::make_shared<const EncodedImage>(EncodedImage{std::move(name),
+                                                             std::move(model_file),
+                                                             std::move(path),
+                                                             nullptr,
+                                                             {},
+                                                             read_own_file<Want::pixels>,
+                                                             std::move(place),
+                                                             read_own_file<Want::header>});
 }
 
 ImageHandle image_from_bytes(std::string name, std::string model_file, std::shared_ptr<const std::vector<std::byte>> bytes,
                              std::string mime_type) {
     if (!bytes) bytes = std::make_shared<const std::vector<std::byte>>();
-    return std::make_shared<const EncodedImage>(EncodedImage{
-        std::move(name), std::move(model_file), {}, std::move(bytes), std::move(mime_type), read_embedded<Want::pixels>,
-        {}, read_embedded<Want::header>});
+    return std::make_shared<const EncodedImage>(EncodedImage{std::move(name),
+                                                             std::move(model_file),
+                                                             {},
+                                                             std::move(bytes),
+                                                             std::move(mime_type),
+                                                             read_embedded<Want::pixels>,
+                                                             {},
+                                                             read_embedded<Want::header>});
 }
 
 }  // namespace rakelight::io

@@ -105,7 +105,8 @@ Pixels read_luminance_chroma(std::span<const std::byte> bytes, Want want, Contex
     Imf::RgbaInputFile file(input, 0);
     const Imath::Box2i window = file.dataWindow();
     const bool alpha = (file.channels() & Imf::WRITE_A) != 0;
-    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), alpha ? 4 : 3, Component::f32, want, context);
+    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), alpha ? 4 : 3,
+                                Component::f32, want, context);
     if (want == Want::header) return pixels;
     std::vector<Imf::Rgba> row{std::size_t(pixels.width)};
     std::vector<float> floats(row.size() * std::size_t(pixels.channels));
@@ -128,7 +129,8 @@ Pixels read_part(Imf::MultiPartInputFile& file, Want want, Context& context) {
     Imf::InputPart part(file, 0);
     const Imath::Box2i window = part.header().dataWindow();
     const Layout layout = layout_of(part.header().channels());
-    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), layout.channels, Component::f32, want, context);
+    Pixels pixels = make_pixels(side(window.min.x, window.max.x), side(window.min.y, window.max.y), layout.channels,
+                                Component::f32, want, context);
     if (want == Want::header) return pixels;
     Imf::FrameBuffer buffer;
     for (int c = 0; c < layout.channels; ++c)
@@ -149,7 +151,8 @@ Pixels read_any(std::span<const std::byte> bytes, Want want, Context& context) {
     const Imf::Header& header = file.header(0);
     if (header.hasType() && Imf::isDeepData(header.type())) bad_picture("deep EXR pictures are not supported");
     const Imf::ChannelList& list = header.channels();
-    if (list.findChannel("RY") && list.findChannel("BY") && !list.findChannel("R")) return read_luminance_chroma(bytes, want, context);
+    if (list.findChannel("RY") && list.findChannel("BY") && !list.findChannel("R"))
+        return read_luminance_chroma(bytes, want, context);
     return read_part(file, want, context);
 }
 
@@ -206,10 +209,10 @@ public:
         call([&] { exr_->writePixels(1); });
     }
 
-    void finish() override {
+    void finish(Sync sync) override {
         if (rows_left_ != 0) throw Error(ErrorCode::failed, "the picture is not complete").with_file(path_);
         call([&] { exr_.reset(); });  // writes the table of lines
-        file_.commit();
+        file_.commit(sync);
     }
 
 private:

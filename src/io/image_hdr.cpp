@@ -156,9 +156,9 @@ public:
         file_.write(std::as_bytes(std::span(packed_)));
     }
 
-    void finish() override {
+    void finish(Sync sync) override {
         if (rows_left_ != 0) throw Error(ErrorCode::failed, "the picture is not complete").with_file(path_);
-        file_.commit();
+        file_.commit(sync);
     }
 
 private:

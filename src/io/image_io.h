@@ -7,6 +7,8 @@
 
 #include <rakelight/image.h>
 
+#include "io/sync.h"
+
 namespace rakelight::io {
 
 /// Makes an undecoded picture with its decode function installed. Either `path` (a file of its own) or `bytes`
@@ -23,13 +25,13 @@ ImageHandle image_from_bytes(std::string name, std::string model_file, std::shar
 /// it.
 Pixels decode_image(std::span<const std::byte> bytes, Context& context);
 
-/// Takes rows from top to bottom; the file appears when finish() was called (temporary name, then rename).
+/// Takes rows from top to bottom; the file appears when finish() was called (temporary name, fsync, then rename).
 class ImageWriter {
 public:
     virtual ~ImageWriter() = default;
     /// [width * channels] components of the writer's kind
     virtual void write_row(const void* row) = 0;
-    virtual void finish() = 0;
+    virtual void finish(Sync sync = Sync::now) = 0;
 };
 
 /// What a file name's ending asks for: png, jpg/jpeg, webp take 8-bit components (PNG 16 too), exr and hdr take f32.
@@ -55,6 +57,6 @@ struct ExrPlace {
 std::unique_ptr<ImageWriter> make_exr_writer(const std::string& path, int width, int height,
                                              std::vector<ExrChannel> channels, ExrPlace place = {});
 /// All rows at once.
-void write_image(const std::string& path, const Pixels& pixels);
+void write_image(const std::string& path, const Pixels& pixels, Sync sync = Sync::now);
 
 }  // namespace rakelight::io

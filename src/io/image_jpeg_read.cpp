@@ -127,7 +127,8 @@ Pixels read_jpeg(std::span<const std::byte> bytes, Want want, Context& context) 
     const bool cmyk = is_cmyk(reader.info), gray = reader.info.jpeg_color_space == JCS_GRAYSCALE;
     reader.info.out_color_space = cmyk ? JCS_CMYK : gray ? JCS_GRAYSCALE : JCS_RGB;
     context.memory().check(coefficient_bytes(reader.info), "the picture while it is decoded");
-    Pixels pixels = make_pixels(reader.info.image_width, reader.info.image_height, gray ? 1 : 3, Component::u8, want, context);
+    Pixels pixels =
+        make_pixels(reader.info.image_width, reader.info.image_height, gray ? 1 : 3, Component::u8, want, context);
     if (want == Want::header) return pixels;
     std::vector<unsigned char> inks(cmyk ? std::size_t(pixels.width) * 4 : 0);
     auto* out = reinterpret_cast<unsigned char*>(pixels.bytes.data());

@@ -79,9 +79,9 @@ public:
         require(put_row(encoder_, row_.data()));
     }
 
-    void finish() override {
+    void finish(Sync sync) override {
         require(end(encoder_));
-        file_.commit();
+        file_.commit(sync);
     }
 
 private:

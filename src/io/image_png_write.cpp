@@ -41,9 +41,9 @@ public:
         if (!(result == SPNG_EOI && rows_left_ == 0)) require(result);
     }
 
-    void finish() override {
+    void finish(Sync sync) override {
         if (rows_left_ != 0) throw Error(ErrorCode::failed, "the picture is not complete").with_file(path_);
-        file_.commit();
+        file_.commit(sync);
     }
 
 private:

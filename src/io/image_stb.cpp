@@ -104,7 +104,8 @@ Pixels read_tga(std::span<const std::byte> bytes, Want want, Context& context) {
     if (h.width > max_side || h.height > max_side) bad_picture("the picture is too large");
     if (!tga_is_whole(bytes, h)) bad_picture("broken TGA: it ends too early");
     Pixels pixels = read_by_stb(bytes, "TGA", want, context);
-    if (want == Want::pixels && (h.descriptor & 0x10) != 0) mirror_rows(pixels);  // right to left, which stb_image does not look at
+    if (want == Want::pixels && (h.descriptor & 0x10) != 0)
+        mirror_rows(pixels);  // right to left, which stb_image does not look at
     return pixels;
 }
 

@@ -46,7 +46,7 @@ public:
         }
     }
 
-    void finish() override {
+    void finish(Sync sync) override {
         if (rgba_.size() != std::size_t(width_) * std::size_t(height_) * 4)
             throw Error(ErrorCode::failed, "the picture is not complete").with_file(path_);
         struct Encoded {
@@ -73,7 +73,7 @@ public:
         if (!WebPPictureImportRGBA(&encoded.picture, rgba_.data(), width_ * 4) || !WebPEncode(&config, &encoded.picture))
             throw Error(ErrorCode::failed, "cannot be encoded as WebP").with_file(path_);
         file_.write(std::as_bytes(std::span(encoded.memory.mem, encoded.memory.size)));
-        file_.commit();
+        file_.commit(sync);
     }
 
 private:

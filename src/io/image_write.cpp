@@ -74,10 +74,10 @@ std::unique_ptr<ImageWriter> make_exr_writer(const std::string& path, int width,
     return codec::write_exr_channels(path, width, height, std::move(channels), place);
 }
 
-void write_image(const std::string& path, const Pixels& pixels) {
+void write_image(const std::string& path, const Pixels& pixels, Sync sync) {
     const auto writer = make_image_writer(path, pixels.width, pixels.height, pixels.channels, pixels.component);
     for (int y = 0; y < pixels.height; ++y) writer->write_row(pixels.row(y));
-    writer->finish();
+    writer->finish(sync);
 }
 
 }  // namespace rakelight::io

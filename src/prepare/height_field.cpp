@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/decode.h"
 #include "math/functions.h"
 
 namespace rakelight {
@@ -83,8 +84,7 @@ std::shared_ptr<const HeightField> HeightFields::of(const TextureUse& use) {
     const Texture& texture = scene_.textures[use.texture];
     const auto [entry, is_new] = chains_.try_emplace(texture.image.get());
     if (is_new) try {
-            MipChain chain =
-                make_mip_chain(decoded(*texture.image, context_), ColorSpace::linear, context_);
+            MipChain chain = make_mip_chain(decode(*texture.image, context_), ColorSpace::linear, context_);
             if (!chain.levels.empty()) entry->second = std::make_shared<const MipChain>(std::move(chain));
         } catch (const Error& error) {
             context_.throw_if_cancelled();

@@ -9,10 +9,19 @@
 
 namespace rakelight {
 
-/// Texture coordinates by projection about the world bounding box, for triangle meshes that have none; said in the report.
+/// Functions of public headers for scenes that passed validate(), which the public ones do first.
+namespace valid {
+Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context);
+}
+
+/// @throws Error usage: a number out of its range, an enumerator that there is not
+void check_options(const PrepareOptions& options);
+
+/// Texture coordinates by projection about the world bounding box, for triangle meshes of a valid
+/// scene that have none; said in the report.
 Scene project_texcoords(const Scene& scene, UvProjection projection, Context& context);
 
-/// Normals and tangents by the door of <rakelight/attributes.h> over the whole scene.
+/// Normals and tangents of a valid scene by the door of <rakelight/attributes.h> over the whole scene.
 struct SmoothSceneOptions {
     AttributeOptions attributes;
     bool only_missing = false;  ///< keep normals that are there; make the others

@@ -5,6 +5,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/enumerators.h"
 #include "math/linear.h"
 #include "prepare/displace.h"
 #include "prepare/normal_rule.h"
@@ -193,10 +194,31 @@ Scene prepare_stages(Scene scene, const PrepareOptions& options, Context& contex
 
 }  // namespace
 
+void check_options(const PrepareOptions& o) {
+    const auto require = [](bool is_fine, const std::string& fault) {
+        if (!is_fine) throw Error(ErrorCode::usage, fault);
+    };
+    require(o.crease_angle_rad >= 0 && o.crease_angle_rad <= pi, "the crease angle must be 0 to 180 degrees");
+    require(exists(o.normals, NormalSource::model), no_such("source of normals", o.normals));
+    require(exists(o.weight, CornerWeight::angle_area), no_such("weight", o.weight));
+    require(exists(o.uv, UvProjection::cylinder), no_such("projection of texture coordinates", o.uv));
+    require(exists(o.orthogonalize, Orthogonalize::off), no_such("way to orthogonalize", o.orthogonalize));
+    require(exists(o.bump, Bump::displacement), no_such("bump technique", o.bump));
+    const TangentMode tangents = o.tangents.value_or(TangentMode::averaged);
+    require(exists(tangents, TangentMode::published_no_handedness), no_such("way to make tangents", tangents));
+    for (const char* const fault : {fault_of(o.subdivision), fault_of(o.displacement.relief)})
+        require(!fault, fault ? fault : "");
+    require(o.displacement.edge >= 0 && std::isfinite(o.displacement.edge),
+            "the edge of a displacement must be 0 or more");
+}
+
 Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context) {
-    if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi))
-        throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");
     validate(scene);
+    return valid::prepare_scene(std::move(scene), options, context);
+}
+
+Scene valid::prepare_scene(Scene scene, const PrepareOptions& options, Context& context) {
+    check_options(options);
     const std::set<const void*> own = unpaid_arrays(scene);
     if (options.clockwise_fronts) {
         TriangleTurner turner;

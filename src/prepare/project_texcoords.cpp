@@ -171,7 +171,6 @@ Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, Uv
 }  // namespace
 
 Scene project_texcoords(const Scene& scene, UvProjection projection, Context& context) {
-    validate(scene);
     if (projection == UvProjection::none) return scene;
     const std::vector<dmat4> world = world_matrices(scene);
     const Frame frame = frame_of(world_bounds(scene));

@@ -182,8 +182,13 @@ public:
     /// @param numbers  [selection.computed] the meshes that were computed
     ResultPlacer(Scene& scene, const SmoothRequest& request, const SmoothSelection& selection,
                  const std::vector<std::uint32_t>& numbers, Context& context)
-        : scene_(scene), request_(request), s_(selection), numbers_(numbers), context_(context),
-          variants_(scene, request.keep_instances), uses_(scene.meshes.size(), 0) {
+        : scene_(scene),
+          request_(request),
+          s_(selection),
+          numbers_(numbers),
+          context_(context),
+          variants_(scene, request.keep_instances),
+          uses_(scene.meshes.size(), 0) {
         for (const std::uint32_t number : numbers_) ++uses_[number];
         for (std::size_t i = 0; i < s_.instances.size(); ++i)
             if (const std::uint32_t mesh = s_.instances[i].mesh; mesh != numbers_[s_.result_of[i]]) ++uses_[mesh];
@@ -212,10 +217,12 @@ public:
         if (variants_.kept() > 0)
             context_.report().add(Remark::warning, scene_.source, {},
                                   std::to_string(variants_.kept()) +
-                                      " instances that touch other things keep the normals of the first of their mesh: kept shared as asked");
+                                      " instances that touch other things keep the normals of the first of their mesh: "
+                                      "kept shared as asked");
         if (variants_.copies() > 0)
             context_.report().add(Remark::note, scene_.source, {},
-                                  std::to_string(variants_.copies()) + " instances got a mesh of their own: their normals differ by what they touch");
+                                  std::to_string(variants_.copies()) +
+                                      " instances got a mesh of their own: their normals differ by what they touch");
     }
 
 private:
@@ -307,13 +314,11 @@ Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& c
     std::vector<MeshAttributes> results = compute_attributes(meshes, options_for(only, meshes), context);
     report_faults(scene, numbers, results, only.attributes, context.report());
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        scene.meshes[numbers[i]] =
-            with_attributes(scene.meshes[numbers[i]], std::move(results[i]), false, context);
+        scene.meshes[numbers[i]] = with_attributes(scene.meshes[numbers[i]], std::move(results[i]), false, context);
     return scene;
 }
 
 Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Context& context) {
-    validate(scene);
     SmoothRequest request;
     request.attributes = options.attributes;
     request.tangents = options.attributes.tangents ? TangentWish::everywhere : TangentWish::none;

@@ -20,16 +20,6 @@ namespace {
 
 Subdivision wish_of(const Mesh& mesh, const Subdivision& otherwise) { return mesh.subdivision.value_or(otherwise); }
 
-void check(const Subdivision& s) {
-    if (s.level < 0 || s.level > 8) throw Error(ErrorCode::usage, "subdivision goes by 0 to 8 levels");
-    if (s.crease_angle_rad && !(*s.crease_angle_rad >= 0 && *s.crease_angle_rad <= pi))
-        throw Error(ErrorCode::usage, "the crease angle of a subdivision must be 0 to 180 degrees");
-    if (!(s.sharpness >= 0 && s.sharpness <= 10))
-        throw Error(ErrorCode::usage, "the sharpness of creases must be 0 to 10");
-    if (!(s.edge >= 0 && std::isfinite(s.edge)))
-        throw Error(ErrorCode::usage, "the edge of a subdivision must be 0 or more");
-}
-
 /// Placements that are one surface, all of one wish.
 struct Group {
     std::vector<std::size_t> members;  ///< into Subdividing::instances_
@@ -258,9 +248,7 @@ bool wants_subdivision(const Scene& scene, const Subdivision& otherwise) {
 }
 
 Scene subdivide_scene(const Scene& scene, const Subdivision& otherwise, Context& context) {
-    check(otherwise);
-    for (const Mesh& mesh : scene.meshes)
-        if (mesh.subdivision) check(*mesh.subdivision);
+    if (const char* const fault = fault_of(otherwise)) throw Error(ErrorCode::usage, fault);
     return Subdividing(scene, otherwise, context).run();
 }
 

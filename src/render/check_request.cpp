@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be wrong with a picture before anything is loaded.
+#include <cmath>
 #include <filesystem>
 
+#include "engines/check_settings.h"
 #include "render/engines.h"
 #include "render/picture_files.h"
 
@@ -9,18 +11,6 @@
 
 namespace rakelight {
 namespace {
-
-constexpr int max_side = 65536;  // [px]
-
-void check_size(const RenderSettings& s) {
-    if (s.width < 1 || s.height < 1 || s.width > max_side || s.height > max_side)
-        throw Error(ErrorCode::usage, "the resolution must be 1 to 65536 pixels a side");
-    const Window& w = s.window;
-    if (w == Window{}) return;
-    if (w.x < 0 || w.y < 0 || w.width < 1 || w.height < 1 || w.x > s.width - w.width || w.y > s.height - w.height)
-        throw Error(ErrorCode::usage, "the window does not lie inside the picture of " + std::to_string(s.width) +
-                                          " x " + std::to_string(s.height) + " pixels");
-}
 
 void check_output(const PictureRequest& request) {
     const PixelFormat format = format_for(request.output, request.settings.background.w < 1);
@@ -42,9 +32,11 @@ void check_output(const PictureRequest& request) {
 
 void check_request(const PictureRequest& request) {
     check_engine_name(request.engine);
-    check_size(request.settings);
+    check_settings(request.settings);
     if (!(request.light_cutoff >= 0 && request.light_cutoff <= 1))
         throw Error(ErrorCode::usage, "the light cutoff must be 0 to 1");
+    if (!(request.light_intensity >= 0 && std::isfinite(request.light_intensity)))
+        throw Error(ErrorCode::usage, "the intensity of the lights must be a number >= 0");
     (void)ToneCurve(request.tone);  // an exposure that cannot be
     try {
         check_output(request);

@@ -4,6 +4,7 @@
 
 #include <rakelight/picture.h>
 
+#include "engines/check_settings.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
 #include "render/drawable.h"
@@ -16,7 +17,7 @@
 namespace rakelight {
 namespace {
 
-double aspect_of(const RenderSettings& s) { return double(std::max(s.width, 1)) / double(std::max(s.height, 1)); }
+double aspect_of(const RenderSettings& s) { return double(s.width) / double(s.height); }
 
 /// The camera placed in the world, so that an engine needs no node for it.
 Camera in_world(const Scene& scene, Camera camera, double aspect) {
@@ -25,6 +26,7 @@ Camera in_world(const Scene& scene, Camera camera, double aspect) {
     return adapt_to_aspect(std::move(camera), aspect);
 }
 
+/// @param scene, camera  valid, the camera placed in the world
 Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Context& context) {
     check_drawable(scene);
     if (scene.lights.empty() && !is_lit_by_environment(scene)) scene.lights = default_lights(camera.to_world);
@@ -34,7 +36,7 @@ Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Co
         .bump = settings.bump,
         .displacement = {.is_on = settings.bump == Bump::displacement, .relief = settings.relief}};
     scene = with_height_maps(std::move(scene), settings, context);
-    engine->prepare(prepare_scene(std::move(scene), prepare, context), context);
+    engine->prepare(valid::prepare_scene(std::move(scene), prepare, context), context);
     Frame frame;
     engine->render(camera, settings, frame, context);
     return frame;
@@ -43,18 +45,33 @@ Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Co
 }  // namespace
 
 Scene smooth(const Scene& scene, const AttributeOptions& options, Context& context) {
+    validate(scene);
     return smooth_scene(scene, {.attributes = options, .only_missing = false}, context);
 }
 
 Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context) {
+    check_settings(settings);
+    validate(scene);
+    check_camera(camera, scene.nodes.size(), CameraUse::in_scene);
+    return valid::render(scene, camera, settings, context);
+}
+
+Frame valid::render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context) {
     return draw(scene, in_world(scene, camera, aspect_of(settings)), settings, context);
 }
 
 Frame render(const Scene& scene, const RenderSettings& settings, Context& context) {
-    return draw(scene, choose_camera(scene, {}, aspect_of(settings), context), settings, context);
+    check_settings(settings);
+    validate(scene);
+    return draw(scene, valid::choose_camera(scene, {}, aspect_of(settings), context), settings, context);
 }
 
 void save(const Frame& frame, const std::string& path, const ToneSettings& tone) {
+    const Window& w = frame.window;
+    if (w.width > 0 && w.height > 0 && frame.color.size() != std::size_t(w.width) * std::size_t(w.height))
+        throw Error(ErrorCode::usage, "the frame has " + std::to_string(frame.color.size()) + " colors for " +
+                                          std::to_string(w.width) + " x " + std::to_string(w.height) + " pixels")
+            .with_file(path);
     const bool transparent = std::any_of(frame.color.begin(), frame.color.end(), [](const vec4& c) { return c.w < 1; });
     const PixelFormat format = format_for(path, transparent);
     PictureFiles files(path, frame.window.width, frame.window.height, format, {});

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <map>
 
-#include "image/convert.h"
+#include "image/decode.h"
 #include "image/height_from_normals.h"
 #include "scene/scene_tools.h"
 
@@ -76,7 +76,7 @@ private:
     }
 
     HeightsFromNormals heights_of(const EncodedImage& normals, bool green_down) {
-        return heights_from_normals(decoded(normals, context_), green_down, context_);
+        return heights_from_normals(decode(normals, context_), green_down, context_);
     }
 
     Scene& scene_;

@@ -9,6 +9,7 @@
 #include "io/image_io.h"
 #include "io/world/material_keys.h"
 #include "render/change_material.h"
+#include "render/picture_steps.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -51,6 +52,16 @@ void set_factors(Material& m, const MaterialOverrides& o) {
     if (*o.opacity < 1) m.alpha_mode = AlphaMode::blend;
 }
 
+/// The values as their words say, with the checks of a command line's: a caller may have made them otherwise.
+std::vector<WorldValue> checked(const std::vector<WorldValue>& values) {
+    std::vector<std::string> words;
+    for (const WorldValue& value : values) {
+        std::string& text = words.emplace_back(value.key + "=");
+        for (std::size_t i = 0; i < value.words.size(); ++i) text += (i ? "," : "") + value.words[i];
+    }
+    return material_values(words);
+}
+
 /// The keys of a world file's [[material]]. Classical materials under keys of metallic-roughness ones show a highlight.
 void set_values(Scene& scene, const std::vector<WorldValue>& values, Context& context) {
     if (values.empty()) return;
@@ -72,10 +83,17 @@ void set_values(Scene& scene, const std::vector<WorldValue>& values, Context& co
 }  // namespace
 
 Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context) {
+    validate(scene);
+    Scene changed = valid::override_materials(scene, overrides, context);
+    validate_changes(changed, scene);  // a factor may be no number
+    return changed;
+}
+
+Scene valid::override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context) {
     if (overrides == MaterialOverrides{}) return scene;
     Scene changed = scene;
     name_default_material(changed);
-    set_values(changed, overrides.values, context);
+    set_values(changed, checked(overrides.values), context);
     TextureUse base_color, normal, height;
     if (!overrides.base_color.empty()) base_color = add_texture(changed, overrides.base_color, context);
     if (!overrides.normal.empty()) normal = add_texture(changed, overrides.normal, context);

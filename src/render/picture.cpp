@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <new>
 
+#include "engines/check_settings.h"
 #include "math/linear.h"
+#include "prepare/prepare.h"
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/height_maps.h"
@@ -12,6 +14,7 @@
 #include "render/picture_steps.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
+#include "render/view.h"
 #include "render/view_range.h"
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
@@ -65,8 +68,10 @@ PrepareOptions prepare_options(const PictureRequest& request) {
 }
 
 Scene scene_of_request(const PictureRequest& request, Context& context) {
+    check_settings(request.settings);
     Scene scene = load(request.input, request.load, context);
-    if (!(request.materials == MaterialOverrides{})) scene = override_materials(scene, request.materials, context);
+    if (!(request.materials == MaterialOverrides{}))
+        scene = valid::override_materials(scene, request.materials, context);
     scene = with_height_maps(std::move(scene), request.settings, context);
     return with_environment(std::move(scene), request, context);
 }
@@ -75,12 +80,13 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
     check_drawable(scene);
     warn_of_unknown_names(scene, request.settings, context.report());
     const double aspect = double(request.settings.width) / double(request.settings.height);
-    const Camera camera = choose_camera(scene, request.view, aspect, context);
+    const Camera camera = valid::choose_camera(scene, request.view, aspect, context);
     scene = with_lights(std::move(scene), request, camera);
+    validate(scene);  // what the request has put into it
     if (request.light_cutoff > 0)
         context.report().add(Remark::note, scene.source, "",
                              said(cut_lights(scene.lights, request.light_cutoff), request.light_cutoff));
-    return {prepare_scene(std::move(scene), prepare_options(request), context), camera};
+    return {valid::prepare_scene(std::move(scene), prepare_options(request), context), camera};
 }
 
 Window whole_window(const RenderSettings& s) {

@@ -5,6 +5,11 @@
 
 namespace rakelight {
 
+namespace valid {
+/// override_materials() for a scene that passed validate().
+Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
+}  // namespace valid
+
 /// The window that is rendered: the whole picture where none is asked for.
 Window whole_window(const RenderSettings& settings);
 

@@ -14,15 +14,6 @@
 namespace rakelight {
 namespace {
 
-bool is_drawable(const Camera& c) {
-    if (!std::isfinite(c.near) || !(c.far > c.near)) return false;
-    const auto is_length = [](double half) { return half > 0 && std::isfinite(half); };
-    const auto is_angle = [](double fov_rad) { return fov_rad > 0 && fov_rad < pi; };
-    if (c.projection == Projection::orthographic)
-        return is_length(c.half_height) && (!c.half_width || is_length(*c.half_width)) && std::isfinite(c.far);
-    return c.near > 0 && is_angle(c.vertical_fov_rad) && (!c.horizontal_fov_rad || is_angle(*c.horizontal_fov_rad));
-}
-
 std::string list_of_cameras(const Scene& scene) {
     if (scene.cameras.empty()) return "the model has none";
     std::vector<std::string> cameras;
@@ -51,7 +42,7 @@ Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewR
         if (view.near || view.far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
         return fitted;
     };
-    if (!is_drawable(camera)) return use_default("the camera is impossible");
+    if (fault_of(camera, CameraUse::in_engine)) return use_default("the camera is impossible");
     const std::string why_by_its_own = why_blind(camera, aspect, bounds);
     set_asked_depths(camera, view);
     const std::string why = why_blind(camera, aspect, bounds);
@@ -102,7 +93,14 @@ std::size_t find_camera(const Scene& scene, const std::string& wanted) {
                 near.empty() ? list_of_cameras(scene) : "did you mean '" + one_line(near, 60) + "'?");
 }
 
-Camera choose_camera(const Scene& scene, const ViewRequest& asked, double picture_aspect, Context& context) {
+Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
+    validate(scene);
+    if (!(aspect > 0 && std::isfinite(aspect)))
+        throw Error(ErrorCode::usage, "the picture's aspect must be a number > 0");
+    return valid::choose_camera(scene, view, aspect, context);
+}
+
+Camera valid::choose_camera(const Scene& scene, const ViewRequest& asked, double picture_aspect, Context& context) {
     check_placement(asked);
     double aspect = picture_aspect;
     const ViewRequest view = resolve_angles(asked, aspect);

@@ -7,6 +7,14 @@
 
 namespace rakelight {
 
+/// Functions of public headers for scenes that passed validate(), which the public ones do first.
+namespace valid {
+/// @param aspect  a number > 0
+Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
+/// @param camera  in the scene, as check_camera() takes it there
+Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context);
+}  // namespace valid
+
 /// False when the box lies wholly on the outer side of one plane of the camera's frustum: nothing of it can be seen.
 bool may_see(const Camera& camera, double aspect, const Bounds& bounds);
 

@@ -8,13 +8,20 @@
 
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
+#include <rakelight/validate.h>
 
 namespace rakelight {
 
-/// Checks that all indices, sizes and numbers of a scene are right: what engines and prepare rely on. Node parents come
-/// before their children, index blocks are in range, vertex arrays have V entries, matrices are finite, images are not null.
-/// @throws Error bad_file with the place ("mesh 3 'body'") of the first fault. O(size of the scene).
-void validate(const Scene& scene);
+/// validate(), but for index blocks that `known`, a scene that passed it, has in its mesh of the same number.
+void validate_changes(const Scene& scene, const Scene& known);
+
+/// What is wrong with the numbers of a camera, whatever its node, for people; null: nothing. Engines need more than a
+/// scene: a finite far of a parallel projection, and a vertical field of view beside a horizontal one.
+enum class CameraUse { in_scene, in_engine };
+const char* fault_of(const Camera& camera, CameraUse use);
+/// What is wrong with a wish for subdivision, or with the reading of height maps; null: nothing.
+const char* fault_of(const Subdivision& subdivision);
+const char* fault_of(const Relief& relief);
 
 /// Matrices node -> world, [nodes]. A single pass, since parents come first.
 std::vector<dmat4> world_matrices(const Scene& scene);

@@ -9,6 +9,7 @@
 #include <rakelight/error.h>
 
 #include "math/linear.h"
+#include "scene/scene_tools.h"
 
 namespace rakelight {
 
@@ -51,6 +52,10 @@ void Place::finite(const char* what, const dvec4& value) const {
 
 void Place::finite(const char* what, const dmat4& value) const {
     for (const dvec4& column : value.columns) finite(what, column);
+}
+
+void Place::fine(const char* fault) const {
+    if (fault) fail(fault);
 }
 
 namespace {
@@ -107,6 +112,8 @@ struct SeenNumbers {
 
 void check_channel(const Scene& scene, const Place& place, const AnimationChannel& channel, SeenNumbers& seen) {
     place.index_or_none("node", channel.node, scene.nodes.size());
+    place.enumerator("path", channel.path, AnimationPath::morph_weights);
+    place.enumerator("interpolation", channel.interpolation, Interpolation::cubic_spline);
     if (channel.node == none) return;
     if (seen.times.insert(channel.times.identity()).second)
         for (std::size_t k = 0; k < channel.times.size(); ++k) {
@@ -121,10 +128,13 @@ void check_channel(const Scene& scene, const Place& place, const AnimationChanne
 
 }  // namespace
 
-std::uint32_t check_mesh(const Scene& scene, std::size_t number) {
+std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* known) {
     const Mesh& mesh = scene.meshes[number];
     const Place place{"mesh", number, mesh.name};
     const std::size_t vertices = mesh.positions.size();
+    place.enumerator("topology", mesh.topology, Topology::points);
+    place.enumerator("kind of smoothing", mesh.smoothing_kind, SmoothingKind::numbers);
+    place.fine(mesh.subdivision ? fault_of(*mesh.subdivision) : nullptr);
     if (vertices >= none) place.fail("too many vertices for 32-bit indices");
     place.finite("the origin", mesh.origin);
     place.finite("the step of the positions", mesh.position_step);
@@ -143,7 +153,9 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number) {
         place.size_or_empty("morph normals", target.normals.size(), vertices, "vertices");
         place.size_or_empty("morph tangents", target.tangents.size(), vertices, "vertices");
     }
-    check_indices(place, mesh);
+    const bool are_known = known && known->indices == mesh.indices && known->topology == mesh.topology &&
+                           known->positions.size() == vertices;
+    if (!are_known) check_indices(place, mesh);
     return check_influences(place, mesh);
 }
 

@@ -7,6 +7,8 @@
 
 #include <rakelight/scene.h>
 
+#include "base/enumerators.h"
+
 namespace rakelight {
 
 /// An element of a scene, for messages: "mesh 3 'body'".
@@ -26,11 +28,18 @@ struct Place {
     void finite(const char* what, const dvec3& value) const;
     void finite(const char* what, const dvec4& value) const;
     void finite(const char* what, const dmat4& value) const;
+    /// @param last  the last one that E has
+    template <class E>
+    void enumerator(const char* what, E value, E last) const {
+        if (!exists(value, last)) fail(no_such(what, value));
+    }
+    void fine(const char* fault) const;  ///< null
 };
 
 /// Array sizes, index ranges and the material of one mesh.
+/// @param known  a mesh of a valid scene: its indices are not looked through again where they are these; may be null
 /// @return 1 + the largest joint that an influence of weight > 0 names; 0 without influences
-std::uint32_t check_mesh(const Scene& scene, std::size_t number);
+std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* known);
 
 /// Nodes, sizes, and times that are finite and ascending. Numbers that channels share are looked at once.
 void check_animations(const Scene& scene);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "image/decode.h"
 #include "io/file.h"
 #include "io/glb_writer.h"
 #include "io/image_io.h"
@@ -34,7 +35,7 @@ private:
 /// The same picture with bytes of a file: the PNG writer writes files only.
 ImageHandle as_png(const ImageHandle& image, const TemporaryFolder& folder, Context& context) {
     const std::string path = folder.file("texture.png");
-    io::write_image(path, image->decode(*image, context));
+    io::write_image(path, decode(*image, context));
     auto encoded = std::make_shared<EncodedImage>(*image);
     encoded->bytes = io::read_file(path, context);
     encoded->mime_type = "image/png";

@@ -7,10 +7,13 @@
 
 #include <rakelight/picture.h>
 
+#include "engines/check_settings.h"
+#include "prepare/prepare.h"
 #include "render/engines.h"
 #include "render/picture_sink.h"
 #include "render/picture_steps.h"
 #include "render/stopwatch.h"
+#include "render/view.h"
 #include "scene/scene_tools.h"
 #include "tools/bench_export.h"
 #include "tools/bench_scene.h"
@@ -58,6 +61,7 @@ void check(const RenderBenchOptions& o) {
     }
     if (!o.export_file.empty() && !o.export_file.ends_with(".glb"))
         throw Error(ErrorCode::usage, "scenes are exported as .glb").with_file(o.export_file);
+    check_settings(o.settings);
     if (o.output.empty()) return;
     PictureRequest request;
     request.input = "builtin:bench";
@@ -104,8 +108,8 @@ private:
         scene_ = make_bench_scene(options_.triangles, options_.objects, options_.lights, context_);
         settings_.cull = Cull::back;  // all of it is closed; of classical materials both sides are drawn else
         if (!options_.export_file.empty()) export_bench_scene(scene_, options_.export_file, context_);
-        camera_ = choose_camera(scene_, {}, double(settings_.width) / double(settings_.height), context_);
-        scene_ = prepare_scene(scene_, {}, context_);
+        camera_ = valid::choose_camera(scene_, {}, double(settings_.width) / double(settings_.height), context_);
+        scene_ = valid::prepare_scene(scene_, {}, context_);
     }
 
     void take_file() {

@@ -3,6 +3,7 @@
 #include <rakelight/words.h>
 #include <rakelight/world.h>
 
+#include "engines/check_settings.h"
 #include "engines/raster/shadow_maps.h"
 #include "render/picture_steps.h"
 #include "render/report_json.h"
@@ -38,6 +39,7 @@ std::string counted(std::uint64_t n, const char* what) { return std::to_string(n
 }  // namespace
 
 SceneSummary summarize(const Scene& scene) {
+    validate(scene);
     SceneSummary out;
     out.is_world = is_world_file(scene.source);
     for (const Node& node : scene.nodes) {
@@ -58,6 +60,8 @@ SceneSummary summarize(const Scene& scene) {
 }
 
 void check_picture(const Scene& scene, const PictureRequest& request, Context& context) {
+    validate(scene);
+    check_settings(request.settings);
     const Scene lit = with_lights(scene, request, Camera{});
     raster::check_shadow_memory(lit.lights, request.settings, context.memory());
 }

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/check_settings.h"
 #include "math/functions.h"
 #include "math/linear.h"
+#include "prepare/prepare.h"
+#include "render/view.h"
 #include "scene/scene_tools.h"
 #include "tools/seam_normals.h"
 #include "tools/surfaces.h"
@@ -186,12 +189,15 @@ private:
 
 Frame draw_seams(const Scene& scene, const Inspection& inspection, const InspectOptions& options,
                  const ViewRequest& view, const RenderSettings& settings, Context& context) {
-    const double aspect = double(std::max(settings.width, 1)) / double(std::max(settings.height, 1));
+    check_settings(settings);
+    check_options(options.prepare);
+    validate(scene);
+    const double aspect = double(settings.width) / double(settings.height);
     const Scene gray = gray_scene(scene, options, context);
-    const Camera camera = choose_camera(gray, view, aspect, context);
+    const Camera camera = valid::choose_camera(gray, view, aspect, context);
     RenderSettings with_depth = settings;
     with_depth.channels |= channel_depth;
-    Frame frame = render(gray, camera, with_depth, context);
+    Frame frame = valid::render(gray, camera, with_depth, context);
     SeamPainter(frame, camera).paint(inspection.seam_lines);
     return frame;
 }

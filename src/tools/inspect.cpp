@@ -2,6 +2,7 @@
 #include <rakelight/inspect.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "geometry/mesh_faults.h"
 #include "geometry/t_junctions.h"
 #include "math/linear.h"
+#include "prepare/prepare.h"
 #include "scene/scene_tools.h"
 #include "tools/borders.h"
 #include "tools/object_title.h"
@@ -198,6 +200,8 @@ static Scene without_objects(const Scene& scene) {
 }
 
 Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context) {
+    if (!std::isfinite(options.weld_distance)) throw Error(ErrorCode::usage, "the weld distance must be finite");
+    check_options(options.prepare);
     validate(scene);
     Inspection result;
     result.file = scene.source;
@@ -222,7 +226,8 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
         look_at_winding(result, census);
     }
     // Only what it says of the tangents is wanted.
-    if (options.prepare.measure_orthogonality && result.triangles > 0) prepare_scene(scene, options.prepare, context);
+    if (options.prepare.measure_orthogonality && result.triangles > 0)
+        valid::prepare_scene(scene, options.prepare, context);
     result.scene = without_objects(scene);
     return result;
 }

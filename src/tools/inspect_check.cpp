@@ -6,6 +6,7 @@
 
 #include "tools/inspect_sections.h"
 #include "tools/object_name.h"
+#include "tools/whole_inspection.h"
 
 namespace rakelight {
 namespace {
@@ -102,6 +103,7 @@ std::string to_text(const CheckLimits& limits) {
 }
 
 std::vector<CheckFailure> check_limits(const Inspection& i, const CheckLimits& limits) {
+    check_whole(i);
     using S = SurfaceSummary;
     std::vector<CheckFailure> failures;
     const auto add = [&](bool wanted, const char* limit, const auto& find) {

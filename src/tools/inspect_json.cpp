@@ -5,6 +5,7 @@
 #include "render/report_json.h"
 #include "tools/camera_extent.h"
 #include "tools/texture_uses.h"
+#include "tools/whole_inspection.h"
 
 namespace rakelight {
 namespace {
@@ -157,6 +158,7 @@ Json list(const List& values) {
 }
 
 void add(Json& row, const Inspection& i) {
+    check_whole(i);
     row["triangles"] = i.triangles;
     row["bounds"] = {{"low", json_of(i.low)}, {"high", json_of(i.high)}};
     row["objects"] = list(i.objects);

@@ -9,6 +9,7 @@
 #include "tools/inspect_sections.h"
 #include "tools/object_name.h"
 #include "tools/texture_uses.h"
+#include "tools/whole_inspection.h"
 
 namespace rakelight {
 namespace {
@@ -102,6 +103,7 @@ std::string cameras_text(const Scene& scene) {
 }  // namespace
 
 std::string to_text(const Inspection& i) {
+    check_whole(i);
     const dvec3 size{i.high.x - i.low.x, i.high.y - i.low.y, i.high.z - i.low.z};
     std::string text = one_line(i.file) + "\n";
     text += "  " + counted(i.objects.size(), "object") + ", " + counted(i.triangles, "triangle") + ", " +

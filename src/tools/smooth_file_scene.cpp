@@ -35,7 +35,6 @@ std::vector<Block<vec2>> followed(const Mesh& before, const Mesh& after) {
 }  // namespace
 
 Scene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Context& context) {
-    validate(scene);
     SmoothRequest request;
     request.attributes = options.attributes;
     request.attributes.normals = true;

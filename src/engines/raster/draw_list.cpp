@@ -135,8 +135,8 @@ DrawList make_draw_list(Scene given, TextureCache& textures, Context& context) {
     const Scene& scene = list.scene;
     std::uint64_t placements = 0;
     for (const Node& node : scene.nodes) placements += node.meshes.size();
-    list.charge = MemoryCharge(context.memory(), scene.nodes.size() * sizeof(dmat4) + placements * sizeof(Draw),
-                               "what is drawn");
+    list.charge =
+        MemoryCharge(context.memory(), scene.nodes.size() * sizeof(dmat4) + placements * sizeof(Draw), "what is drawn");
     list.node_to_world = world_matrices(scene);
     add_draws(list, placements);
     fill_materials(list, textures, context);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engines/raster/full_types.h"
+#include "image/decode.h"
 #include "math/functions.h"
 
 namespace rakelight::raster {
@@ -34,7 +35,7 @@ void pack_mirrored(const std::vector<OctahedralMap>& maps, EnvironmentMaps& to) 
 
 std::shared_ptr<const EnvironmentMaps> make_maps(const ImageHandle& image, Context& context) {
     const MipChain chain =
-        make_mip_chain(image ? decoded(*image, context) : studio_panorama(), ColorSpace::srgb, context);
+        make_mip_chain(image ? decode(*image, context) : studio_panorama(), ColorSpace::srgb, context);
     auto out = std::make_shared<EnvironmentMaps>();
     out->image = image;
     out->sky = pack_texture(chain, {image, ColorSpace::srgb, Wrap::repeat, Wrap::clamp_to_edge},
@@ -81,7 +82,9 @@ void EnvironmentCache::update(DrawList& list, Context& context) {
             maps_ = make_maps(wanted->image, context);
         } catch (const Error& error) {
             context.throw_if_cancelled();
-            context.report().add(Remark::warning, wanted->image->file, wanted->image->name,
+            const bool is_built_in = !wanted->image;
+            context.report().add(Remark::warning, is_built_in ? list.scene.source : wanted->image->file,
+                                 is_built_in ? "the built-in studio" : wanted->image->name,
                                  "environment left out: " + error.reason());
         }
     }

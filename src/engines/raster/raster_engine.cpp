@@ -190,6 +190,7 @@ public:
     std::string name() const override { return "soft"; }
 
     void prepare(Scene scene, Context& context) override {
+        validate_changes(scene, list_.scene);
         // First: maps are not there beside the new scene's textures, nor of lights that a list left half made lacks.
         shadows_.forget();
         open_surfaces_.forget();

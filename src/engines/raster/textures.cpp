@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/huge_pages.h"
+#include "image/decode.h"
 #include "math/color.h"
 
 namespace rakelight::raster {
@@ -138,7 +139,7 @@ struct Missing {
 };
 
 template <class Work>
-void try_to(Missing& m, const Work& work) {
+void try_to(Missing& m, Context& context, const Work& work) {
     try {
         work();
     } catch (const Error& error) {
@@ -150,15 +151,16 @@ void try_to(Missing& m, const Work& work) {
 void measure(Missing& m, Context& context) {
     const EncodedImage& image = *m.key->image;
     if (!image.measure) return;
-    try_to(m, [&] { m.header = image.measure(image, context); });
+    try_to(m, context, [&] { m.header = image.measure(image, context); });
 }
 
 /// Charges what will be kept, and asks for what decoding takes beside: what is refused is not decoded.
-void charge(Missing& m, MemoryBudget& memory) {
+void charge(Missing& m, Context& context) {
     if (!m.header) return;
     const Pixels& p = *m.header;
     const bool is_float = p.component != Component::u8;
-    try_to(m, [&] {
+    try_to(m, context, [&] {
+        MemoryBudget& memory = context.memory();
         MemoryCharge kept(memory, packed_bytes(p.width, p.height, is_float, m.key->space == ColorSpace::srgb),
                           "the texture");
         memory.check(p.row_bytes() * std::uint64_t(p.height) + mip_chain_bytes(p), "the texture while it is decoded");
@@ -169,10 +171,10 @@ void charge(Missing& m, MemoryBudget& memory) {
 void load(Missing& m, Context& context) {
     const EncodedImage& image = *m.key->image;
     m.fault.clear();
-    try_to(m, [&] {
+    try_to(m, context, [&] {
         bool is_tagged_srgb = false;
         const MipChain chain = [&] {
-            const Pixels pixels = image.decode(image, context);
+            const Pixels pixels = decode_measured(image, context);
             is_tagged_srgb = pixels.is_tagged_srgb;
             return make_mip_chain(pixels, m.key->space, context);
         }();
@@ -187,7 +189,7 @@ void load(Missing& m, Context& context) {
 /// before anything is decoded, and what decoding takes beside is refused only where it does not fit alone.
 void load_all(std::vector<Missing>& missing, Context& context) {
     context.parallel_for(missing.size(), [&](std::size_t i) { measure(missing[i], context); });
-    for (Missing& m : missing) charge(m, context.memory());
+    for (Missing& m : missing) charge(m, context);
     std::vector<Missing*> measured;
     for (Missing& m : missing)
         if (m.header && m.fault.empty()) measured.push_back(&m);

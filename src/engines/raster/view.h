@@ -35,7 +35,8 @@ struct View {
     dvec3 place(double x, double y, double key) const;
 };
 
-/// @throws Error usage: size out of 1..65536, near or far not in order, not finite, field of view out of (0, 180) degrees.
+/// @param camera, settings  that passed their checks (engines/check_settings.h)
+/// @throws Error usage: the placement is singular or not finite
 View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings);
 
 /// Moves near and far in towards the scene where they stand so far apart that float depth keys could not tell its
@@ -45,8 +46,8 @@ View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderS
 void narrow_depths(View& view, const Bounds& drawn);
 
 struct DrawList;
-/// What both are for: the view of what is drawn. Formats of the textbook's depth keep the camera's own range, which
-/// they are there to show.
+/// What both are for: the view of what is drawn, with the checks of camera and settings. Formats of the textbook's
+/// depth keep the camera's own range, which they are there to show.
 View view_of(const DrawList& list, const Camera& camera, const RenderSettings& settings);
 
 }  // namespace rakelight::raster

@@ -73,7 +73,8 @@ private:
         const Elements shape = accessors_.description(accessor, expected, from);
         if (const auto known = cache.find(accessor); known != cache.end()) return known->second;
         const Elements elements = accessors_.elements(accessor, expected, from);
-        MemoryCharge charge(document().context().memory(), elements.count * shape.components * sizeof(float), "animations");
+        MemoryCharge charge(document().context().memory(), elements.count * shape.components * sizeof(float),
+                            "animations");
         Block<float> read(to_scalars(elements), std::move(charge));
         check(read, from);
         return cache.emplace(accessor, std::move(read)).first->second;

@@ -36,8 +36,12 @@ bool contains(const List& list, std::string_view name) {
 }  // namespace
 
 Document::Document(const std::string& path, Bytes file, const ReadOptions& options, Context& context)
-    : path_(path), options_(options), context_(context), file_(std::move(file)),
-      scene_charge_(context.memory()), tree_charge_(context.memory()) {
+    : path_(path),
+      options_(options),
+      context_(context),
+      file_(std::move(file)),
+      scene_charge_(context.memory()),
+      tree_charge_(context.memory()) {
     const Container parts = open_container(*file_, path, context);
     binary_ = parts.binary;
     has_binary_ = parts.has_binary;

@@ -11,6 +11,9 @@ namespace rakelight::io::gltf {
 namespace {
 
 constexpr std::uint32_t max_texcoord_sets = 8;
+/// What later stages (normals, tangents, engines) ask for a vertex or a corner. Charged for every mesh, so that many
+/// primitives over one large array cannot make them ask for more than the budget.
+constexpr std::uint64_t later_bytes_per_vertex = 48, later_bytes_per_corner = 8;
 
 PrimitiveMode mode_of(const Value& primitive) {
     const std::uint64_t mode = primitive.count("mode", 4);
@@ -83,6 +86,9 @@ void Meshes::read_primitive(const Value& mesh, const Value& primitive, Mesh& res
     MemoryCharge corners_charge(memory);
     std::vector<std::uint32_t> corners = vertices.corners(corners_charge);
     MemoryCharge charge(memory, expanded_size(mode, corners.size()) * sizeof(std::uint32_t), "indices");
+    document().scene_charge().grow(
+        expanded_size(mode, corners.size()) * later_bytes_per_corner + vertices.vertex_count() * later_bytes_per_vertex,
+        "vertex data");
     Expanded expanded = expand(mode, std::move(corners));
     if (expanded.left_over)
         document().remark(Remark::dropped, primitive.place(),

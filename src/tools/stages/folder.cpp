@@ -10,6 +10,7 @@
 
 #include <rakelight/error.h>
 
+#include "io/file.h"
 #include "io/image_io.h"
 
 namespace rakelight::stages {
@@ -99,13 +100,15 @@ void NewFolder::write(const std::string& name, const std::string& text) {
 }
 
 void NewFolder::write(const std::string& name, const Pixels& pixels) {
-    io::write_image((work_ / name).string(), pixels);
+    io::write_image((work_ / name).string(), pixels, io::Sync::later);
     names_.push_back(name);
 }
 
 void NewFolder::finish() {
     const nlohmann::ordered_json list = {{"schema", schema}, {"files", names_}};
     write(list_name, list.dump(1) + "\n");
+    for (const std::string& name : names_) io::sync_file((work_ / name).string());
+    io::sync_folder(work_.string());
     check_target(target_);  // it may have changed meanwhile
     std::error_code error;
     const fs::path old = beside(target_, "old");
@@ -119,6 +122,7 @@ void NewFolder::finish() {
         refuse("cannot be put in place: " + reason, target_);
     }
     work_.clear();
+    io::sync_folder(target_.parent_path().string());
     if (replaces) fs::remove_all(old, error);
 }
 

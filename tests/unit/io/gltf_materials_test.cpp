@@ -170,7 +170,7 @@ TEST(GltfTextures, ReferencesThatCannotBeUsedAreLeftOut) {
 }
 
 TEST(GltfTextures, ImagesOfOneFileOrOneViewAreOnePicture) {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     folder.write("a.png", "x");
     GltfFile file = textured(R"([{"source": 0}, {"source": 1}, {"source": 2}, {"source": 3}])",
                              R"([{"uri": "a.png", "name": "first"}, {"uri": "%61.png", "name": "second"}, {}, {}])");

@@ -11,7 +11,7 @@
 namespace rakelight::io {
 namespace {
 
-using Reader = Pixels (*)(std::span<const std::byte>, Context&);
+using Reader = Pixels (*)(std::span<const std::byte>, codec::Want, Context&);
 
 TEST(CancelledPictures, AreNotReadToTheEnd) {
     struct Case {
@@ -26,9 +26,9 @@ TEST(CancelledPictures, AreNotReadToTheEnd) {
         write_image(folder.file(c.name), test::noise_picture(64, 48, 3, c.component));
         const std::vector<std::byte> bytes = test::bytes_of_file(folder / c.name);
         Context context;
-        EXPECT_EQ(c.read(bytes, context).width, 64) << c.name;
+        EXPECT_EQ(c.read(bytes, codec::Want::pixels, context).width, 64) << c.name;
         context.cancel();
-        const Error error = test::error_of([&] { c.read(bytes, context); });
+        const Error error = test::error_of([&] { c.read(bytes, codec::Want::pixels, context); });
         EXPECT_EQ(error.code(), ErrorCode::failed) << c.name;
         EXPECT_EQ(error.reason(), "cancelled") << c.name;
     }

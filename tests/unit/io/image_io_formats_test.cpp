@@ -280,11 +280,13 @@ TEST(EncodedImages, AreMeasuredAsTheyWillBeDecodedWithoutMemory) {
     for (const char* name : {"a.png", "a.jpg", "a.webp", "a.exr", "a.hdr"})
         for (const int channels : {1, 3}) {
             if (channels == 1 && std::string_view(name) == "a.hdr") continue;
-            write_image(folder.path(name), noise_picture(37, 21, channels, component_for(name)));
-            const ImageHandle image = image_from_file("a", "m.gltf", folder.path(name));
+            write_image(folder.file(name), noise_picture(37, 21, channels, component_for(name)));
+            const ImageHandle image = image_from_file("a", "m.gltf", folder.file(name));
             Context context;
             const Pixels decoded = image->decode(*image, context);
-            Context small({.max_memory = std::filesystem::file_size(folder.path(name))});
+            // What the EXR library takes beside the pixels is asked for with the header.
+            const bool is_exr = std::string_view(name) == "a.exr";
+            Context small({.max_memory = is_exr ? 1 << 20 : std::filesystem::file_size(folder.file(name))});
             const Pixels measured = image->measure(*image, small);
             EXPECT_TRUE(measured.bytes.empty()) << name;
             EXPECT_EQ(measured.width, decoded.width) << name;
@@ -294,10 +296,10 @@ TEST(EncodedImages, AreMeasuredAsTheyWillBeDecodedWithoutMemory) {
             EXPECT_EQ(small.memory().charged(), 0u) << name;
             EXPECT_EQ(context.memory().charged(), decoded.bytes.size()) << name;
         }
-    std::ofstream(folder.path("b.bmp")) << "BM";
-    const ImageHandle broken = image_from_file("b", "m.gltf", folder.path("b.bmp"));
+    std::ofstream(folder.file("b.bmp")) << "BM";
+    const ImageHandle broken = image_from_file("b", "m.gltf", folder.file("b.bmp"));
     Context context;
-    EXPECT_EQ(error_of([&] { broken->measure(*broken, context); }).file(), folder.path("b.bmp"));
+    EXPECT_EQ(error_of([&] { broken->measure(*broken, context); }).file(), folder.file("b.bmp"));
 }
 
 TEST(ImageWriting, EndingsSayTheComponentAndUnknownOnesAreAnErrorOfUsage) {

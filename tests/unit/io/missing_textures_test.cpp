@@ -128,10 +128,10 @@ TEST(MissingTextures, OfEmissionInImportedFilesMeanNone) {
 TEST(MissingTextures, OfEmissionAreWrittenAsNone) {
     Context context({.threads = 1});
     Scene scene = textures_gone(R"({"emissiveFactor": [1, 1, 0]})").load(context);
-    const TestFolder folder;
-    scene.textures.push_back({"gone", io::image_from_file("gone", "", (folder.path() / "gone.png").string()), {}});
+    const test::TemporaryFolder folder;
+    scene.textures.push_back({"gone", io::image_from_file("gone", "", folder.file("gone.png")), {}});
     scene.materials[0].emission_texture.texture = 0;
-    const std::string path = (folder.path() / "out.glb").string();
+    const std::string path = folder.file("out.glb");
     io::write_glb(scene, path, context);
     EXPECT_EQ(times_said(context, no_emission), 1);
     const Scene back = io::read_gltf(path, {}, context);

@@ -199,8 +199,7 @@ TEST(Primitives, ChargeWhatTheirArraysHoldBeforeTheyAreMade) {
             MemoryBudget memory;
             std::uint64_t held = 0;
             const Scene scene = make_primitive(r, &memory);
-            for (const Mesh& mesh : scene.meshes)
-                held += mesh.positions.size() * 32 + mesh.indices.size() * 4;
+            for (const Mesh& mesh : scene.meshes) held += mesh.positions.size() * 32 + mesh.indices.size() * 4;
             EXPECT_EQ(memory.charged(), held) << name_of(shape) << objects;
             MemoryBudget small(held - 1);
             EXPECT_THROW(make_primitive(r, &small), Error) << name_of(shape) << objects;

@@ -73,8 +73,7 @@ TEST(Teapot, RefusesDivisionsOutsideItsRange) {
         MemoryBudget memory;
         std::uint64_t held = 0;
         const Scene scene = make_teapot(n, &memory);
-        for (const Mesh& mesh : scene.meshes)
-            held += mesh.positions.size() * 20 + mesh.indices.size() * 4;
+        for (const Mesh& mesh : scene.meshes) held += mesh.positions.size() * 20 + mesh.indices.size() * 4;
         EXPECT_EQ(memory.charged(), held) << n;
     }
     EXPECT_THROW(make_teapot(0), Error);

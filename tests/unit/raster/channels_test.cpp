@@ -287,13 +287,14 @@ TEST(Channels, HaveTheSameBitsForThreadsWindowsAndInstructionSets) {
 }
 
 TEST(Channels, AreFiniteWhereColorsAreNotAndAddUpToWhatIsShown) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     Scene scene;
     scene.materials = {matte()};
     add_object(scene, ball(24, {0, 0, 0}, 0));
     scene.meshes[0].colors = std::vector<vec4>(scene.meshes[0].positions.size(), vec4{1, 1, std::nanf(""), 1});
     Light light = lamp({0.3, -1, -0.5});
-    light.diffuse.x = infinity;  // not a number where the cosine is 0
+    light.units = LightUnits::photometric;  // finite numbers whose product is not: no number where the cosine is 0
+    light.color = {3e38f, 1e-30f, 1e-30f};
+    light.intensity = 1e30f;
     scene.lights = {light};
     const Frame f = draw(scene, looking_from({0, 0.5, 4}, {0, 0, 0}), everything());
     int seen = 0;

@@ -369,6 +369,8 @@ TEST(SoftEngine, InstancesAndLargeTrianglesWithoutNumberAreRefusedBeforeTheyFill
     Scene instances = lit_square();
     instances.meshes[0].positions = std::vector<vec3>(10000, vec3{0, 0, 0});
     instances.meshes[0].normals = std::vector<vec3>(10000, vec3{0, 0, 1});
+    instances.meshes[0].texcoords.clear();
+    instances.meshes[0].tangents = {};
     for (int n = 0; n < 1000; ++n) {
         instances.nodes.push_back(instances.nodes[0]);
         instances.nodes.back().local.matrix = dmat4{};

@@ -209,10 +209,13 @@ TEST(Sampling, PicturesThatDoNotFitAreLeftOutBeforeTheyAreDecoded) {
         auto image = std::make_shared<EncodedImage>();
         const int side = i == 0 ? 16000 : 64;
         image->name = std::to_string(i);
-        image->measure = [side](const EncodedImage&, Context&) { return Pixels{side, side, 1, Component::u8, false, {}}; };
+        image->measure = [side](const EncodedImage&, Context&) {
+            return Pixels{side, side, 1, Component::u8, false, {}};
+        };
         image->decode = [side, &decoded](const EncodedImage&, Context&) {
             ++decoded;
-            return Pixels{side, side, 1, Component::u8, false, std::vector<std::byte>(std::size_t(side) * std::size_t(side))};
+            return Pixels{side,          side,  1,
+                          Component::u8, false, std::vector<std::byte>(std::size_t(side) * std::size_t(side))};
         };
         Material m = matte();
         m.base_color_texture = add_texture(scene, image);
@@ -223,9 +226,10 @@ TEST(Sampling, PicturesThatDoNotFitAreLeftOutBeforeTheyAreDecoded) {
     raster::make_engine()->prepare(scene, context);
     EXPECT_EQ(decoded, 3);
     const std::vector<ReportEntry> entries = context.report().entries();
-    ASSERT_EQ(entries.size(), 5u);
+    ASSERT_EQ(entries.size(), 2u);  // equal messages are one entry
     EXPECT_EQ(entries[0].place, "0");
     EXPECT_EQ(entries[1].place, "4");
+    EXPECT_EQ(entries[1].count, 4u);
 }
 
 /// Which textures are left out when memory is short is a matter of their order, never of threads; what only decoding needed
@@ -243,7 +247,9 @@ TEST(Sampling, ShortMemoryLeavesOutTheSameTexturesForAnyNumberOfThreads) {
             return pixels;
         };
         if (i % 4 != 0)
-            image->measure = [side](const EncodedImage&, Context&) { return Pixels{side, side, 3, Component::u8, false, {}}; };
+            image->measure = [side](const EncodedImage&, Context&) {
+                return Pixels{side, side, 3, Component::u8, false, {}};
+            };
         Material m = matte();
         m.base_color_texture = add_texture(scene, image);
         scene.materials.push_back(m);

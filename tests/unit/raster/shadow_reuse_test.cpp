@@ -112,7 +112,8 @@ TEST(ShadowReuse, MapsAreChargedToTheBudgetAsLongAsTheyAreKept) {
         const auto charged_after = [&](const RenderSettings& s) {
             const RenderStats stats = engine->render(from_left, s, frame, context);
             EXPECT_EQ(stats.shadow_maps, s.shadows ? 6u : 0u);
-            EXPECT_EQ(stats.shadow_bytes, s.shadows ? std::uint64_t(s.shadow_size) * std::uint64_t(s.shadow_size) * 8 * 6 : 0u);
+            EXPECT_EQ(stats.shadow_bytes,
+                      s.shadows ? std::uint64_t(s.shadow_size) * std::uint64_t(s.shadow_size) * 8 * 6 : 0u);
             return context.memory().charged();
         };
         const std::uint64_t small = charged_after(shadowed());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rakelight/rakelight.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -127,7 +128,8 @@ TEST(CameraDepths, ACameraBlindByItsOwnFaultIsReplacedWhateverDepthsWereAskedFor
     EXPECT_EQ(choose_camera(too_far, {.far = 5000.0}, aspect, helped).to_world[3].xyz(), (dvec3{0, 0, 4300}));
     EXPECT_EQ(only_remark(helped), "0 remarks");
     Scene impossible = too_far;
-    impossible.cameras[0].near = 5, impossible.cameras[0].far = 2;
+    impossible.cameras[0].projection = Projection::orthographic;
+    impossible.cameras[0].far = std::numeric_limits<double>::infinity();
     EXPECT_EQ(choose_camera(impossible, {.near = 0.01}, aspect, context).near, 0.01);
 }
 

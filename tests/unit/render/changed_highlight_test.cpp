@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 #include <rakelight/picture.h>
 #include <rakelight/world.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+
+#include "support/temporary_folder.h"
 
 using namespace rakelight;
+using namespace rakelight::test;
 
 namespace {
 
@@ -20,18 +20,12 @@ constexpr const char* by_all = "[[material]]\nname = '*'\n";
 
 class ChangedHighlight : public testing::Test {
 protected:
-    void SetUp() override {
-        folder_ = std::filesystem::temp_directory_path() / ("rakelight_highlight_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     /// A sphere, lit from the viewer, with these sections about materials.
     Scene sphere(const std::string& sections, bool has_own = false) {
-        std::ofstream(folder_ / "w.scene.toml")
-            << (has_own ? "[[primitive]]\ntype = 'sphere'\nmaterial = 'own'\n" : "[[primitive]]\ntype = 'sphere'\n") +
-                   sections + "[[light]]\ntype = 'directional'\ndirection = [-0.3, -0.4, -1]\n";
-        return load((folder_ / "w.scene.toml").string(), {}, context_);
+        const std::string shape =
+            has_own ? "[[primitive]]\ntype = 'sphere'\nmaterial = 'own'\n" : "[[primitive]]\ntype = 'sphere'\n";
+        const std::string light = "[[light]]\ntype = 'directional'\ndirection = [-0.3, -0.4, -1]\n";
+        return load(folder_.write("w.scene.toml", shape + sections + light), {}, context_);
     }
     Scene own(const std::string& keys) { return sphere("[[material]]\nname = 'own'\n" + keys, true); }
     Scene changed(const std::string& keys) { return sphere(by_all + keys); }
@@ -55,7 +49,7 @@ protected:
         return greatest;
     }
 
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
     Context context_{{.threads = 1}};
 };
 

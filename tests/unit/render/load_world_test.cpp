@@ -290,7 +290,7 @@ TEST_F(LoadWorld, TangentsFollowTheNormalsOverAllModelsThatSayModel) {
         std::size_t found = 0;
         for (std::size_t n = 0; n < s.nodes.size(); ++n)
             for (const std::uint32_t m : s.nodes[n].meshes)
-                tangent[found++] = upper_left(placed[n]) * cast<double>(s.meshes[m].tangents.at(0).xyz());
+                tangent[found++] = upper_left(placed[n]) * cast<double>(s.meshes[m].tangents[0].xyz());
         return degrees(std::acos(std::min(1.0, dot(tangent[0], tangent[1]))));
     };
     EXPECT_NEAR(turn_deg("model"), 0, 0.01);

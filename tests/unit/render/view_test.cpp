@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "math/linear.h"
 #include "unit/render/test_scene.h"
@@ -90,7 +91,8 @@ TEST(ChooseCamera, ReplacesACameraWhoseFarPlaneEndsBeforeTheModelOrThatIsImpossi
     Camera near_sighted = camera_at({0, 0, 7}, {0, 0, 0});
     near_sighted.far = 5;
     Camera impossible = camera_at({0, 0, 7}, {0, 0, 0});
-    impossible.near = 0;
+    impossible.projection = Projection::orthographic;
+    impossible.far = std::numeric_limits<double>::infinity();  // scenes may have it, engines cannot draw by it
     for (const Camera& camera : {near_sighted, impossible}) {
         Context context;
         scene.cameras = {camera};

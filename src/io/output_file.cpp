@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that appear whole or not at all: a temporary name, on the disk, renamed, and the folder on the disk too.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "io/descriptor.h"
+#include "io/file.h"
+
+namespace rakelight::io {
+namespace {
+
+[[noreturn]] void refuse_output(const std::string& path, int code, const std::string& what = "cannot be written") {
+    throw Error(ErrorCode::failed, what + ": " + system_message(code)).with_file(path);
+}
+
+/// With the slash at its end; empty: the working folder.
+std::string folder_part(const std::string& path) {
+    const std::size_t slash = path.find_last_of('/');
+    return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+}
+
+/// Where a symbolic link leads, relative to where `path` is relative to. @return false: `path` is no link
+bool read_link(std::string& path) {
+    std::array<char, PATH_MAX> target;
+    const ssize_t length = ::readlink(path.c_str(), target.data(), target.size());
+    if (length <= 0) return false;
+    const std::string_view text(target.data(), std::size_t(length));
+    path = text[0] == '/' ? std::string(text) : folder_part(path) + std::string(text);
+    return true;
+}
+
+/// Output goes through symbolic links, not over them: the name of what they lead to, which need not be there.
+std::string behind_links(const std::string& path) {
+    constexpr int most_links = 40;  // as Linux follows
+    std::string target = path;
+    for (int followed = 0; followed <= most_links; ++followed)
+        if (!read_link(target)) return target;
+    refuse_output(path, ELOOP);
+}
+
+/// Creates a file in the folder of `path` under a name that nobody has; a short one, so that it fits wherever `path`
+/// fits.
+/// @return the descriptor, or -1 with errno
+int create_beside(const std::string& path, std::string& temporary, UnfinishedOutput& unfinished) {
+    static std::atomic<unsigned> counter{0};
+    int fd = -1;
+    do {  // a taken name is the rest of a process of the same number that died; the counter goes on
+        temporary = folder_part(path) + ".rl-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+        unfinished.watch(temporary);
+        fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (fd < 0 && errno == EEXIST);
+    return fd;
+}
+
+/// @return 0 or an errno. File systems that cannot do it say EINVAL, ENOTSUP or ENOSYS (fsync(2), POSIX): no fault of
+/// the output.
+int sync_to_disk(int fd) {
+    int result = 0;
+    do result = ::fsync(fd);
+    while (result != 0 && errno == EINTR);
+    if (result == 0 || errno == EINVAL || errno == ENOTSUP || errno == EOPNOTSUPP || errno == ENOSYS) return 0;
+    return errno;
+}
+
+}  // namespace
+
+void sync_file(const std::string& path) {
+    const Descriptor opened{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    if (opened.fd < 0) refuse_output(path, errno);
+    if (const int code = sync_to_disk(opened.fd)) refuse_output(path, code);
+}
+
+void sync_folder(const std::string& folder) {
+    const Descriptor opened{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+    if (opened.fd < 0) return;  // one may write into folders that one may not read
+    if (const int code = sync_to_disk(opened.fd)) refuse_output(folder, code, "the folder cannot be written to disk");
+}
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+    if (path_.empty() || path_.find('\0') != std::string::npos)
+        throw Error(ErrorCode::failed, "the name of the output file is empty or holds a zero byte");
+    struct ::stat status {};
+    const bool exists = ::stat(path_.c_str(), &status) == 0;
+    if (!exists && errno != ENOENT) refuse_output(path_, errno);
+    if (exists && S_ISDIR(status.st_mode)) refuse_output(path_, EISDIR);
+    // Renaming over /dev/null or a FIFO would replace it: such targets are written to as they are.
+    const bool direct = exists && !S_ISREG(status.st_mode);
+    if (!direct) path_ = behind_links(path_);
+    if (exists && ::stat(path_.c_str(), &status) != 0) refuse_output(path_, errno);  // /dev/stdout of a deleted file
+    Descriptor file{direct ? ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY) : create_beside(path_, temporary_, unfinished_)};
+    if (file.fd < 0) refuse_output(path_, errno);
+    if (exists && !direct) static_cast<void>(::fchmod(file.fd, status.st_mode & 0777));
+    file_ = ::fdopen(file.fd, "wb");
+    if (file_ == nullptr) {
+        const int code = errno;
+        if (!direct) ::unlink(temporary_.c_str());
+        refuse_output(path_, code);
+    }
+    file.fd = -1;
+}
+
+OutputFile::~OutputFile() {
+    if (file_ != nullptr) std::fclose(file_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::span<const std::byte> bytes) {
+    if (!bytes.empty() && std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
+        refuse_output(path_, errno);
+}
+
+void OutputFile::finish(Sync sync) {
+    // stdio keeps an earlier failure in ferror() only; fclose() alone may report success after it.
+    const bool broken = std::fflush(file_) != 0 || std::ferror(file_) != 0;
+    int code = broken ? errno : 0;
+    // Before the rename: a crash soon after it would else leave a whole name with an empty file where an older one was.
+    if (!broken && !temporary_.empty() && sync == Sync::now) code = sync_to_disk(::fileno(file_));
+    if (std::fclose(std::exchange(file_, nullptr)) != 0 && code == 0) code = errno;
+    if (broken || code != 0) refuse_output(path_, code != 0 ? code : EIO);
+}
+
+void OutputFile::commit(Sync sync) {
+    if (file_ != nullptr) finish(sync);
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) refuse_output(path_, errno);
+    temporary_.clear();
+    if (sync == Sync::later) return;
+    const std::string folder = folder_part(path_);
+    sync_folder(folder.empty() ? "." : folder);
+}
+
+}  // namespace rakelight::io

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inspections are plain data: what comes back from a caller may not be what inspect() gave.
+#pragma once
+#include <rakelight/inspect.h>
+
+namespace rakelight {
+
+/// @throws Error usage: a number of an object, or a size, that does not fit the others
+void check_whole(const Inspection& inspection);
+
+}  // namespace rakelight

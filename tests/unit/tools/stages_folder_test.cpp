@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The folder of `stages`: what is on the disk when it gets its name.
+#include "tools/stages/folder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/recorded_syncs.h"
+#include "support/thrown_error.h"
+#include "unit/io/image_io_support.h"
+
+namespace rakelight::stages {
+namespace {
+
+namespace fs = std::filesystem;
+using Calls = std::vector<std::string>;
+
+TEST(StagesFolder, EveryFileIsOnTheDiskBeforeTheFolderHasItsNameAndTheNameAfterIt) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder.file("here"));
+    const test::RecordedSyncs recorded;
+    NewFolder pages(folder.file("here/out"));
+    pages.write("a.png", test::noise_picture(4, 4, 3, Component::u8));
+    pages.write("index.html", "<p>");
+    EXPECT_EQ(recorded.calls, Calls{"rename * a.png"});  // not one by one: the folder would be synced for each
+    pages.finish();
+    EXPECT_EQ(recorded.calls, (Calls{"rename * a.png", "sync a.png", "sync index.html", "sync stages.json", "sync *",
+                                     "rename * out", "sync here"}));
+}
+
+TEST(StagesFolder, OneWhoseFilesDoNotReachTheDiskLeavesTheOneBefore) {
+    const test::TemporaryFolder folder;
+    const auto write = [&](const char* text) {
+        NewFolder pages(folder.file("out"));
+        pages.write("index.html", text);
+        pages.finish();
+    };
+    write("old");
+    test::RecordedSyncs recorded;
+    recorded.fsync_error = [](const fs::path&) { return EIO; };
+    EXPECT_EQ(test::error_of([&] { write("new"); }).code(), ErrorCode::failed);
+    std::string text;
+    std::getline(std::ifstream(folder.file("out/index.html")) >> std::ws, text);
+    EXPECT_EQ(text, "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.file(".")), fs::directory_iterator()), 1);
+}
+
+}  // namespace
+}  // namespace rakelight::stages
