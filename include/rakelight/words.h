@@ -62,7 +62,7 @@ inline constexpr Word<ToneMapping> tone_mapping_words[] = {{"none", ToneMapping:
 /// Source: Damerau 1964, "A technique for computer detection and correction of spelling errors".
 std::size_t spelling_distance(std::string_view a, std::string_view b);
 
-/// The word that a misspelt one is likely to mean; empty: none is near.
+/// The word that a misspelt one is likely to mean; empty: none is near, or the misspelt one is longer than 64 bytes.
 std::string nearest_word(std::string_view word, const std::vector<std::string_view>& words);
 
 /// "a, b, c, d, e and 4 more": names of a file in a message, each once, in the order given and through one_line().

@@ -10,7 +10,8 @@
 
 namespace rakelight::test {
 
-inline std::filesystem::path source_dir() { return RL_SOURCE_DIR; }
+/// The folder of the repository.
+std::filesystem::path source_dir();
 
 inline std::filesystem::path shared_dir() {
     const char* named = std::getenv("RAKELIGHT_SHARED");

@@ -120,6 +120,7 @@ const WrongSettings wrong_settings[] = {
      "there is no shading 99"},
 };
 
+void PrintTo(const WrongSettings& wrong, std::ostream* out) { *out << wrong.name; }
 std::string name_of_settings(const testing::TestParamInfo<WrongSettings>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(All, MisusedSettings, testing::ValuesIn(wrong_settings), name_of_settings);
 
@@ -171,6 +172,7 @@ const WrongCamera wrong_cameras[] = {
     {"EndlessParallel", [](Camera& c) { make_parallel(c), c.far = inf_d; }, "far of a parallel projection"},
 };
 
+void PrintTo(const WrongCamera& wrong, std::ostream* out) { *out << wrong.name; }
 std::string name_of_camera(const testing::TestParamInfo<WrongCamera>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(All, MisusedCamera, testing::ValuesIn(wrong_cameras), name_of_camera);
 
@@ -232,6 +234,7 @@ const WrongOptions wrong_options[] = {
     {"NanRelief", [](auto& o) { o.displacement.relief.bias = nan_f; }},
 };
 
+void PrintTo(const WrongOptions& wrong, std::ostream* out) { *out << wrong.name; }
 std::string name_of_options(const testing::TestParamInfo<WrongOptions>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(All, MisusedOptions, testing::ValuesIn(wrong_options), name_of_options);
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ struct Fault {
     std::function<void(Scene&)> spoil;
     const char* message = "";  ///< part of the error that every door throws
 };
+
+/// What gtest shows in place of the bytes of the structure.
+inline void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
 inline std::string name_of_fault(const testing::TestParamInfo<Fault>& info) { return info.param.name; }
 
