@@ -49,7 +49,9 @@ public:
     /// Whether a charge pays for the array; the empty block needs none.
     bool is_paid() const { return !storage_ || storage_->charge.bytes() > 0; }
     /// Gives an array the charge that it was made without. Only by who made it, before others share it.
-    void pay(MemoryCharge charge) const { storage_->charge = std::move(charge); }
+    void pay(MemoryCharge charge) const {
+        if (storage_) storage_->charge = std::move(charge);
+    }
     bool operator==(const Block& other) const { return storage_ == other.storage_; }
 
 private:

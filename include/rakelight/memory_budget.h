@@ -15,7 +15,8 @@ public:
     MemoryBudget(const MemoryBudget&) = delete;
     MemoryBudget& operator=(const MemoryBudget&) = delete;
 
-    /// Tells how many bytes were read from files; raises the allowance.
+    /// Tells how many bytes were read from files; raises the allowance until all charges have ended. Where the bytes are
+    /// charged themselves, MemoryCharge::of_file() does both.
     void note_read(std::uint64_t bytes) noexcept;
     /// Asks whether `bytes` would be granted now, without keeping them: for buffers that live only for a moment.
     /// @throws Error bad_file, as MemoryCharge
@@ -41,6 +42,9 @@ public:
     /// To be made before memory is asked for whose size a file decides.
     /// @throws Error bad_file "WHAT needs N bytes, more than the limit of M"; advice: --max-memory. Nothing is charged then.
     MemoryCharge(MemoryBudget& budget, std::uint64_t bytes, std::string_view what);
+    /// The charge of bytes that are read from a file, which raise the allowance before they count.
+    /// @throws Error bad_file, as the constructor
+    static MemoryCharge of_file(MemoryBudget& budget, std::uint64_t bytes, std::string_view what);
     MemoryCharge(MemoryCharge&& from) noexcept;
     MemoryCharge& operator=(MemoryCharge&& from) noexcept;
     ~MemoryCharge();
@@ -48,7 +52,7 @@ public:
     /// Adds to it; thread-safe, as shrink() is. Not of a charge that was made without a budget.
     /// @throws Error bad_file, as the constructor; the charge is as before then
     void grow(std::uint64_t bytes, std::string_view what);
-    /// Gives part of it back. @param bytes  at most bytes()
+    /// Gives part of it back, or all where it has less.
     void shrink(std::uint64_t bytes) noexcept;
     /// Part of it, or all where it has less, as a charge of its own.
     MemoryCharge split(std::uint64_t bytes) noexcept;

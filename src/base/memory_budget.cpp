@@ -17,6 +17,7 @@ struct MemoryBudget::Account {
     std::uint64_t limit() const noexcept;
     void require(std::uint64_t before, std::uint64_t bytes, std::string_view what);
     void charge(std::uint64_t bytes, std::string_view what);
+    void give_back(std::uint64_t bytes) noexcept;
 
     const std::uint64_t max_bytes;  ///< 0: the default rule
     std::atomic<std::uint64_t> read_bytes{0}, charged{0}, refusals{0};
@@ -55,6 +56,12 @@ void MemoryBudget::Account::charge(std::uint64_t bytes, std::string_view what) {
     while (!charged.compare_exchange_weak(before, before + bytes));
 }
 
+/// What was read explains only what is made of it: with the last charge the allowance is what it was at first, so that a
+/// context that lives long protects as well as a new one.
+void MemoryBudget::Account::give_back(std::uint64_t bytes) noexcept {
+    if (bytes > 0 && charged.fetch_sub(bytes) == bytes) read_bytes = 0;
+}
+
 MemoryBudget::MemoryBudget(std::uint64_t max_bytes) : account_(std::make_shared<Account>(max_bytes)) {}
 
 void MemoryBudget::note_read(std::uint64_t bytes) noexcept { account_->read_bytes += bytes; }
@@ -71,6 +78,16 @@ MemoryCharge::MemoryCharge(MemoryBudget& budget, std::uint64_t bytes, std::strin
     bytes_ = bytes;
 }
 
+MemoryCharge MemoryCharge::of_file(MemoryBudget& budget, std::uint64_t bytes, std::string_view what) {
+    MemoryBudget::Account& account = *budget.account_;
+    MemoryCharge charge(budget);
+    charge.bytes_ = bytes;  // given back by the destructor where it is refused
+    const std::uint64_t before = account.charged.fetch_add(bytes);
+    account.read_bytes += bytes;
+    account.require(before, bytes, what);
+    return charge;
+}
+
 MemoryCharge::MemoryCharge(MemoryCharge&& from) noexcept
     : account_(std::move(from.account_)), bytes_(from.bytes_.exchange(0)) {}
 
@@ -82,7 +99,7 @@ MemoryCharge& MemoryCharge::operator=(MemoryCharge&& from) noexcept {
 }
 
 MemoryCharge::~MemoryCharge() {
-    if (account_) account_->charged -= bytes_;
+    if (account_) account_->give_back(bytes_);
 }
 
 void MemoryCharge::grow(std::uint64_t bytes, std::string_view what) {
@@ -93,8 +110,10 @@ void MemoryCharge::grow(std::uint64_t bytes, std::string_view what) {
 
 void MemoryCharge::shrink(std::uint64_t bytes) noexcept {
     if (!account_) return;
-    bytes_ -= bytes;
-    account_->charged -= bytes;
+    std::uint64_t own = bytes_, less;
+    do less = std::min(bytes, own);
+    while (!bytes_.compare_exchange_weak(own, own - less));
+    account_->give_back(less);
 }
 
 MemoryCharge MemoryCharge::split(std::uint64_t bytes) noexcept {

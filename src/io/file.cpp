@@ -133,8 +133,8 @@ Bytes read_file(const std::string& path, Context& context, bool is_told) {
     const Descriptor file{open_regular(path, status)};
     const std::uint64_t size = std::uint64_t(status.st_size);
     try {
-        if (!is_told) context.memory().note_read(size);
-        MemoryCharge charge(context.memory(), size, "the file");
+        MemoryCharge charge = is_told ? MemoryCharge(context.memory(), size, "the file")
+                                      : MemoryCharge::of_file(context.memory(), size, "the file");
         std::vector<std::byte> bytes(std::size_t{size});
         read_all(path, file.fd, bytes);
         return charged_bytes(std::move(bytes), std::move(charge));

@@ -126,6 +126,8 @@ Scene read_as(const Format& format, const std::string& path, const ReadOptions& 
 
 Scene read_scene(const std::string& path, const ReadOptions& options, Context& context) {
     try {
+        // What is read raises the allowance while anything is charged: from here until the scene's charges do it.
+        const MemoryCharge reading(context.memory(), 1, "a model");
         Scene scene = read_as(choose_format(path, context), path, options, context);
         validate(scene);
         return scene;

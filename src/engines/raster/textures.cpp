@@ -198,6 +198,8 @@ void load_all(std::vector<Missing>& missing, Context& context) {
     if (context.memory().refusals() != refused)
         for (Missing* m : measured)
             if (!m->fault.empty()) load(*m, context);
+    for (Missing* m : measured)
+        if (!m->fault.empty()) m->charge = {};
     for (Missing& m : missing)
         if (!m.header && m.fault.empty()) load(m, context);
 }

@@ -103,9 +103,11 @@ void place_draws(FrontEnd& front, const std::vector<bool>& outside) {
     const auto vertices_of = [&](std::size_t d) { return front.list.scene.meshes[draws[d].mesh].positions.size(); };
     std::size_t vertices = 0;
     for (std::size_t d = 0; d < draws.size(); ++d) vertices += outside[d] ? 0 : vertices_of(d);
-    front.memory.add(vertices * vertex_bytes);
-    renew(front.clip_store, vertices + row_padding);
-    renew(front.screen_store, vertices + row_padding);
+    const std::size_t count = vertices + row_padding;
+    if (front.clip_store.size() > 4 * count) front.clip_store = {}, front.screen_store = {};  // a much larger picture's
+    front.memory.add(std::max(count, front.clip_store.size()) * vertex_bytes);
+    renew(front.clip_store, count);
+    renew(front.screen_store, count);
     front.clip.assign(draws.size(), {});
     front.screen.assign(draws.size(), {});
     for (std::size_t d = 0, first = 0; d < draws.size(); ++d) {

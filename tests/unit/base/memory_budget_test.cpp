@@ -20,6 +20,34 @@ TEST(MemoryBudget, AllowsTwoGibOrSixtyFourBytesAByteRead) {
     EXPECT_THROW(MemoryCharge(m, ~0ull, "d"), Error) << "no overflow";
 }
 
+TEST(MemoryBudget, WhatWasReadCountsUntilNothingIsChargedAnyMore) {
+    constexpr std::uint64_t usual = 2ull << 30;
+    MemoryBudget m;
+    for (int round = 0; round < 3; ++round) {
+        MemoryCharge scene;
+        {
+            const MemoryCharge file = MemoryCharge::of_file(m, 1ull << 26, "the file");
+            EXPECT_EQ(m.charged(), 1ull << 26);
+            EXPECT_EQ(m.limit(), 1ull << 32);
+            scene = MemoryCharge(m, 3ull << 30, "the scene");
+        }
+        EXPECT_EQ(m.limit(), 1ull << 32) << "the scene is still there";
+        scene.shrink(1);
+        EXPECT_EQ(m.limit(), 1ull << 32);
+        scene = {};
+        EXPECT_EQ(m.limit(), usual) << "round " << round;
+    }
+    const MemoryCharge large = MemoryCharge::of_file(m, 3ull << 30, "the file");
+    EXPECT_EQ(large.bytes(), 3ull << 30) << "a file pays for itself";
+}
+
+TEST(MemoryBudget, AFileThatTheUsersLimitRefusesIsNotCharged) {
+    MemoryBudget m(1000);
+    EXPECT_THROW(MemoryCharge::of_file(m, 1001, "the file"), Error);
+    EXPECT_EQ(m.charged(), 0u);
+    EXPECT_EQ(m.refusals(), 1u);
+}
+
 TEST(MemoryBudget, TheUsersLimitReplacesTheRule) {
     MemoryBudget m(1000);
     m.note_read(1 << 20);
@@ -76,6 +104,10 @@ TEST(MemoryCharge, GrowsShrinksAndIsSplit) {
         EXPECT_EQ(all.bytes(), 0u);
         EXPECT_EQ(budget.charged(), 600u);
     }
+    EXPECT_EQ(budget.charged(), 0u);
+    all.grow(5, "names");
+    all.shrink(100);
+    EXPECT_EQ(all.bytes(), 0u) << "no more than there is";
     EXPECT_EQ(budget.charged(), 0u);
     MemoryCharge nobodys;
     EXPECT_EQ(nobodys.split(10).bytes(), 0u);

@@ -92,7 +92,7 @@ TEST_F(FileTest, TellsTheBudgetHowMuchWasRead) {
     put("sparse", "");
     fs::resize_file(path, 40u << 20);
     const std::uint64_t before = context_.memory().limit();
-    read_file(path, context_);
+    const Bytes bytes = read_file(path, context_);
     EXPECT_EQ(context_.memory().limit(), std::uint64_t(40u << 20) * 64);
     EXPECT_GT(context_.memory().limit(), before);
 }
