@@ -112,7 +112,8 @@ class AttributePlan {
 public:
     struct Impl;
     explicit AttributePlan(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
-    const Impl& impl() const { return *impl_; }
+    /// @throws Error usage: nothing was grouped, or the plan was moved away
+    const Impl& impl() const;
 
 private:
     std::shared_ptr<const Impl> impl_;
@@ -176,7 +177,7 @@ public:
     ~AttributeWorkspace();
     std::size_t bytes() const;  ///< held now
     struct Impl;
-    Impl& impl() { return *impl_; }
+    Impl& impl();  ///< that of a workspace that was moved away is new
 
 private:
     std::unique_ptr<Impl> impl_;

@@ -33,7 +33,11 @@ AttributeWorkspace::AttributeWorkspace() : impl_(std::make_unique<Impl>()) {}
 AttributeWorkspace::AttributeWorkspace(AttributeWorkspace&&) noexcept = default;
 AttributeWorkspace& AttributeWorkspace::operator=(AttributeWorkspace&&) noexcept = default;
 AttributeWorkspace::~AttributeWorkspace() = default;
-std::size_t AttributeWorkspace::bytes() const { return impl_->scratch.bytes() + impl_->general.bytes(); }
+std::size_t AttributeWorkspace::bytes() const { return impl_ ? impl_->scratch.bytes() + impl_->general.bytes() : 0; }
+AttributeWorkspace::Impl& AttributeWorkspace::impl() {
+    if (!impl_) impl_ = std::make_unique<Impl>();
+    return *impl_;
+}
 
 std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                      std::span<const AttributeBuffers> out, AttributeWorkspace& workspace,

@@ -155,6 +155,11 @@ void check_same(const Plan& plan, std::span<const AttributeMesh> meshes, bool ne
 
 }  // namespace
 
+const AttributePlan::Impl& AttributePlan::impl() const {
+    if (!impl_) throw Error(ErrorCode::usage, "the plan is empty: it was moved away, or nothing was grouped");
+    return *impl_;
+}
+
 AttributePlan group(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context) {
     return plan_from({}, meshes, options, context);
 }

@@ -287,6 +287,17 @@ TEST(AttributeBuffers, AWorkspaceServesModelsOfOtherSizes) {
         }
     }
     EXPECT_GT(workspace.bytes(), 500u * 500u * 40u);
+    const AttributeWorkspace taken = std::move(workspace);
+    EXPECT_EQ(workspace.bytes(), 0u);  // NOLINT(bugprone-use-after-move)
+    const auto parts = cut_by_planes(make_torus(10, 10), 4);
+    std::vector<std::vector<vec3>> normals;
+    std::vector<AttributeBuffers> out;
+    for (const Shape& p : parts) normals.emplace_back(p.positions.size());
+    for (auto& n : normals) out.push_back({n, {}});
+    AttributeOptions options = published();
+    options.tangents = false;
+    compute_attributes_into(views(parts), options, out, workspace, context);  // serves as a new one
+    EXPECT_EQ(normals[0], compute(parts, options)[0].normals);
 }
 
 TEST(AttributeBuffers, TooSmallOnesAreRefused) {

@@ -2,6 +2,7 @@
 // The two steps apart: a plan serves other positions of the same meshes.
 #include <gtest/gtest.h>
 
+#include "support/thrown_error.h"
 #include "unit/geometry/shapes.h"
 
 namespace rakelight::test {
@@ -23,6 +24,18 @@ TEST(AttributePlan, TwoStepsEqualTheOne) {
             EXPECT_EQ(one[m].source_vertex, two[m].source_vertex);
         }
     }
+}
+
+TEST(AttributePlan, OneThatWasMovedAwayIsRefused) {
+    const std::vector<Shape> parts = {make_cube()};
+    Context context;
+    AttributePlan plan = group(views(parts), {}, context);
+    const AttributePlan taken = std::move(plan);
+    for (const AttributePlan& empty : {plan, AttributePlan(nullptr)}) {  // NOLINT(bugprone-use-after-move)
+        EXPECT_EQ(error_of([&] { accumulate(empty, views(parts), context); }).code(), ErrorCode::usage);
+        EXPECT_EQ(error_of([&] { regroup(empty, views(parts), {}, context); }).code(), ErrorCode::usage);
+    }
+    EXPECT_EQ(accumulate(taken, views(parts), context).size(), 1u);
 }
 
 TEST(AttributePlan, GroupsOfThePoseThatWasGroupedHoldForOthers) {
