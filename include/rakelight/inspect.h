@@ -91,7 +91,8 @@ struct SeamTotals {
     std::uint64_t pairings_left_out = 0;   ///< pairs at crowded positions that were not looked at
     std::uint64_t inconsistent_edges = 0;  ///< between two objects: one of them is inside out
     std::string normals_before;            ///< whose normals `before` are, for people
-    double crease_angle_deg = 0;           ///< of `after`
+    /// Of `after`: the smallest and the largest; different where parts have their own.
+    double crease_angle_deg = 0, crease_angle_most_deg = 0;
 };
 
 /// A piece of a border with a seam; a == b where objects share a position but no edge.

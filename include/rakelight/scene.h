@@ -196,7 +196,6 @@ struct MorphTarget {
     Block<vec3> positions, normals, tangents;  ///< [V] offsets; each may be empty
 };
 
-/// Primitives of one topology and one material. Vertex arrays are [V] or empty.
 /// Whose normals count. `automatic`: the file's where it has them; else flat for formats that say so (glTF); else
 /// smoothing groups where the file has any; else over the model with the crease angle.
 enum class NormalSource : std::uint8_t { automatic, file, flat, object, model };
@@ -209,6 +208,7 @@ struct NormalChoice {
     bool operator==(const NormalChoice&) const = default;
 };
 
+/// Primitives of one topology and one material. Vertex arrays are [V] or empty.
 struct Mesh {
     std::string name;
     Topology topology = Topology::triangles;

@@ -18,7 +18,8 @@ struct Count {
 
 class Census {
 public:
-    Census(const PlacedMeshes& placed, std::uint32_t objects) : placed_(placed), edges_(placed) {
+    Census(const PlacedMeshes& placed, std::uint32_t objects, const Context& context)
+        : placed_(placed), edges_(placed, context) {
         result_.objects.resize(objects);
     }
 
@@ -89,6 +90,8 @@ private:
 
 }  // namespace
 
-EdgeCensus count_edges(const PlacedMeshes& placed, std::uint32_t objects) { return Census(placed, objects).run(); }
+EdgeCensus count_edges(const PlacedMeshes& placed, std::uint32_t objects, const Context& context) {
+    return Census(placed, objects, context).run();
+}
 
 }  // namespace rakelight::geometry

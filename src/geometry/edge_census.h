@@ -39,6 +39,6 @@ struct EdgeCensus {
 /// Which way a face goes along an edge is judged where it is placed: a matrix that mirrors turns it round. Faces with a
 /// corner that is not finite or with two corners at one place are left out. Lists are in the order of the edges'
 /// smaller place. Expected O(n), 8 bytes a corner; `objects` is more than the largest AttributeMesh::object.
-EdgeCensus count_edges(const PlacedMeshes& placed, std::uint32_t objects);
+EdgeCensus count_edges(const PlacedMeshes& placed, std::uint32_t objects, const Context& context);
 
 }  // namespace rakelight::geometry

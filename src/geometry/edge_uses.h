@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/cancel_check.h"
 #include "geometry/place_classes.h"
 
 namespace rakelight::geometry {
@@ -20,7 +21,7 @@ struct EdgeUse {
 /// places are left out (face_places()). 8 bytes a corner; expected O(n).
 class EdgeUses {
 public:
-    explicit EdgeUses(const PlacedMeshes& placed) : placed_(placed) {
+    EdgeUses(const PlacedMeshes& placed, const Context& context) : placed_(placed), check_cancel_(context) {
         begin_.assign(std::size_t(placed.input.vertex_count()) + 2, 0);
         for_each_use([&](std::uint32_t low, EdgeUse) { ++begin_[low + 2]; });
         for (std::size_t i = 2; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
@@ -34,6 +35,7 @@ public:
     template <class Visit>
     void for_each_edge(const Visit& visit) {
         for (std::uint32_t place = 0; place + 1 < begin_.size(); ++place) {
+            check_cancel_();
             const std::span<EdgeUse> bin(uses_.data() + begin_[place], begin_[place + 1] - begin_[place]);
             std::sort(bin.begin(), bin.end(), [](const EdgeUse& a, const EdgeUse& b) {
                 return a.larger != b.larger ? a.larger < b.larger : a.corner < b.corner;
@@ -57,11 +59,12 @@ public:
 
 private:
     template <class Body>
-    void for_each_use(const Body& body) const {
+    void for_each_use(const Body& body) {
         const AttributeInput& input = placed_.input;
         FacePlaces face;
         for (std::uint32_t m = 0; m < input.meshes.size(); ++m)
             for (std::uint32_t t = input.triangle_base[m]; t < input.triangle_base[m + 1]; ++t) {
+                check_cancel_();
                 if (!face_places(placed_, m, t, face)) continue;
                 for (std::uint32_t k = 0; k < 3; ++k) {
                     const auto [low, high] = std::minmax(face.corner[k], face.corner[(k + 1) % 3]);
@@ -71,6 +74,7 @@ private:
     }
 
     const PlacedMeshes& placed_;
+    CancelCheck check_cancel_;
     std::vector<std::uint32_t> begin_;
     std::vector<EdgeUse> uses_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancel_check.h"
 #include "geometry/union_find.h"
 #include "math/linear.h"
 
@@ -36,7 +37,8 @@ struct Body {
 /// All bodies of a model, and to which of them each place belongs.
 class Bodies {
 public:
-    explicit Bodies(const PlacedMeshes& placed) : placed_(placed), number_(placed.place.size(), nobody) {
+    Bodies(const PlacedMeshes& placed, const Context& context)
+        : placed_(placed), check_cancel_(context), number_(placed.place.size(), nobody) {
         UnionFind sets;
         sets.reset(placed.place.size());
         for_each_face([&](const Face& f) {
@@ -66,11 +68,12 @@ private:
     };
 
     template <class Visit>
-    void for_each_face(const Visit& visit) const {
+    void for_each_face(const Visit& visit) {
         const AttributeInput& input = placed_.input;
         FacePlaces found;
         for (std::uint32_t m = 0; m < input.meshes.size(); ++m)
             for (std::uint32_t t = input.triangle_base[m]; t < input.triangle_base[m + 1]; ++t) {
+                check_cancel_();
                 if (!face_places(placed_, m, t, found)) continue;
                 Face face{m, {}, {}};
                 for (std::uint32_t k = 0; k < 3; ++k) {
@@ -107,6 +110,7 @@ private:
     }
 
     const PlacedMeshes& placed_;
+    CancelCheck check_cancel_;
     std::vector<std::uint32_t> number_;  ///< [places]
 };
 
@@ -137,13 +141,15 @@ private:
 
 }  // namespace
 
-std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners) {
-    Bodies bodies(placed);
+std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
+                                           const Context& context) {
+    Bodies bodies(placed, context);
     for (const std::uint32_t corner : open_corners) bodies.open(corner);
     Enclosures enclosures(bodies.list);
     std::vector<InsideOutBody> found;
     for (Body& body : bodies.list) {
         if (found.size() == most_bodies) break;
+        context.throw_if_cancelled();
         if (!body.is_inside_out() || enclosures.may_hold(body)) continue;  // the inner side of a hollow one
         std::vector<std::uint32_t>& objects = body.found.objects;
         std::sort(objects.begin(), objects.end());

@@ -23,6 +23,7 @@ struct InsideOutBody {
 /// but for the boxes: O(inside out bodies times closed bodies), at most 30 million pairs; of bodies beyond nothing is
 /// said.
 /// @param open_corners  EdgeCensus::open_corners
-std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners);
+std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
+                                           const Context& context);
 
 }  // namespace rakelight::geometry

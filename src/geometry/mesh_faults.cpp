@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/cancel_check.h"
 #include "geometry/face_vote.h"
 
 namespace rakelight::geometry {
@@ -15,8 +16,9 @@ constexpr std::uint8_t used = 1, plain = 2, mirrored = 4, both = plain | mirrore
 
 class Faults {
 public:
-    Faults(const PlacedMeshes& placed, std::uint32_t objects)
+    Faults(const PlacedMeshes& placed, std::uint32_t objects, const Context& context)
         : placed_(placed),
+          check_cancel_(context),
           faults_(objects),
           at_vertex_(placed.input.vertex_count(), 0),
           at_place_(placed.input.vertex_count(), 0) {}
@@ -43,6 +45,7 @@ private:
     void mark_faces(std::uint32_t m, ObjectFaults& faults) {
         const AttributeMesh& mesh = placed_.input.meshes[m];
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            check_cancel_();
             const std::uint32_t* index = &mesh.indices[i];
             const bool degenerate = !(face_normal(placed_.input.placements[m], face_corners(mesh, index)).length > 0);
             faults.degenerate_faces += degenerate;
@@ -85,14 +88,15 @@ private:
     }
 
     const PlacedMeshes& placed_;
+    CancelCheck check_cancel_;
     std::vector<ObjectFaults> faults_;
     std::vector<std::uint8_t> at_vertex_, at_place_;
 };
 
 }  // namespace
 
-std::vector<ObjectFaults> count_faults(const PlacedMeshes& placed, std::uint32_t objects) {
-    return Faults(placed, objects).run();
+std::vector<ObjectFaults> count_faults(const PlacedMeshes& placed, std::uint32_t objects, const Context& context) {
+    return Faults(placed, objects, context).run();
 }
 
 }  // namespace rakelight::geometry

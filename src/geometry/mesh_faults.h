@@ -23,6 +23,6 @@ struct ObjectFaults {
 };
 
 /// O(n); `objects` is more than the largest AttributeMesh::object.
-std::vector<ObjectFaults> count_faults(const PlacedMeshes& placed, std::uint32_t objects);
+std::vector<ObjectFaults> count_faults(const PlacedMeshes& placed, std::uint32_t objects, const Context& context);
 
 }  // namespace rakelight::geometry

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/cancel_check.h"
 #include "geometry/edge_uses.h"
 #include "geometry/face_vote.h"
 #include "geometry/position_weld.h"
@@ -73,16 +74,18 @@ void ask_pieces(const AttributeInput& input, std::vector<std::uint8_t>& against,
     const PlacedMeshes placed{input, weld_positions(input, {.normal = true}, context)};
     UnionFind pieces;
     pieces.reset(input.triangle_count());
-    EdgeUses edges(placed);
+    EdgeUses edges(placed, context);
     edges.for_each_edge([&](std::uint32_t place, std::span<const EdgeUse> uses) {
         if (uses.size() == 2 && edges.goes_up(place, uses[0]) != edges.goes_up(place, uses[1]))
             pieces.join(uses[0].corner / 3, uses[1].corner / 3);
     });
-    context.throw_if_cancelled();
+    CancelCheck check_cancel(context);
     std::vector<Votes> votes(input.triangle_count());
     for (std::uint32_t m = 0; m < input.meshes.size(); ++m)
-        for (std::uint32_t t = input.triangle_base[m]; t < input.triangle_base[m + 1]; ++t)
+        for (std::uint32_t t = input.triangle_base[m]; t < input.triangle_base[m + 1]; ++t) {
+            check_cancel();
             votes[pieces.root(t)] += votes_of(input, m, t - input.triangle_base[m]);
+        }
     for (std::uint32_t t = 0; t < input.triangle_count(); ++t) against[t] = votes[pieces.root(t)].is_against();
 }
 

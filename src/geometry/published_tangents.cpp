@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tangents and bitangents as the publication has them: averaged over all faces at a place, mirrored or not; then
 // Gram-Schmidt of the tangent alone, then the handedness test against the bitangent. docs/attributes.md has the method.
+#include <numeric>
+
 #include "geometry/face_vote.h"
 #include "geometry/orthogonality.h"
 #include "geometry/perpendicular.h"
@@ -67,7 +69,10 @@ private:
     // The plan's vertices, grouped by place alone (scope face: as the normals are).
     Topology places_of(const AttributePlan::Impl& plan) const {
         Topology places = plan.topology;
-        if (options_.normals && options_.scope == Scope::face) return places;
+        if (options_.scope == Scope::face) {
+            if (!options_.normals) std::iota(places.group.begin(), places.group.end(), 0u);  // each vertex by itself
+            return places;
+        }
         if (!options_.normals)  // then the plan's classes are of equal normals too
             places.places = std::make_shared<const std::vector<std::uint32_t>>(
                 weld_positions(input_, {.object = options_.scope != Scope::model, .normal = false}, context_));

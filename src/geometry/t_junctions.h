@@ -29,6 +29,7 @@ struct TJunctions {
 /// fits neither the short nor the long edges. Expected O(n log n).
 /// @param visits_per_edge  bound of the work: boxes looked at, on average and beyond some for small models
 TJunctions find_t_junctions(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
-                            std::uint32_t objects, std::size_t most_places, std::uint64_t visits_per_edge = 256);
+                            std::uint32_t objects, std::size_t most_places, const Context& context,
+                            std::uint64_t visits_per_edge = 256);
 
 }  // namespace rakelight::geometry

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Normals and tangents of a scene by the door of <rakelight/attributes.h>: what goes in, and where the results go.
-#include <map>
+#include <cstdio>
 #include <string>
 
+#include "geometry/attribute_input.h"
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
-#include "prepare/morph_normals.h"
 #include "prepare/normal_rule.h"
+#include "prepare/place_results.h"
 #include "prepare/prepare.h"
 #include "prepare/smooth_request.h"
 #include "prepare/smooth_selection.h"
 #include "prepare/split_vertices.h"
 #include "prepare/tangent_report.h"
-#include "prepare/variants.h"
 #include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
@@ -65,57 +65,12 @@ void check_split(const Scene& scene, const std::vector<std::uint32_t>& numbers,
     context.memory().check(bytes, "vertices with normals of their own");
 }
 
-Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_normals, Context& context) {
-    Mesh mesh = source;
-    mesh.tangents = {};
-    if (new_normals) mesh.normals = {};
-    split_vertices(mesh, std::move(attributes.indices), attributes.source_vertex, context);
-    if (new_normals) mesh.normals = std::move(attributes.normals);
-    mesh.tangents = std::move(attributes.tangents);
-    return mesh;
-}
-
-/// A mesh with what with_attributes() made of another one that had the same arrays.
-Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
-    Mesh mesh = own;
-    mesh.positions = made.positions, mesh.indices = made.indices, mesh.normals = made.normals;
-    mesh.tangents = made.tangents, mesh.texcoords = made.texcoords, mesh.colors = made.colors;
-    mesh.influences = made.influences;
-    return mesh;
-}
-
-/// Offsets from the old normals and tangents say nothing about the new ones. Positions of targets stay.
-/// @param directions  of the new normals, or null: none were made
-void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals, TargetDirections* directions,
-                           Report& report) {
-    bool refused = false;
-    for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
-        MorphTarget& target = mesh.targets[t];
-        std::vector<vec3> normals, tangents;
-        if (directions) {
-            normals = std::move(directions->normals[t]);
-            tangents = std::move(directions->tangents[t]);
-        }
-        refused = refused || (new_normals && !target.normals.empty() && normals.empty()) || (!target.tangents.empty() && tangents.empty());
-        if (new_normals) target.normals = std::move(normals);
-        target.tangents = std::move(tangents);
-    }
-    if (refused)
-        report.add(Remark::dropped, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
-                   "normals and tangents of morph targets do not fit the new ones and are left out");
-}
-
 AttributeOptions options_for(const SmoothRequest& request, const std::vector<AttributeMesh>& meshes) {
     AttributeOptions options = request.attributes;
     options.tangents = false;
     for (const AttributeMesh& m : meshes) options.tangents = options.tangents || !m.texcoords.empty();
     return options;
 }
-
-struct Computed {
-    std::vector<MeshAttributes> attributes;
-    std::vector<TargetDirections> targets;  ///< [attributes], or none: no target gets new normals
-};
 
 /// In two steps where there are morph targets, so that what does not move has offsets of exactly 0.
 Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers, const std::vector<AttributeMesh>& meshes,
@@ -155,6 +110,19 @@ void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers
     report_inverted(scene, inverted, options.tangent_mode, report);
 }
 
+/// Where parts have angles of their own.
+void note_creases(const Scene& scene, const SmoothRequest& request, const std::vector<AttributeMesh>& meshes,
+                  Report& report) {
+    if (!request.source || request.every_scope || request.attributes.scope != Scope::model) return;
+    const geometry::CreaseRange creases = geometry::crease_range(meshes, request.attributes);
+    if (!request.attributes.normals || creases.least == creases.most) return;
+    char angles[64];
+    std::snprintf(angles, sizeof angles, "%g to %g", degrees(creases.least), degrees(creases.most));
+    report.add(Remark::note, scene.source, {},
+               "parts that are smoothed together have crease angles of their own (" + std::string(angles) +
+                   " degrees): where two of them meet, the smaller angle rules");
+}
+
 }  // namespace
 
 std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish) {
@@ -174,75 +142,6 @@ std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish
     return none;
 }
 
-namespace {
-
-/// Puts the results into the scene. What several results are made of keeps its first form until all are.
-class ResultPlacer {
-public:
-    /// @param numbers  [selection.computed] the meshes that were computed
-    ResultPlacer(Scene& scene, const SmoothRequest& request, const SmoothSelection& selection,
-                 const std::vector<std::uint32_t>& numbers, Context& context)
-        : scene_(scene),
-          request_(request),
-          s_(selection),
-          numbers_(numbers),
-          context_(context),
-          variants_(scene, request.keep_instances),
-          uses_(scene.meshes.size(), 0) {
-        for (const std::uint32_t number : numbers_) ++uses_[number];
-        for (std::size_t i = 0; i < s_.instances.size(); ++i)
-            if (const std::uint32_t mesh = s_.instances[i].mesh; mesh != numbers_[s_.result_of[i]]) ++uses_[mesh];
-    }
-
-    void place(Computed& computed) {
-        const bool new_normals = request_.attributes.normals;
-        std::vector<std::uint32_t> placed(computed.attributes.size(), none);  // the mesh that shows each result
-        for (std::size_t i = 0; i < s_.instances.size(); ++i) {
-            const std::size_t r = s_.result_of[i];
-            const std::uint32_t number = s_.instances[i].mesh;
-            if (placed[r] != none && number == numbers_[r]) {
-                variants_.share(s_.instances[i], placed[r]);
-            } else if (placed[r] != none) {
-                variants_.place(s_.instances[i], with_arrays_of(scene_.meshes[placed[r]], source(number)));
-            } else {
-                Mesh mesh = with_attributes(source(number), std::move(computed.attributes[r]), new_normals, context_);
-                set_target_directions(scene_, mesh, number, new_normals,
-                                      computed.targets.empty() ? nullptr : &computed.targets[r], context_.report());
-                placed[r] = variants_.place(s_.instances[i], std::move(mesh));
-            }
-        }
-    }
-
-    void report() const {
-        if (variants_.kept() > 0)
-            context_.report().add(Remark::warning, scene_.source, {},
-                                  std::to_string(variants_.kept()) +
-                                      " instances that touch other things keep the normals of the first of their mesh: "
-                                      "kept shared as asked");
-        if (variants_.copies() > 0)
-            context_.report().add(Remark::note, scene_.source, {},
-                                  std::to_string(variants_.copies()) +
-                                      " instances got a mesh of their own: their normals differ by what they touch");
-    }
-
-private:
-    const Mesh& source(std::uint32_t number) {
-        if (uses_[number] == 1) return scene_.meshes[number];
-        return originals_.try_emplace(number, scene_.meshes[number]).first->second;
-    }
-
-    Scene& scene_;
-    const SmoothRequest& request_;
-    const SmoothSelection& s_;
-    const std::vector<std::uint32_t>& numbers_;
-    Context& context_;
-    MeshVariants variants_;
-    std::vector<std::uint32_t> uses_;  ///< [meshes] how many results are made of each, at most
-    std::map<std::uint32_t, Mesh> originals_;
-};
-
-}  // namespace
-
 Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context) {
     const std::vector<dmat4> world = bind_pose_matrices(scene);
     const SmoothSelection s = select_instances(scene, request, world);
@@ -258,6 +157,7 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
             meshes.push_back(attribute_mesh(scene, instance, s.in_world[r] ? world[instance.node] : dmat4{}, request));
         }
         check_memory(meshes, context);
+        note_creases(scene, request, meshes, context.report());
         computed = compute(scene, numbers, meshes, options_for(request, meshes), context);
     }
     check_split(scene, numbers, computed.attributes, context);
@@ -278,10 +178,10 @@ Scene add_published_tangents(Scene scene, const SmoothRequest& request, Context&
     all.attributes.tangent_mode = request.kept_tangents;
     all.only_missing = false;
     if (!request.source) {
-        if (all.attributes.scope == Scope::face) all.attributes.scope = Scope::model;
+        if (all.attributes.scope == Scope::face && !request.attributes.normals) all.attributes.scope = Scope::model;
         return smooth_meshes(std::move(scene), all, context);
     }
-    for (const Scope scope : {Scope::object, Scope::model}) {
+    for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
         all.attributes.scope = scope;
         scene = smooth_meshes(std::move(scene), all, context);
     }

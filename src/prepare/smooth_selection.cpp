@@ -68,11 +68,12 @@ std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<std
     return alike;
 }
 
-/// Tangents beside normals that are kept have no scope face: they are averaged over the model then.
+/// Tangents beside normals of the file are averaged over the model.
 bool is_of_scope(const Scene& scene, const Mesh& mesh, const SmoothRequest& request) {
     if (!request.source || request.every_scope) return true;
-    const Scope scope = normal_rule(scene, mesh, *request.source).scope;
-    return (scope == Scope::face && !request.attributes.normals ? Scope::model : scope) == request.attributes.scope;
+    const NormalRule rule = normal_rule(scene, mesh, *request.source);
+    const bool is_kept = !request.attributes.normals && rule.keeps_given && rule.scope == Scope::face;
+    return (is_kept ? Scope::model : rule.scope) == request.attributes.scope;
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "render/load_world.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -119,7 +118,6 @@ public:
         scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
         check_render(world);
         warn_of_twins(world, path_, context_.report());
-        note_creases();
         if (world.fog) scene_.fog = *world.fog;
         if (world.environment) scene_.environment = surroundings(*world.environment);
         validate(scene_);
@@ -158,8 +156,6 @@ private:
             if (of.subdivision) mesh.subdivision = of.subdivision;
             mesh.normal_choice = choice;
         }
-        if (choice && choice->source == NormalSource::model && choice->crease_angle_rad)
-            crease_angles_.insert(*choice->crease_angle_rad);
         const auto first_mesh = std::uint32_t(scene_.meshes.size()), first_node = std::uint32_t(scene_.nodes.size());
         Node root = root_node(of.name, of.placement);
         root.shading = of.shading;
@@ -167,16 +163,6 @@ private:
         const auto end_material = std::uint32_t(by.materials + part.materials.size());
         parts_.push_back({of.name, by.materials, end_material, first_mesh, std::uint32_t(scene_.meshes.size()),
                           first_node, std::uint32_t(scene_.nodes.size()), of.material});
-    }
-
-    void note_creases() const {
-        if (crease_angles_.size() < 2) return;
-        char angles[64];
-        std::snprintf(angles, sizeof angles, "%g to %g", degrees(*crease_angles_.begin()),
-                      degrees(*crease_angles_.rbegin()));
-        context_.report().add(Remark::note, path_, {},
-                              "parts that are smoothed together have crease angles of their own (" +
-                                  std::string(angles) + " degrees): where two of them meet, the smaller angle rules");
     }
 
     /// What [render] names is there: the camera and the pictures.
@@ -219,7 +205,6 @@ private:
     std::vector<LoadedPart> parts_;
     std::map<std::string, Scene> loaded_;
     std::map<ShapeRequest, Scene> shapes_;
-    std::set<double> crease_angles_;  ///< of parts that are smoothed over the model
 };
 
 }  // namespace

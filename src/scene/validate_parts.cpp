@@ -126,6 +126,12 @@ void check_channel(const Scene& scene, const Place& place, const AnimationChanne
     place.size("values of a channel", channel.values.size(), channel.times.size() * per_key, "expected");
 }
 
+void check_choice(const Place& place, const NormalChoice& choice) {
+    place.enumerator("choice of normals", choice.source, NormalSource::model);
+    const double crease = choice.crease_angle_rad.value_or(0);
+    if (!(crease >= 0 && crease <= pi)) place.fail("the crease angle is not 0 to pi");
+}
+
 }  // namespace
 
 std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* known) {
@@ -135,6 +141,7 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* kno
     place.enumerator("topology", mesh.topology, Topology::points);
     place.enumerator("kind of smoothing", mesh.smoothing_kind, SmoothingKind::numbers);
     place.fine(mesh.subdivision ? fault_of(*mesh.subdivision) : nullptr);
+    if (mesh.normal_choice) check_choice(place, *mesh.normal_choice);
     if (vertices >= none) place.fail("too many vertices for 32-bit indices");
     place.finite("the origin", mesh.origin);
     place.finite("the step of the positions", mesh.position_step);

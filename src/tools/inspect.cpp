@@ -99,15 +99,16 @@ SurfaceSummary summarize(const geometry::ObjectEdges& e, const geometry::ObjectF
     return s;
 }
 
-void look_at_surfaces(Inspection& result, const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census) {
+void look_at_surfaces(Inspection& result, const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census,
+                      const Context& context) {
     constexpr std::size_t most_places = 1000;
     const std::uint32_t objects = std::uint32_t(result.objects.size());
-    const std::vector<geometry::ObjectFaults> faults = count_faults(placed, objects);
-    const geometry::TJunctions t = find_t_junctions(placed, census.open_corners, objects, most_places);
+    const std::vector<geometry::ObjectFaults> faults = count_faults(placed, objects, context);
+    const geometry::TJunctions t = find_t_junctions(placed, census.open_corners, objects, most_places, context);
     result.surfaces.reserve(objects);
     for (std::uint32_t i = 0; i < objects; ++i)
         result.surfaces.push_back(summarize(census.objects[i], faults[i], t.of_objects[i]));
-    for (geometry::InsideOutBody& body : find_inside_out(placed, census.open_corners))
+    for (geometry::InsideOutBody& body : find_inside_out(placed, census.open_corners, context))
         result.inside_out.push_back({body.triangles, std::move(body.objects)});
     result.t_junctions = t.count;
     result.edges_not_searched = t.edges_not_searched;
@@ -165,7 +166,10 @@ void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometr
     }
     result.shared_positions = result.seams.positions;
     result.seams.normals_before = name_of_source(surfaces);
-    result.seams.crease_angle_deg = degrees(options.prepare.crease_angle_rad);
+    const geometry::CreaseRange creases =
+        geometry::crease_range(surfaces.meshes, {.crease_angle_rad = options.prepare.crease_angle_rad});
+    result.seams.crease_angle_deg = degrees(creases.least);
+    result.seams.crease_angle_most_deg = degrees(creases.most);
 }
 
 void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
@@ -218,9 +222,9 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
         const Surfaces surfaces = collect_surfaces(scene, objects, options.prepare.normals);
         check_memory(surfaces, context);
         const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, options.weld_distance, context);
-        const geometry::EdgeCensus census = count_edges(placed, std::uint32_t(objects.size()));
+        const geometry::EdgeCensus census = count_edges(placed, std::uint32_t(objects.size()), context);
         context.throw_if_cancelled();
-        if (options.surfaces) look_at_surfaces(result, placed, census);
+        if (options.surfaces) look_at_surfaces(result, placed, census, context);
         context.throw_if_cancelled();
         if (options.borders) look_at_borders(result, surfaces, placed, census, options, context);
         look_at_winding(result, census);

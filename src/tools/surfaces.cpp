@@ -10,10 +10,11 @@
 namespace rakelight {
 namespace {
 
-NormalRule rule_of(const Scene& scene, const Mesh& mesh, NormalSource source) {
-    NormalRule rule = normal_rule(scene, mesh, source);
-    if (source == NormalSource::automatic && !mesh.normal_choice) rule.scope = Scope::object, rule.groups = true;
-    return rule;
+/// Whether any part has a choice of its own: then all are taken as a picture has them, since what says nothing is
+/// smoothed together with what says "model".
+bool has_choices(const Scene& scene, std::span<const Instance> parts) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const Instance& part) { return scene.meshes[part.mesh].normal_choice.has_value(); });
 }
 
 }  // namespace
@@ -23,6 +24,7 @@ Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> obj
     Surfaces out;
     out.parts = drawn_instances(scene);
     out.meshes.reserve(out.parts.size());
+    const bool per_object = source == NormalSource::automatic && !has_choices(scene, out.parts);
     for (const Instance& part : out.parts) {
         const Mesh& mesh = scene.meshes[part.mesh];
         AttributeMesh& m = out.meshes.emplace_back();
@@ -37,7 +39,8 @@ Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> obj
             m.group_kind = mesh.smoothing_kind == SmoothingKind::masks ? GroupKind::masks : GroupKind::numbers;
         m.smoothing_hint = mesh.smoothing_hint;
         m.position_step = mesh.position_step;
-        out.rules.push_back(rule_of(scene, mesh, source));
+        out.rules.push_back(normal_rule(scene, mesh, source));
+        if (per_object) out.rules.back().scope = Scope::object, out.rules.back().groups = true;
         m.crease_angle_rad = out.rules.back().crease_angle_rad;
         m.to_world = world[part.node] * translation(mesh.origin);
     }

@@ -21,9 +21,8 @@ struct Surfaces {
 };
 
 /// @param objects  the node of each object, ascending; all nodes that have meshes
-/// @param source   whose normals the picture would have. `automatic`: what is neither in the file nor chosen is
-/// smoothed
-///                 per object, as programs do that see no borders
+/// @param source  whose normals the picture would have. `automatic`, in scenes of which no part has a choice: what is
+///                not in the file is smoothed per object, as programs do that see no borders
 Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> objects, NormalSource source);
 
 }  // namespace rakelight

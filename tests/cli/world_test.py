@@ -301,6 +301,11 @@ class Worlds(program.Case):
         self.assertLess(seam("model"), 1e-6)
         self.assertGreater(seam("object"), 60)
         self.assertAlmostEqual(seam("object"), seam("silent", "--normals", "object", "--crease-angle", "180"), places=3)
+        mixed = parts.replace("KEYS", keys["model"], 1).replace("KEYS", "")
+        self.write("mixed.scene.toml", mixed)
+        self.assertEqual(picture("mixed", "--crease-angle", "180"), picture("model"), "a silent part by the picture's options")
+        self.assertLess(seam("mixed", "--crease-angle", "180"), 1e-6)
+        self.assertIn("at 60 to 180 degrees", self.run_program("inspect", "mixed.scene.toml").out)
         self.assertEqual(picture("model", "--weight", "area"), picture("silent", "--normals", "model", "--crease-angle", "180", "--weight", "area"))
 
     def test_files_outside_of_the_folder_need_to_be_allowed(self):

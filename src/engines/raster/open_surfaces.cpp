@@ -26,7 +26,7 @@ std::string message(bool asked, std::uint64_t edges, std::uint64_t more) {
 
 /// Edges of one triangle, of which ends within a distance are one.
 std::uint64_t open_edges(std::span<const AttributeMesh> meshes, double distance, Context& context) {
-    return geometry::count_edges(geometry::place_vertices(meshes, distance, context), 1).objects[0].open;
+    return geometry::count_edges(geometry::place_vertices(meshes, distance, context), 1, context).objects[0].open;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ using geometry::EdgeCensus;
 EdgeCensus census_of(const std::vector<Shape>& shapes, std::uint32_t objects = 1) {
     Context context;
     const std::vector<AttributeMesh> meshes = views(shapes);
-    return count_edges(geometry::place_vertices(meshes, -1, context), objects);
+    return count_edges(geometry::place_vertices(meshes, -1, context), objects, context);
 }
 
 std::uint32_t object_count(const std::vector<Shape>& shapes) { return std::uint32_t(shapes.size()); }

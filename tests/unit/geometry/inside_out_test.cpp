@@ -18,7 +18,7 @@ std::vector<InsideOutBody> found_in(std::vector<Shape> shapes) {
     Context context;
     const std::vector<AttributeMesh> meshes = views(shapes);
     const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context);
-    return find_inside_out(placed, count_edges(placed, std::uint32_t(shapes.size())).open_corners);
+    return find_inside_out(placed, count_edges(placed, std::uint32_t(shapes.size()), context).open_corners, context);
 }
 
 Shape turned(Shape s) {

@@ -15,7 +15,7 @@ using geometry::ObjectFaults;
 std::vector<ObjectFaults> faults_of(const std::vector<Shape>& shapes) {
     Context context;
     const std::vector<AttributeMesh> meshes = views(shapes);
-    return count_faults(geometry::place_vertices(meshes, -1, context), std::uint32_t(shapes.size()));
+    return count_faults(geometry::place_vertices(meshes, -1, context), std::uint32_t(shapes.size()), context);
 }
 
 /// Four quads in a row with u running up, up, down, down: a mirrored chart.

@@ -23,8 +23,8 @@ Found junctions_of(const std::vector<Shape>& shapes, std::size_t most = 1000, st
     const std::vector<AttributeMesh> meshes = views(shapes);
     const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context);
     const std::uint32_t objects = std::uint32_t(shapes.size());
-    const geometry::EdgeCensus census = count_edges(placed, objects);
-    Found found{find_t_junctions(placed, census.open_corners, objects, most, visits), {}};
+    const geometry::EdgeCensus census = count_edges(placed, objects, context);
+    Found found{find_t_junctions(placed, census.open_corners, objects, most, context, visits), {}};
     for (const geometry::TJunction& t : found.junctions.places) found.at.push_back(placed.position(t.place));
     return found;
 }
@@ -107,7 +107,7 @@ TEST(TJunctions, RandomSoupsAgreeWithEveryEdgeAgainstEveryVertex) {
         const std::vector<Shape> shapes{s};
         const std::vector<AttributeMesh> meshes = views(shapes);
         const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context);
-        const std::vector<std::uint32_t> open = count_edges(placed, 1).open_corners;
+        const std::vector<std::uint32_t> open = count_edges(placed, 1, context).open_corners;
         std::set<std::uint32_t> ends, expected;
         const auto next = [](std::uint32_t corner, std::uint32_t k) { return corner - corner % 3 + (corner + k) % 3; };
         for (const std::uint32_t corner : open) ends.insert({placed.place[corner], placed.place[next(corner, 1)]});
@@ -117,7 +117,7 @@ TEST(TJunctions, RandomSoupsAgreeWithEveryEdgeAgainstEveryVertex) {
                 const bool inside = cross(p - a, b - a) == dvec3{} && dot(p - a, b - a) > 0 && dot(p - b, a - b) > 0;
                 if (inside && placed.place[next(corner, 2)] != end) expected.insert(end);
             }
-        const geometry::TJunctions found = find_t_junctions(placed, open, 1, 1000);
+        const geometry::TJunctions found = find_t_junctions(placed, open, 1, 1000, context);
         std::set<std::uint32_t> places;
         for (const geometry::TJunction& t : found.places) places.insert(t.place);
         EXPECT_EQ(places, expected) << seed;

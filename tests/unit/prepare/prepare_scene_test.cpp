@@ -230,6 +230,8 @@ TEST(PrepareScene, TangentsAreTheFilesElseMikktspaceForKeptNormalsElseAveraged) 
     EXPECT_GT(turn(prepared(scene, options).meshes[0]), 0.4);
     options.tangents = TangentMode::published;
     EXPECT_LT(turn(prepared(scene, options).meshes[0]), 1e-6);
+    options.normals = NormalSource::flat;
+    EXPECT_GT(turn(prepared(scene, options).meshes[0]), 0.4) << "of their own faces, as the normals are";
     scene.meshes[0].tangents = std::vector<vec4>(8, {0, 1, 0, -1});
     EXPECT_EQ(prepared(scene).meshes[0].tangents[0], (vec4{0, 1, 0, -1})) << "the file's";
     options = {};

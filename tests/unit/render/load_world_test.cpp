@@ -263,11 +263,18 @@ TEST_F(LoadWorld, BetweenModelsTheSmallerCreaseAngleRulesAndItIsSaid) {
     };
     EXPECT_EQ(normals_at_origin(prepared(three_slopes(by("180"), by("90"), by("120")))).size(), 1u);
     EXPECT_EQ(normals_at_origin(prepared(three_slopes(by("180"), by("5"), by("120")))).size(), 2u);
-    std::size_t notes = 0;
-    for (const ReportEntry& entry : context_.report().entries())
-        notes += entry.message.find("(5 to 180 degrees): where two of them meet, the smaller angle rules") !=
-                 std::string::npos;
-    EXPECT_EQ(notes, 1u);
+    const auto notes = [&](const std::string& angles) {
+        std::size_t found = 0;
+        for (const ReportEntry& entry : context_.report().entries())
+            found += entry.message.find(angles + "): where two of them meet, the smaller angle rules") != std::string::npos;
+        return found;
+    };
+    EXPECT_EQ(notes("(5 to 180 degrees"), 1u);
+    prepared(three_slopes(by("180"), "normals = 'model'\n", by("180")), {.crease_angle_rad = radians(60.0)});
+    EXPECT_EQ(notes("(60 to 180 degrees"), 1u) << "the picture's angle is one of them";
+    prepared(three_slopes(by("180"), by("90"), by("120")), {.normals = NormalSource::model});
+    prepared(three_slopes(by("50"), by("50"), by("50")));
+    EXPECT_EQ(notes(" degrees"), 3u) << "angles of parts that do not count or are the same";
 }
 
 TEST_F(LoadWorld, TangentsFollowTheNormalsOverAllModelsThatSayModel) {

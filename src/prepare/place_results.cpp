@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/place_results.h"
+
+#include <string>
+
+#include "prepare/split_vertices.h"
+
+namespace rakelight {
+namespace {
+
+/// A mesh with what with_attributes() made of another one that had the same arrays.
+Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
+    Mesh mesh = own;
+    mesh.positions = made.positions, mesh.indices = made.indices, mesh.normals = made.normals;
+    mesh.tangents = made.tangents, mesh.texcoords = made.texcoords, mesh.colors = made.colors;
+    mesh.influences = made.influences;
+    return mesh;
+}
+
+/// Offsets from the old normals and tangents say nothing about the new ones. Positions of targets stay.
+/// @param directions  of the new normals, or null: none were made
+void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals, TargetDirections* directions,
+                           Report& report) {
+    bool refused = false;
+    for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
+        MorphTarget& target = mesh.targets[t];
+        std::vector<vec3> normals, tangents;
+        if (directions) {
+            normals = std::move(directions->normals[t]);
+            tangents = std::move(directions->tangents[t]);
+        }
+        refused = refused || (new_normals && !target.normals.empty() && normals.empty()) || (!target.tangents.empty() && tangents.empty());
+        if (new_normals) target.normals = std::move(normals);
+        target.tangents = std::move(tangents);
+    }
+    if (refused)
+        report.add(Remark::dropped, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
+                   "normals and tangents of morph targets do not fit the new ones and are left out");
+}
+
+}  // namespace
+
+Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_normals, Context& context) {
+    Mesh mesh = source;
+    mesh.tangents = {};
+    if (new_normals) mesh.normals = {};
+    split_vertices(mesh, std::move(attributes.indices), attributes.source_vertex, context);
+    if (new_normals) mesh.normals = std::move(attributes.normals);
+    mesh.tangents = std::move(attributes.tangents);
+    return mesh;
+}
+
+ResultPlacer::ResultPlacer(Scene& scene, const SmoothRequest& request, const SmoothSelection& selection,
+             const std::vector<std::uint32_t>& numbers, Context& context)
+    : scene_(scene),
+      request_(request),
+      s_(selection),
+      numbers_(numbers),
+      context_(context),
+      variants_(scene, request.keep_instances),
+      uses_(scene.meshes.size(), 0) {
+    for (const std::uint32_t number : numbers_) ++uses_[number];
+    for (std::size_t i = 0; i < s_.instances.size(); ++i)
+        if (const std::uint32_t mesh = s_.instances[i].mesh; mesh != numbers_[s_.result_of[i]]) ++uses_[mesh];
+}
+
+void ResultPlacer::place(Computed& computed) {
+    const bool new_normals = request_.attributes.normals;
+    std::vector<std::uint32_t> placed(computed.attributes.size(), none);  // the mesh that shows each result
+    for (std::size_t i = 0; i < s_.instances.size(); ++i) {
+        const std::size_t r = s_.result_of[i];
+        const std::uint32_t number = s_.instances[i].mesh;
+        if (placed[r] != none && number == numbers_[r]) {
+            variants_.share(s_.instances[i], placed[r]);
+        } else if (placed[r] != none) {
+            variants_.place(s_.instances[i], with_arrays_of(scene_.meshes[placed[r]], source(number)));
+        } else {
+            Mesh mesh = with_attributes(source(number), std::move(computed.attributes[r]), new_normals, context_);
+            set_target_directions(scene_, mesh, number, new_normals,
+                                  computed.targets.empty() ? nullptr : &computed.targets[r], context_.report());
+            placed[r] = variants_.place(s_.instances[i], std::move(mesh));
+        }
+    }
+}
+
+void ResultPlacer::report() const {
+    if (variants_.kept() > 0)
+        context_.report().add(Remark::warning, scene_.source, {},
+                              std::to_string(variants_.kept()) +
+                                  " instances that touch other things keep the normals of the first of their mesh: "
+                                  "kept shared as asked");
+    if (variants_.copies() > 0)
+        context_.report().add(Remark::note, scene_.source, {},
+                              std::to_string(variants_.copies()) +
+                                  " instances got a mesh of their own: their normals differ by what they touch");
+}
+
+const Mesh& ResultPlacer::source(std::uint32_t number) {
+    if (uses_[number] == 1) return scene_.meshes[number];
+    return originals_.try_emplace(number, scene_.meshes[number]).first->second;
+}
+
+}  // namespace rakelight
