@@ -26,9 +26,12 @@ int run_check(const Options& options) {
     std::vector<CheckRow> rows;
     int worst = 0;
     for (const std::string& file : options.inputs) {
-        if (CancelOnInterrupt::happened()) break;
         CheckRow& row = rows.emplace_back();
         row.file = file;
+        if (CancelOnInterrupt::happened()) {
+            row.error = Error(ErrorCode::failed, "cancelled").with_file(file);
+            continue;
+        }
         const int code = run_file(options, file, row, [&](Context& context) {
             const Scene scene = load(file, options.picture.load, context);
             check_world_options(options, file, scene, context);

@@ -68,7 +68,7 @@ void add_common_options(CLI::App& app, CommonWords& w) {
         ->group("Machine");
 }
 
-void add_inputs(CLI::App& app, std::vector<std::string>& inputs, const char* help) {
+void add_inputs(CLI::App& app, std::vector<std::string>& inputs, const std::string& help) {
     app.add_option("MODEL", inputs, help)->type_name("")->required();
 }
 
@@ -284,9 +284,9 @@ void add_verbs(CLI::App& app, VerbWords& words, CommonWords& common, std::vector
     for (const VerbEntry& verb : verbs) {
         CLI::App* const sub = app.add_subcommand(std::string(verb.name), verb.help);
         if (verb.takes_models)
-            add_inputs(
-                *sub, inputs,
-                "Model files, world files (*.scene.toml), or builtin:teapot, builtin:sphere:tolerance=0.01, ...");
+            add_inputs(*sub, inputs,
+                       std::string("Model files, ") + (verb.verb == Verb::smooth ? "" : "world files (*.scene.toml), ") +
+                           "or builtin:teapot, builtin:sphere:tolerance=0.01, ...");
         if (verb.verb == Verb::check) sub->add_option("SCENE", inputs, "Model files and world files")->type_name("");
         verb.declare(*sub, words);
         add_common_options(*sub, common);

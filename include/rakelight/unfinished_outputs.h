@@ -4,7 +4,7 @@
 
 namespace rakelight {
 
-/// Removes the temporary files of all outputs that are being written by this process. What was whole stays. To be
+/// Removes the temporary files and folders of all outputs that are being written by this process. What was whole stays. To be
 /// called last: the process must end now, for what is still being written fails. Async-signal-safe.
 void remove_unfinished_outputs() noexcept;
 

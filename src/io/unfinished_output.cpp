@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 
 namespace rakelight {
 namespace {
@@ -20,8 +21,11 @@ static_assert(std::atomic<char*>::is_always_lock_free, "a signal handler may use
 }  // namespace
 
 void remove_unfinished_outputs() noexcept {
+    const char* folders[std::size(unfinished)];  // empty only when the files in them are gone
+    std::size_t count = 0;
     for (std::atomic<char*>& place : unfinished)
-        if (const char* path = place.exchange(nullptr)) ::unlink(path);
+        if (const char* path = place.exchange(nullptr); path && ::unlink(path) != 0) folders[count++] = path;
+    while (count > 0) ::rmdir(folders[--count]);
 }
 
 namespace io {

@@ -5,7 +5,8 @@
 
 namespace rakelight::io {
 
-/// A temporary file that remove_unfinished_outputs() removes as long as this lives.
+/// A temporary file or, with nothing in it but such files, folder that remove_unfinished_outputs() removes as long as
+/// this lives.
 class UnfinishedOutput {
 public:
     UnfinishedOutput() = default;

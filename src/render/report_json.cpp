@@ -39,9 +39,12 @@ Json error_json(const Error& error) {
             {"place", error.place()},        {"advice", error.advice()}};
 }
 
+std::string json_text(const Json& whole, int spaces_a_level) {
+    return whole.dump(spaces_a_level, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
 std::string document(const char* schema, Json rows) {
-    const Json whole = {{"schema", schema}, {"rows", std::move(rows)}};
-    return whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text({{"schema", schema}, {"rows", std::move(rows)}});
 }
 
 }  // namespace rakelight

@@ -23,7 +23,11 @@ Json error_json(const Error& error);
 /// What the engine counted, every field of RenderStats by its name.
 Json stats_json(const RenderStats& stats);
 
-/// The whole document as text, two spaces a level, a line feed at its end; invalid UTF-8 becomes U+FFFD.
+/// A document as text in ASCII: names of files may hold characters that turn a terminal's text around or are commands to
+/// it, and are escaped as all others beyond. A line feed at its end; invalid UTF-8 becomes U+FFFD.
+std::string json_text(const Json& whole, int spaces_a_level = 2);
+
+/// The whole document, as json_text().
 std::string document(const char* schema, Json rows);
 
 }  // namespace rakelight

@@ -40,7 +40,7 @@ std::string to_json(const RenderBenchReport& report) {
                        {"vertices", report.vertices},   {"objects", report.objects},
                        {"lights", report.lights},       {"width", report.width},
                        {"height", report.height},       {"frames", report.frames}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(json);
 }
 
 std::string to_text(const RenderBenchReport& report) {

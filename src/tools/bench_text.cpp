@@ -30,7 +30,7 @@ std::string to_json(const SmoothBenchReport& report) {
                  {"isa", report.isa},
                  {"huge_pages", report.huge_pages},
                  {"copy_gb_per_s", report.copy_gb_per_s}};
-    return json.dump(2) + "\n";
+    return json_text(json);
 }
 
 std::string to_text(const SmoothBenchReport& report) {

@@ -75,6 +75,14 @@ class ForeignText(program.Case):
         self.check_run("inspect", self.file, "--check", "--closed", code=5)
         self.check_run("inspect", self.file, "--check")
 
+    def test_json_holds_names_in_ascii_and_gives_them_back(self):
+        for arguments in (("inspect", self.file), ("check", self.file), ("explain", self.file, *SMALL, "--pixel", "16,12"),
+                          ("render", self.file, "-o", "a.png", *SMALL), ("bench", "render", self.file, "--frames", "1", *SMALL)):
+            result = self.run_program(*arguments, "--json")
+            self.assertEqual(result.code, 0, result.err)
+            self.assertEqual([c for c in result.out if c != "\n" and not " " <= c <= "~"], [], arguments[0])
+            self.assertIn(json.dumps(ODD)[1:-1], json.dumps(json.loads(result.out)), arguments[0])
+
     def test_explain_render_smooth_and_bench_say_names_in_printable_lines(self):
         self.assertIn("odd??[31m", self.check_run("explain", self.file, *SMALL, "--pixel", "16,12", "--camera-index", "0").out)
         self.check_run("render", self.file, "-o", ODD + ".png", *SMALL, "--verbose", "--stats")

@@ -6,12 +6,11 @@
 #include <fstream>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include <rakelight/error.h>
 
 #include "io/file.h"
 #include "io/image_io.h"
+#include "render/report_json.h"
 
 namespace rakelight::stages {
 namespace {
@@ -84,6 +83,7 @@ NewFolder::NewFolder(const std::string& target) : target_(fs::absolute(target).l
     std::error_code error;
     if (!fs::create_directory(work_, error))
         refuse("cannot be made: " + (error ? error.message() : "a folder of that name is in the way"), target_);
+    unfinished_.emplace_back().watch(work_.string());
 }
 
 NewFolder::~NewFolder() {
@@ -91,8 +91,14 @@ NewFolder::~NewFolder() {
     if (!work_.empty()) fs::remove_all(work_, error);
 }
 
+std::string NewFolder::watched(const std::string& name) {
+    const std::string path = (work_ / name).string();
+    unfinished_.emplace_back().watch(path);
+    return path;
+}
+
 void NewFolder::write(const std::string& name, const std::string& text) {
-    std::ofstream out(work_ / name, std::ios::binary);
+    std::ofstream out(watched(name), std::ios::binary);
     out << text;
     out.close();
     if (!out) refuse("cannot be written", target_ / name);
@@ -100,13 +106,13 @@ void NewFolder::write(const std::string& name, const std::string& text) {
 }
 
 void NewFolder::write(const std::string& name, const Pixels& pixels) {
-    io::write_image((work_ / name).string(), pixels, io::Sync::later);
+    io::write_image(watched(name), pixels, io::Sync::later);
     names_.push_back(name);
 }
 
 void NewFolder::finish() {
-    const nlohmann::ordered_json list = {{"schema", schema}, {"files", names_}};
-    write(list_name, list.dump(1) + "\n");
+    const Json list = {{"schema", schema}, {"files", names_}};
+    write(list_name, json_text(list, 1));
     for (const std::string& name : names_) io::sync_file((work_ / name).string());
     io::sync_folder(work_.string());
     check_target(target_);  // it may have changed meanwhile
@@ -122,6 +128,7 @@ void NewFolder::finish() {
         refuse("cannot be put in place: " + reason, target_);
     }
     work_.clear();
+    unfinished_.clear();
     io::sync_folder(target_.parent_path().string());
     if (replaces) fs::remove_all(old, error);
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A folder that appears whole or not at all.
 #pragma once
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include <rakelight/image.h>
+
+#include "io/unfinished_output.h"
 
 namespace rakelight::stages {
 
@@ -26,7 +29,11 @@ public:
     const std::vector<std::string>& names() const { return names_; }
 
 private:
+    /// The path of a new file, which an end by a signal takes with it.
+    std::string watched(const std::string& name);
+
     std::filesystem::path target_, work_;
+    std::deque<io::UnfinishedOutput> unfinished_;  ///< the folder and its files
     std::vector<std::string> names_;
 };
 

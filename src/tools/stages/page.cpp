@@ -103,7 +103,7 @@ std::string table_json(const Stage& stage) {
     const Json whole = {{"schema", "rakelight.stages/1"}, {"stage", stage.id},        {"title", stage.title}, {"text", stage.text},
                         {"pictures", pictures},           {"numbers", stage.numbers}, {"columns", stage.columns}, {"rows", stage.rows},
                         {"rows_note", stage.rows_note}};
-    return whole.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(whole, 1);
 }
 
 std::string page(const std::string& model, const std::vector<Stage>& stages) {

@@ -3,6 +3,7 @@
 #include "tools/stages/folder.h"
 
 #include <gtest/gtest.h>
+#include <rakelight/unfinished_outputs.h>
 
 #include <fstream>
 
@@ -44,6 +45,25 @@ TEST(StagesFolder, OneWhoseFilesDoNotReachTheDiskLeavesTheOneBefore) {
     std::getline(std::ifstream(folder.file("out/index.html")) >> std::ws, text);
     EXPECT_EQ(text, "old");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.file(".")), fs::directory_iterator()), 1);
+}
+
+TEST(StagesFolder, AnEndByASignalLeavesNothingOfWhatIsUnfinished) {
+    const test::TemporaryFolder folder;
+    const auto count = [&](const fs::path& in) {
+        return std::distance(fs::directory_iterator(in), fs::directory_iterator());
+    };
+    {
+        NewFolder whole(folder.file("whole"));
+        whole.write("index.html", "<p>");
+        whole.finish();
+        NewFolder half(folder.file("half"));
+        half.write("a.png", test::noise_picture(4, 4, 3, Component::u8));
+        half.write("index.html", "<p>");
+        EXPECT_EQ(count(folder.path()), 2);
+        remove_unfinished_outputs();
+        EXPECT_EQ(count(folder.path()), 1);
+    }
+    EXPECT_EQ(count(folder.file("whole")), 2) << "index.html and the list";
 }
 
 }  // namespace
