@@ -12,10 +12,13 @@
 #include "math/linear.h"
 #include "render/make_shape.h"
 #include "render/view.h"
+#include "scene/merge_scenes.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
+
+constexpr std::uint64_t bytes_beside_name = 32;  ///< what an allocation takes more than is asked for
 
 dquat turn(dvec3 axis, double angle_rad) {
     const double s = math::sin(0.5 * angle_rad);
@@ -62,16 +65,6 @@ Error at_place(const Error& error, const std::string& name, WorldPlace place) {
     return Error(code, file + inner + error.reason(), to_text(place), error.advice());
 }
 
-/// The shape under the name that the world gives it, in place of its type's: 'tyre', or 'tyre 2' of one cut in pieces.
-Scene renamed(Scene scene, const WorldPrimitive& shape) {
-    const auto rename = [&](std::string& name) {
-        if (name.starts_with(shape.type)) name.replace(0, shape.type.size(), shape.name);
-    };
-    for (Node& node : scene.nodes) rename(node.name);
-    for (Mesh& mesh : scene.meshes) rename(mesh.name);
-    return scene;
-}
-
 /// Warns of names that stand twice where a name is what one asks by. Shapes without a name have their type's.
 void warn_of_twins(const WorldFile& world, const std::string& path, Report& report) {
     std::set<std::string_view> cameras, shapes;
@@ -85,34 +78,49 @@ void warn_of_twins(const WorldFile& world, const std::string& path, Report& repo
                        "two primitives are named '" + one_line(p.name, 40) + "': what goes by name goes to both");
 }
 
-/// The parts of a world, one after another into one scene.
+/// What the world says of a part beside where it stands.
+struct PartWish {
+    const std::string& name;
+    const std::string& material;
+    const std::optional<Subdivision>& subdivision;
+    std::optional<NormalChoice> normals;
+    const WorldPrimitive* shape = nullptr;  ///< null: a model
+};
+
+/// Gives a shape's nodes and meshes its name in place of its type's: 'tyre', or 'tyre 2' of one cut in pieces.
+void rename(Scene& scene, const LoadedPart& part, const WorldPrimitive& shape, MemoryCharge& names) {
+    if (shape.name == shape.type) return;
+    const auto change = [&](std::string& name) {
+        if (!name.starts_with(shape.type)) return;
+        names.grow(shape.name.size() + name.size() + bytes_beside_name, "the names of shapes");
+        name.replace(0, shape.type.size(), shape.name);
+    };
+    for (std::uint32_t i = part.first_node + 1; i < part.end_node; ++i) change(scene.nodes[i].name);
+    for (std::uint32_t i = part.first_mesh; i < part.end_mesh; ++i) change(scene.meshes[i].name);
+}
+
+/// The parts of a world, put together into one scene when all are known, so that what this takes is known before.
 class Assembly {
 public:
     Assembly(const std::string& path, const LoadOptions& options, Context& context)
-        : path_(path), options_(options), context_(context) {
-        scene_.source = path;
-    }
+        : path_(path), options_(options), context_(context) {}
 
-    void add_model(const WorldModel& model) {
-        Scene part = load_file(model);
-        name_default_material(part);  // so that [[material]] finds it
-        if (!model.lights) part.lights.clear();
-        if (!model.cameras) part.cameras.clear();
-        add(std::move(part), model);
-    }
+    void add_model(const WorldModel& model) { add(load_file(model), model, {model.lights, model.cameras}); }
 
     void add_primitive(const WorldPrimitive& shape) {
         try {
-            add(renamed(make_shape(shape), shape), shape);
+            add(make_shape(shape), shape, {true, true});
         } catch (const Error& error) {  // lengths that do not fit together
             const bool is_of_objects = error.reason().starts_with("the objects of ");
             throw Error(ErrorCode::bad_file, error.reason(), to_text(is_of_objects ? shape.objects_place : shape.place),
                         error.advice());
         }
+        wishes_.back().shape = &shape;
     }
 
     /// Cameras of the world stand before those of its models.
     Scene finish(const WorldFile& world) {
+        put_together();
         apply_materials(scene_, world, parts_, path_, options_, context_);
         scene_.lights.insert(scene_.lights.begin(), world.lights.begin(), world.lights.end());
         scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
@@ -134,7 +142,9 @@ private:
             const bool is_builtin = model.file.starts_with("builtin:");
             const std::string file =
                 is_builtin ? model.file : io::resolve_reference(path_, model.file, options_.allow_outside);
-            return loaded_.emplace(model.file, load(file, options_, context_)).first->second;
+            Scene scene = load(file, options_, context_);
+            name_default_material(scene);  // so that [[material]] finds it
+            return loaded_.emplace(model.file, std::move(scene)).first->second;
         } catch (const Error& error) {
             throw at_place(error, model.file, model.place);
         }
@@ -149,20 +159,39 @@ private:
         return shapes_.emplace(request, rakelight::make_shape(request, &context_.memory())).first->second;
     }
 
+    struct Taken {
+        bool lights, cameras;
+    };
+
+    /// @param scene  stays where it is until all parts are put together
     template <class Part>
-    void add(Scene part, const Part& of) {
-        const std::optional<NormalChoice> choice = choice_of(of, part.missing_normals_are_flat);
-        for (Mesh& mesh : part.meshes) {
-            if (of.subdivision) mesh.subdivision = of.subdivision;
-            mesh.normal_choice = choice;
-        }
-        const auto first_mesh = std::uint32_t(scene_.meshes.size()), first_node = std::uint32_t(scene_.nodes.size());
+    void add(const Scene& scene, const Part& of, Taken taken) {
         Node root = root_node(of.name, of.placement);
         root.shading = of.shading;
-        const MergeOffsets by = merge_scene(scene_, part, &root);
-        const auto end_material = std::uint32_t(by.materials + part.materials.size());
-        parts_.push_back({of.name, by.materials, end_material, first_mesh, std::uint32_t(scene_.meshes.size()),
-                          first_node, std::uint32_t(scene_.nodes.size()), of.material});
+        additions_.push_back({scene, std::move(root), taken.lights, taken.cameras});
+        wishes_.push_back({of.name, of.material, of.subdivision, choice_of(of, scene.missing_normals_are_flat)});
+    }
+
+    void put_together() {
+        MergedScene merged = merge_scenes(additions_, context_);
+        scene_ = std::move(merged.scene);
+        scene_.source = path_;
+        MemoryCharge names(context_.memory());
+        for (std::size_t i = 0; i < wishes_.size(); ++i) {
+            const Scene& part = additions_[i].scene;
+            const MergeOffsets& by = merged.offsets[i];
+            const PartWish& wish = wishes_[i];
+            const auto end = [](std::uint32_t first, std::size_t count) { return std::uint32_t(first + count); };
+            parts_.push_back({wish.name, by.materials, end(by.materials, part.materials.size()), by.meshes,
+                              end(by.meshes, part.meshes.size()), by.nodes - 1, end(by.nodes, part.nodes.size()),
+                              wish.material});
+            for (std::uint32_t m = by.meshes; m < parts_.back().end_mesh; ++m) {
+                if (wish.subdivision) scene_.meshes[m].subdivision = wish.subdivision;
+                scene_.meshes[m].normal_choice = wish.normals;
+            }
+            if (wish.shape) rename(scene_, parts_.back(), *wish.shape, names);
+        }
+        scene_.charges.push_back(share(std::move(names)));
     }
 
     /// What [render] names is there: the camera and the pictures.
@@ -201,10 +230,12 @@ private:
     const std::string& path_;
     const LoadOptions& options_;
     Context& context_;
-    Scene scene_;
-    std::vector<LoadedPart> parts_;
     std::map<std::string, Scene> loaded_;
     std::map<ShapeRequest, Scene> shapes_;
+    std::vector<ScenePart> additions_;
+    std::vector<PartWish> wishes_;  ///< [additions]
+    Scene scene_;
+    std::vector<LoadedPart> parts_;  ///< [additions]
 };
 
 }  // namespace

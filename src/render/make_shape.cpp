@@ -3,8 +3,18 @@
 
 #include "base/assert.h"
 #include "prepare/prepare.h"
+#include "scene/charge_arrays.h"
 
 namespace rakelight {
+namespace {
+
+Scene made(const ShapeRequest& r, MemoryBudget* memory) {
+    if (!r.is_teapot) return make_primitive(r.primitive, memory);
+    const double tolerance = r.primitive.tolerance;
+    return make_teapot(tolerance > 0 ? teapot_divisions(tolerance) : r.primitive.divisions, memory);
+}
+
+}  // namespace
 
 ShapeRequest request_of(const WorldPrimitive& p) {
     PrimitiveRequest request;
@@ -18,9 +28,11 @@ ShapeRequest request_of(const WorldPrimitive& p) {
 }
 
 Scene make_shape(const ShapeRequest& r, MemoryBudget* memory) {
-    if (!r.is_teapot) return make_primitive(r.primitive, memory);
-    const double tolerance = r.primitive.tolerance;
-    return make_teapot(tolerance > 0 ? teapot_divisions(tolerance) : r.primitive.divisions, memory);
+    Scene scene = made(r, memory);
+    // A mesh has four arrays; where a shape is cut into many pieces, they are tiny.
+    const std::uint64_t bytes = table_bytes(scene) + scene.meshes.size() * 4 * bytes_beside_array;
+    if (memory) scene.charges.push_back(share(MemoryCharge(*memory, bytes, "a shape")));
+    return scene;
 }
 
 }  // namespace rakelight

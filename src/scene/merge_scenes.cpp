@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// One scene into another: every number that refers to an array grows by what was there before.
+// Scenes into one: every number that refers to an array grows by what was there before.
+#include "scene/merge_scenes.h"
+
+#include <map>
+
 #include <rakelight/error.h>
 
 #include "math/linear.h"
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -12,9 +17,39 @@ void shift(std::uint32_t& index, std::uint32_t by) {
     if (index != none) index += by;
 }
 
-std::uint32_t sum(std::size_t a, std::size_t b) {
-    if (a + b >= none) throw Error(ErrorCode::bad_file, "too many elements for 32-bit indices");
-    return std::uint32_t(a);
+std::size_t nodes_of(const ScenePart& part) { return part.scene.nodes.size() + (part.root ? 1 : 0); }
+
+/// Sizes of the tables, so that none of them grows by doubling.
+struct Counts {
+    std::size_t nodes = 0, meshes = 0, materials = 0, textures = 0, skins = 0, animations = 0, lights = 0, cameras = 0;
+
+    void add(const ScenePart& part) {
+        const Scene& s = part.scene;
+        nodes += nodes_of(part), meshes += s.meshes.size(), materials += s.materials.size();
+        textures += s.textures.size(), skins += s.skins.size(), animations += s.animations.size();
+        if (part.with_lights) lights += s.lights.size();
+        if (part.with_cameras) cameras += s.cameras.size();
+        for (const std::size_t count : {nodes, meshes, materials, textures, skins})
+            if (count >= none) throw Error(ErrorCode::bad_file, "too many elements for 32-bit indices");
+    }
+    void reserve(Scene& in) const {
+        in.nodes.reserve(nodes), in.meshes.reserve(meshes), in.materials.reserve(materials);
+        in.textures.reserve(textures), in.skins.reserve(skins), in.animations.reserve(animations);
+        in.lights.reserve(lights), in.cameras.reserve(cameras);
+    }
+};
+
+/// Each part counts every time: a few bytes of a file name it once more. With a node comes the matrix that whoever asks
+/// where things are makes of it.
+MemoryCharge charge_for(std::span<const ScenePart> parts, Context& context) {
+    std::map<const Scene*, std::uint64_t> tables;
+    std::uint64_t bytes = 0;
+    for (const ScenePart& part : parts) {
+        const auto [entry, is_new] = tables.try_emplace(&part.scene, 0);
+        if (is_new) entry->second = table_bytes(part.scene);
+        bytes += entry->second + (part.root ? table_bytes(*part.root) : 0) + nodes_of(part) * sizeof(dmat4);
+    }
+    return {context.memory(), bytes, "the scene of all parts"};
 }
 
 Material shifted(Material m, const MergeOffsets& by) {
@@ -22,7 +57,7 @@ Material shifted(Material m, const MergeOffsets& by) {
     return m;
 }
 
-void add_nodes(Scene& into, const Scene& part, const Node* root, const MergeOffsets& by) {
+void add_nodes(Scene& into, const Scene& part, const std::optional<Node>& root, const MergeOffsets& by) {
     if (root) into.nodes.push_back(*root);
     for (Node node : part.nodes) {
         if (root && node.parent == none)
@@ -47,41 +82,48 @@ void add_motion(Scene& into, const Scene& part, const MergeOffsets& by) {
 }
 
 /// What stands in the world and not at a node follows the new node, too.
-void add_lights_and_cameras(Scene& into, const Scene& part, const Node* root, const MergeOffsets& by) {
-    const auto place = [&](std::uint32_t& node) {
-        shift(node, by.nodes);
-        return root && node == none;
-    };
-    const dmat4 to_world = root ? root->local.matrix
-                                      ? *root->local.matrix
-                                      : compose(root->local.translation, root->local.rotation, root->local.scale)
-                                : dmat4{};
-    for (Light light : part.lights) {
-        if (place(light.node)) {
-            light.position = transform_point(to_world, light.position);
-            light.direction = normalize_or(transform_direction(to_world, light.direction), light.direction);
-        }
-        into.lights.push_back(std::move(light));
+class Follower {
+public:
+    Follower(const std::optional<Node>& root, const MergeOffsets& by) : has_root_(root), by_(by) {
+        if (!root) return;
+        const Transform& t = root->local;
+        to_world_ = t.matrix ? *t.matrix : compose(t.translation, t.rotation, t.scale);
     }
-    for (Camera camera : part.cameras) {
-        if (place(camera.node)) {
+
+    Light moved(Light light) const {
+        if (is_in_world(light.node)) {
+            light.position = transform_point(to_world_, light.position);
+            light.direction = normalize_or(transform_direction(to_world_, light.direction), light.direction);
+        }
+        return light;
+    }
+    Camera moved(Camera camera) const {
+        if (is_in_world(camera.node)) {
             const dvec3 eye = camera.to_world[3].xyz();
             const dvec3 target = eye - camera.to_world[2].xyz();
-            camera.to_world = look_at(transform_point(to_world, eye), transform_point(to_world, target),
-                                      transform_direction(to_world, camera.to_world[1].xyz()));
+            camera.to_world = look_at(transform_point(to_world_, eye), transform_point(to_world_, target),
+                                      transform_direction(to_world_, camera.to_world[1].xyz()));
         }
-        into.cameras.push_back(std::move(camera));
+        return camera;
     }
-}
 
-}  // namespace
+private:
+    bool is_in_world(std::uint32_t& node) const {
+        shift(node, by_.nodes);
+        return has_root_ && node == none;
+    }
 
-MergeOffsets merge_scene(Scene& into, const Scene& part, const Node* root) {
-    const MergeOffsets by{sum(into.nodes.size() + (root ? 1 : 0), part.nodes.size()),
-                          sum(into.meshes.size(), part.meshes.size()),
-                          sum(into.materials.size(), part.materials.size()),
-                          sum(into.textures.size(), part.textures.size()), sum(into.skins.size(), part.skins.size())};
-    add_nodes(into, part, root, by);
+    bool has_root_;
+    const MergeOffsets& by_;
+    dmat4 to_world_;
+};
+
+MergeOffsets add_part(Scene& into, const ScenePart& added) {
+    const Scene& part = added.scene;
+    const MergeOffsets by{std::uint32_t(into.nodes.size() + (added.root ? 1 : 0)), std::uint32_t(into.meshes.size()),
+                          std::uint32_t(into.materials.size()), std::uint32_t(into.textures.size()),
+                          std::uint32_t(into.skins.size())};
+    add_nodes(into, part, added.root, by);
     for (Mesh mesh : part.meshes) {
         shift(mesh.material, by.materials);
         into.meshes.push_back(std::move(mesh));
@@ -89,9 +131,27 @@ MergeOffsets merge_scene(Scene& into, const Scene& part, const Node* root) {
     for (const Material& m : part.materials) into.materials.push_back(shifted(m, by));
     into.textures.insert(into.textures.end(), part.textures.begin(), part.textures.end());
     add_motion(into, part, by);
-    add_lights_and_cameras(into, part, root, by);
-    into.charges.insert(into.charges.end(), part.charges.begin(), part.charges.end());
+    const Follower follower(added.root, by);
+    if (added.with_lights)
+        for (const Light& light : part.lights) into.lights.push_back(follower.moved(light));
+    if (added.with_cameras)
+        for (const Camera& camera : part.cameras) into.cameras.push_back(follower.moved(camera));
     return by;
+}
+
+}  // namespace
+
+MergedScene merge_scenes(std::span<const ScenePart> parts, Context& context) {
+    Counts counts;
+    for (const ScenePart& part : parts) counts.add(part);
+    MergedScene merged;
+    merged.scene.charges.push_back(share(charge_for(parts, context)));
+    counts.reserve(merged.scene);
+    for (const ScenePart& part : parts) {
+        context.throw_if_cancelled();
+        merged.offsets.push_back(add_part(merged.scene, part));
+    }
+    return merged;
 }
 
 }  // namespace rakelight

@@ -72,15 +72,6 @@ void drop_emission(Material& m, Report& report, const std::string& file, const s
 /// Meshes without a material get one of this name, white and as engines draw such meshes, so that it can be changed.
 void name_default_material(Scene& scene);
 
-/// What becomes of the numbers of a scene that was merged into another: each is that much larger.
-struct MergeOffsets {
-    std::uint32_t nodes = 0, meshes = 0, materials = 0, textures = 0, skins = 0;
-};
-/// Adds all of `part`, below a new node where `root` is given; shares its arrays. Fog, surroundings and
-/// missing_normals_are_flat of `into` stay.
-/// @throws Error bad_file: too many elements for 32-bit indices
-MergeOffsets merge_scene(Scene& into, const Scene& part, const Node* root = nullptr);
-
 /// Named conversions between the two parameter sets of a material. What they lose is said in the functions' .cpp.
 Material classical_from_metallic_roughness(const Material& m);
 Material metallic_roughness_from_classical(const Material& m);

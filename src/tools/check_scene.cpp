@@ -62,7 +62,9 @@ SceneSummary summarize(const Scene& scene) {
 void check_picture(const Scene& scene, const PictureRequest& request, Context& context) {
     validate(scene);
     check_settings(request.settings);
-    const Scene lit = with_lights(scene, request, Camera{});
+    Scene lit;  // without objects, of which there may be millions
+    lit.lights = scene.lights, lit.environment = scene.environment;
+    lit = with_lights(std::move(lit), request, Camera{});
     raster::check_shadow_memory(lit.lights, request.settings, context.memory());
 }
 

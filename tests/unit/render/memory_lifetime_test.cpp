@@ -108,6 +108,28 @@ TEST_F(MemoryLifetime, WhatFailsGivesAllBack) {
     }
 }
 
+TEST_F(MemoryLifetime, AWorldPaysForEachOfItsParts) {
+    std::string objects = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", models, shapes, named;
+    for (int i = 0; i < 300; ++i) objects += "o object " + std::to_string(i) + "\nf 1 2 3\n";
+    for (int i = 0; i < 100; ++i) models += "[[model]]\nfile = 'objects.obj'\n";
+    for (int i = 0; i < 30; ++i) shapes += "[[primitive]]\ntype = 'sphere'\ntolerance = 0.001\nobjects = 1024\n";
+    named =
+        "[[primitive]]\ntype = 'sphere'\ntolerance = 0.001\nobjects = 1024\nname = '" + std::string(8000, 'n') + "'\n";
+    write("objects.obj", objects);
+    for (const std::string& world : {models, shapes, named}) {
+        write("many.scene.toml", world);
+        Context enough, too_small({.max_memory = 8 << 20});
+        {
+            const Scene scene = load(path("many.scene.toml"), {}, enough);
+            EXPECT_GT(enough.memory().charged(), scene.nodes.size() * (sizeof(Node) + sizeof(Mesh)));
+            EXPECT_GT(enough.memory().charged(), 8u << 20);
+        }
+        EXPECT_EQ(enough.memory().charged(), 0u);
+        EXPECT_THROW(load(path("many.scene.toml"), {}, too_small), Error);
+        EXPECT_EQ(too_small.memory().charged(), 0u);
+    }
+}
+
 TEST_F(MemoryLifetime, TwoThousandPicturesOfOneContextLeaveNoTextureOut) {
     Context context({.threads = 1, .max_memory = 1 << 20});
     Scene scene = prepare_scene(load(path("square.gltf"), {}, context), {}, context);

@@ -3,6 +3,8 @@
 #include <rakelight/error.h>
 
 #include "math/linear.h"
+#include "scene/charge_arrays.h"
+#include "scene/merge_scenes.h"
 #include "scene/scene_tools.h"
 
 using namespace rakelight;
@@ -53,11 +55,13 @@ Scene one_of_everything(const std::string& name) {
 
 TEST(MergeScenes, EveryNumberGoesOnMeaningTheSameThing) {
     const Scene a = one_of_everything("a"), b = one_of_everything("b");
-    Scene all;
-    merge_scene(all, a);
     Node root;
     root.name = "root";
-    const MergeOffsets by = merge_scene(all, b, &root);
+    Context context;
+    const std::vector<ScenePart> parts{{a, {}}, {b, root}};
+    const MergedScene merged = merge_scenes(parts, context);
+    Scene all = merged.scene;
+    const MergeOffsets by = merged.offsets.at(1);
     EXPECT_EQ(by.nodes, 3u);
     ASSERT_EQ(all.nodes.size(), 5u);
     EXPECT_EQ(all.nodes[2].name, "root");
@@ -82,14 +86,51 @@ TEST(MergeScenes, EveryNumberGoesOnMeaningTheSameThing) {
 }
 
 TEST(MergeScenes, AllBelowTheNewNodeMovesWithItLightsAndCamerasToo) {
-    Scene all;
     Node root;
     root.local.translation = {10, 0, 0};
     root.local.scale = {2, 2, 2};
-    merge_scene(all, one_of_everything("a"), &root);
+    const Scene a = one_of_everything("a");
+    Context context;
+    const std::vector<ScenePart> parts{{a, root}};
+    const Scene all = merge_scenes(parts, context).scene;
     EXPECT_EQ(world_matrices(all).at(2)[3].xyz(), (dvec3{10, 0, 0}));
     EXPECT_EQ(all.lights[1].position, (dvec3{12, 4, 6}));
     EXPECT_EQ(all.lights[1].direction, (dvec3{0, 0, -1}));
     EXPECT_EQ(all.cameras[1].to_world[3].xyz(), (dvec3{10, 0, 10}));
     EXPECT_EQ(all.cameras[1].to_world[2].xyz(), (dvec3{0, 0, 1}));
+}
+
+TEST(MergeScenes, LightsAndCamerasOfAPartMayStayBehind) {
+    const Scene a = one_of_everything("a");
+    Context context;
+    const std::vector<ScenePart> parts{{a, Node{}, false, true}, {a, Node{}, true, false}};
+    const Scene all = merge_scenes(parts, context).scene;
+    ASSERT_EQ(all.lights.size(), 2u);
+    EXPECT_EQ(all.lights[0].node, 5u);
+    ASSERT_EQ(all.cameras.size(), 2u);
+    EXPECT_EQ(all.cameras[0].node, 2u);
+}
+
+TEST(MergeScenes, EachPartIsChargedBeforeItIsCopiedAndGivenBackWithTheScene) {
+    Scene part = one_of_everything("a name that is too long to stand in the string itself");
+    part.nodes.resize(100, part.nodes[1]);
+    const std::vector<ScenePart> parts(50, {part, Node{}});
+    const std::uint64_t tables = 50 * table_bytes(part);
+    Context enough, too_small({.max_memory = tables});
+    {
+        const Scene all = merge_scenes(parts, enough).scene;
+        EXPECT_GT(enough.memory().charged(), tables);
+        EXPECT_GE(enough.memory().charged(), table_bytes(all)) << "a copy of it takes as much";
+    }
+    EXPECT_EQ(enough.memory().charged(), 0u);
+    EXPECT_THROW(merge_scenes(parts, too_small), Error);
+    EXPECT_EQ(too_small.memory().charged(), 0u);
+}
+
+TEST(MergeScenes, EndsWhereItIsCancelled) {
+    const Scene part = one_of_everything("a");
+    const std::vector<ScenePart> parts{{part, Node{}}};
+    Context context;
+    context.cancel();
+    EXPECT_THROW(merge_scenes(parts, context), Error);
 }
