@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
+#include <string>
 #include <tuple>
 
+#include <rakelight/error.h>
+
+#include "base/cancel_check.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 
@@ -141,46 +146,119 @@ struct SkinnedVertex {
     bool operator<(const SkinnedVertex& other) const { return key() < other.key(); }
 };
 
+/// Looks for places where vertices of skinned instances will part.
+class PartingSearch {
+public:
+    PartingSearch(const Scene& scene, const std::vector<Instance>& instances, const std::vector<dmat4>& place,
+                  Context& context)
+        : scene_(scene), instances_(instances), place_(place), context_(context), check_(context) {}
+
+    /// @return places
+    /// @throws Error bad_file: over the memory budget; failed: cancelled
+    std::uint64_t run() {
+        select();
+        const MemoryCharge charge(context_.memory(), count_vertices() * sizeof(SkinnedVertex),
+                                  "the vertices of all skinned placements");
+        collect();
+        std::sort(vertices_.begin(), vertices_.end(), [this](const SkinnedVertex& a, const SkinnedVertex& b) {
+            check_();
+            return a < b;
+        });
+        return count_parting();
+    }
+
+private:
+    const Mesh& mesh_of(std::uint32_t instance) const { return scene_.meshes[instances_[instance].mesh]; }
+    std::uint32_t skin_of(std::uint32_t instance) const { return scene_.nodes[instances_[instance].node].skin; }
+    std::array<std::uint64_t, 16> bits(std::uint32_t instance) const {
+        return std::bit_cast<std::array<std::uint64_t, 16>>(place_[instances_[instance].node]);
+    }
+
+    /// One placement for each mesh, skin and matrix: another one of the same three has the same joints at every vertex.
+    void select() {
+        for (std::uint32_t i = 0; i < instances_.size(); ++i)
+            if (skin_of(i) != none && !mesh_of(i).influences.empty()) selected_.push_back(i);
+        const auto order = [&](std::uint32_t a, std::uint32_t b) {
+            check_();
+            const auto key = [&](std::uint32_t i) { return std::pair(instances_[i].mesh, skin_of(i)); };
+            return key(a) != key(b) ? key(a) < key(b) : bits(a) < bits(b);
+        };
+        std::stable_sort(selected_.begin(), selected_.end(), order);  // the first of equals stays
+        const auto same = [&](std::uint32_t a, std::uint32_t b) { return !order(a, b) && !order(b, a); };
+        selected_.erase(std::unique(selected_.begin(), selected_.end(), same), selected_.end());
+    }
+
+    std::uint64_t count_vertices() const {
+        std::uint64_t count = 0;
+        for (const std::uint32_t i : selected_) count += mesh_of(i).positions.size();
+        return count;
+    }
+
+    void collect() {
+        vertices_.reserve(count_vertices());
+        std::vector<bool> used;
+        for (std::size_t s = 0; s < selected_.size(); ++s) {
+            const std::uint32_t i = selected_[s];
+            const Mesh& mesh = mesh_of(i);
+            const dmat4 to_world = place_[instances_[i].node] * translation(mesh.origin);
+            if (s == 0 || &mesh != &mesh_of(selected_[s - 1])) {
+                used.assign(mesh.positions.size(), false);
+                for (const std::uint32_t v : mesh.indices) used[v] = true;
+            }
+            for (std::uint32_t v = 0; v < mesh.positions.size(); ++v, check_()) {
+                if (!used[v]) continue;
+                const dvec3 p =
+                    transform_point(to_world, cast<double>(mesh.positions[v])) + dvec3{0, 0, 0};  // -0 becomes +0
+                if (is_finite(p)) vertices_.push_back({p, i, v});
+            }
+        }
+    }
+
+    Follower follower(const SkinnedVertex& v) const {
+        return Follower(scene_.skins[skin_of(v.instance)], mesh_of(v.instance).influences[v.vertex]);
+    }
+
+    std::uint64_t count_parting() {
+        std::uint64_t parting = 0;
+        for (std::size_t first = 0, last = 0; first < vertices_.size(); first = last) {
+            const Follower leader = follower(vertices_[first]);
+            bool parts = false;
+            for (last = first; last < vertices_.size() && vertices_[last].position == vertices_[first].position;
+                 ++last, check_()) {
+                const Follower other = follower(vertices_[last]);
+                parts = parts || !leader.agrees(other) || !other.agrees(leader);
+            }
+            parting += parts;
+        }
+        return parting;
+    }
+
+    const Scene& scene_;
+    const std::vector<Instance>& instances_;
+    const std::vector<dmat4>& place_;
+    Context& context_;
+    CancelCheck check_;
+    std::vector<std::uint32_t> selected_;  ///< into `instances_`, by mesh
+    std::vector<SkinnedVertex> vertices_;
+};
+
 }  // namespace
 
 std::vector<dmat4> bind_pose_matrices(const Scene& scene) { return BindPose(scene).matrices(); }
 
 void warn_of_parting_vertices(const Scene& scene, const std::vector<Instance>& instances,
-                              const std::vector<dmat4>& place, Report& report) {
-    std::vector<SkinnedVertex> vertices;
-    for (std::uint32_t i = 0; i < instances.size(); ++i) {
-        const Mesh& mesh = scene.meshes[instances[i].mesh];
-        if (scene.nodes[instances[i].node].skin == none || mesh.influences.empty()) continue;
-        const dmat4 to_world = place[instances[i].node] * translation(mesh.origin);
-        std::vector<bool> used(mesh.positions.size(), false);
-        for (const std::uint32_t v : mesh.indices) used[v] = true;
-        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-            if (!used[v]) continue;
-            const dvec3 p =
-                transform_point(to_world, cast<double>(mesh.positions[v])) + dvec3{0, 0, 0};  // -0 becomes +0
-            if (is_finite(p)) vertices.push_back({p, i, v});
-        }
-    }
-    std::sort(vertices.begin(), vertices.end());
-    const auto follower = [&](const SkinnedVertex& v) {
-        const Instance& instance = instances[v.instance];
-        return Follower(scene.skins[scene.nodes[instance.node].skin], scene.meshes[instance.mesh].influences[v.vertex]);
-    };
-    std::uint64_t parting = 0;
-    for (std::size_t first = 0, last = 0; first < vertices.size(); first = last) {
-        const Follower leader = follower(vertices[first]);
-        bool parts = false;
-        for (last = first; last < vertices.size() && vertices[last].position == vertices[first].position; ++last) {
-            const Follower other = follower(vertices[last]);
-            parts = parts || !leader.agrees(other) || !other.agrees(leader);
-        }
-        parting += parts;
-    }
-    if (parting > 0)
-        report.add(
-            Remark::warning, scene.source, {},
+                              const std::vector<dmat4>& place, Context& context) {
+    const auto add = [&](Remark kind, const std::string& text) { context.report().add(kind, scene.source, {}, text); };
+    try {
+        const std::uint64_t parting = PartingSearch(scene, instances, place, context).run();
+        if (parting == 0) return;
+        add(Remark::warning,
             std::to_string(parting) +
                 " places where vertices of skinned meshes meet have different joint weights: they will part in motion");
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::failed) throw;  // cancelled
+        add(Remark::note, "skinned meshes were not searched for places that part in motion: " + error.reason());
+    }
 }
 
 }  // namespace rakelight

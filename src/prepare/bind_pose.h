@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include <rakelight/context.h>
 #include <rakelight/scene.h>
 
 #include "prepare/variants.h"
@@ -16,9 +17,11 @@ namespace rakelight {
 std::vector<dmat4> bind_pose_matrices(const Scene& scene);
 
 /// Warns when vertices of skinned instances that stand at one place in the bind pose follow different joints or
-/// weights: however smooth the normals, the surface will open there when it moves.
+/// weights: however smooth the normals, the surface will open there when it moves. A note where the memory budget does
+/// not let it look.
 /// @param place  what bind_pose_matrices() gave
+/// @throws Error failed: cancelled
 void warn_of_parting_vertices(const Scene& scene, const std::vector<Instance>& instances,
-                              const std::vector<dmat4>& place, Report& report);
+                              const std::vector<dmat4>& place, Context& context);
 
 }  // namespace rakelight

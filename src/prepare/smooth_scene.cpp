@@ -162,7 +162,7 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
     }
     check_split(scene, numbers, computed.attributes, context);
     report_faults(scene, numbers, computed.attributes, request.attributes, context.report());
-    if (request.attributes.normals) warn_of_parting_vertices(scene, s.instances, world, context.report());
+    if (request.attributes.normals) warn_of_parting_vertices(scene, s.instances, world, context);
     ResultPlacer placer(scene, request, s, numbers, context);
     placer.place(computed);
     placer.report();

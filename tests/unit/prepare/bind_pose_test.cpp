@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Case "skinning": skinned models are smoothed where their parts meet, in the bind pose.
 #include <gtest/gtest.h>
+#include <rakelight/error.h>
+
+#include <string>
 
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
@@ -124,6 +127,58 @@ TEST(Skinning, VerticesOfOnePlaceWithOtherWeightsAreWarnedOf) {
     Context context;
     expect_no_seam(smoothed(scene, context));
     EXPECT_EQ(test::remarks(context, Remark::warning, "2 places"), 1u) << test::all_remarks(context);
+}
+
+/// Placements of one ball, each with a skin of its own; and of another, whose vertices follow another joint.
+Scene skinned_balls(std::uint32_t placements) {
+    Scene scene = test::scene_of({test::ball_mesh(64, 32), test::ball_mesh(64, 32)});
+    for (Mesh& mesh : scene.meshes) follow(mesh);
+    follow(scene.meshes[1], {0.5f, 0.5f, 0, 0});
+    scene.skins.resize(placements);
+    scene.nodes.resize(placements, scene.nodes[0]);
+    for (std::uint32_t i = 0; i < placements; ++i) {
+        scene.nodes[i].meshes = {i % 2};
+        scene.nodes[i].skin = i;
+        scene.skins[i].joints = {placements, placements + 1};
+        scene.skins[i].inverse_bind.assign(2, dmat4{});
+    }
+    scene.nodes.resize(placements + 2);
+    return scene;
+}
+
+TEST(Skinning, TheSearchForPartingVerticesStaysWithinTheMemoryBudget) {
+    const PrepareOptions flat{.normals = NormalSource::flat};  // instances share what is made of their mesh
+    const Scene few = skinned_balls(4), many = skinned_balls(1000);
+    Context enough({.max_memory = 8 << 20}), too_small({.max_memory = 8 << 20});
+    prepare_scene(few, flat, enough);
+    EXPECT_EQ(test::remarks(enough, Remark::warning, "part in motion"), 1u) << test::all_remarks(enough);
+    prepare_scene(many, flat, too_small);
+    EXPECT_EQ(test::remarks(too_small, Remark::warning, "part in motion"), 0u);
+    EXPECT_EQ(test::remarks(too_small, Remark::note, "were not searched for places that part in motion"), 1u)
+        << test::all_remarks(too_small);
+}
+
+TEST(Skinning, PlacementsOfOneMeshUnderOneSkinAreLookedAtOnce) {
+    Scene scene = skinned_balls(1000);
+    for (std::uint32_t i = 0; i < 1000; ++i) scene.nodes[i].skin = i % 2;
+    Context context({.max_memory = 8 << 20});
+    prepare_scene(scene, {.normals = NormalSource::flat}, context);
+    EXPECT_EQ(test::remarks(context, Remark::warning, std::to_string(64 * 31 + 2) + " places"), 1u)
+        << test::all_remarks(context);
+}
+
+TEST(Skinning, TheSearchForPartingVerticesCanBeCancelled) {
+    const Scene scene = skinned_balls(50);
+    const std::vector<dmat4> place = bind_pose_matrices(scene);
+    const std::vector<Instance> instances = drawn_instances(scene);
+    Context context;
+    context.cancel();
+    try {
+        warn_of_parting_vertices(scene, instances, place, context);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::failed);
+    }
 }
 
 TEST(Skinning, TheSameJointsInAnotherOrderAreTheSame) {
