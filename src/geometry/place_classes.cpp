@@ -1,14 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/place_classes.h"
 
+#include <algorithm>
+
 #include "geometry/near_weld.h"
 #include "geometry/position_weld.h"
 
 namespace rakelight::geometry {
 
+namespace {
+
+/// At their peaks: hashes, records and places; then the cells of near places, each of which stands in two of them.
+void check_memory(const AttributeInput& input, double weld_distance, Context& context) {
+    constexpr std::uint64_t exact = 24, near = 84;  // [bytes] a vertex
+    const bool has_codes = std::any_of(input.meshes.begin(), input.meshes.end(),
+                                       [](const AttributeMesh& m) { return m.position_step > 0; });
+    const bool looks_near =
+        weld_distance > 0 || (weld_distance < 0 && (has_codes || input.placements.distinct().size() > 1));
+    context.memory().check(input.vertex_count() * (looks_near ? near : exact),
+                           "finding where the vertices of all placements meet");
+}
+
+}  // namespace
+
 PlacedMeshes place_vertices(std::span<const AttributeMesh> meshes, double weld_distance, Context& context) {
     PlacedMeshes placed;
     placed.input = check_input(meshes, context);
+    check_memory(placed.input, weld_distance, context);
     placed.place = weld_positions(placed.input, {}, context);
     weld_near(placed.place, placed.input, {}, weld_distance, context);
     return placed;

@@ -27,7 +27,7 @@ struct PlacedMeshes {
 /// Welds as the attribute door does (AttributeOptions::weld_distance). The meshes' arrays must outlive the result.
 /// O(n).
 /// @throws Error bad_file: sizes that do not fit, an index out of range, a matrix that is not finite, more than 2^32
-///         vertices and corners
+///         vertices and corners, more memory than the budget has
 PlacedMeshes place_vertices(std::span<const AttributeMesh> meshes, double weld_distance, Context& context);
 
 /// The places of a triangle's corners. False where it has none to speak of: a corner is not finite, or two are at one

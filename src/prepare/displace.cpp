@@ -13,6 +13,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/displace_parts.h"
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -70,23 +71,23 @@ bool same_shape(const Mesh& a, const Mesh& b) {
 /// All that one displacement of a scene goes through, stage by stage.
 class Displacer {
 public:
-    Displacer(const Scene& scene, const Displacement& options, Context& context)
-        : scene_(scene),
+    Displacer(Scene scene, const Displacement& options, Context& context)
+        : scene_(std::move(scene)),
           options_(options),
           context_(context),
-          out_(scene),
-          parts_(collect_parts(scene, options, context)) {}
+          parts_(collect_parts(scene_, options, context)) {}
 
+    /// Once.
     Scene run() {
         if (std::none_of(parts_.begin(), parts_.end(), [](const DisplacedPart& p) { return p.material != nullptr; }))
-            return scene_;
+            return std::move(scene_);
         cut();
         refine();
         collect_classes();
         read_heights();
         move();
         place();
-        return std::move(out_);
+        return std::move(scene_);
     }
 
 private:
@@ -103,6 +104,8 @@ private:
                               .position_step = mesh.position_step});
         }
         const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context_);
+        const std::uint64_t most = std::min(options_.most_triangles, std::uint64_t(1) << 32);
+        check_memory(meshes, most);
         std::vector<std::uint8_t> moves(placed.place.size(), 0);  // some displaced mesh has a vertex at the place
         for (std::uint32_t v = 0; v < placed.place.size(); ++v)
             if (parts_[placed.input.mesh_of_vertex(v)].material) moves[placed.place[v]] = 1;
@@ -119,10 +122,16 @@ private:
         const double diagonal = world_bounds(scene_).diagonal();
         edge_ = options_.edge > 0 ? options_.edge : diagonal / 250;
         if (!(edge_ > 0)) edge_ = 1;
-        const std::uint64_t most = std::min(options_.most_triangles, std::uint64_t(1) << 32);
-        context_.memory().check(most * 96, "displaced triangles");
         fine_ = geometry::tessellate(coarse, edge_, most + count_triangles(false), context_);
         if (!fine_.is_complete) warn_of_limit();
+    }
+
+    /// What stands beside a mesh that is displaced is taken apart like it.
+    void check_memory(const std::vector<AttributeMesh>& meshes, std::uint64_t most) const {
+        constexpr std::uint64_t a_vertex = 104, a_corner = 12, a_triangle = 96;
+        std::uint64_t bytes = most * a_triangle + meshes.size() * (sizeof(Mesh) + sizeof(DisplacedPart));
+        for (const AttributeMesh& m : meshes) bytes += m.positions.size() * a_vertex + m.indices.size() * a_corner;
+        context_.memory().check(bytes, "displaced triangles");
     }
 
     /// Of what is displaced and cut already, or of what is not displaced and as the scene has it.
@@ -209,20 +218,18 @@ private:
     /// The first placement of a mesh takes its place, others that came out differently get one of their own.
     void place() {
         std::vector<std::vector<std::uint32_t>> made(scene_.meshes.size());
+        AddedMeshes added(scene_, context_);
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             const Instance& instance = parts_[i].instance;
             std::vector<std::uint32_t>& numbers = made[instance.mesh];
-            const auto is_same = [&](std::uint32_t n) { return same_shape(out_.meshes[n], meshes_[i]); };
+            const auto is_same = [&](std::uint32_t n) { return same_shape(scene_.meshes[n], meshes_[i]); };
             auto at = std::find_if(numbers.begin(), numbers.end(), is_same);
             if (at == numbers.end()) {
                 const bool is_first = numbers.empty();
-                at = numbers.insert(at, is_first ? instance.mesh : std::uint32_t(out_.meshes.size()));
-                if (is_first)
-                    out_.meshes[instance.mesh] = std::move(meshes_[i]);
-                else
-                    out_.meshes.push_back(std::move(meshes_[i]));
+                at = numbers.insert(at, is_first ? instance.mesh : added.add(std::move(meshes_[i])));
+                if (is_first) scene_.meshes[instance.mesh] = std::move(meshes_[i]);
             }
-            out_.nodes[instance.node].meshes[instance.slot] = *at;
+            scene_.nodes[instance.node].meshes[instance.slot] = *at;
         }
     }
 
@@ -262,10 +269,9 @@ private:
         }
     }
 
-    const Scene& scene_;
+    Scene scene_;
     const Displacement& options_;
     Context& context_;
-    Scene out_;
     std::vector<DisplacedPart> parts_;
     double edge_ = 0;
     geometry::Tessellation fine_;
@@ -281,8 +287,8 @@ bool wants_displacement(const Scene& scene, const Displacement& options) {
     });
 }
 
-Scene displace_scene(const Scene& scene, const Displacement& options, Context& context) {
-    return Displacer(scene, options, context).run();
+Scene displace_scene(Scene scene, const Displacement& options, Context& context) {
+    return Displacer(std::move(scene), options, context).run();
 }
 
 }  // namespace rakelight

@@ -16,6 +16,6 @@ bool wants_displacement(const Scene& scene, const Displacement& options);
 /// (displace_parts.h), with a warning where little of the relief is left. A height map that cannot be decoded is a
 /// warning, and its meshes stay as they are.
 /// @throws Error bad_file: over the memory budget
-Scene displace_scene(const Scene& scene, const Displacement& options, Context& context);
+Scene displace_scene(Scene scene, const Displacement& options, Context& context);
 
 }  // namespace rakelight

@@ -67,7 +67,10 @@ std::vector<DisplacedPart> collect_parts(const Scene& scene, const Displacement&
     std::vector<DisplacedPart> parts;
     HeightFields fields(scene, context);
     const std::vector<dmat4> to_world = world_matrices(scene);
-    for (const Instance& instance : drawn_instances(scene)) {
+    const std::vector<Instance> instances = drawn_instances(scene);
+    context.memory().check(instances.size() * sizeof(DisplacedPart), "displaced placements");
+    parts.reserve(instances.size());
+    for (const Instance& instance : instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         DisplacedPart part{.instance = instance, .to_world = to_world[instance.node] * translation(mesh.origin)};
         if (!inverse_affine(part.to_world, part.to_object)) continue;

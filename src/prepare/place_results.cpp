@@ -51,13 +51,13 @@ Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_n
 }
 
 ResultPlacer::ResultPlacer(Scene& scene, const SmoothRequest& request, const SmoothSelection& selection,
-             const std::vector<std::uint32_t>& numbers, Context& context)
+                           const std::vector<std::uint32_t>& numbers, Context& context)
     : scene_(scene),
       request_(request),
       s_(selection),
       numbers_(numbers),
       context_(context),
-      variants_(scene, request.keep_instances),
+      variants_(scene, context, request.keep_instances),
       uses_(scene.meshes.size(), 0) {
     for (const std::uint32_t number : numbers_) ++uses_[number];
     for (std::size_t i = 0; i < s_.instances.size(); ++i)

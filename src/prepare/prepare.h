@@ -19,7 +19,7 @@ void check_options(const PrepareOptions& options);
 
 /// Texture coordinates by projection about the world bounding box, for triangle meshes of a valid
 /// scene that have none; said in the report.
-Scene project_texcoords(const Scene& scene, UvProjection projection, Context& context);
+Scene project_texcoords(Scene scene, UvProjection projection, Context& context);
 
 /// Normals and tangents of a valid scene by the door of <rakelight/attributes.h> over the whole scene.
 struct SmoothSceneOptions {

@@ -146,50 +146,81 @@ void warn_of_textures(const Scene& scene, Report& report) {
 /// Subdivided meshes have the limit surface's normals, which no crease angle and no scope of smoothing changes.
 Scene subdivided(Scene scene, const PrepareOptions& options, Context& context) {
     if (!wants_subdivision(scene, options.subdivision)) return scene;
-    Scene out = subdivide_scene(scene, options.subdivision, context);
+    std::vector<Block<vec3>> before;
+    for (const Mesh& mesh : scene.meshes) before.push_back(mesh.positions);
+    Scene out = subdivide_scene(std::move(scene), options.subdivision, context);
     for (std::size_t i = 0; i < out.meshes.size(); ++i) {
         const NormalRule rule = normal_rule(out, out.meshes[i], options.normals);
         const bool are_flat = !rule.keeps_given && rule.scope == Scope::face;
-        if (are_flat && (i >= scene.meshes.size() || !(out.meshes[i].positions == scene.meshes[i].positions)))
-            out.meshes[i].normals = {};
+        if (are_flat && (i >= before.size() || !(out.meshes[i].positions == before[i]))) out.meshes[i].normals = {};
     }
     return out;
 }
 
-/// Those that are missing, one pass for each scope: whatever is smoothed over the model is so together.
-Scene with_normals(Scene scene, SmoothRequest request, Context& context) {
-    if (is_published(request.kept_tangents)) request.tangents = TangentWish::none;  // add_missing_tangents() makes them
-    for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
-        request.attributes.scope = scope;
-        scene = smooth_meshes(std::move(scene), request, context);
-    }
-    return scene;
-}
+/// One scene on its way through the stages. What a stage has made is paid before the next one asks for memory.
+class Preparing {
+public:
+    Preparing(const Scene& scene, const PrepareOptions& options, Context& context)
+        : options_(options), context_(context), request_(request_for(options)), own_(unpaid_arrays(scene)) {}
 
-/// The stages, for triangles that turn counter-clockwise.
-Scene prepare_stages(Scene scene, const PrepareOptions& options, Context& context) {
-    check_nodes(scene, context.report());
-    Scene out = subdivided(repair_scene(std::move(scene), options.normals, context), options, context);
-    if (options.uv != UvProjection::none) out = project_texcoords(out, options.uv, context);
-    warn_of_tangents(out, options.bump, context.report());
-    warn_of_textures(out, context.report());
-    if (options.normals == NormalSource::automatic) note_flat_meshes(out, context.report());
-    const SmoothRequest request = request_for(options);
-    for (Mesh& mesh : out.meshes)
-        if (options.tangents && (options.all_tangents || wants_tangents(out, mesh)))
-            mesh.tangents = {};  // the file's do not count
-    context.throw_if_cancelled();
-    if (options.measure_orthogonality) report_kept_tangents(out, context.report());
-    out = with_normals(std::move(out), request, context);
-    if (wants_displacement(out, options.displacement)) {
-        context.throw_if_cancelled();
-        out = displace_scene(out, options.displacement, context);
-        SmoothRequest again = request;  // the new surface's, over all objects
+    /// The stages, for triangles that turn counter-clockwise.
+    Scene run(Scene scene) const {
+        Report& report = context_.report();
+        check_nodes(scene, report);
+        scene = paid(repair_scene(std::move(scene), options_.normals, context_));
+        scene = paid(subdivided(std::move(scene), options_, context_));
+        scene = paid(project_texcoords(std::move(scene), options_.uv, context_));
+        warn_of_tangents(scene, options_.bump, report);
+        warn_of_textures(scene, report);
+        if (options_.normals == NormalSource::automatic) note_flat_meshes(scene, report);
+        for (Mesh& mesh : scene.meshes)
+            if (options_.tangents && (options_.all_tangents || wants_tangents(scene, mesh)))
+                mesh.tangents = {};  // the file's do not count
+        context_.throw_if_cancelled();
+        if (options_.measure_orthogonality) report_kept_tangents(scene, report);
+        scene = displaced(with_normals(std::move(scene)));
+        return paid(add_missing_tangents(std::move(scene), request_, context_));
+    }
+
+    Scene paid(Scene scene) const {
+        charge_new_arrays(scene, own_, context_);
+        return scene;
+    }
+
+private:
+    /// Those that are missing, one pass for each scope: whatever is smoothed over the model is so together.
+    Scene with_normals(Scene scene) const {
+        SmoothRequest request = request_;
+        if (is_published(request.kept_tangents))
+            request.tangents = TangentWish::none;  // add_missing_tangents() makes them
+        for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
+            request.attributes.scope = scope;
+            scene = paid(smooth_meshes(std::move(scene), request, context_));
+        }
+        return scene;
+    }
+
+    Scene displaced(Scene scene) const {
+        if (!wants_displacement(scene, options_.displacement)) return scene;
+        context_.throw_if_cancelled();
+        scene = paid(displace_scene(std::move(scene), options_.displacement, context_));
+        SmoothRequest again = request_;  // the new surface's, over all objects
         again.attributes.scope = Scope::model;
         again.every_scope = true;
-        out = smooth_meshes(std::move(out), again, context);
+        return paid(smooth_meshes(std::move(scene), again, context_));
     }
-    return add_missing_tangents(std::move(out), request, context);
+
+    const PrepareOptions& options_;
+    Context& context_;
+    const SmoothRequest request_;
+    const std::set<const void*> own_;  ///< the caller's arrays, which no charge pays for
+};
+
+/// What stages make of each node, placement and mesh while they work: matrices and lists.
+std::uint64_t working_bytes(const Scene& scene) {
+    std::uint64_t bytes = scene.nodes.size() * 2 * sizeof(dmat4) + scene.meshes.size() * 64;
+    for (const Node& node : scene.nodes) bytes += node.meshes.size() * 64;
+    return bytes;
 }
 
 }  // namespace
@@ -219,15 +250,12 @@ Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context
 
 Scene valid::prepare_scene(Scene scene, const PrepareOptions& options, Context& context) {
     check_options(options);
-    const std::set<const void*> own = unpaid_arrays(scene);
-    if (options.clockwise_fronts) {
-        TriangleTurner turner;
-        scene = turner.turned(prepare_stages(turner.turned(std::move(scene), context), options, context), context);
-    } else {
-        scene = prepare_stages(std::move(scene), options, context);
-    }
-    charge_new_arrays(scene, own, context);
-    return scene;
+    const MemoryCharge working(context.memory(), working_bytes(scene), "preparing the scene");
+    const Preparing preparing(scene, options, context);
+    if (!options.clockwise_fronts) return preparing.run(std::move(scene));
+    TriangleTurner turner;
+    scene = turner.turned(std::move(scene), context);
+    return preparing.paid(turner.turned(preparing.run(std::move(scene)), context));
 }
 
 }  // namespace rakelight

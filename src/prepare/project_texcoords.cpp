@@ -11,15 +11,18 @@
 // A triangle across the seam is unwrapped: its u continue beyond 1. A corner on the axis takes the mean u of the others.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include <rakelight/error.h>
 
+#include "base/cancel_check.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
 #include "prepare/split_vertices.h"
 #include "prepare/variants.h"
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -143,7 +146,8 @@ Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, Uv
     context.memory().check((source.positions.size() + source.indices.size()) * 24, "texture coordinates");
     VertexCoordinates coordinates(source.positions.size());
     std::vector<std::uint32_t> indices(source.indices.begin(), source.indices.end());
-    for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+    CancelCheck check(context);
+    for (std::size_t t = 0; t + 2 < indices.size(); t += 3, check()) {
         Corners c{};
         for (std::size_t k = 0; k < 3; ++k) {
             c.p[k] = transform_point(place, cast<double>(source.positions[indices[t + k]]));
@@ -165,33 +169,58 @@ Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, Uv
     if (sets.empty()) sets.emplace_back();
     sets[0] = coordinates.take_coordinates();
     mesh.texcoords = std::move(sets);
+    charge_new_arrays(mesh, source, context);  // before the next placement asks for more
     return mesh;
 }
 
+bool has_texcoords(const Mesh& mesh) {
+    return std::any_of(mesh.texcoords.begin(), mesh.texcoords.end(),
+                       [](const Block<vec2>& set) { return !set.empty(); });
+}
+
+/// The meshes as they were before the first of their placements was projected.
+class Originals {
+public:
+    Originals(const Scene& scene, const std::vector<Instance>& instances)
+        : scene_(scene), uses_(scene.meshes.size(), 0) {
+        for (const Instance& instance : instances) ++uses_[instance.mesh];
+    }
+    const Mesh& operator[](std::uint32_t number) {
+        if (uses_[number] == 1) return scene_.meshes[number];
+        return kept_.try_emplace(number, scene_.meshes[number]).first->second;
+    }
+
+private:
+    const Scene& scene_;
+    std::vector<std::uint32_t> uses_;
+    std::map<std::uint32_t, Mesh> kept_;  ///< those with several placements
+};
+
 }  // namespace
 
-Scene project_texcoords(const Scene& scene, UvProjection projection, Context& context) {
+Scene project_texcoords(Scene scene, UvProjection projection, Context& context) {
     if (projection == UvProjection::none) return scene;
     const std::vector<dmat4> world = world_matrices(scene);
     const Frame frame = frame_of(world_bounds(scene));
-    Scene out = scene;
-    MeshVariants variants(out);
+    const std::vector<Instance> instances = drawn_instances(scene);
+    Originals originals(scene, instances);
+    MeshVariants variants(scene, context);
     std::uint64_t meshes = 0;
-    for (const Instance& instance : drawn_instances(scene)) {
-        const Mesh& mesh = scene.meshes[instance.mesh];
-        const auto has_some = [](const Block<vec2>& set) { return !set.empty(); };
-        if (std::any_of(mesh.texcoords.begin(), mesh.texcoords.end(), has_some)) continue;
+    for (const Instance& instance : instances) {
+        context.throw_if_cancelled();
+        const Mesh& mesh = originals[instance.mesh];
+        if (has_texcoords(mesh)) continue;
         variants.place(instance, projected(mesh, world[instance.node], frame, projection, context));
         ++meshes;
     }
-    if (meshes == 0) return out;
+    if (meshes == 0) return scene;
     const char* name = projection == UvProjection::box ? "box" : projection == UvProjection::sphere ? "sphere" : "cylinder";
     context.report().add(Remark::note, scene.source, {},
                          std::to_string(meshes) + " meshes without texture coordinates got them by " + name + " projection");
     if (variants.copies() > 0)
         context.report().add(Remark::note, scene.source, {},
                              std::to_string(variants.copies()) + " instances got a mesh of their own: they lie elsewhere in the texture");
-    return out;
+    return scene;
 }
 
 }  // namespace rakelight

@@ -13,6 +13,7 @@
 #include "prepare/smooth_selection.h"
 #include "prepare/subdivide_surface.h"
 #include "prepare/variants.h"
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -30,15 +31,20 @@ struct Group {
 
 class Subdividing {
 public:
-    Subdividing(const Scene& scene, const Subdivision& otherwise, Context& context)
-        : scene_(scene), otherwise_(otherwise), context_(context), world_(world_matrices(scene)) {}
+    Subdividing(Scene scene, const Subdivision& otherwise, Context& context)
+        : scene_(std::move(scene)),
+          otherwise_(otherwise),
+          context_(context),
+          world_(world_matrices(scene_)),
+          charge_(context.memory()) {}
 
+    /// Once.
     Scene run() {
         for (const Instance& instance : drawn_instances(scene_)) {
             const Mesh& mesh = scene_.meshes[instance.mesh];
             if (wish_of(mesh, otherwise_).level > 0) instances_.push_back(instance);
         }
-        if (instances_.empty()) return scene_;
+        if (instances_.empty()) return std::move(scene_);
         weld();
         find_groups();
         build_surfaces();
@@ -46,7 +52,8 @@ public:
         std::vector<std::vector<Mesh>> made(surfaces_.size());
         context_.parallel_for(surfaces_.size(), [&](std::size_t i) { made[i] = surfaces_[i].run(context_); });
         report();
-        return placed(std::move(made));
+        place(std::move(made));
+        return std::move(scene_);
     }
 
 private:
@@ -64,6 +71,7 @@ private:
                               .position_step = mesh.position_step});
         }
         geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context_);
+        charge_.grow(placed.place.size() * sizeof(std::uint32_t) * 2, what);  // with find_groups()'s list
         place_ = std::move(placed.place);
         vertex_base_ = std::move(placed.input.vertex_base);
     }
@@ -131,6 +139,8 @@ private:
             } else {
                 group.surface = surfaces_.size();
             }
+            context_.throw_if_cancelled();
+            charge_surface(group);
             std::vector<SurfacePart> parts;
             for (const std::size_t i : group.members) {
                 const Mesh& mesh = mesh_of(i);
@@ -142,6 +152,19 @@ private:
             }
             surfaces_.emplace_back(std::move(parts), wish, scale);
         }
+    }
+
+    /// The control surface, as long as it is there, and what parting it takes for a moment.
+    void charge_surface(const Group& group) {
+        constexpr std::uint64_t kept_a_vertex = 32, kept_a_corner = 12, for_a_corner = 72, arrays = 12;
+        std::uint64_t vertices = 0, corners = 0;
+        for (const std::size_t i : group.members)
+            vertices += mesh_of(i).positions.size(), corners += mesh_of(i).indices.size();
+        const std::uint64_t a_part = sizeof(SurfacePart) + sizeof(Mesh) + 4 * bytes_beside_array;  // and its result
+        charge_.grow(vertices * kept_a_vertex + corners * kept_a_corner + sizeof(SurfaceSubdivider) +
+                         arrays * bytes_beside_array + group.members.size() * a_part,
+                     what);
+        context_.memory().check(corners * for_a_corner, what);
     }
 
     /// What is kept at the end, and what is needed beside while surfaces are made, as many at once as there are
@@ -205,10 +228,10 @@ private:
     }
 
     /// The first surface that a mesh is in takes the mesh's place, others get meshes of their own.
-    Scene placed(std::vector<std::vector<Mesh>>&& made) const {
-        Scene out = scene_;
+    void place(std::vector<std::vector<Mesh>>&& made) {
         std::vector<bool> is_taken(scene_.meshes.size(), false);
         std::vector<std::vector<std::uint32_t>> numbers(made.size());
+        AddedMeshes added(scene_, context_);
         for (const Group& group : groups_) {
             std::vector<std::uint32_t>& of_surface = numbers[group.surface];
             const bool is_new = of_surface.empty();
@@ -217,19 +240,17 @@ private:
                 if (is_new) {
                     const bool is_first = !is_taken[instance.mesh];
                     is_taken[instance.mesh] = true;
-                    of_surface.push_back(is_first ? instance.mesh : std::uint32_t(out.meshes.size()));
-                    if (is_first)
-                        out.meshes[instance.mesh] = std::move(made[group.surface][k]);
-                    else
-                        out.meshes.push_back(std::move(made[group.surface][k]));
+                    Mesh& mesh = made[group.surface][k];
+                    of_surface.push_back(is_first ? instance.mesh : added.add(std::move(mesh)));
+                    if (is_first) scene_.meshes[instance.mesh] = std::move(mesh);
                 }
-                out.nodes[instance.node].meshes[instance.slot] = of_surface[k];
+                scene_.nodes[instance.node].meshes[instance.slot] = of_surface[k];
             }
         }
-        return out;
     }
 
-    const Scene& scene_;
+    static constexpr const char* what = "the control surface of a subdivision";
+    Scene scene_;
     const Subdivision& otherwise_;
     Context& context_;
     const std::vector<dmat4> world_;
@@ -237,6 +258,7 @@ private:
     std::vector<std::uint32_t> place_, vertex_base_;
     std::vector<Group> groups_;
     std::vector<SurfaceSubdivider> surfaces_;
+    MemoryCharge charge_;  ///< pays for the lists above until the end
 };
 
 }  // namespace
@@ -247,9 +269,9 @@ bool wants_subdivision(const Scene& scene, const Subdivision& otherwise) {
     });
 }
 
-Scene subdivide_scene(const Scene& scene, const Subdivision& otherwise, Context& context) {
+Scene subdivide_scene(Scene scene, const Subdivision& otherwise, Context& context) {
     if (const char* const fault = fault_of(otherwise)) throw Error(ErrorCode::usage, fault);
-    return Subdividing(scene, otherwise, context).run();
+    return Subdividing(std::move(scene), otherwise, context).run();
 }
 
 }  // namespace rakelight

@@ -16,6 +16,6 @@ bool wants_subdivision(const Scene& scene, const Subdivision& otherwise);
 /// objects' own origin, so that placements of the same meshes go on sharing them; crease angles are then measured there
 /// too, unless the matrix changes angles.
 /// @throws Error bad_file: over the memory budget; usage: numbers out of range
-Scene subdivide_scene(const Scene& scene, const Subdivision& otherwise, Context& context);
+Scene subdivide_scene(Scene scene, const Subdivision& otherwise, Context& context);
 
 }  // namespace rakelight

@@ -12,10 +12,10 @@ void TriangleTurner::turn(Block<T>& block, Known<T>& known, Context& context) {
         block = it->second.second;
         return;
     }
-    context.memory().check(block.size() * sizeof(T), "triangles that turn clockwise");
+    MemoryCharge charge(context.memory(), block.size() * sizeof(T), "triangles that turn clockwise");
     std::vector<T> corners(block.begin(), block.end());
     for (std::size_t t = 0; t + 2 < corners.size(); t += 3) std::swap(corners[t + 1], corners[t + 2]);
-    const Block<T> before = std::exchange(block, Block<T>(std::move(corners)));
+    const Block<T> before = std::exchange(block, Block<T>(std::move(corners), std::move(charge)));
     known.emplace(before.identity(), std::pair(before, block));
     known.emplace(block.identity(), std::pair(block, before));
 }

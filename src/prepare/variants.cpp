@@ -56,9 +56,7 @@ std::uint32_t MeshVariants::place(const Instance& instance, Mesh result) {
             number = instance.mesh;
             scene_.meshes[number] = std::move(result);
         } else {
-            number = std::uint32_t(scene_.meshes.size());
-            scene_.meshes.push_back(std::move(result));
-            ++copies_;
+            number = added_.add(std::move(result));
         }
         made.push_back(number);
     }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
+#include <string>
 
 #include <rakelight/error.h>
 
@@ -416,6 +418,57 @@ TEST(PrepareScene, SharesEverythingWhenNothingNeedsDoingWhateverTurnItsFrontsHav
     options.clockwise_fronts = true;
     const Scene after = prepared(scene_of({mesh, mesh}), options);
     for (const Mesh& m : after.meshes) EXPECT_TRUE(m.indices.identity() == mesh.indices.identity());
+}
+
+TEST(PrepareScene, EachStageIsRefusedBeforeItMakesWhatTheBudgetHasNoRoomFor) {
+    Scene scene = scene_of({test::ball_mesh(32, 32)});
+    scene.nodes.resize(8, scene.nodes[0]);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) scene.nodes[i].local.translation = {1.5 * double(i), 0, 0};
+    PrepareOptions all;
+    all.uv = UvProjection::box;
+    all.subdivision.level = 1;
+    all.all_tangents = all.clockwise_fronts = true;
+    std::set<std::string> stages;
+    for (std::uint64_t limit = 1 << 20; !stages.contains("all") && limit < 1u << 30; limit += limit / 8) {
+        Context context({.max_memory = limit});
+        try {
+            const Scene out = prepare_scene(scene, all, context);
+            EXPECT_GT(context.memory().charged(), 8 * 4000u * (12 + 12 + 16 + 8)) << "arrays of the result";
+            stages.insert("all");
+        } catch (const Error& error) {
+            stages.insert(error.reason().substr(0, error.reason().find(" needs ")));
+        }
+        EXPECT_EQ(context.memory().charged(), 0u) << limit;
+    }
+    EXPECT_TRUE(stages.contains("all"));
+    EXPECT_GE(stages.size(), 4u);
+    EXPECT_FALSE(stages.contains("the prepared scene")) << "refused when it was made already";
+}
+
+/// [bytes] The limit, to a sixty-fourth, under which the scene can be prepared.
+std::uint64_t least_memory(const Scene& scene, const PrepareOptions& options) {
+    for (std::uint64_t limit = 1 << 20;; limit += limit / 64) {
+        Context context({.max_memory = limit});
+        try {
+            prepare_scene(scene, options, context);
+            return limit;
+        } catch (const Error&) {
+        }
+    }
+}
+
+TEST(PrepareScene, AStageCountsWhatTheStagesBeforeHaveMade) {
+    Scene scene = scene_of({test::ball_mesh(32, 32)});
+    scene.nodes.resize(16, scene.nodes[0]);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) scene.nodes[i].local.translation = {1.5 * double(i), 0, 0};
+    Context made;
+    const Scene projected = project_texcoords(scene, UvProjection::box, made);  // paid there, not where it is prepared
+    const std::uint64_t arrays = made.memory().charged();
+    PrepareOptions smooth = by(NormalSource::model), both = smooth;
+    both.uv = UvProjection::box;
+    const std::uint64_t alone = least_memory(projected, smooth);
+    EXPECT_GT(arrays, alone / 8) << "it makes a difference";
+    EXPECT_GT(least_memory(scene, both), alone + arrays - alone / 16);
 }
 
 TEST(PrepareScene, FlatNormalsOfAllMeshesTogetherStayWithinTheMemoryBudget) {

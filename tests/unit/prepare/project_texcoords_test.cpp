@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <rakelight/error.h>
+
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
 #include "unit/prepare/meshes.h"
@@ -150,6 +152,22 @@ TEST(ProjectTexcoords, InstancesLieAtTheirOwnPlaceInTheTexture) {
     ASSERT_EQ(out.meshes.size(), 2u);
     EXPECT_EQ(out.meshes[0].texcoords[0][1], out.meshes[1].texcoords[0][0]);
     EXPECT_EQ(test::remarks(context, Remark::note, "1 instances got a mesh of their own"), 1u);
+}
+
+TEST(ProjectTexcoords, AllPlacementsTogetherStayWithinTheMemoryBudget) {
+    Scene scene = scene_of({ball_mesh(64, 32)});
+    scene.nodes.resize(100, scene.nodes[0]);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) scene.nodes[i].local.translation = {3.0 * double(i), 0, 0};
+    const std::uint64_t kept = 100 * 8 * scene.meshes[0].positions.size();  // texture coordinates alone
+    Context enough, too_small({.max_memory = kept / 2});
+    {
+        const Scene out = project_texcoords(scene, UvProjection::box, enough);
+        EXPECT_EQ(out.meshes.size(), 100u);
+        EXPECT_GT(enough.memory().charged(), kept);
+    }
+    EXPECT_EQ(enough.memory().charged(), 0u);
+    EXPECT_THROW(project_texcoords(scene, UvProjection::box, too_small), Error);
+    EXPECT_EQ(too_small.memory().charged(), 0u);
 }
 
 TEST(ProjectTexcoords, StaysFiniteForDegenerateAndBrokenModels) {

@@ -14,6 +14,7 @@
 #include "prepare/prepare.h"
 #include "prepare/primitives.h"
 #include "scene/scene_tools.h"
+#include "unit/prepare/meshes.h"
 
 namespace rakelight {
 namespace {
@@ -304,6 +305,21 @@ TEST(SubdivideScene, AMeshsOwnWordCountsBeforeTheScenes) {
     scene.meshes[1].subdivision->level = 1;
     EXPECT_TRUE(wants_subdivision(scene, {}));
     EXPECT_EQ(subdivide_scene(scene, {}, context).meshes[1].triangle_count(), 12u * 4);
+}
+
+TEST(SubdivideScene, AllPlacementsAreCountedBeforeTheyAreWelded) {
+    Scene scene = scene_of({test::ball_mesh(64, 32)});
+    Context enough({.max_memory = 16 << 20}), too_small({.max_memory = 16 << 20});
+    EXPECT_NO_THROW(subdivide_scene(scene, {.level = 1}, enough));
+    scene.nodes.resize(1000, scene.nodes[0]);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) scene.nodes[i].local.translation = {3.0 * double(i), 0, 0};
+    try {
+        subdivide_scene(scene, {.level = 1}, too_small);  // all have the same surface, but that is known too late
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("where the vertices of all placements meet"), std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(SubdivideScene, WhatNeedsTooMuchMemoryIsOneErrorBeforeItIsMade) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
+#include <rakelight/error.h>
 
 #include "prepare/split_vertices.h"
 #include "prepare/variants.h"
@@ -21,7 +22,8 @@ TEST(MeshVariants, ShareEqualResultsAndAddDifferentOnes) {
     scene.nodes.resize(4, scene.nodes[0]);
     const auto instances = drawn_instances(scene);
     ASSERT_EQ(instances.size(), 4u);
-    MeshVariants variants(scene);
+    Context context;
+    MeshVariants variants(scene, context);
     EXPECT_EQ(variants.place(instances[0], quad_with_normals(0)), 0u);
     EXPECT_EQ(variants.place(instances[1], quad_with_normals(1)), 1u);
     EXPECT_EQ(variants.place(instances[2], quad_with_normals(1e-7f)), 0u) << "rounding makes no copy";
@@ -29,6 +31,26 @@ TEST(MeshVariants, ShareEqualResultsAndAddDifferentOnes) {
     EXPECT_EQ(variants.copies(), 1u);
     EXPECT_EQ(scene.meshes.size(), 2u);
     EXPECT_EQ(scene.nodes[3].meshes[0], 1u);
+}
+
+TEST(MeshVariants, AreChargedBeforeTheTableOfMeshesGrows) {
+    Context context({.max_memory = 100 * sizeof(Mesh)});
+    {
+        Scene scene = test::scene_of({quad_mesh()});
+        scene.nodes.resize(1000, scene.nodes[0]);
+        const auto instances = drawn_instances(scene);
+        MeshVariants variants(scene, context);
+        std::size_t placed = 0;
+        const auto place_all = [&] {
+            for (; placed < instances.size(); ++placed)
+                variants.place(instances[placed], quad_with_normals(float(placed)));
+        };
+        EXPECT_THROW(place_all(), Error);
+        EXPECT_GT(placed, 20u);
+        EXPECT_EQ(scene.meshes.size(), placed) << "what was refused was not made";
+        EXPECT_GE(context.memory().charged(), (placed - 1) * sizeof(Mesh));
+    }
+    EXPECT_EQ(context.memory().charged(), 0u);
 }
 
 TEST(DrawnInstances, LeaveOutLinesAndMeshesWithoutTriangles) {
