@@ -192,6 +192,30 @@ def gltf_of(nodes, images=0):
     return json.dumps(tree, separators=(",", ":"))
 
 
+def grid_gltf(path, nodes, side, skins=0):
+    """A height field of side * side vertices, without normals and texture coordinates, that `nodes` nodes show: beside one another, or with skins,
+    as many as nodes, all at one place."""
+    vertices = side * side
+    positions = b"".join(struct.pack("<3f", x, y, (x * x + y) % 7 * 0.3) for y in range(side) for x in range(side))
+    indices = b"".join(struct.pack("<6I", i, i + 1, i + side, i + 1, i + side + 1, i + side)
+                       for y in range(side - 1) for i in range(y * side, y * side + side - 1))
+    arrays = [(positions, "VEC3", 5126, vertices), (indices, "SCALAR", 5125, len(indices) // 4)]
+    if skins:
+        arrays += [(b"\0\0\0\0" * vertices, "VEC4", 5121, vertices), (struct.pack("<4f", 1, 0, 0, 0) * vertices, "VEC4", 5126, vertices)]
+    starts = list(itertools.accumulate((len(data) for data, *_ in arrays), initial=0))
+    placed = [{"mesh": 0, "skin": i} if skins else {"mesh": 0, "translation": [i * side, 0, 0]} for i in range(nodes)]
+    tree = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(nodes + bool(skins)))}], "nodes": placed + [{}] * bool(skins),
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0} | ({"JOINTS_0": 2, "WEIGHTS_0": 3} if skins else {}), "indices": 1}]}],
+            "accessors": [{"bufferView": i, "componentType": kind, "count": count, "type": shape} for i, (_, shape, kind, count) in enumerate(arrays)],
+            "bufferViews": [{"buffer": 0, "byteOffset": start, "byteLength": len(data)} for start, (data, *_) in zip(starts, arrays)],
+            "buffers": [{"byteLength": starts[-1], "uri": path.stem + ".bin"}]}
+    tree["accessors"][0] |= {"min": [0, 0, 0], "max": [side - 1, side - 1, 1.8]}
+    if skins:
+        tree["skins"] = [{"joints": [nodes]}] * skins
+    path.write_text(json.dumps(tree, separators=(",", ":")))
+    path.with_suffix(".bin").write_bytes(b"".join(data for data, *_ in arrays))
+
+
 def check_memory(program):
     """Small files that ask for much: at their peak they take what files may ask for and 200 MiB for the program at most."""
     seconds, most, million = 120, GIB * 1024 + 200, 1000000
@@ -207,16 +231,27 @@ def check_memory(program):
         (folder / "images.gltf").write_text(gltf_of(120, 120))
         (folder / "nodes.gltf").write_text(gltf_of(million))
         (folder / "objects.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "o a\nf 1 2 3\n" * million)
-        for model, verbs in (("quad.obj", ("render",)), ("images.gltf", ("render",)), ("objects.obj", ("render", "inspect", "smooth")), ("nodes.gltf", ("render", "inspect", "smooth"))):
-            for verb in verbs:
+        (folder / "few.gltf").write_text(gltf_of(20000))
+        (folder / "models.scene.toml").write_text("[[model]]\nfile = 'few.gltf'\n" * 1000)
+        (folder / "fewer_models.scene.toml").write_text("[[model]]\nfile = 'few.gltf'\n" * 270)
+        (folder / "shapes.scene.toml").write_text("[[primitive]]\ntype = 'sphere'\nobjects = 1024\ntolerance = 0.001\n" * 4000)
+        grid_gltf(folder / "grids.gltf", 1000, 300)
+        grid_gltf(folder / "skins.gltf", 1000, 300, skins=1000)
+        for model, verbs in (("quad.obj", ("render",)), ("images.gltf", ("render",)), ("objects.obj", ("render", "inspect", "smooth")),
+                             ("nodes.gltf", ("render", "inspect", "smooth")), ("models.scene.toml", ("check", "render")),
+                             ("fewer_models.scene.toml", ("check", "render --roughness 0.5")), ("shapes.scene.toml", ("check", "render")),
+                             ("grids.gltf", ("render --uv box", "render --subdivide 1", "render --normals model", "inspect")),
+                             ("skins.gltf", ("render", "smooth"))):
+            for verb, *options in map(str.split, verbs):
                 out = folder / ("out.png" if verb == "render" else "out" + pathlib.Path(model).suffix)
-                options = {"render": ["-o", str(out), "--resolution", "64,64"], "inspect": [], "smooth": ["-o", str(out)]}[verb]
+                options += {"render": ["-o", str(out), "--resolution", "64,64"], "smooth": ["-o", str(out)]}.get(verb, [])
                 code, errors, peak = run_alone([program, verb, str(folder / model), *options], seconds, folder)
-                print(f"{verb} {model}: exit {code}, {peak:.0f} MiB")
+                case = f"{verb} {model} {' '.join(o for o in options if o != str(out) and o != '-o')}"
+                print(f"{case}: exit {code}, {peak:.0f} MiB")
                 if code not in (0, 4):
-                    wrong.append(f"{verb} {model}: exit {code}: {last_line(errors)}")
+                    wrong.append(f"{case}: exit {code}: {last_line(errors)}")
                 if peak > most:
-                    wrong.append(f"{verb} {model}: {peak:.0f} MiB are more than {most}")
+                    wrong.append(f"{case}: {peak:.0f} MiB are more than {most}")
     return wrong
 
 
