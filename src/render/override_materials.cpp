@@ -89,16 +89,15 @@ Scene override_materials(const Scene& scene, const MaterialOverrides& overrides,
     return changed;
 }
 
-Scene valid::override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context) {
+Scene valid::override_materials(Scene scene, const MaterialOverrides& overrides, Context& context) {
     if (overrides == MaterialOverrides{}) return scene;
-    Scene changed = scene;
-    name_default_material(changed);
-    set_values(changed, checked(overrides.values), context);
+    name_default_material(scene);
+    set_values(scene, checked(overrides.values), context);
     TextureUse base_color, normal, height;
-    if (!overrides.base_color.empty()) base_color = add_texture(changed, overrides.base_color, context);
-    if (!overrides.normal.empty()) normal = add_texture(changed, overrides.normal, context);
-    if (!overrides.height.empty()) height = add_texture(changed, overrides.height, context);
-    for (Material& m : changed.materials) {
+    if (!overrides.base_color.empty()) base_color = add_texture(scene, overrides.base_color, context);
+    if (!overrides.normal.empty()) normal = add_texture(scene, overrides.normal, context);
+    if (!overrides.height.empty()) height = add_texture(scene, overrides.height, context);
+    for (Material& m : scene.materials) {
         if (base_color) m.base_color_texture = base_color;
         if (normal) m.normal_texture = normal;
         if (height) m.height_texture = height, m.height_scale = 1;
@@ -107,7 +106,7 @@ Scene valid::override_materials(const Scene& scene, const MaterialOverrides& ove
         if (overrides.centered_normals) m.centered_normals = *overrides.centered_normals;
         set_factors(m, overrides);
     }
-    return changed;
+    return scene;
 }
 
 }  // namespace rakelight

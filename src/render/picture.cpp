@@ -71,7 +71,7 @@ Scene scene_of_request(const PictureRequest& request, Context& context) {
     check_settings(request.settings);
     Scene scene = load(request.input, request.load, context);
     if (!(request.materials == MaterialOverrides{}))
-        scene = valid::override_materials(scene, request.materials, context);
+        scene = valid::override_materials(std::move(scene), request.materials, context);
     scene = with_height_maps(std::move(scene), request.settings, context);
     return with_environment(std::move(scene), request, context);
 }

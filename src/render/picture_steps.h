@@ -7,7 +7,7 @@ namespace rakelight {
 
 namespace valid {
 /// override_materials() for a scene that passed validate().
-Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
+Scene override_materials(Scene scene, const MaterialOverrides& overrides, Context& context);
 }  // namespace valid
 
 /// The window that is rendered: the whole picture where none is asked for.
