@@ -53,6 +53,17 @@ std::string text_of(const ReportEntry& r) {
     return text;
 }
 
+/// Where not all are shown: what the world file or the command line asks for and does not get, then what was lost, then
+/// the rest, each in its order.
+void most_important_first(std::vector<ReportEntry>& remarks) {
+    const auto rank = [](const ReportEntry& r) {
+        const bool is_asked = r.file.ends_with(".scene.toml") || r.file.empty() || r.message.starts_with("--");
+        return is_asked ? 0 : r.remark == Remark::dropped ? 1 : 2;
+    };
+    std::stable_sort(remarks.begin(), remarks.end(),
+                     [&](const ReportEntry& a, const ReportEntry& b) { return rank(a) < rank(b); });
+}
+
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace
@@ -65,8 +76,9 @@ std::string error_line(const Error& error) {
 
 void print_remarks(const Report& report, Loudness loudness) {
     if (loudness == Loudness::quiet) return;
-    const std::vector<ReportEntry> remarks = report.entries();
+    std::vector<ReportEntry> remarks = report.entries();
     const bool is_verbose = loudness == Loudness::verbose;
+    if (!is_verbose) most_important_first(remarks);
     std::uint64_t lines = 0, notes = report.notes_left_out(), warnings = report.left_out() - notes;
     for (const ReportEntry& r : remarks) {
         const bool is_note = r.remark == Remark::note;
@@ -78,7 +90,8 @@ void print_remarks(const Report& report, Loudness loudness) {
     }
     const std::string file =
         remarks.empty() || remarks.front().file.empty() ? "" : one_line(remarks.front().file) + ": ";
-    if (warnings) print_remark(false, file + "... " + std::to_string(warnings) + " more, see --json");
+    if (warnings)
+        print_remark(false, file + "... " + std::to_string(warnings) + " more, see " + (is_verbose ? "" : "--verbose or ") + "--json");
     if (notes && is_verbose) print_remark(true, file + "... " + std::to_string(notes) + " more notes were left out");
 }
 

@@ -70,10 +70,12 @@ void apply_limits(const InspectWords& w, InspectRequest& request) {
 /// The work on one file.
 void inspect_file(const Options& options, const PictureRequest& picture, InspectionRow& row, Context& context) {
     const Scene scene = load(picture.input, picture.load, context);
-    row.inspection = inspect(scene, options.inspect.options, context);
+    InspectOptions inspected = options.inspect.options;
+    inspected.prepare = picture.prepare;  // a world's [render] may say something of its normals
+    row.inspection = inspect(scene, inspected, context);
     if (options.inspect.check) row.check = check_limits(*row.inspection, *options.inspect.check);
     if (picture.output.empty()) return;
-    save(draw_seams(scene, *row.inspection, options.inspect.options, picture.view, picture.settings, context),
+    save(draw_seams(scene, *row.inspection, inspected, picture.view, picture.settings, context),
          picture.output);
     row.heat_map = picture.output;
     row.inspection->seam_lines = {};

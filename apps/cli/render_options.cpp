@@ -158,12 +158,14 @@ void apply_normals(const RenderWords& w, PrepareOptions& p) {
                                    {"box", UvProjection::box},
                                    {"sphere", UvProjection::sphere},
                                    {"cylinder", UvProjection::cylinder}});
-    if (!w.tangents.empty() && w.tangents != "auto")
-        p.tangents = word<TangentMode>("--tangents", w.tangents,
-                                       {{"averaged", TangentMode::averaged},
-                                        {"published", TangentMode::published},
-                                        {"published-no-handedness", TangentMode::published_no_handedness},
-                                        {"mikktspace", TangentMode::mikktspace}});
+    if (!w.tangents.empty())
+        p.tangents =
+            word<std::optional<TangentMode>>("--tangents", w.tangents,
+                                             {{"auto", std::nullopt},
+                                              {"averaged", TangentMode::averaged},
+                                              {"published", TangentMode::published},
+                                              {"published-no-handedness", TangentMode::published_no_handedness},
+                                              {"mikktspace", TangentMode::mikktspace}});
     if (!w.orthogonalize.empty()) {
         p.orthogonalize = word<Orthogonalize>("--orthogonalize", w.orthogonalize,
                                               {{"attribute", Orthogonalize::attribute},

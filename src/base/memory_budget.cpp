@@ -28,8 +28,9 @@ namespace {
 constexpr std::uint64_t default_limit = 2ull << 30;
 constexpr std::uint64_t bytes_per_byte_read = 64;
 
-std::string too_much(std::string_view what, std::uint64_t bytes, std::uint64_t limit) {
-    return std::string(what) + " needs " + std::to_string(bytes) + " bytes, more than the limit of " +
+std::string too_much(std::string_view what, std::uint64_t bytes, std::uint64_t used, std::uint64_t limit) {
+    return std::string(what) + ": " + std::to_string(bytes) + " bytes" +
+           (used > 0 ? " beside " + std::to_string(used) + " in use" : "") + ", more than the limit of " +
            std::to_string(limit);
 }
 
@@ -46,7 +47,7 @@ void MemoryBudget::Account::require(std::uint64_t before, std::uint64_t bytes, s
     const std::uint64_t allowed = limit();
     if (bytes <= allowed && before <= allowed - bytes) return;
     ++refusals;
-    throw Error(ErrorCode::bad_file, too_much(what, bytes, allowed), {},
+    throw Error(ErrorCode::bad_file, too_much(what, bytes, before, allowed), {},
                 "raise it with --max-memory if you trust the file");
 }
 

@@ -66,6 +66,10 @@ private:
     std::FILE* file_ = nullptr;
 };
 
+/// Output goes through symbolic links, not over them: the name of what `path` leads to, which need not be there.
+/// @throws Error failed: links that lead in a circle
+std::string behind_links(const std::string& path);
+
 /// The bytes of a file that was written are on the disk. @throws Error failed: as sync_folder(); it cannot be opened
 void sync_file(const std::string& path);
 

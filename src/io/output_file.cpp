@@ -38,15 +38,6 @@ bool read_link(std::string& path) {
     return true;
 }
 
-/// Output goes through symbolic links, not over them: the name of what they lead to, which need not be there.
-std::string behind_links(const std::string& path) {
-    constexpr int most_links = 40;  // as Linux follows
-    std::string target = path;
-    for (int followed = 0; followed <= most_links; ++followed)
-        if (!read_link(target)) return target;
-    refuse_output(path, ELOOP);
-}
-
 /// Creates a file in the folder of `path` under a name that nobody has; a short one, so that it fits wherever `path`
 /// fits.
 /// @return the descriptor, or -1 with errno
@@ -72,6 +63,14 @@ int sync_to_disk(int fd) {
 }
 
 }  // namespace
+
+std::string behind_links(const std::string& path) {
+    constexpr int most_links = 40;  // as Linux follows
+    std::string target = path;
+    for (int followed = 0; followed <= most_links; ++followed)
+        if (!read_link(target)) return target;
+    refuse_output(path, ELOOP);
+}
 
 void sync_file(const std::string& path) {
     const Descriptor opened{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};

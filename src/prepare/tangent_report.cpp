@@ -36,8 +36,9 @@ void report_inverted(const Scene& scene, const InvertedMaps& inverted, TangentMo
     report.add(Remark::warning, scene.source, Place{"mesh", inverted.first_mesh, first.name}.text(),
                "the published tangents run against the texture coordinates on " + std::to_string(inverted.triangles) +
                    " of " + std::to_string(inverted.of) + " triangles, where bumps look like dents; --tangents " +
-                   (mode == TangentMode::published ? "published-no-handedness leaves out the step that turns them"
-                                                   : "averaged keeps mirrored charts apart"));
+                   (mode == TangentMode::published ? "published-no-handedness leaves out the handedness step, --tangents "
+                                                   : "") +
+                   "averaged keeps mirrored charts apart");
 }
 
 void report_kept_tangents(const Scene& scene, Report& report) {

@@ -165,7 +165,15 @@ private:
 
     /// @param scene  stays where it is until all parts are put together
     template <class Part>
+    void warn_of_crease(const Part& of) {
+        if (!of.crease_angle_rad || (of.normals != "flat" && of.normals != "file")) return;
+        context_.report().add(Remark::warning, path_, to_text(of.place),
+                              "'crease_angle_deg' has no effect beside normals = \"" + of.normals + "\"");
+    }
+
+    template <class Part>
     void add(const Scene& scene, const Part& of, Taken taken) {
+        warn_of_crease(of);
         Node root = root_node(of.name, of.placement);
         root.shading = of.shading;
         additions_.push_back({scene, std::move(root), taken.lights, taken.cameras});

@@ -37,12 +37,16 @@ std::string nearest_word(std::string_view word, const std::vector<std::string_vi
 }
 
 std::string list_of_names(const std::vector<std::string>& names, std::size_t most, std::size_t max_bytes) {
+    constexpr std::size_t longest = 90;  // [bytes] of a list, but for its last name: an error's advice is cut behind 160
     std::string list;
     std::set<std::string_view> known;
-    for (const std::string& name : names)
-        if (known.insert(name).second && known.size() <= most)
-            list += (known.size() > 1 ? ", " : "") + one_line(name, max_bytes);
-    return known.size() > most ? list + " and " + std::to_string(known.size() - most) + " more" : list;
+    std::size_t shown = 0;
+    for (const std::string& name : names) {
+        if (!known.insert(name).second || shown == most || list.size() > longest) continue;
+        list += (shown > 0 ? ", " : "") + one_line(name, max_bytes);
+        ++shown;
+    }
+    return known.size() > shown ? list + " and " + std::to_string(known.size() - shown) + " more" : list;
 }
 
 }  // namespace rakelight

@@ -168,8 +168,9 @@ void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometr
     result.seams.normals_before = name_of_source(surfaces);
     const geometry::CreaseRange creases =
         geometry::crease_range(surfaces.meshes, {.crease_angle_rad = options.prepare.crease_angle_rad});
-    result.seams.crease_angle_deg = degrees(creases.least);
-    result.seams.crease_angle_most_deg = degrees(creases.most);
+    const auto rounded_deg = [](double rad) { return std::round(degrees(rad) * 1e9) * 1e-9; };  // 60 and not 59.999...
+    result.seams.crease_angle_deg = rounded_deg(creases.least);
+    result.seams.crease_angle_most_deg = rounded_deg(creases.most);
 }
 
 void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
@@ -189,6 +190,19 @@ void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
 }
 
 }  // namespace
+
+/// A file decides how many objects there are and how long their names and those of their materials.
+static std::uint64_t bytes_of_objects(const Scene& scene, const std::vector<std::uint32_t>& objects) {
+    constexpr std::uint64_t beside_text = 32;  // what an allocation takes more than is asked for
+    std::uint64_t bytes = 0;
+    for (const std::uint32_t node : objects) {
+        bytes += sizeof(ObjectSummary) + sizeof(SurfaceSummary) + scene.nodes[node].name.size() + 2 * beside_text;
+        for (const std::uint32_t mesh : scene.nodes[node].meshes)
+            if (const std::uint32_t material = scene.meshes[mesh].material; material != none)
+                bytes += sizeof(std::string) + scene.materials[material].name.size() + beside_text;
+    }
+    return bytes;
+}
 
 /// All but nodes and meshes, of which there may be millions.
 static Scene without_objects(const Scene& scene) {
@@ -213,6 +227,7 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     std::vector<std::uint32_t> objects;
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i)
         if (!scene.nodes[i].meshes.empty()) objects.push_back(i);
+    const MemoryCharge charge(context.memory(), bytes_of_objects(scene, objects), "the list of objects");
     result.objects.reserve(objects.size());
     for (const std::uint32_t node : objects) result.objects.push_back(summarize(scene, node));
     result.material_objects = objects_of_materials(scene, objects);

@@ -117,11 +117,12 @@ bool has_these_normals(const Scene& before, const Scene& after) {
 
 }  // namespace
 
-SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
+SmoothedFile smooth_file(const std::string& input, const std::string& wanted, const SmoothFileOptions& options,
                          Context& context) {
     std::error_code error;
-    if (output.ends_with('/') || std::filesystem::is_directory(output, error))
-        throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "' is a folder", {}, "name the file in it too");
+    if (wanted.ends_with('/') || std::filesystem::is_directory(wanted, error))
+        throw Error(ErrorCode::usage, "'" + one_line(wanted, 80) + "' is a folder", {}, "name the file in it too");
+    const std::string output = io::behind_links(wanted);  // data, materials and pictures go beside the file itself
     const Way way = way_of(input, output);
     SmoothedFile result{.file = input, .output = output};
     SmoothFileOptions smoothing = options;

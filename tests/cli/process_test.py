@@ -109,7 +109,7 @@ class Process(program.Case):
         result = self.run_program("render", "many.obj", "-o", "a.png", "--resolution", "16,12")
         self.assertEqual(result.code, 0, result.err)
         self.assertEqual(len(result.lines), 21)
-        self.assertIn("more, see --json", result.lines[-1])
+        self.assertIn("more, see --verbose or --json", result.lines[-1])
         for line in result.lines:
             self.assertTrue(line.startswith("rakelight: warning: many.obj: "), line)
         self.assertEqual(self.run_program("render", "many.obj", "-o", "a.png", "--resolution", "16,12", "--quiet").err, "")

@@ -58,6 +58,16 @@ class Smooth(program.Case):
         self.assertGreater(seam("object.obj"), 5)
         self.assertEqual(seam("model.obj"), 0)
 
+    def test_the_files_of_a_model_stay_together_behind_a_link(self):
+        (self.dir / "in.gltf").write_text(json.dumps(quantized_corner(5120, "b", 4)))
+        (self.dir / "real").mkdir()
+        (self.dir / "out.gltf").symlink_to("real/model.gltf")
+        done = self.run_program("smooth", "in.gltf", "-o", "out.gltf", "--crease-angle", "180")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue((self.dir / "out.gltf").is_symlink())
+        self.assertEqual(sorted(p.name for p in (self.dir / "real").iterdir()), ["model.bin", "model.gltf"])
+        self.assertEqual(self.run_program("check", "real/model.gltf").returncode, 0)
+
     def test_a_full_disk_leaves_the_older_model_and_its_data(self):
         model = quantized_corner(5120, "b", 4)
         model["extras"] = "x" * 500000  # the model file fails, its data would still fit

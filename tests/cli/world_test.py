@@ -305,6 +305,10 @@ class Worlds(program.Case):
         self.write("mixed.scene.toml", mixed)
         self.assertEqual(picture("mixed", "--crease-angle", "180"), picture("model"), "a silent part by the picture's options")
         self.assertLess(seam("mixed", "--crease-angle", "180"), 1e-6)
+        for scope in ("model", "object"):
+            self.write("asked.scene.toml", f"[render]\nnormals = '{scope}'\ncrease-angle = 180\n" + parts.replace("KEYS", keys["model"], 1).replace("KEYS", ""))
+            self.assertEqual(picture("asked"), picture(scope))
+            self.assertAlmostEqual(seam("asked"), seam(scope), places=3)
         self.assertIn("at 60 to 180 degrees", self.run_program("inspect", "mixed.scene.toml").out)
         self.assertEqual(picture("model", "--weight", "area"), picture("silent", "--normals", "model", "--crease-angle", "180", "--weight", "area"))
 

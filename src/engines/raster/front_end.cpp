@@ -103,7 +103,9 @@ void renew(SetUpMemory& memory, std::size_t chunks) {
 void PictureMemory::add(std::uint64_t bytes) {
     if (bytes <= limit_ && charge_.bytes() <= limit_ - bytes) return charge_.grow(bytes, "the picture");
     throw Error(ErrorCode::bad_file,
-                "the picture's triangles, lines and points need more than " + std::to_string(limit_) + " bytes", {},
+                "the picture's triangles, lines and points need more than " + std::to_string(limit_) +
+                    " bytes, half of the limit",
+                {},
                 "raise the limit with --max-memory, or render a part with --window");
 }
 

@@ -76,6 +76,7 @@ fs::path beside(const fs::path& target, const char* what) {
 
 NewFolder::NewFolder(const std::string& target) : target_(fs::absolute(target).lexically_normal()) {
     if (!target_.has_filename()) target_ = target_.parent_path();  // "out/"
+    target_ = io::behind_links(target_.string());
     if (!target_.has_filename()) refuse("is no name for a folder", target);
     check_target(target_);
     check_parent(target_, target);

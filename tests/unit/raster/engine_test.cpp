@@ -390,7 +390,7 @@ TEST(SoftEngine, InstancesAndLargeTrianglesWithoutNumberAreRefusedBeforeTheyFill
                 FAIL() << "not refused";
             } catch (const Error& error) {
                 EXPECT_EQ(error.code(), ErrorCode::bad_file);
-                EXPECT_EQ(error.reason(), "the picture's triangles, lines and points need more than 50000000 bytes");
+                EXPECT_EQ(error.reason(), "the picture's triangles, lines and points need more than 50000000 bytes, half of the limit");
             }
         }
 }

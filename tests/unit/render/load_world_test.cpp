@@ -381,6 +381,7 @@ TEST_F(LoadWorld, WhatHasNoEffectOrIsNotWhatItSeemsIsWarnedOf) {
         const char* words;
     } cases[] = {
         {model + "[[material]]\nname = 'redd'\nunlit = true\n", "did you mean 'red'?"},
+        {model + "normals = 'flat'\ncrease_angle_deg = 30\n", "no effect beside normals = \"flat\""},
         {model + "name = 'wall'\nmaterial = 'own'\n[[material]]\nname = 'own'\n[[material]]\nname = '*'\nmodel = "
                  "'wall'\ncolor = [0, 1, 0]\n",
          "no effect: all of 'wall' is of 'own'"},
@@ -437,7 +438,7 @@ TEST_F(LoadWorld, ShapesBeyondTheBudgetAreRefusedWithTheirPlace) {
     const Error error = error_of([&] { load((folder_ / "w.scene.toml").string(), {}, small); });
     EXPECT_EQ(error.code(), ErrorCode::bad_file);
     EXPECT_EQ(error.place(), "line 21, column 1");
-    EXPECT_NE(error.reason().find("a shape needs"), std::string::npos) << error.what();
+    EXPECT_NE(error.reason().find("a shape: 3686432 bytes beside "), std::string::npos) << error.what();
 }
 
 TEST_F(LoadWorld, ACameraWhoseUpIsAlongItsViewHasAnotherAndSaysSo) {

@@ -21,6 +21,14 @@ TEST(Words, TheNearestIsFoundOnlyWhereOneIsNear) {
     EXPECT_EQ(nearest_word(long_word, {long_word}), "");  // names of files may be long, and the time is a product of lengths
 }
 
+TEST(Words, ListsOfLongNamesAreCutBehindAWholeName) {
+    std::vector<std::string> names;
+    for (int i = 0; i < 40; ++i) names.push_back("metallic_roughness_texture_" + std::to_string(i));
+    EXPECT_EQ(list_of_names(names, 40),
+              "metallic_roughness_texture_0, metallic_roughness_texture_1, metallic_roughness_texture_2, "
+              "metallic_roughness_texture_3 and 36 more");
+}
+
 TEST(Words, ListsOfNamesAreCutAndHaveNoDoubles) {
     EXPECT_EQ(list_of_names({}), "");
     EXPECT_EQ(list_of_names({"a"}), "a");

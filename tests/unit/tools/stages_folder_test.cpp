@@ -47,6 +47,22 @@ TEST(StagesFolder, OneWhoseFilesDoNotReachTheDiskLeavesTheOneBefore) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.file(".")), fs::directory_iterator()), 1);
 }
 
+TEST(StagesFolder, LinksToFoldersAreFollowedAlsoToOneThatIsNotThere) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder.file("real"));
+    fs::create_directory(folder.file("real/empty"));
+    fs::create_directory_symlink("real/empty", folder.file("to_empty"));
+    fs::create_directory_symlink("real/new", folder.file("to_none"));
+    for (const char* name : {"to_empty", "to_none", "to_none/"}) {
+        NewFolder pages(folder.file(name));
+        pages.write("index.html", "<p>");
+        pages.finish();
+    }
+    EXPECT_TRUE(fs::is_symlink(folder.file("to_empty")) && fs::is_symlink(folder.file("to_none")));
+    EXPECT_TRUE(fs::is_regular_file(folder.file("real/empty/index.html")));
+    EXPECT_TRUE(fs::is_regular_file(folder.file("real/new/index.html")));
+}
+
 TEST(StagesFolder, AnEndByASignalLeavesNothingOfWhatIsUnfinished) {
     const test::TemporaryFolder folder;
     const auto count = [&](const fs::path& in) {
