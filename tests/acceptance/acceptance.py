@@ -239,7 +239,7 @@ def check_memory(program):
         grid_gltf(folder / "skins.gltf", 1000, 300, skins=1000)
         for model, verbs in (("quad.obj", ("render",)), ("images.gltf", ("render",)), ("objects.obj", ("render", "inspect", "smooth")),
                              ("nodes.gltf", ("render", "inspect", "smooth")), ("models.scene.toml", ("check", "render")),
-                             ("fewer_models.scene.toml", ("check", "render --roughness 0.5")), ("shapes.scene.toml", ("check", "render")),
+                             ("fewer_models.scene.toml", ("check", "inspect", "render --roughness 0.5")), ("shapes.scene.toml", ("check", "render")),
                              ("grids.gltf", ("render --uv box", "render --subdivide 1", "render --normals model", "inspect")),
                              ("skins.gltf", ("render", "smooth"))):
             for verb, *options in map(str.split, verbs):
