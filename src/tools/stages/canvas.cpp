@@ -23,7 +23,7 @@ bool clip(double a, double b, double low, double high, double& t0, double& t1) {
     return t0 <= t1;
 }
 
-/// Calls visit(x, y) for the pixels of a line; parts outside are left out, but for the far border.
+/// Calls visit(x, y) for the pixels of a line; parts outside are left out.
 void walk(dvec2 a, dvec2 b, int width, int height, const auto& visit) {
     if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) || !std::isfinite(b.y)) return;
     double t0 = 0, t1 = 1;
@@ -33,7 +33,9 @@ void walk(dvec2 a, dvec2 b, int width, int height, const auto& visit) {
     const int steps = int(std::ceil(std::max(std::fabs(q.x - p.x), std::fabs(q.y - p.y))));
     for (int i = 0; i <= steps; ++i) {
         const double t = steps == 0 ? 0 : double(i) / steps;
-        visit(int(std::floor(p.x + (q.x - p.x) * t)), int(std::floor(p.y + (q.y - p.y) * t)));
+        const int x = int(std::floor(p.x + (q.x - p.x) * t)), y = int(std::floor(p.y + (q.y - p.y) * t));
+        // Ends lie on the far border, and by rounding a little outside of the near one.
+        if (x >= 0 && y >= 0 && x < width && y < height) visit(x, y);
     }
 }
 
@@ -90,7 +92,7 @@ LineCounts::LineCounts(int width, int height)
 
 void LineCounts::line(dvec2 a, dvec2 b) {
     walk(a, b, width_, height_, [&](int x, int y) {
-        if (x < width_ && y < height_) ++counts_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+        ++counts_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
     });
 }
 
