@@ -150,7 +150,8 @@ def interrupt(command, folder, moment, where):
             time.sleep(0.01)
             left = others_of(process.pid)
         errors.seek(0)
-        return took, max(0.0, usage.ru_utime + usage.ru_stime - before), process.returncode, errors.read().decode(errors="replace"), left
+        worked = usage.ru_utime + usage.ru_stime - before  # some kernels bring the file in /proc up to date late: never more than all processors do
+        return took, min(max(0.0, worked), took * os.cpu_count()), process.returncode, errors.read().decode(errors="replace"), left
 
 
 def faults(answer, outputs, limit):
