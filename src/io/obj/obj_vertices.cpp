@@ -42,9 +42,9 @@ double coordinate(const Numbers& n, int i, bool& is_bad) {
 
 class VertexReader {
 public:
-    VertexReader(const Contents& contents, Remarks& remarks, Context& context)
-        : contents_(contents), remarks_(remarks), context_(context) {
-        data_.charge = MemoryCharge(context.memory());
+    VertexReader(const Contents& contents, Remarks& remarks, MemoryBudget& memory)
+        : contents_(contents), remarks_(remarks) {
+        data_.charge = MemoryCharge(memory);
         reserve(data_.positions, contents.positions, "the vertices of an OBJ file");
         reserve(data_.texcoords, contents.texcoords, "the texture coordinates of an OBJ file");
         reserve(data_.normals, contents.normals, "the normals of an OBJ file");
@@ -129,7 +129,6 @@ private:
 
     const Contents& contents_;
     Remarks& remarks_;
-    Context& context_;
     VertexData data_;
     float largest_color_ = 0;
     std::uint64_t first_large_color_ = std::numeric_limits<std::uint64_t>::max();
@@ -181,7 +180,7 @@ Contents count_contents(std::string_view file, Remarks& remarks, Context& contex
 }
 
 VertexData read_vertices(std::string_view file, const Contents& contents, Remarks& remarks, Context& context) {
-    VertexReader reader(contents, remarks, context);
+    VertexReader reader(contents, remarks, context.memory());
     LineReader lines(file);
     for (Line line; lines.next(line);) {
         if (line.number % lines_between_checks == 0) {
