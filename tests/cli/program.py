@@ -11,6 +11,7 @@ import unittest
 import zlib
 
 PROGRAM = ""  # main() sets it
+SANITIZED = os.environ.get("RAKELIGHT_SANITIZED") == "1"
 
 SQUARE = "o {name}\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"
 TWO_PARTS = "o left\nv -1 0 0\nv 0 0 0\nv 0 1 0.5\nv -1 1 0\nf 1 2 3 4\no right\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 5 6 7 8\n"
