@@ -27,7 +27,8 @@ int main() {
                 const vec3 n = result[m].normals[v];
                 std::printf("object %zu, vertex %zu: %.4f %.4f %.4f\n", m, v, double(n.x), double(n.y), double(n.z));
             }
-        const bool is_closed = result[0].normals[1] == result[1].normals[0] && result[0].normals[2] == result[1].normals[3];
+        const bool is_closed =
+            result[0].normals[1] == result[1].normals[0] && result[0].normals[2] == result[1].normals[3];
         std::puts(is_closed ? "no seam: both objects have the same bits along the edge" : "a seam");
         return is_closed ? 0 : 1;
     } catch (const Error& error) {

@@ -10,14 +10,16 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace rakelight;
-    const io::import_stream::Head head{io::import_stream::magic, io::import_stream::version, std::uint32_t(io::import_stream::Kind::scene)};
+    const io::import_stream::Head head{io::import_stream::magic, io::import_stream::version,
+                                       std::uint32_t(io::import_stream::Kind::scene)};
     std::vector<std::byte> bytes(sizeof head + size);
     std::memcpy(bytes.data(), &head, sizeof head);
     if (size != 0) std::memcpy(bytes.data() + sizeof head, data, size);
     Context context({.threads = 1, .max_memory = 64u << 20});
     try {
         io::import_stream::MemorySource source(bytes);
-        const Scene scene = io::scene_from_import(io::import_stream::read_import(source, context), "fuzz/model.fbx", "fbx", {}, context);
+        const Scene scene = io::scene_from_import(io::import_stream::read_import(source, context), "fuzz/model.fbx",
+                                                  "fbx", {}, context);
         validate(scene);
     } catch (const Error&) {  // the only exception that may come out
     }

@@ -92,12 +92,18 @@ std::vector<std::string> arguments_of_pictures(const BenchWords& w) {
 }
 
 void apply_render(const BenchWords& w, RenderBenchOptions& o) {
-    refuse("render", {{"--order", w.order}, {"--weight", w.weight}, {"--crease-angle", w.crease_angle}, {"--tolerance", w.tolerance},
-                      {"--repetitions", w.repetitions}, {"--with", w.with}});
+    refuse("render", {{"--order", w.order},
+                      {"--weight", w.weight},
+                      {"--crease-angle", w.crease_angle},
+                      {"--tolerance", w.tolerance},
+                      {"--repetitions", w.repetitions},
+                      {"--with", w.with}});
     if (w.brute_force) throw Error(ErrorCode::usage, "--brute-force is not for bench render");
     if (!w.scene.empty())
-        for (const auto& [option, word] : {std::pair("--triangles", &w.triangles), {"--objects", &w.objects}, {"--lights", &w.lights}})
-            if (!word->empty()) throw Error(ErrorCode::usage, std::string(option) + " is for the built-in scene, not for a file");
+        for (const auto& [option, word] :
+             {std::pair("--triangles", &w.triangles), {"--objects", &w.objects}, {"--lights", &w.lights}})
+            if (!word->empty())
+                throw Error(ErrorCode::usage, std::string(option) + " is for the built-in scene, not for a file");
     o.scene = w.scene;
     o.output = w.output;
     o.export_file = w.export_file;
@@ -130,11 +136,14 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     const auto add = [&](const char* group, const char* name, std::string& word, const char* type, const char* help) {
         app.add_option(name, word, help)->type_name(type)->group(group);
     };
-    app.add_option("WHAT", w.what, "What to measure: smooth (normals and tangents) or render (pictures)")->type_name("")->required();
+    app.add_option("WHAT", w.what, "What to measure: smooth (normals and tangents) or render (pictures)")
+        ->type_name("")
+        ->required();
     app.add_option("SCENE", w.scene,
                    "For render: a model or world file, or builtin:teapot (default: a scene made by formulas)")
         ->type_name("");
-    add("Measurement", "--triangles", w.triangles, "N", "Size of the model that is made; 100k, 10M (default: smooth 1M, render 100k)");
+    add("Measurement", "--triangles", w.triangles, "N",
+        "Size of the model that is made; 100k, 10M (default: smooth 1M, render 100k)");
     add("Measurement", "--objects", w.objects, "N",
         "Objects that it has (default: smooth 16, render 100; fewer where triangles are few)");
     add(smooth, "--order", w.order, "ORDER", "coherent (default) or shuffled triangles and vertices");
@@ -143,17 +152,22 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     add(smooth, "--tolerance", w.tolerance, "X", "Weld within X edge lengths, up to 0.25 (default 0: exact)");
     add(smooth, "--repetitions", w.repetitions, "N", "Counted runs of each row (default 10)");
     add(smooth, "--with", w.with, "ROWS",
-        "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, regroup); all");
+        "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, regroup); "
+        "all");
     app.add_flag("--brute-force", w.brute_force, "Also every vertex against every face, up to 50k triangles")
         ->group(smooth);
-    add(render, "--lights", w.lights, "N", "Point lights of the scene that is made, 0 to 8 (default 2), or up to 10000 small ones; 8,1000: both");
-    add(render, "--engine", w.engines, "NAMES", "Engines, separated by commas; their pictures are interleaved (default soft)");
+    add(render, "--lights", w.lights, "N",
+        "Point lights of the scene that is made, 0 to 8 (default 2), or up to 10000 small ones; 8,1000: both");
+    add(render, "--engine", w.engines, "NAMES",
+        "Engines, separated by commas; their pictures are interleaved (default soft)");
     add(render, "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1920,1080)");
-    add(render, "--frames", w.frames, "N", "Counted pictures of each engine, after one that is not counted (default 15)");
+    add(render, "--frames", w.frames, "N",
+        "Counted pictures of each engine, after one that is not counted (default 15)");
     add(render, "--samples", w.samples, "N", "Samples a pixel: 1 (default), 4 or 8");
     add(render, "--shading", w.shading, "HOW", "phong (default), gouraud, flat, unlit or auto");
     add(render, "-o,--output", w.output, "FILE", "Also write the picture of the first engine");
-    add(render, "--export", w.export_file, "FILE", "Also write the scene as .glb, for other programs to be measured with");
+    add(render, "--export", w.export_file, "FILE",
+        "Also write the scene as .glb, for other programs to be measured with");
     add_surface_options(app, w.surface, "Surfaces: bench render");
 }
 
@@ -162,7 +176,8 @@ void apply(const BenchWords& w, BenchRequest& request) {
     request.has_engines = !w.engines.empty();
     request.picture_arguments = arguments_of_pictures(w);
     if (request.is_render) return apply_render(w, request.render);
-    if (w.what != "smooth") throw Error(ErrorCode::usage, "bench measures smooth or render, not '" + one_line(w.what, 80) + "'");
+    if (w.what != "smooth")
+        throw Error(ErrorCode::usage, "bench measures smooth or render, not '" + one_line(w.what, 80) + "'");
     apply_smooth(w, request.smooth);
 }
 
@@ -199,7 +214,8 @@ int run_bench(const Options& options) {
     ProgressLine progress("bench", options.loudness);
     const BenchRequest& request = options.bench;
     // What the machine has not is refused, for a model that is too large is not told so by the system: the process is ended.
-    const std::uint64_t memory = options.max_memory != 0 ? options.max_memory : std::min(memory_for(request), memory_of_machine());
+    const std::uint64_t memory =
+        options.max_memory != 0 ? options.max_memory : std::min(memory_for(request), memory_of_machine());
     Context context({.threads = options.threads, .max_memory = memory, .progress = progress.callback()});
     const CancelOnInterrupt guard(context, {});
     std::string text;

@@ -91,7 +91,8 @@ void print_remarks(const Report& report, Loudness loudness) {
     const std::string file =
         remarks.empty() || remarks.front().file.empty() ? "" : one_line(remarks.front().file) + ": ";
     if (warnings)
-        print_remark(false, file + "... " + std::to_string(warnings) + " more, see " + (is_verbose ? "" : "--verbose or ") + "--json");
+        print_remark(false, file + "... " + std::to_string(warnings) + " more, see " +
+                                (is_verbose ? "" : "--verbose or ") + "--json");
     if (notes && is_verbose) print_remark(true, file + "... " + std::to_string(notes) + " more notes were left out");
 }
 

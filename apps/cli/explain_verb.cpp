@@ -12,7 +12,10 @@
 namespace rakelight::cli {
 
 void add_explain_options(CLI::App& app, ExplainWords& w) {
-    app.add_option("--pixel", w.pixel, "Which pixel; 0,0 is the top left one")->type_name("X,Y")->group("Output")->required();
+    app.add_option("--pixel", w.pixel, "Which pixel; 0,0 is the top left one")
+        ->type_name("X,Y")
+        ->group("Output")
+        ->required();
     add_render_options(app, w.render);
     // What is about files and parts of pictures has no meaning here.
     for (const char* name : {"--output", "--window", "--channels", "--channel-files", "--exr-colors", "--engine"})
@@ -28,8 +31,9 @@ void apply(const ExplainWords& words, ExplainRequest& request, PictureRequest& p
     const RenderSettings& s = picture.settings;
     if (request.x < 0 || request.y < 0 || request.x >= s.width || request.y >= s.height)
         throw Error(ErrorCode::usage,
-                    "--pixel: the picture has " + std::to_string(s.width) + " x " + std::to_string(s.height) + " pixels, counted from 0", {},
-                    "--resolution says how many");
+                    "--pixel: the picture has " + std::to_string(s.width) + " x " + std::to_string(s.height) +
+                        " pixels, counted from 0",
+                    {}, "--resolution says how many");
 }
 
 int run_explain(const Options& options) {

@@ -75,8 +75,7 @@ void inspect_file(const Options& options, const PictureRequest& picture, Inspect
     row.inspection = inspect(scene, inspected, context);
     if (options.inspect.check) row.check = check_limits(*row.inspection, *options.inspect.check);
     if (picture.output.empty()) return;
-    save(draw_seams(scene, *row.inspection, inspected, picture.view, picture.settings, context),
-         picture.output);
+    save(draw_seams(scene, *row.inspection, inspected, picture.view, picture.settings, context), picture.output);
     row.heat_map = picture.output;
     row.inspection->seam_lines = {};
 }

@@ -91,10 +91,12 @@ void add_normal_options(CLI::App& app, const char* which, RenderWords& w) {
         "published, published-no-handedness (without its step that turns mirrored texture coordinates into inverted "
         "maps)");
     add(app, group, "--orthogonalize", w.orthogonalize, "WHERE",
-        "Make tangents perpendicular to normals: attribute (default: once, per vertex, and per pixel), shader (per pixel "
+        "Make tangents perpendicular to normals: attribute (default: once, per vertex, and per pixel), shader (per "
+        "pixel "
         "only), off. When given, how far off they were is said");
-    app.add_flag("--keep-instances", w.keep_instances,
-                 "Instances go on sharing a mesh, with the normals of the first, even where they touch different things")
+    app.add_flag(
+           "--keep-instances", w.keep_instances,
+           "Instances go on sharing a mesh, with the normals of the first, even where they touch different things")
         ->group(group);
 }
 
@@ -104,10 +106,12 @@ void add_view_options(CLI::App& app, const char* group, RenderWords& w) {
         "although the file has a camera)");
     add(app, group, "--camera-index", w.camera, "N",
         "Camera of the file, by number from 0 or by name (default: the first, if any)");
-    add(app, group, "--camera-position", w.position, "X,Y,Z", "Where the camera stands [m]; not with --view or --camera-index");
+    add(app, group, "--camera-position", w.position, "X,Y,Z",
+        "Where the camera stands [m]; not with --view or --camera-index");
     add(app, group, "--camera-focal-point", w.focal_point, "X,Y,Z",
         "What it looks at (default: the middle of the model)");
-    add(app, group, "--camera-view-up", w.up, "X,Y,Z", "Which way is up (default 0,1,0). OBJ, STL and PLY files are taken as Y up: 0,0,1 shows models that are Z up");
+    add(app, group, "--camera-view-up", w.up, "X,Y,Z",
+        "Which way is up (default 0,1,0). OBJ, STL and PLY files are taken as Y up: 0,0,1 shows models that are Z up");
     add(app, group, "--camera-view-angle", w.view_angle, "DEG", "Vertical angle of view (default 40)");
     add(app, group, "--camera-horizontal-angle", w.horizontal_angle, "DEG",
         "Horizontal angle of view; with --camera-view-angle both hold, and pixels need not be square");
@@ -142,7 +146,8 @@ void add_render_options(CLI::App& app, RenderWords& w) {
     add(app, "Output", "-o,--output", w.output, "FILE",
         "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for the model's name")
         ->required();
-    add(app, "Output", "--resolution", w.resolution, "W,H", "Size of the picture in pixels, also WxH (default 1280,720)");
+    add(app, "Output", "--resolution", w.resolution, "W,H",
+        "Size of the picture in pixels, also WxH (default 1280,720)");
     add(app, "Output", "--window", w.window, "X,Y,W,H",
         "Draw and write only this part of the picture; 0,0 is the top left pixel");
     add(app, "Output", "--samples", w.samples, "N",
@@ -285,7 +290,8 @@ void add_verbs(CLI::App& app, VerbWords& words, CommonWords& common, std::vector
         CLI::App* const sub = app.add_subcommand(std::string(verb.name), verb.help);
         if (verb.takes_models)
             add_inputs(*sub, inputs,
-                       std::string("Model files, ") + (verb.verb == Verb::smooth ? "" : "world files (*.scene.toml), ") +
+                       std::string("Model files, ") +
+                           (verb.verb == Verb::smooth ? "" : "world files (*.scene.toml), ") +
                            "or builtin:teapot, builtin:sphere:tolerance=0.01, ...");
         if (verb.verb == Verb::check) sub->add_option("SCENE", inputs, "Model files and world files")->type_name("");
         verb.declare(*sub, words);
@@ -304,7 +310,8 @@ void check_words(int argc, const char* const* argv) {
         const std::string_view word = argv[i], option = argv[i - 1];
         const bool is_value = option.starts_with('-') && option.find('=') == option.npos;
         if ((word.empty() && is_value) || (word.starts_with("--") && word.ends_with('=')))
-            throw Error(ErrorCode::usage, one_line(std::string(word.empty() ? option : word), 40) + ": the value is empty");
+            throw Error(ErrorCode::usage,
+                        one_line(std::string(word.empty() ? option : word), 40) + ": the value is empty");
         if (word.empty()) throw Error(ErrorCode::usage, "the name of a model is empty");
     }
 }

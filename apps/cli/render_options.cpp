@@ -167,10 +167,9 @@ void apply_normals(const RenderWords& w, PrepareOptions& p) {
                                               {"published-no-handedness", TangentMode::published_no_handedness},
                                               {"mikktspace", TangentMode::mikktspace}});
     if (!w.orthogonalize.empty()) {
-        p.orthogonalize = word<Orthogonalize>("--orthogonalize", w.orthogonalize,
-                                              {{"attribute", Orthogonalize::attribute},
-                                               {"shader", Orthogonalize::off},
-                                               {"off", Orthogonalize::off}});
+        p.orthogonalize = word<Orthogonalize>(
+            "--orthogonalize", w.orthogonalize,
+            {{"attribute", Orthogonalize::attribute}, {"shader", Orthogonalize::off}, {"off", Orthogonalize::off}});
         p.measure_orthogonality = true;  // who chooses wants to know what it costs
     }
     if (!w.displacement_edge.empty())
@@ -213,9 +212,10 @@ void apply_view(const RenderWords& w, ViewRequest& v) {
     if (!w.view.empty() && !w.camera.empty())
         throw Error(ErrorCode::usage, "--view and --camera-index exclude each other");
     if (!w.position.empty() && (!w.view.empty() || !w.camera.empty()))
-        throw Error(ErrorCode::usage,
-                    std::string(w.view.empty() ? "--camera-index" : "--view") + " and --camera-position exclude each other",
-                    {}, "--camera-focal-point, -view-up and -view-angle may be added to either");
+        throw Error(
+            ErrorCode::usage,
+            std::string(w.view.empty() ? "--camera-index" : "--view") + " and --camera-position exclude each other", {},
+            "--camera-focal-point, -view-up and -view-angle may be added to either");
     if (!w.position.empty()) v.position = vector3("--camera-position", w.position);
     if (!w.focal_point.empty()) v.focal_point = vector3("--camera-focal-point", w.focal_point);
     if (!w.up.empty()) v.up = vector3("--camera-view-up", w.up);

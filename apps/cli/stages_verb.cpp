@@ -17,7 +17,9 @@ void add_stages_options(CLI::App& app, RenderWords& w) {
     app.remove_option(app.get_option("--line-color"));
     hide_drawn_lines(app);  // the sizes stay: the picture has the model's own lines and points
     app.get_option("--output")
-        ->description("Folder to write, with index.html. It must be new, empty, or written by this command. {model} stands for the model's name")
+        ->description(
+            "Folder to write, with index.html. It must be new, empty, or written by this command. {model} stands for "
+            "the model's name")
         ->type_name("DIR");
 }
 
@@ -34,7 +36,9 @@ int run_stages(const Options& options) {
         } else {
             const int code = run_input(options, input, row, [&](Context& c) { row.result = write_stages(request, c); });
             worst = std::max(worst, code);
-            if (code == 0) print_note(row.result.folder + "/index.html: " + std::to_string(row.result.files.size()) + " files", options.loudness);
+            if (code == 0)
+                print_note(row.result.folder + "/index.html: " + std::to_string(row.result.files.size()) + " files",
+                           options.loudness);
         }
         rows.push_back(std::move(row));
     }

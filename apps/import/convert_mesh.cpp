@@ -10,10 +10,13 @@ namespace {
 vec3 to_vec3(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
 /// Topology by the number of corners; 3 for what cannot be drawn.
-std::uint32_t topology_of(const aiFace& face) { return face.mNumIndices >= 1 && face.mNumIndices <= 3 ? 3 - face.mNumIndices : 3; }
+std::uint32_t topology_of(const aiFace& face) {
+    return face.mNumIndices >= 1 && face.mNumIndices <= 3 ? 3 - face.mNumIndices : 3;
+}
 
 bool in_range(const aiMesh& mesh, const aiFace& face) {
-    return face.mIndices && std::all_of(face.mIndices, face.mIndices + face.mNumIndices, [&](unsigned i) { return i < mesh.mNumVertices; });
+    return face.mIndices && std::all_of(face.mIndices, face.mIndices + face.mNumIndices,
+                                        [&](unsigned i) { return i < mesh.mNumVertices; });
 }
 
 void convert_faces(const aiMesh& mesh, std::uint32_t topology, bool with_hint, Part& part) {
@@ -46,7 +49,8 @@ void convert_tangents(const aiMesh& mesh, Part& part) {
     part.tangents.reserve(mesh.mNumVertices);
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
         const aiVector3D &n = mesh.mNormals[v], &t = mesh.mTangents[v];
-        const bool mirrored = ((n ^ t) * mesh.mBitangents[v]) < 0;  // Assimp's bitangent points to increasing v-up, as ours
+        const bool mirrored =
+            ((n ^ t) * mesh.mBitangents[v]) < 0;  // Assimp's bitangent points to increasing v-up, as ours
         part.tangents.push_back({t.x, t.y, t.z, mirrored ? -1.0f : 1.0f});
     }
 }
@@ -59,7 +63,8 @@ void convert_influences(const aiMesh& mesh, JointTable& joints, Part& part) {
         if (joint == nothing) continue;
         for (unsigned w = 0; w < bone.mNumWeights; ++w) {
             const aiVertexWeight& weight = bone.mWeights[w];
-            if (weight.mVertexId >= mesh.mNumVertices || !(weight.mWeight > 0) || !std::isfinite(weight.mWeight)) continue;
+            if (weight.mVertexId >= mesh.mNumVertices || !(weight.mWeight > 0) || !std::isfinite(weight.mWeight))
+                continue;
             Influence& f = part.influences[weight.mVertexId];
             const auto least = std::min_element(f.weights.begin(), f.weights.end());  // the four largest stay
             if (*least >= weight.mWeight) continue;
@@ -80,9 +85,11 @@ void convert_shapes(const aiMesh& mesh, bool with_normals, Part& part) {
         if (!target || !target->mVertices || target->mNumVertices != mesh.mNumVertices) continue;
         Shape& shape = part.shapes.emplace_back();
         shape.name = text(target->mName);
-        for (unsigned v = 0; v < mesh.mNumVertices; ++v) shape.positions.push_back(to_vec3(target->mVertices[v] - mesh.mVertices[v]));
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+            shape.positions.push_back(to_vec3(target->mVertices[v] - mesh.mVertices[v]));
         if (!with_normals || !target->mNormals) continue;
-        for (unsigned v = 0; v < mesh.mNumVertices; ++v) shape.normals.push_back(to_vec3(target->mNormals[v] - mesh.mNormals[v]));
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+            shape.normals.push_back(to_vec3(target->mNormals[v] - mesh.mNormals[v]));
     }
 }
 
@@ -138,13 +145,16 @@ void note_dropped(const aiScene& scene, Document& out) {
     for (std::uint32_t m = 0; m < scene.mNumMeshes; ++m) {
         const aiMesh& mesh = *scene.mMeshes[m];
         for (unsigned f = 0; f < mesh.mNumFaces; ++f)
-            faces += topology_of(mesh.mFaces[f]) == 3 ? mesh.mFaces[f].mNumIndices > 0 : !in_range(mesh, mesh.mFaces[f]);
+            faces +=
+                topology_of(mesh.mFaces[f]) == 3 ? mesh.mFaces[f].mNumIndices > 0 : !in_range(mesh, mesh.mFaces[f]);
         std::vector<unsigned> influences(mesh.HasBones() ? mesh.mNumVertices : 0, 0);
         for (unsigned b = 0; b < mesh.mNumBones; ++b)
             for (unsigned w = 0; w < mesh.mBones[b]->mNumWeights; ++w)
-                if (mesh.mBones[b]->mWeights[w].mVertexId < influences.size()) many += ++influences[mesh.mBones[b]->mWeights[w].mVertexId] == 5;
+                if (mesh.mBones[b]->mWeights[w].mVertexId < influences.size())
+                    many += ++influences[mesh.mBones[b]->mWeights[w].mVertexId] == 5;
         for (unsigned v = 0; mesh.HasPositions() && v < mesh.mNumVertices; ++v)
-            bad_numbers += !(std::isfinite(mesh.mVertices[v].x) && std::isfinite(mesh.mVertices[v].y) && std::isfinite(mesh.mVertices[v].z));
+            bad_numbers += !(std::isfinite(mesh.mVertices[v].x) && std::isfinite(mesh.mVertices[v].y) &&
+                             std::isfinite(mesh.mVertices[v].z));
         color_sets += mesh.GetNumColorChannels() > 1;
         unused += !mesh.HasPositions();
     }

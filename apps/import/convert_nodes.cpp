@@ -34,22 +34,25 @@ Place to_place(const aiNode& node, std::uint32_t parent) {
 std::set<std::string> names_in_use(const aiScene& scene) {
     std::set<std::string> names;
     for (unsigned a = 0; a < scene.mNumAnimations; ++a)
-        for (unsigned c = 0; c < scene.mAnimations[a]->mNumChannels; ++c) names.insert(text(scene.mAnimations[a]->mChannels[c]->mNodeName));
+        for (unsigned c = 0; c < scene.mAnimations[a]->mNumChannels; ++c)
+            names.insert(text(scene.mAnimations[a]->mChannels[c]->mNodeName));
     for (unsigned m = 0; m < scene.mNumMeshes; ++m)
-        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b) names.insert(text(scene.mMeshes[m]->mBones[b]->mName));
+        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b)
+            names.insert(text(scene.mMeshes[m]->mBones[b]->mName));
     return names;
 }
 
 /// Assimp makes a chain of nodes from one FBX node with pivots. Where nothing moves them, the chain is one node again.
 bool can_be_folded(const aiNode& node, const std::set<std::string>& used) {
     const std::string name = text(node.mName);
-    return name.find("_$AssimpFbx$_") != std::string::npos && node.mNumMeshes == 0 && node.mNumChildren == 1 && node.mChildren[0] &&
-           !used.contains(name) && !used.contains(text(node.mChildren[0]->mName));
+    return name.find("_$AssimpFbx$_") != std::string::npos && node.mNumMeshes == 0 && node.mNumChildren == 1 &&
+           node.mChildren[0] && !used.contains(name) && !used.contains(text(node.mChildren[0]->mName));
 }
 
 }  // namespace
 
-NodeTable::NodeTable(const aiScene& scene, const std::vector<std::vector<std::uint32_t>>& parts_of_mesh, Document& out) {
+NodeTable::NodeTable(const aiScene& scene, const std::vector<std::vector<std::uint32_t>>& parts_of_mesh,
+                     Document& out) {
     struct Waiting {
         const aiNode* node;
         std::uint32_t parent;
@@ -69,7 +72,8 @@ NodeTable::NodeTable(const aiScene& scene, const std::vector<std::vector<std::ui
         place.matrix = above * place.matrix;
         for (unsigned i = 0; i < node->mNumMeshes; ++i)
             if (node->mMeshes[i] < parts_of_mesh.size())
-                place.meshes.insert(place.meshes.end(), parts_of_mesh[node->mMeshes[i]].begin(), parts_of_mesh[node->mMeshes[i]].end());
+                place.meshes.insert(place.meshes.end(), parts_of_mesh[node->mMeshes[i]].begin(),
+                                    parts_of_mesh[node->mMeshes[i]].end());
         by_name_.emplace(place.name, number);
         out.places.push_back(std::move(place));
         for (unsigned i = node->mNumChildren; i-- > 0;)  // so that they come off in the file's order
@@ -98,7 +102,8 @@ std::uint32_t JointTable::number(const aiBone& bone) {
 void JointTable::collect(const aiScene& scene) {
     std::uint64_t lost = 0;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m)
-        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b) lost += number(*scene.mMeshes[m]->mBones[b]) == nothing;
+        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b)
+            lost += number(*scene.mMeshes[m]->mBones[b]) == nothing;
     if (lost != 0) out_.notes.push_back({1, {}, std::to_string(lost) + " bones have no node and are left out"});
 }
 
@@ -119,7 +124,8 @@ AxisSystem axes_of(const aiScene& scene) {
     double as_double = 0;
     if (scene.mMetaData->Get(std::string("UnitScaleFactor"), as_double))
         axes.unit_m = as_double * 0.01;  // FBX counts in centimeters
-    else if (scene.mMetaData->Get(std::string("UnitScaleFactor"), as_float)) axes.unit_m = double(as_float) * 0.01;
+    else if (scene.mMetaData->Get(std::string("UnitScaleFactor"), as_float))
+        axes.unit_m = double(as_float) * 0.01;
     return axes;
 }
 
@@ -129,7 +135,10 @@ void convert_lamps_and_views(const aiScene& scene, const NodeTable& nodes, Docum
         Lamp lamp;
         lamp.name = text(light.mName);
         lamp.node = nodes.find(light.mName);
-        lamp.type = light.mType == aiLightSource_AMBIENT ? 0 : light.mType == aiLightSource_DIRECTIONAL ? 1 : light.mType == aiLightSource_SPOT ? 3 : 2;
+        lamp.type = light.mType == aiLightSource_AMBIENT       ? 0
+                    : light.mType == aiLightSource_DIRECTIONAL ? 1
+                    : light.mType == aiLightSource_SPOT        ? 3
+                                                               : 2;
         if (light.mType == aiLightSource_AREA || light.mType == aiLightSource_UNDEFINED)
             out.notes.push_back({0, "light '" + lamp.name + "'", "an area light became a point light"});
         lamp.position = to_dvec3(light.mPosition);
@@ -145,22 +154,25 @@ void convert_lamps_and_views(const aiScene& scene, const NodeTable& nodes, Docum
     }
     for (unsigned i = 0; i < scene.mNumCameras; ++i) {
         const aiCamera& camera = *scene.mCameras[i];
-        out.views.push_back({text(camera.mName), nodes.find(camera.mName), to_dvec3(camera.mPosition), to_dvec3(camera.mLookAt),
-                             to_dvec3(camera.mUp), camera.mHorizontalFOV, camera.mAspect, camera.mClipPlaneNear, camera.mClipPlaneFar,
-                             camera.mOrthographicWidth});
+        out.views.push_back({text(camera.mName), nodes.find(camera.mName), to_dvec3(camera.mPosition),
+                             to_dvec3(camera.mLookAt), to_dvec3(camera.mUp), camera.mHorizontalFOV, camera.mAspect,
+                             camera.mClipPlaneNear, camera.mClipPlaneFar, camera.mOrthographicWidth});
     }
 }
 
 namespace {
 
-template <class Key> Track track_of(std::uint32_t node, std::uint32_t path, const Key* keys, unsigned count, double per_second) {
+template <class Key>
+Track track_of(std::uint32_t node, std::uint32_t path, const Key* keys, unsigned count, double per_second) {
     Track track{node, path, {}, {}};
     for (unsigned k = 0; k < count; ++k) {
         const auto time = float(keys[k].mTime / per_second);
-        if (!std::isfinite(time) || (!track.times.empty() && time <= track.times.back())) continue;  // times must ascend
+        if (!std::isfinite(time) || (!track.times.empty() && time <= track.times.back()))
+            continue;  // times must ascend
         track.times.push_back(time);
         if constexpr (std::is_same_v<Key, aiQuatKey>)
-            track.values.insert(track.values.end(), {keys[k].mValue.x, keys[k].mValue.y, keys[k].mValue.z, keys[k].mValue.w});
+            track.values.insert(track.values.end(),
+                                {keys[k].mValue.x, keys[k].mValue.y, keys[k].mValue.z, keys[k].mValue.w});
         else
             track.values.insert(track.values.end(), {keys[k].mValue.x, keys[k].mValue.y, keys[k].mValue.z});
     }
@@ -172,7 +184,8 @@ template <class Key> Track track_of(std::uint32_t node, std::uint32_t path, cons
 void convert_motions(const aiScene& scene, const NodeTable& nodes, Document& out) {
     for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
         const aiAnimation& animation = *scene.mAnimations[a];
-        const double per_second = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : 25;  // Assimp's own default
+        const double per_second =
+            animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : 25;  // Assimp's own default
         Motion motion;
         motion.name = text(animation.mName);
         for (unsigned c = 0; c < animation.mNumChannels; ++c) {
@@ -186,7 +199,8 @@ void convert_motions(const aiScene& scene, const NodeTable& nodes, Document& out
         }
         std::erase_if(motion.tracks, [](const Track& t) { return t.times.empty(); });
         if (animation.mNumMeshChannels + animation.mNumMorphMeshChannels > 0)
-            out.notes.push_back({1, "animation '" + motion.name + "'", "animations of vertices and of morph weights are left out"});
+            out.notes.push_back(
+                {1, "animation '" + motion.name + "'", "animations of vertices and of morph weights are left out"});
         if (!motion.tracks.empty()) out.motions.push_back(std::move(motion));
     }
 }

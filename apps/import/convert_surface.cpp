@@ -15,17 +15,19 @@ struct RoleSource {
 
 /// In order: the first kind that has a texture gives the role.
 constexpr RoleSource role_sources[] = {
-    {Role::diffuse, aiTextureType_DIFFUSE},      {Role::diffuse, aiTextureType_BASE_COLOR},
-    {Role::specular, aiTextureType_SPECULAR},    {Role::normal, aiTextureType_NORMALS},
-    {Role::normal, aiTextureType_NORMAL_CAMERA}, {Role::height, aiTextureType_HEIGHT},
-    {Role::opacity, aiTextureType_OPACITY},      {Role::emission, aiTextureType_EMISSIVE},
+    {Role::diffuse, aiTextureType_DIFFUSE},         {Role::diffuse, aiTextureType_BASE_COLOR},
+    {Role::specular, aiTextureType_SPECULAR},       {Role::normal, aiTextureType_NORMALS},
+    {Role::normal, aiTextureType_NORMAL_CAMERA},    {Role::height, aiTextureType_HEIGHT},
+    {Role::opacity, aiTextureType_OPACITY},         {Role::emission, aiTextureType_EMISSIVE},
     {Role::emission, aiTextureType_EMISSION_COLOR}, {Role::occlusion, aiTextureType_AMBIENT_OCCLUSION},
 };
 
 std::uint32_t wrap_of(const aiMaterial& m, const char* key, aiTextureType type) {
     int mode = aiTextureMapMode_Wrap;
     aiGetMaterialInteger(&m, key, type, 0, &mode);
-    const WrapMode wrap = mode == aiTextureMapMode_Mirror ? WrapMode::mirror : mode == aiTextureMapMode_Wrap ? WrapMode::repeat : WrapMode::clamp;
+    const WrapMode wrap = mode == aiTextureMapMode_Mirror ? WrapMode::mirror
+                          : mode == aiTextureMapMode_Wrap ? WrapMode::repeat
+                                                          : WrapMode::clamp;
     return std::uint32_t(wrap);
 }
 
@@ -62,7 +64,9 @@ void convert_links(const aiScene& scene, const aiMaterial& m, const Format& form
         const auto same_role = [&](const TextureLink& l) { return l.role == std::uint32_t(source.role); };
         if (std::none_of(surface.links.begin(), surface.links.end(), same_role))
             surface.links.push_back(link_of(scene, m, source, format.max_placement));
-        if (count > 1) out.notes.push_back({1, "material '" + surface.name + "'", "layers of textures are left out but for the first"});
+        if (count > 1)
+            out.notes.push_back(
+                {1, "material '" + surface.name + "'", "layers of textures are left out but for the first"});
     }
 }
 
@@ -95,8 +99,10 @@ Surface to_surface(const aiMaterial& m, const Format& format) {
     m.Get(AI_MATKEY_SHADING_MODEL, shading);
     s.two_sided = two_sided != 0;
     s.unlit = shading == aiShadingMode_NoShading;
-    const bool lambert = shading == aiShadingMode_Gouraud || shading == aiShadingMode_Flat;  // what Assimp calls materials without highlight
-    const bool invented = format.ending == "stl" || format.ending == "off";  // formats without materials: only a color is the file's
+    const bool lambert = shading == aiShadingMode_Gouraud ||
+                         shading == aiShadingMode_Flat;  // what Assimp calls materials without highlight
+    const bool invented =
+        format.ending == "stl" || format.ending == "off";  // formats without materials: only a color is the file's
     if (lambert || invented) s.specular = {0, 0, 0};
     if (invented) s.has &= Surface::has_diffuse;
     return s;
@@ -105,7 +111,8 @@ Surface to_surface(const aiMaterial& m, const Format& format) {
 Picture to_picture(const aiTexture& texture) {
     Picture p;
     p.name = text(texture.mFilename);
-    p.hint.assign(texture.achFormatHint, std::find(texture.achFormatHint, texture.achFormatHint + sizeof texture.achFormatHint, '\0'));
+    p.hint.assign(texture.achFormatHint,
+                  std::find(texture.achFormatHint, texture.achFormatHint + sizeof texture.achFormatHint, '\0'));
     if (!texture.pcData) return p;
     if (texture.mHeight == 0) {
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(texture.pcData);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "folder_io.h"
 
-#include <assimp/IOStream.hpp>
 #include <assimp/MemoryIOWrapper.h>
+#include <assimp/IOStream.hpp>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -25,7 +25,7 @@ std::string canonical(const char* path) {
 }
 
 bool is_regular(const char* path) {
-    struct stat info{};
+    struct stat info {};
     return stat(path, &info) == 0 && S_ISREG(info.st_mode);
 }
 
@@ -67,7 +67,8 @@ Assimp::IOStream* converted(FileStream& file) {
     char mark[2] = {};
     const bool read = file.Read(mark, 1, 2) == 2;
     file.Seek(0, aiOrigin_SET);
-    if (!read || !((mark[0] == '\xFF' && mark[1] == '\xFE') || (mark[0] == '\xFE' && mark[1] == '\xFF'))) return nullptr;
+    if (!read || !((mark[0] == '\xFF' && mark[1] == '\xFE') || (mark[0] == '\xFE' && mark[1] == '\xFF')))
+        return nullptr;
     std::string bytes(file.FileSize(), '\0');
     bytes.resize(file.Read(bytes.data(), 1, bytes.size()));
     file.Seek(0, aiOrigin_SET);
@@ -89,7 +90,8 @@ FolderIo::FolderIo(const std::string& model, bool allow_outside, bool convert_ut
 
 bool FolderIo::allowed(const char* path) const {
     const std::string real = canonical(path);
-    return !real.empty() && is_regular(real.c_str()) && (allow_outside_ || real.compare(0, folder_.size(), folder_) == 0);
+    return !real.empty() && is_regular(real.c_str()) &&
+           (allow_outside_ || real.compare(0, folder_.size(), folder_) == 0);
 }
 
 bool FolderIo::Exists(const char* path) const { return path && allowed(path); }
@@ -97,7 +99,7 @@ bool FolderIo::Exists(const char* path) const { return path && allowed(path); }
 Assimp::IOStream* FolderIo::Open(const char* path, const char* mode) {
     if (!path || !mode || std::strpbrk(mode, "wa+") || !allowed(path)) return nullptr;
     const int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
-    struct stat info{};
+    struct stat info {};
     if (file < 0) return nullptr;
     if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode)) {
         close(file);

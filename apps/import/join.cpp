@@ -19,7 +19,8 @@ struct Rows {
     std::vector<Column> columns;
     HashKey key = hash_key_of_this_run();
 
-    template <class T> void add(const std::vector<T>& values) {
+    template <class T>
+    void add(const std::vector<T>& values) {
         if (!values.empty()) columns.push_back({reinterpret_cast<const unsigned char*>(values.data()), sizeof(T)});
     }
     /// Keyed: a file could be made whose vertices all meet under a hash that everybody knows.
@@ -40,7 +41,8 @@ struct Rows {
     }
 };
 
-template <class T> void keep(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
+template <class T>
+void keep(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
     if (values.empty()) return;
     for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];  // kept[i] >= i, since kept ascends
     values.resize(kept.size());

@@ -10,7 +10,8 @@ namespace {
 
 void limit(int what, rlim_t value) {
     const rlimit both{value, value};
-    setrlimit(__rlimit_resource_t(what), &both);  // a lower limit that is already there makes this fail, which is as good
+    setrlimit(__rlimit_resource_t(what),
+              &both);  // a lower limit that is already there makes this fail, which is as good
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 // (src/io/import/stream_format.h). It runs apart from the program because Assimp crashes and hangs on some files.
 //
 //   rakelight-import --memory BYTES --seconds N --outside 0|1 -- FILE
-#include <assimp/DefaultLogger.hpp>
-#include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/Importer.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -55,8 +55,10 @@ public:
     explicit Output(int file) : file_(file) { buffer_.reserve(size); }
     void put(std::span<const std::byte> bytes) {
         if (buffer_.size() + bytes.size() > size) flush();
-        if (bytes.size() >= size) send(bytes);
-        else buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+        if (bytes.size() >= size)
+            send(bytes);
+        else
+            buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
     }
     void flush() {
         send(buffer_);
@@ -116,7 +118,8 @@ void send_scene(const aiScene& scene, const Format& format, Writer& writer) {
     Document document;
     document.part_count = std::uint32_t(parts.size());
     if (format.ending == "fbx") document.axes = axes_of(scene);
-    if (format.ending == "blend") document.axes = {2, 1, 1, -1, 0, 1, 1};  // Z up, seen from -Y; Assimp 5.2 leaves it so
+    if (format.ending == "blend")
+        document.axes = {2, 1, 1, -1, 0, 1, 1};  // Z up, seen from -Y; Assimp 5.2 leaves it so
     const NodeTable nodes(scene, parts_of_mesh, document);
     JointTable joints(nodes, document);
     joints.collect(scene);

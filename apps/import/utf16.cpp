@@ -12,7 +12,8 @@ void append_utf8(std::string& out, char32_t c) {
     } else if (c < 0x10000) {
         out += {char(0xE0 | (c >> 12)), char(0x80 | ((c >> 6) & 63)), char(0x80 | (c & 63))};
     } else {
-        out += {char(0xF0 | (c >> 18)), char(0x80 | ((c >> 12) & 63)), char(0x80 | ((c >> 6) & 63)), char(0x80 | (c & 63))};
+        out += {char(0xF0 | (c >> 18)), char(0x80 | ((c >> 12) & 63)), char(0x80 | ((c >> 6) & 63)),
+                char(0x80 | (c & 63))};
     }
 }
 
@@ -23,7 +24,8 @@ std::optional<std::string> utf8_from_utf16(std::string_view bytes) {
     const bool little = bytes[0] == '\xFF' && bytes[1] == '\xFE', big = bytes[0] == '\xFE' && bytes[1] == '\xFF';
     if (!little && !big) return std::nullopt;
     const auto unit = [&](std::size_t i) {
-        const auto a = char32_t(static_cast<unsigned char>(bytes[i])), b = char32_t(static_cast<unsigned char>(bytes[i + 1]));
+        const auto a = char32_t(static_cast<unsigned char>(bytes[i])),
+                   b = char32_t(static_cast<unsigned char>(bytes[i + 1]));
         return little ? a | (b << 8) : (a << 8) | b;
     };
     std::string out;

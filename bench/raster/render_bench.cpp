@@ -52,7 +52,9 @@ Material bumpy_material(Scene& scene) {
     m.name = "bumpy";
     m.model = MaterialModel::classical;
     m.classical.specular = {0.3f, 0.3f, 0.3f};
-    m.base_color_texture = add_texture(scene, size, [](int x, int y) { return std::array{128 + x % 128, 128 + y % 128, 160}; });
+    m.base_color_texture = add_texture(scene, size, [](int x, int y) {
+        return std::array{128 + x % 128, 128 + y % 128, 160};
+    });
     m.normal_texture = add_texture(scene, size, [](int x, int y) {
         const double dx = 0.4 * std::sin(x * 0.2), dy = 0.4 * std::cos(y * 0.2), z = std::sqrt(1 - dx * dx - dy * dy);
         return std::array{int(127.5 * (1 + dx)), int(127.5 * (1 + dy)), int(127.5 * (1 + z))};
@@ -68,8 +70,10 @@ Mesh patch(int row, int column, int side) {
     for (int r = 0; r <= side; ++r)
         for (int c = 0; c <= side; ++c) {
             const double u = (column + double(c) / side) / 10, v = (row + double(r) / side) / 10;
-            const double a = 2 * pi * u, b = pi * (0.02 + 0.96 * v), size = 1 + 0.02 * std::sin(40 * u * pi) * std::sin(30 * v * pi);
-            positions.push_back({float(size * std::sin(b) * std::sin(a)), float(size * std::cos(b)), float(size * std::sin(b) * std::cos(a))});
+            const double a = 2 * pi * u, b = pi * (0.02 + 0.96 * v),
+                         size = 1 + 0.02 * std::sin(40 * u * pi) * std::sin(30 * v * pi);
+            positions.push_back({float(size * std::sin(b) * std::sin(a)), float(size * std::cos(b)),
+                                 float(size * std::sin(b) * std::cos(a))});
             texcoords.push_back({float(4 * u), float(2 * v)});
         }
     for (int r = 0; r < side; ++r)
@@ -134,7 +138,9 @@ void picture(benchmark::State& state, const std::string& isa) {
     RenderStats stats;
     for (auto _ : state) stats = engine->render(camera(), settings, sink, context);
     if (stats.pixels_covered < std::uint64_t(width) * height / 4) state.SkipWithError("the ball is not in the picture");
-    const auto each = [](double count) { return benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert); };
+    const auto each = [](double count) {
+        return benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    };
     state.counters["per_pixel"] = each(double(width) * height);
     state.counters["per_triangle"] = each(double(stats.triangles_in));
     state.counters["shaded"] = double(stats.pixels_shaded);
@@ -159,7 +165,11 @@ void sizes(benchmark::internal::Benchmark* b) {
 
 BENCHMARK_CAPTURE(picture, scalar_baseline, "scalar")->Apply(sizes);
 BENCHMARK_CAPTURE(picture, best_isa, "")->Apply(sizes);
-BENCHMARK(prepare)->ArgNames({"triangles", "threads"})->Args({100'000, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(prepare)
+    ->ArgNames({"triangles", "threads"})
+    ->Args({100'000, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 

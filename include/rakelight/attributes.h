@@ -48,9 +48,9 @@ struct AttributeOptions {
     /// of close pairs are one place; those wider than twice the distance are kept exact, with a warning in the report. Positions
     /// never move.
     double weld_distance = -1;
-    bool normals = true;             ///< false: keep the given normals (every mesh must have them) and make only tangents
-    bool tangents = true;            ///< where texture coordinates exist
-    bool groups_across = false;      ///< smoothing groups also rule between objects
+    bool normals = true;         ///< false: keep the given normals (every mesh must have them) and make only tangents
+    bool tangents = true;        ///< where texture coordinates exist
+    bool groups_across = false;  ///< smoothing groups also rule between objects
     TangentMode tangent_mode = TangentMode::averaged;
     /// `mikktspace` has its own, in each face's vote.
     Orthogonalize orthogonalize = Orthogonalize::attribute;
@@ -58,7 +58,7 @@ struct AttributeOptions {
     /// At a crease angle of pi: faces at a place are joined only over common edges, one group a fan (bow-ties fall apart). Below
     /// pi that is so in any case.
     bool fans = false;
-    bool locked_vote = true;         ///< faces at locked vertices have a say in the normals of others at their place
+    bool locked_vote = true;  ///< faces at locked vertices have a say in the normals of others at their place
 };
 
 /// How smoothing[] is to be read: bit masks join when AND != 0 (3DS, ASE), numbers join when equal (OBJ); 0 is flat.
@@ -73,8 +73,9 @@ struct AttributeMesh {
     std::span<const vec3> normals;             ///< [V] or empty; read only when AttributeOptions::normals is false
     std::span<const std::uint32_t> smoothing;  ///< [T] or empty
     GroupKind group_kind = GroupKind::none;
-    std::span<const vec3> smoothing_hint;      ///< [3T] or empty: corners of one position whose hints are equal were one group
-    dmat4 to_world;                            ///< object -> world, affine, including `origin`; det < 0 mirrors
+    std::span<const vec3>
+        smoothing_hint;  ///< [3T] or empty: corners of one position whose hints are equal were one group
+    dmat4 to_world;      ///< object -> world, affine, including `origin`; det < 0 mirrors
     /// [V] or empty: not 0: the vertex keeps its entry of `normals` (which must then be there); ignored where that is zero or not finite.
     std::span<const std::uint8_t> locked;
     /// [m] in object space, >= 0: the step on which positions were rounded (quantized files), 0: none. A position may then be half a
@@ -88,16 +89,16 @@ struct AttributeMesh {
 
 /// Result for one mesh: vertex v < V keeps its number; a vertex whose corners differ is appended. Object space.
 struct MeshAttributes {
-    std::vector<vec3> normals;                ///< [V'] unit, finite; (0, 0, 1) where no face with a vote touches a vertex's place
+    std::vector<vec3> normals;  ///< [V'] unit, finite; (0, 0, 1) where no face with a vote touches a vertex's place
     /// [V'] xyz unit and perpendicular to the normal, w = +1 or -1 as seen in object space (a mirroring matrix flips it on the
     /// way to the world); empty without texcoords. Without texture area: the axis farthest from the world normal, made
     /// perpendicular to it, w = +1.
     std::vector<vec4> tangents;
-    std::vector<vec3> bitangents;             ///< [V'] unit, towards decreasing v; filled only by the published modes
-    std::vector<std::uint32_t> indices;       ///< [3T] each < V'; empty when no vertex was split (the input's hold)
-    std::vector<std::uint32_t> source_vertex; ///< [V' - V] the vertex that each appended one copies
-    std::uint32_t degenerate_faces = 0;       ///< faces without a vote: zero area or a non-finite corner
-    std::uint32_t isolated_vertices = 0;      ///< vertices that no face with a vote touches
+    std::vector<vec3> bitangents;              ///< [V'] unit, towards decreasing v; filled only by the published modes
+    std::vector<std::uint32_t> indices;        ///< [3T] each < V'; empty when no vertex was split (the input's hold)
+    std::vector<std::uint32_t> source_vertex;  ///< [V' - V] the vertex that each appended one copies
+    std::uint32_t degenerate_faces = 0;        ///< faces without a vote: zero area or a non-finite corner
+    std::uint32_t isolated_vertices = 0;       ///< vertices that no face with a vote touches
     /// [degrees] how far summed tangents were from perpendicular to their normals in the world, before Gram-Schmidt; 0 unless
     /// AttributeOptions::measure_orthogonality.
     double orthogonality_loss_max_deg = 0, orthogonality_loss_mean_deg = 0;
@@ -138,7 +139,8 @@ AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> 
 /// compute_attributes() where nothing has moved and the crease angle is below pi or the weight is not uniform (else compute_attributes()
 /// sums in float).
 /// @return one entry a mesh, in the order of the input
-std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes, Context& context);
+std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
+                                       Context& context);
 
 /// Both steps. All corners of a group get bit-equal vectors (in the world; each object's own space after its matrix).
 std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
@@ -191,8 +193,9 @@ private:
 /// @return what was split and counted, one entry a mesh; the same values as compute_attributes() gives
 /// @throws Error usage: a buffer too small (mesh and sizes in the message), and what compute_attributes() throws; then the
 ///         buffers hold anything
-std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                                                     std::span<const AttributeBuffers> out, AttributeWorkspace& workspace,
-                                                     Context& context);
+std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes,
+                                                     const AttributeOptions& options,
+                                                     std::span<const AttributeBuffers> out,
+                                                     AttributeWorkspace& workspace, Context& context);
 
 }  // namespace rakelight

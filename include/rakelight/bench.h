@@ -22,8 +22,8 @@ struct SmoothBenchOptions {
     bool brute_force = false;  ///< also every vertex against every face, up to 50 000 triangles
     bool crease = false;       ///< also crease_row_rad and the weight, whatever crease_angle_rad is
     bool tolerance = false;    ///< also a weld within tolerance_row edge lengths
-    bool order = false;        ///< also plain loop, normals, and normals and tangents of the other order (a second model)
-    bool plan = false;         ///< also the steps apart, at crease_row_rad: group, accumulate, regroup
+    bool order = false;  ///< also plain loop, normals, and normals and tangents of the other order (a second model)
+    bool plan = false;   ///< also the steps apart, at crease_row_rad: group, accumulate, regroup
     static constexpr double crease_row_rad = radians(60);
     static constexpr double tolerance_row = 0.1;
 };
@@ -68,9 +68,9 @@ struct RenderBenchOptions {
     std::uint64_t triangles = 100'000;  ///< about; 100 to 10^8
     std::uint32_t objects = 100;        ///< 1 to 100 000, at most one for each 20 triangles
     std::uint32_t lights = 2;  ///< 0 to 8 point lights that reach everywhere; 9 to 10 000 small ones of a range of 1 m
-    std::vector<std::uint32_t> other_lights;  ///< of the built-in scene: also with so many, pictures interleaved
+    std::vector<std::uint32_t> other_lights;      ///< of the built-in scene: also with so many, pictures interleaved
     std::vector<std::string> engines = {"soft"};  ///< see make_engine(); each once or more often
-    std::uint32_t frames = 15;          ///< counted pictures of each engine, 1 to 10 000, after one that is not counted
+    std::uint32_t frames = 15;  ///< counted pictures of each engine, 1 to 10 000, after one that is not counted
     RenderSettings settings = full_hd();  ///< back faces of the built-in scene are culled whatever it says
     /// Of a scene file: its materials, normals, view, lights, surroundings and tone, as a picture of it would have
     /// them. Input, load options, settings and output are those of here.

@@ -49,7 +49,8 @@ public:
     /// @throws Error failed "cancelled": what had not begun when the context was cancelled was not called.
     template <class Body>
     void parallel_for(std::size_t count, const Body& body) {
-        run_parallel(count, [](const void* b, std::size_t i) { (*static_cast<const Body*>(b))(i); }, &body);
+        run_parallel(
+            count, [](const void* b, std::size_t i) { (*static_cast<const Body*>(b))(i); }, &body);
     }
 
 private:

@@ -34,7 +34,12 @@ enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };
 /// the tangent space of the pixel (the same picture); of the vertex, and interpolated; the same by the transposed in
 /// place of the inverse matrix (right for orthonormal frames only).
 enum class TangentSpace : std::uint8_t { world, pixel, vertex, transposed };
-enum class Cull : std::uint8_t { automatic, none, back, front };  ///< automatic: back faces of closed single-sided surfaces as glTF says
+enum class Cull : std::uint8_t {
+    automatic,
+    none,
+    back,
+    front
+};  ///< automatic: back faces of closed single-sided surfaces as glTF says
 
 /// How hidden surfaces are taken away. A z-buffer of reversed depth (near / distance, float: what the engine is made
 /// for), of the textbook's depth 0..1 in whole numbers of 16, 24 or 32 bits or in float; painter's algorithm, triangles
@@ -54,7 +59,7 @@ enum class PointShape : std::uint8_t { none, square, disc };
 /// are in world axes. Where there is no surface: depth +infinity, numbers `none`, all else 0. Opaque lines and points
 /// are held too, with depth, position, object, mesh, material, base color and emission, as nothing in the others.
 enum Channel : std::uint32_t {
-    channel_depth = 1u << 0,        ///< [m] distance along the view axis
+    channel_depth = 1u << 0,  ///< [m] distance along the view axis
     /// Shading normal: interpolated, bumped by the normal map, on the side that is lit; unit.
     channel_normal = 1u << 1,
     channel_object = 1u << 2,       ///< node index
@@ -64,12 +69,12 @@ enum Channel : std::uint32_t {
     channel_face_normal = 1u << 6,  ///< normal of the triangle's plane, on the side that is seen; unit
     /// xyz unit, as normal maps use it; w +1 or -1: bitangent = cross(normal, xyz) w. 0 where the mesh has no tangents.
     channel_tangent = 1u << 7,
-    channel_position = 1u << 8,     ///< [m]
+    channel_position = 1u << 8,  ///< [m]
     /// Weights of the triangle's corners, in the order of its indices, correct in perspective; sum 1.
     channel_barycentric = 1u << 9,
     /// Texture coordinate set 0, v down, as interpolated: no transform, not wrapped; 0 where the mesh has none.
     channel_uv = 1u << 10,
-    channel_uv1 = 1u << 11,         ///< the same of set 1
+    channel_uv1 = 1u << 11,  ///< the same of set 1
     /// Surfaces over the pixel that are opaque there, hidden ones too: triangles left by culling and clipping that
     /// cover its center, masked ones where their texture is opaque. Does not depend on the order of anything.
     channel_overdraw = 1u << 12,
@@ -129,20 +134,20 @@ struct RenderSettings {
     vec4 line_color{0, 0, 0,
                     0};  ///< of edges and vertices, linear; alpha 0: black over surfaces, else the material's own
     vec4 background{0.18f, 0.18f, 0.2f, 1};  ///< linear RGB and alpha
-    bool specular_horizon = true;    ///< no highlight where the light is below the surface (false: as printed)
-    bool orthogonalize = true;       ///< normal maps: the tangent is made perpendicular to the normal at every pixel
+    bool specular_horizon = true;            ///< no highlight where the light is below the surface (false: as printed)
+    bool orthogonalize = true;  ///< normal maps: the tangent is made perpendicular to the normal at every pixel
 };
 
 /// A finished rectangle: arrays are [width * height], row by row; those not asked for are empty.
 struct Tile {
     Window area;
-    std::span<const vec4> color;               ///< linear RGB, not clamped; alpha is coverage of the background's complement
+    std::span<const vec4> color;  ///< linear RGB, not clamped; alpha is coverage of the background's complement
     std::span<const std::uint32_t>
         srgb8;  ///< in place of `color` for sinks that take it: R in the low byte, straight alpha
     std::span<const float> depth;
     std::span<const vec3> normal;
     std::span<const std::uint32_t> object, material;
-    std::span<const std::uint16_t> samples;    ///< samples taken a pixel; empty: one each
+    std::span<const std::uint16_t> samples;  ///< samples taken a pixel; empty: one each
     std::span<const std::uint32_t> mesh, triangle, overdraw;
     std::span<const vec3> face_normal, position, barycentric;
     std::span<const vec4> tangent;
@@ -209,10 +214,11 @@ public:
 /// Where the time of one render() call went [s]. The front end is measured from outside, on all threads; what is done tile by
 /// tile is the sum over all tiles, whichever thread had them: about threads times as long as the clock on the wall.
 struct StageTimes {
-    double front_end = 0;  ///< transformation, clipping, culling, set-up, sorting into tiles; lighting of faces or vertices
-    double tiles = 0;      ///< from outside: all that follows
+    double front_end =
+        0;             ///< transformation, clipping, culling, set-up, sorting into tiles; lighting of faces or vertices
+    double tiles = 0;  ///< from outside: all that follows
     double visibility = 0, shading = 0, blending = 0;
-    double delivery = 0;   ///< what the sink does with the tiles, tone mapping included
+    double delivery = 0;  ///< what the sink does with the tiles, tone mapping included
 };
 
 /// Counts of one render() call.
@@ -236,7 +242,7 @@ struct RenderStats {
     std::uint64_t pixels_marked = 0;      ///< pixels that lines or points cover, each color of them counted
     std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
     std::uint64_t shadow_maps = 0, shadow_bytes = 0;  ///< that the picture read, kept ones too, and their memory
-    StageTimes times;  ///< never the same twice
+    StageTimes times;                                 ///< never the same twice
 };
 
 /// One way of making pictures. prepare() takes a scene up (again after an edit: only new blocks cost), render() draws it

@@ -123,7 +123,7 @@ struct Inspection {
     std::vector<BorderSummary> borders;  ///< the largest seam first, then the largest angle; at most 10,000
     std::uint64_t borders_left_out = 0;
     std::vector<InconsistentPair> inconsistent_pairs;  ///< the most edges first; at most 10,000
-    std::vector<SeamLine> seam_lines;  ///< when asked for
+    std::vector<SeamLine> seam_lines;                  ///< when asked for
     Scene scene;  ///< as loaded, but without its nodes and meshes: materials, textures, lights, cameras, animations
 };
 

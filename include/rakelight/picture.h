@@ -19,11 +19,11 @@ namespace rakelight {
 /// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
 /// and where the file has none a camera fitted to the model's bounding box.
 struct ViewRequest {
-    std::string side;                  ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default", or empty
-    std::string camera;                ///< number (from 0) or name of a camera of the file, or empty
-    std::optional<dvec3> position;     ///< [m] world
-    std::optional<dvec3> focal_point;  ///< [m] world; what the camera looks at
-    std::optional<dvec3> up;           ///< any length; default +Y; the default view turns along
+    std::string side;    ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default", or empty
+    std::string camera;  ///< number (from 0) or name of a camera of the file, or empty
+    std::optional<dvec3> position;           ///< [m] world
+    std::optional<dvec3> focal_point;        ///< [m] world; what the camera looks at
+    std::optional<dvec3> up;                 ///< any length; default +Y; the default view turns along
     std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
     /// 0..pi, both exclusive. Alone: pixels stay square, the vertical one follows. With the vertical one: pixels are as wide as both say.
     std::optional<double> horizontal_fov_rad;
@@ -32,7 +32,9 @@ struct ViewRequest {
     std::optional<double> near, far;
     bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
 
-    bool is_placed() const { return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic; }
+    bool is_placed() const {
+        return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic;
+    }
 };
 
 /// The camera for a picture of `aspect` = width / height: placed in the world, no node, no aspect of its own (a camera
@@ -93,14 +95,14 @@ struct PictureRequest {
     ViewRequest view;
     std::optional<std::vector<Light>>
         lights;  ///< replace all lights; else the file's, else, where no environment lights the scene, the default rig
-    bool default_lights = false;               ///< the default rig although the file has lights; `lights` goes first
-    double light_intensity = 1;                ///< >= 0; multiplies every light
+    bool default_lights = false;  ///< the default rig although the file has lights; `lights` goes first
+    double light_intensity = 1;   ///< >= 0; multiplies every light
     /// [radiance of a white Lambert surface that faces the light] 0..1: point and spot lights without a range get one
     /// where less than this is left of them; no surface loses more of a light than this. 0: none does.
     double light_cutoff = 0;
-    std::optional<Fog> fog;                    ///< in place of the scene's
-    ToneSettings tone;                         ///< of 8-bit pictures; EXR and HDR stay linear
-    std::string hdri_file;      ///< equirectangular picture, takes the place of the scene's environment; empty: none
+    std::optional<Fog> fog;  ///< in place of the scene's
+    ToneSettings tone;       ///< of 8-bit pictures; EXR and HDR stay linear
+    std::string hdri_file;   ///< equirectangular picture, takes the place of the scene's environment; empty: none
     /// Whether the environment (without a file: the scene's, else the built-in studio) gives light, and whether it is
     /// the background; absent: as the scene says, else not.
     std::optional<bool> hdri_ambient, hdri_skybox;
@@ -116,9 +118,9 @@ struct PictureRequest {
 struct PictureResult {
     std::string file, output;
     std::vector<std::string>
-        channel_files;     ///< EXR files in the order of the Channel bits, the one of layers, PNG files
-    ViewRange view_range;  ///< of PNG channels
-    int width = 0, height = 0;               ///< [px] of the file
+        channel_files;          ///< EXR files in the order of the Channel bits, the one of layers, PNG files
+    ViewRange view_range;       ///< of PNG channels
+    int width = 0, height = 0;  ///< [px] of the file
     std::uint64_t triangles = 0, objects = 0;
     std::string engine, isa;  ///< the instruction set is empty for engines that do not choose one
     int threads = 0;

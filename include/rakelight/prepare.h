@@ -24,7 +24,7 @@ struct PrepareOptions {
     NormalSource normals = NormalSource::automatic;  ///< `automatic`: Mesh::normal_choice counts where there is one
     CornerWeight weight = CornerWeight::angle;
     double crease_angle_rad = radians(60);  ///< for meshes whose own choice has none, or does not count
-    UvProjection uv = UvProjection::none;  ///< for meshes without texture coordinates
+    UvProjection uv = UvProjection::none;   ///< for meshes without texture coordinates
     /// How tangents are made, in place of the file's too. Unset: the file's; else as MikkTSpace where the file's normals are kept
     /// (that is what its maps were baked for); else averaged.
     std::optional<TangentMode> tangents;

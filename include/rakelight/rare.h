@@ -12,7 +12,8 @@ template <class T>
 class Rare {
 public:
     Rare() = default;
-    Rare(const T& value) : value_(std::make_unique<T>(value)) {}  // NOLINT(google-explicit-constructor): as std::optional
+    Rare(const T& value)
+        : value_(std::make_unique<T>(value)) {}  // NOLINT(google-explicit-constructor): as std::optional
     Rare(const Rare& other) : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
     Rare(Rare&&) noexcept = default;
     Rare& operator=(Rare other) noexcept {

@@ -53,7 +53,7 @@ struct TextureTransform {
 
 /// Use of a texture by a material. Its role (the member's name) decides the color space: colors sRGB, data linear.
 struct TextureUse {
-    std::uint32_t texture = none;      ///< into Scene::textures
+    std::uint32_t texture = none;  ///< into Scene::textures
     std::uint32_t texcoord_set = 0;
     TextureTransform transform;
     explicit operator bool() const { return texture != none; }
@@ -108,10 +108,10 @@ struct ClassicalParameters {
 
 /// glTF 2.0 metallic-roughness, with the extensions that are kept as data.
 struct MetallicRoughnessParameters {
-    float metallic = 1, roughness = 1;             ///< 0..1
-    TextureUse texture;                            ///< data: G roughness, B metallic
-    float ior = 1.5f;                              ///< KHR_materials_ior
-    float specular = 1;                            ///< KHR_materials_specular
+    float metallic = 1, roughness = 1;  ///< 0..1
+    TextureUse texture;                 ///< data: G roughness, B metallic
+    float ior = 1.5f;                   ///< KHR_materials_ior
+    float specular = 1;                 ///< KHR_materials_specular
     vec3 specular_color{1, 1, 1};
     TextureUse specular_texture, specular_color_texture;
     float anisotropy = 0, anisotropy_rotation_rad = 0;  ///< KHR_materials_anisotropy
@@ -137,11 +137,11 @@ struct Material {
     float normal_scale = 1;
     TextureUse height_texture;  ///< gray height (classical bump map)
     float height_scale = 1;
-    TextureUse opacity_texture;     ///< data: its first channel multiplies alpha (MTL map_d)
-    TextureUse occlusion_texture;   ///< data: R multiplies ambient light
+    TextureUse opacity_texture;    ///< data: its first channel multiplies alpha (MTL map_d)
+    TextureUse occlusion_texture;  ///< data: R multiplies ambient light
     float occlusion_strength = 1;
-    vec3 emission{0, 0, 0};         ///< linear, already multiplied by its strength; may exceed 1
-    TextureUse emission_texture;    ///< sRGB
+    vec3 emission{0, 0, 0};       ///< linear, already multiplied by its strength; may exceed 1
+    TextureUse emission_texture;  ///< sRGB
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
@@ -149,15 +149,15 @@ struct Material {
     SpecularForm specular_form = SpecularForm::automatic;
     std::optional<WardForm> ward_form;
     std::optional<Shading> shading;  ///< absent: as its node, or as the picture's settings say
-    Bump bump = Bump::automatic;  ///< automatic: as the picture's settings say
+    Bump bump = Bump::automatic;     ///< automatic: as the picture's settings say
     BumpTerms bump_terms = BumpTerms::automatic;
     std::optional<Relief> relief;    ///< absent: as the picture's settings say
     bool green_down = false;         ///< the normal map's green points to increasing v
     bool centered_normals = false;   ///< the normal map's byte 128 means exactly 0
     std::optional<float> sigma_rad;  ///< Oren-Nayar: standard deviation of the facets' angles; absent: from roughness
     std::optional<vec2>
-        ward_alpha;  ///< Ward: widths along tangent and bitangent; absent: from roughness and anisotropy
-    ClassicalParameters classical;            ///< meaningful when model is classical
+        ward_alpha;                 ///< Ward: widths along tangent and bitangent; absent: from roughness and anisotropy
+    ClassicalParameters classical;  ///< meaningful when model is classical
     MetallicRoughnessParameters metallic_roughness;  ///< meaningful when model is metallic_roughness
 };
 
@@ -212,16 +212,17 @@ struct NormalChoice {
 struct Mesh {
     std::string name;
     Topology topology = Topology::triangles;
-    dvec3 origin{0, 0, 0};        ///< positions count from here; one for all meshes of a file, zero unless its numbers need it
-    Block<vec3> positions;        ///< [V] about `origin`
+    dvec3 origin{0, 0,
+                 0};  ///< positions count from here; one for all meshes of a file, zero unless its numbers need it
+    Block<vec3> positions;  ///< [V] about `origin`
     /// [m] object space: the step between two codes where the file stores positions as codes (KHR_mesh_quantization, Draco); each
     /// then stands up to half a step from where it was, in every axis. 0: stored as floats, or not known.
     double position_step = 0;
-    Block<std::uint32_t> indices; ///< [3T], [2L] or [P], each < V
-    Block<vec3> normals;          ///< [V] unit, or empty; those of the file until prepare replaces them
-    Block<vec4> tangents;         ///< [V] xyz unit, w = +1 or -1, or empty
+    Block<std::uint32_t> indices;        ///< [3T], [2L] or [P], each < V
+    Block<vec3> normals;                 ///< [V] unit, or empty; those of the file until prepare replaces them
+    Block<vec4> tangents;                ///< [V] xyz unit, w = +1 or -1, or empty
     std::vector<Block<vec2>> texcoords;  ///< sets, each [V], v down
-    Block<vec4> colors;           ///< [V] linear RGBA or empty
+    Block<vec4> colors;                  ///< [V] linear RGBA or empty
     Block<std::uint32_t> smoothing;      ///< [T] smoothing group or mask of each triangle, or empty
     SmoothingKind smoothing_kind = SmoothingKind::none;
     /// [3T] corner normals that the file's *reader* made from smoothing groups (3DS, ASE through Assimp), or empty: equal
@@ -230,11 +231,11 @@ struct Mesh {
     /// [T] triangles with equal numbers, one after another, are one polygon of the file; empty: all are triangles
     /// there.
     Block<std::uint32_t> polygons;
-    std::optional<Subdivision> subdivision;  ///< absent: as the picture's settings say
+    std::optional<Subdivision> subdivision;     ///< absent: as the picture's settings say
     std::optional<NormalChoice> normal_choice;  ///< absent: as the picture's options say
-    Block<JointInfluence> influences;    ///< [V] or empty
+    Block<JointInfluence> influences;           ///< [V] or empty
     std::vector<MorphTarget> targets;
-    std::uint32_t material = none;       ///< into Scene::materials; none: the default material
+    std::uint32_t material = none;                              ///< into Scene::materials; none: the default material
     std::uint32_t source_mesh = none, source_primitive = none;  ///< where the file has it (glTF mesh and primitive)
     std::uint64_t triangle_count() const { return topology == Topology::triangles ? indices.size() / 3 : 0; }
 };
@@ -251,13 +252,13 @@ struct Transform {
 
 struct Node {
     std::string name;
-    std::uint32_t parent = none;        ///< always less than the node's own index in a validated scene
+    std::uint32_t parent = none;  ///< always less than the node's own index in a validated scene
     Transform local;
     std::vector<std::uint32_t> meshes;  ///< into Scene::meshes; empty: a group
     std::uint32_t skin = none;
     std::vector<float> morph_weights;
-    std::uint32_t source_node = none;   ///< index in the file (glTF)
-    std::optional<Shading> shading;     ///< of it and of all that hangs from it; absent: as its parent
+    std::uint32_t source_node = none;  ///< index in the file (glTF)
+    std::optional<Shading> shading;    ///< of it and of all that hangs from it; absent: as its parent
 };
 
 struct Skin {
@@ -296,13 +297,14 @@ struct Light {
     LightUnits units = LightUnits::classical;
     std::uint32_t node = none;
     dvec3 position{0, 0, 0};
-    dvec3 direction{0, 0, -1};       ///< the way the light travels
-    vec3 ambient{0, 0, 0}, diffuse{1, 1, 1}, specular{1, 1, 1};  ///< classical, linear RGB; ambient light: only `ambient`
+    dvec3 direction{0, 0, -1};  ///< the way the light travels
+    vec3 ambient{0, 0, 0}, diffuse{1, 1, 1},
+        specular{1, 1, 1};                          ///< classical, linear RGB; ambient light: only `ambient`
     float constant = 1, linear = 0, quadratic = 0;  ///< classical attenuation 1 / (c + l d + q d^2), d in meters
-    float cutoff_rad = float(pi / 2);  ///< classical spot: half angle, 0..pi/2
-    float exponent = 0;              ///< classical spot: falloff cos^exponent
-    vec3 color{1, 1, 1};             ///< photometric, linear RGB
-    float intensity = 1;             ///< photometric: lux for directional, candela for point and spot
+    float cutoff_rad = float(pi / 2);               ///< classical spot: half angle, 0..pi/2
+    float exponent = 0;                             ///< classical spot: falloff cos^exponent
+    vec3 color{1, 1, 1};                            ///< photometric, linear RGB
+    float intensity = 1;                            ///< photometric: lux for directional, candela for point and spot
     /// [m] where the light ends: it is multiplied by the window of KHR_lights_punctual, of classical lights too
     float range = std::numeric_limits<float>::infinity();
     float inner_cone_rad = 0, outer_cone_rad = float(pi / 4);  ///< photometric spot
@@ -334,14 +336,15 @@ struct Camera {
     std::string name;
     Projection projection = Projection::perspective;
     std::uint32_t node = none;
-    dmat4 to_world;                     ///< used when node is none: a rotation and a translation
-    double vertical_fov_rad = radians(40);  ///< perspective, 0..pi; of a scene, 0 beside a horizontal one: square pixels
+    dmat4 to_world;  ///< used when node is none: a rotation and a translation
+    double vertical_fov_rad =
+        radians(40);  ///< perspective, 0..pi; of a scene, 0 beside a horizontal one: square pixels
     /// Perspective, 0..pi: the field of view across, whatever the picture's aspect: pixels need not be square then. Absent: square pixels.
     std::optional<double> horizontal_fov_rad;
-    std::optional<double> aspect;       ///< width / height that the file wants; the picture's own when absent
-    double half_height = 1;             ///< orthographic: half the visible height [m]
-    std::optional<double> half_width;   ///< orthographic: half the visible width [m]; absent: square pixels
-    double near = 0.1, far = 1000;      ///< 0 < near < far (orthographic: near may be <= 0); far may be infinity
+    std::optional<double> aspect;      ///< width / height that the file wants; the picture's own when absent
+    double half_height = 1;            ///< orthographic: half the visible height [m]
+    std::optional<double> half_width;  ///< orthographic: half the visible width [m]; absent: square pixels
+    double near = 0.1, far = 1000;     ///< 0 < near < far (orthographic: near may be <= 0); far may be infinity
 };
 
 // --- scene ---------------------------------------------------------------------------------------------------------------

@@ -38,8 +38,7 @@ struct SmoothedMesh {
 
 struct SmoothedFile {
     std::string file, output;
-    bool changed =
-        false;  ///< false: the normals and tangents were these already; the file was copied byte by byte
+    bool changed = false;  ///< false: the normals and tangents were these already; the file was copied byte by byte
     std::uint32_t meshes_added = 0;  ///< glTF: copies for placements that need normals of their own
     std::vector<SmoothedMesh> meshes;
 };

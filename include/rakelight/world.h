@@ -45,7 +45,7 @@ struct WorldModel {
     std::string normals;   ///< "auto", "file", "flat", "object", "model"; empty: as the picture's options say
     std::optional<double> crease_angle_rad;
     std::optional<Subdivision> subdivision;  ///< absent: as the picture's options say
-    bool lights = false, cameras = false;  ///< whether the model's own come along
+    bool lights = false, cameras = false;    ///< whether the model's own come along
     std::optional<Shading> shading;
     WorldPlace place, material_place;  ///< of `file`, `material`
 };
@@ -98,7 +98,7 @@ struct WorldFile {
     std::vector<WorldMaterial> materials;
     std::optional<Fog> fog;
     std::optional<WorldEnvironment> environment;
-    std::vector<WorldValue> render;  ///< options of the command line by name
+    std::vector<WorldValue> render;    ///< options of the command line by name
     std::vector<WorldRemark> remarks;  ///< load() adds them to the report
 };
 

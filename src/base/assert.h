@@ -5,13 +5,14 @@
 #include <cstdlib>
 
 #if defined(RL_ASSERTIONS)
-#define RL_ASSERT(condition, text)                                                                          \
-    do {                                                                                                    \
-        if (!(condition)) {                                                                                 \
+#define RL_ASSERT(condition, text)                                                                           \
+    do {                                                                                                     \
+        if (!(condition)) {                                                                                  \
             std::fprintf(stderr, "%s:%d: broken contract: %s (%s)\n", __FILE__, __LINE__, #condition, text); \
-            std::abort();                                                                                   \
-        }                                                                                                   \
+            std::abort();                                                                                    \
+        }                                                                                                    \
     } while (false)
 #else
-#define RL_ASSERT(condition, text) static_cast<void>(sizeof(bool(condition)))  // not evaluated, but what it names is used
+#define RL_ASSERT(condition, text) \
+    static_cast<void>(sizeof(bool(condition)))  // not evaluated, but what it names is used
 #endif

@@ -24,7 +24,8 @@ std::size_t printable_bytes(const std::string& text, std::size_t i) {
     if (first == 0xC2 && second < 0xA0) return 0;  // C1 control characters
     // Line separators and everything that turns the direction of writing: U+061C, U+200E-F, U+2028-E, U+2066-9.
     if (first == 0xD8 && second == 0x9C) return 0;
-    if (first == 0xE2 && second == 0x80 && (third == 0x8E || third == 0x8F || (third >= 0xA8 && third <= 0xAE))) return 0;
+    if (first == 0xE2 && second == 0x80 && (third == 0x8E || third == 0x8F || (third >= 0xA8 && third <= 0xAE)))
+        return 0;
     if (first == 0xE2 && second == 0x81 && third >= 0xA6 && third <= 0xA9) return 0;
     return length;
 }

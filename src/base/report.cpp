@@ -8,11 +8,16 @@ constexpr std::size_t max_entries = 1000;
 
 const char* name_of(Remark remark) noexcept {
     switch (remark) {
-        case Remark::note: return "note";
-        case Remark::changed: return "changed";
-        case Remark::guessed: return "guessed";
-        case Remark::dropped: return "dropped";
-        case Remark::warning: return "warning";
+        case Remark::note:
+            return "note";
+        case Remark::changed:
+            return "changed";
+        case Remark::guessed:
+            return "guessed";
+        case Remark::dropped:
+            return "dropped";
+        case Remark::warning:
+            return "warning";
     }
     return "note";
 }

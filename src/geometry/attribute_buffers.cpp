@@ -8,14 +8,18 @@
 namespace rakelight {
 namespace {
 
-void check_buffers(std::span<const AttributeMesh> meshes, const AttributeOptions& options, std::span<const AttributeBuffers> out) {
+void check_buffers(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                   std::span<const AttributeBuffers> out) {
     if (out.size() != meshes.size())
-        throw Error(ErrorCode::usage, std::to_string(out.size()) + " buffers for " + std::to_string(meshes.size()) + " meshes");
+        throw Error(ErrorCode::usage,
+                    std::to_string(out.size()) + " buffers for " + std::to_string(meshes.size()) + " meshes");
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         const auto need = [&](std::size_t given, const char* what) {
             if (given >= meshes[m].positions.size()) return;
-            throw Error(ErrorCode::usage, "room for " + std::to_string(given) + " " + what + " of " +
-                                              std::to_string(meshes[m].positions.size()) + " vertices", "mesh " + std::to_string(m));
+            throw Error(ErrorCode::usage,
+                        "room for " + std::to_string(given) + " " + what + " of " +
+                            std::to_string(meshes[m].positions.size()) + " vertices",
+                        "mesh " + std::to_string(m));
         };
         need(out[m].normals.size(), "normals");
         if (options.tangents && !meshes[m].texcoords.empty()) need(out[m].tangents.size(), "tangents");
@@ -39,9 +43,10 @@ AttributeWorkspace::Impl& AttributeWorkspace::impl() {
     return *impl_;
 }
 
-std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                                                     std::span<const AttributeBuffers> out, AttributeWorkspace& workspace,
-                                                     Context& context) {
+std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes,
+                                                     const AttributeOptions& options,
+                                                     std::span<const AttributeBuffers> out,
+                                                     AttributeWorkspace& workspace, Context& context) {
     geometry::check_options(options);
     check_buffers(meshes, options, out);
     if (geometry::takes_fast_path(meshes, options))

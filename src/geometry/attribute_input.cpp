@@ -25,14 +25,14 @@ void check_size(std::size_t mesh, const char* what, std::size_t given, std::uint
 
 void check_mesh(std::size_t m, const AttributeMesh& mesh) {
     if (!exists(mesh.group_kind, GroupKind::numbers)) fail(m, no_such("kind of smoothing groups", mesh.group_kind));
-    if (mesh.indices.size() % 3 != 0)
-        fail(m, std::to_string(mesh.indices.size()) + " indices, not a multiple of 3");
+    if (mesh.indices.size() % 3 != 0) fail(m, std::to_string(mesh.indices.size()) + " indices, not a multiple of 3");
     const std::uint64_t triangles = mesh.indices.size() / 3;
     check_size(m, "texture coordinates", mesh.texcoords.size(), mesh.positions.size(), "vertices");
     check_size(m, "normals", mesh.normals.size(), mesh.positions.size(), "vertices");
     check_size(m, "locks", mesh.locked.size(), mesh.positions.size(), "vertices");
     if (!mesh.locked.empty() && mesh.normals.empty()) fail(m, "locked vertices, but no normals to keep");
-    if (!(mesh.position_step >= 0) || !std::isfinite(mesh.position_step)) fail(m, "the step of the positions is not a length");
+    if (!(mesh.position_step >= 0) || !std::isfinite(mesh.position_step))
+        fail(m, "the step of the positions is not a length");
     if (!(mesh.crease_angle_rad <= pi + angle_slack)) fail(m, "the crease angle must be 0 to 180 degrees");
     check_size(m, "smoothing groups", mesh.smoothing.size(), triangles, "triangles");
     check_size(m, "smoothing hints", mesh.smoothing_hint.size(), 3 * triangles, "corners");

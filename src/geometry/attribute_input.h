@@ -17,10 +17,11 @@ namespace rakelight::geometry {
 /// How one mesh stands in the world.
 struct Placement {
     dmat4 to_world;
-    dmat3 linear;           ///< directions: object -> world
-    dmat3 normal_to_world;  ///< normals: cofactor matrix times the sign of the determinant, so that outside stays outside
-    double flip = 1;        ///< -1 where the matrix mirrors, else +1
-    double scale = 0;       ///< length of the longest column of `linear`
+    dmat3 linear;  ///< directions: object -> world
+    dmat3
+        normal_to_world;  ///< normals: cofactor matrix times the sign of the determinant, so that outside stays outside
+    double flip = 1;      ///< -1 where the matrix mirrors, else +1
+    double scale = 0;     ///< length of the longest column of `linear`
 
     dvec3 position(vec3 p) const { return transform_point(to_world, cast<double>(p)); }
 };

@@ -28,7 +28,8 @@ void check_sums_memory(const AttributePlan::Impl& plan, Context& context) {
     std::uint64_t row = sizeof(NormalRow) + sizeof(vec3) + 2 * sizeof(std::uint32_t);
     const bool textured = std::find(plan.textured.begin(), plan.textured.end(), 1) != plan.textured.end();
     if (plan.options.tangents && textured) row += sizeof(TangentRow) + sizeof(vec4);
-    context.memory().check(plan.topology.group.size() * row + plan.topology.corner_vertex.size() * 8, "smoothing normals");
+    context.memory().check(plan.topology.group.size() * row + plan.topology.corner_vertex.size() * 8,
+                           "smoothing normals");
 }
 
 // Groups whose normals cancelled, as marks on their vertices' common representative.
@@ -45,8 +46,8 @@ std::vector<std::uint8_t> marks_of(const VoteSums& sums, const std::vector<std::
 
 // The sums of a plan, made into vertices. @param finish  (sums) -> Cancelled @return the marks of what cancelled
 template <class FinishSums>
-std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, GeneralScratch& scratch, Context& context,
-                                 const FinishSums& finish) {
+std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, GeneralScratch& scratch,
+                                 Context& context, const FinishSums& finish) {
     check_sums_memory(plan, context);
     VoteSums sums =
         sum_votes(plan.topology, input, plan.options, context, BlockArray<NormalRow>(std::move(scratch.faces)),
@@ -111,13 +112,15 @@ void run(Plan& plan, const AttributeInput& input, GeneralScratch& scratch, Conte
     plan.base.scratch = &scratch;
     make_plan(plan, input, context);
     plan.base.release();
-    const auto sum = [&] { return add_up(plan, input, scratch, context, [&](const VoteSums& sums) { return finish(plan, sums); }); };
+    const auto sum = [&] {
+        return add_up(plan, input, scratch, context, [&](const VoteSums& sums) { return finish(plan, sums); });
+    };
     mend_cancelled(plan, input, sum(), context, sum);
     plan.base.release();
 }
 
-std::vector<MeshAttributes> run(std::span<const AttributeMesh> meshes, const AttributeOptions& options, GeneralScratch& scratch,
-                                Context& context) {
+std::vector<MeshAttributes> run(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                GeneralScratch& scratch, Context& context) {
     check_options(options);
     const AttributeInput input = check_input(meshes, context);
     const std::shared_ptr<Plan> plan = describe(meshes, options);
@@ -146,7 +149,8 @@ void check_same(const Plan& plan, std::span<const AttributeMesh> meshes, bool ne
         throw Error(ErrorCode::bad_file, std::to_string(meshes.size()) + " meshes, but they were grouped as " +
                                              std::to_string(plan.vertices.size()));
     for (std::size_t m = 0; m < meshes.size(); ++m) {
-        const bool fits = meshes[m].positions.size() == plan.vertices[m] && meshes[m].indices.size() / 3 == plan.triangles[m] &&
+        const bool fits = meshes[m].positions.size() == plan.vertices[m] &&
+                          meshes[m].indices.size() / 3 == plan.triangles[m] &&
                           meshes[m].texcoords.empty() == (plan.textured[m] == 0) &&
                           (!needs_normals || meshes[m].normals.size() == meshes[m].positions.size());
         if (!fits) throw Error(ErrorCode::bad_file, "not the mesh that was grouped", "mesh " + std::to_string(m));
@@ -173,7 +177,8 @@ AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> 
     return plan_from(std::move(base), meshes, options, context);
 }
 
-std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes, Context& context) {
+std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
+                                       Context& context) {
     const Plan& impl = plan.impl();
     const AttributeInput input = check_input(meshes, context);
     check_same(impl, meshes, !impl.options.normals);
@@ -193,15 +198,16 @@ std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> me
     return geometry::general_attributes(meshes, options, context);
 }
 
-std::vector<MeshAttributes> geometry::general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                                                         Context& context) {
+std::vector<MeshAttributes> geometry::general_attributes(std::span<const AttributeMesh> meshes,
+                                                         const AttributeOptions& options, Context& context) {
     GeneralScratch scratch;
     return run(meshes, options, scratch, context);
 }
 
-std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                                                               std::span<const AttributeBuffers> out, GeneralScratch& scratch,
-                                                               Context& context) {
+std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const AttributeMesh> meshes,
+                                                               const AttributeOptions& options,
+                                                               std::span<const AttributeBuffers> out,
+                                                               GeneralScratch& scratch, Context& context) {
     std::vector<SplitAttributes> splits;
     if (options.tangents && options.tangent_mode != TangentMode::averaged) {  // made from whole arrays of normals
         const std::vector<MeshAttributes> results = run(meshes, options, scratch, context);

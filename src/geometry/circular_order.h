@@ -33,10 +33,10 @@ inline std::vector<std::uint32_t> circular_order(const std::vector<dvec3>& direc
     }
     v = normalize_or(v, dvec3{});
     std::vector<double> angle(directions.size());
-    for (std::size_t i = 0; i < angle.size(); ++i) angle[i] = pseudo_angle(dot(directions[i], u), dot(directions[i], v));
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return angle[a] != angle[b] ? angle[a] < angle[b] : a < b;
-    });
+    for (std::size_t i = 0; i < angle.size(); ++i)
+        angle[i] = pseudo_angle(dot(directions[i], u), dot(directions[i], v));
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return angle[a] != angle[b] ? angle[a] < angle[b] : a < b; });
     return order;
 }
 

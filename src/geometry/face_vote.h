@@ -15,8 +15,13 @@ inline double corner_angle(double y, double x) {
     const double a = std::fabs(x);
     const bool steep = y > a;
     const double t = steep ? a / y : (a > 0 ? y / a : 0.0), s = t * t;
-    const double p = t * (1 + s * (-0.3333314528 + s * (0.1999355085 + s * (-0.1420889944 + s * (0.1065626393 +
-                     s * (-0.0752896400 + s * (0.0429096138 + s * (-0.0161657367 + s * 0.0028662257))))))));
+    const double p =
+        t *
+        (1 + s * (-0.3333314528 +
+                  s * (0.1999355085 +
+                       s * (-0.1420889944 +
+                            s * (0.1065626393 +
+                                 s * (-0.0752896400 + s * (0.0429096138 + s * (-0.0161657367 + s * 0.0028662257))))))));
     const double first = steep ? pi / 2 - p : p;
     return x < 0 ? pi - first : first;
 }
@@ -58,7 +63,8 @@ inline dvec3 given_normal(const Placement& placement, vec3 normal) {
 
 /// The vertex keeps a normal that is of use.
 inline bool is_locked(const AttributeMesh& mesh, std::uint32_t vertex) {
-    return !mesh.locked.empty() && mesh.locked[vertex] != 0 && is_finite(mesh.normals[vertex]) && !(mesh.normals[vertex] == vec3{});
+    return !mesh.locked.empty() && mesh.locked[vertex] != 0 && is_finite(mesh.normals[vertex]) &&
+           !(mesh.normals[vertex] == vec3{});
 }
 
 /// Weights of the three corners of a face whose doubled area in the world is `area2`.
@@ -78,7 +84,8 @@ struct TextureEdges {
 };
 inline TextureEdges texture_edges(const AttributeMesh& mesh, const std::uint32_t* index) {
     const vec2 q0 = mesh.texcoords[index[0]], q1 = mesh.texcoords[index[1]], q2 = mesh.texcoords[index[2]];
-    const double du1 = double(q1.x) - q0.x, dv1 = double(q1.y) - q0.y, du2 = double(q2.x) - q0.x, dv2 = double(q2.y) - q0.y;
+    const double du1 = double(q1.x) - q0.x, dv1 = double(q1.y) - q0.y, du2 = double(q2.x) - q0.x,
+                 dv2 = double(q2.y) - q0.y;
     const double det = du1 * dv2 - du2 * dv1;
     return {du1, dv1, du2, dv2, det > 0 ? 1.0 : det < 0 ? -1.0 : 0.0};
 }
@@ -101,6 +108,8 @@ inline FaceTangent face_tangent(const AttributeMesh& mesh, const std::uint32_t* 
 }
 
 /// The handedness of a face, seen from a given normal that may point to the face's back.
-inline double hand_from(dvec3 given, const Direction& face, double hand) { return dot(given, face.unit) < 0 ? -hand : hand; }
+inline double hand_from(dvec3 given, const Direction& face, double hand) {
+    return dot(given, face.unit) < 0 ? -hand : hand;
+}
 
 }  // namespace rakelight::geometry

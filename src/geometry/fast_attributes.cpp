@@ -19,13 +19,14 @@ bool keeps_angles(const dmat4& m) {
     const double size = dot(x, x);
     if (!(size > 1e-60 && size < 1e60)) return false;
     const auto near = [&](double a, double b) { return std::fabs(a - b) <= slack * size; };
-    return near(dot(y, y), size) && near(dot(z, z), size) && near(dot(x, y), 0) && near(dot(y, z), 0) && near(dot(z, x), 0);
+    return near(dot(y, y), size) && near(dot(z, z), size) && near(dot(x, y), 0) && near(dot(y, z), 0) &&
+           near(dot(z, x), 0);
 }
 
 // Without what only the general path has.
 bool is_plain(const AttributeOptions& o) {
-    return o.tangent_mode == TangentMode::averaged && o.orthogonalize == Orthogonalize::attribute && !o.measure_orthogonality &&
-           !o.fans;
+    return o.tangent_mode == TangentMode::averaged && o.orthogonalize == Orthogonalize::attribute &&
+           !o.measure_orthogonality && !o.fans;
 }
 bool is_plain(const AttributeMesh& m) {
     return m.locked.empty() && m.position_step == 0 && m.smoothing_hint.empty() &&
@@ -38,10 +39,14 @@ struct Kernels {
 };
 Kernels kernels_for(Isa isa) {
     switch (isa) {
-        case Isa::scalar: break;
-        case Isa::sse2: return {sse2::fast_kernels(), sse2::weld_kernels()};
-        case Isa::avx2: return {avx2::fast_kernels(), avx2::weld_kernels()};
-        case Isa::avx512: return {avx512::fast_kernels(), avx512::weld_kernels()};
+        case Isa::scalar:
+            break;
+        case Isa::sse2:
+            return {sse2::fast_kernels(), sse2::weld_kernels()};
+        case Isa::avx2:
+            return {avx2::fast_kernels(), avx2::weld_kernels()};
+        case Isa::avx512:
+            return {avx512::fast_kernels(), avx512::weld_kernels()};
     }
     return {scalar::fast_kernels(), scalar::weld_kernels()};
 }
@@ -70,8 +75,9 @@ std::size_t FastScratch::bytes() const {
     std::size_t sum = rows.bytes() + records.bytes();
     for (const auto& box : outbox) sum += box.capacity();
     for (const LaneScratch& lane : lanes)
-        sum += lane.table.bytes() + lane.left.bytes() + lane.hashed.capacity() * sizeof(HashedRange) + lane.counts.capacity() * sizeof(std::uint32_t) + lane.duplicates.capacity() * sizeof(Duplicate) + lane.parcels.capacity() +
-               lane.odd.capacity() * sizeof(std::uint32_t);
+        sum += lane.table.bytes() + lane.left.bytes() + lane.hashed.capacity() * sizeof(HashedRange) +
+               lane.counts.capacity() * sizeof(std::uint32_t) + lane.duplicates.capacity() * sizeof(Duplicate) +
+               lane.parcels.capacity() + lane.odd.capacity() * sizeof(std::uint32_t);
     return sum;
 }
 
@@ -79,9 +85,8 @@ bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptio
     const bool fits = options.normals && options.scope != Scope::face && crease_range(meshes, options).joins_all() &&
                       options.weight == CornerWeight::uniform && options.weld_distance <= 0;
     if (!fits || !is_plain(options) || meshes.empty() || !keeps_angles(meshes[0].to_world)) return false;
-    return std::all_of(meshes.begin(), meshes.end(), [&](const AttributeMesh& m) {
-        return m.to_world == meshes[0].to_world && is_plain(m);
-    });
+    return std::all_of(meshes.begin(), meshes.end(),
+                       [&](const AttributeMesh& m) { return m.to_world == meshes[0].to_world && is_plain(m); });
 }
 
 SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& result, const AttributeBuffers& out) {
@@ -102,18 +107,29 @@ SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& resu
 }
 
 std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                                             std::span<const AttributeBuffers> out, FastScratch& scratch, Context& context) {
+                                             std::span<const AttributeBuffers> out, FastScratch& scratch,
+                                             Context& context) {
     const AttributeInput input = number_input(meshes);
-    const bool tangents = options.tangents && std::any_of(meshes.begin(), meshes.end(), [](const AttributeMesh& m) {
-                              return !m.texcoords.empty();
-                          });
+    const bool tangents = options.tangents && std::any_of(meshes.begin(), meshes.end(),
+                                                          [](const AttributeMesh& m) { return !m.texcoords.empty(); });
     const std::size_t vertices = input.vertex_count();
     const std::size_t floats = tangents ? tangent_row_floats : normal_row_floats;
     context.memory().check(vertices * (floats * sizeof(float) + 20), "smoothing normals");
     scratch.rows.reserve(vertices * floats);
     const Kernels kernels = kernels_for(isa_from_environment());
     const bool is_identity = meshes[0].to_world == dmat4{};
-    FastState state{input, options, out, is_identity, weld_partition_bits(input.vertex_count()), scratch, *kernels.rows, *kernels.weld, context, tangents, {}, {}};
+    FastState state{input,
+                    options,
+                    out,
+                    is_identity,
+                    weld_partition_bits(input.vertex_count()),
+                    scratch,
+                    *kernels.rows,
+                    *kernels.weld,
+                    context,
+                    tangents,
+                    {},
+                    {}};
     state.degenerate.assign(meshes.size(), 0);
     state.isolated.assign(meshes.size(), 0);
     for (LaneScratch& lane : scratch.lanes) {

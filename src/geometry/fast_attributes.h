@@ -20,7 +20,8 @@ SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& resu
 /// @param out  [meshes] large enough: checked by the caller
 /// @throws Error as the door says
 std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                                             std::span<const AttributeBuffers> out, FastScratch& scratch, Context& context);
+                                             std::span<const AttributeBuffers> out, FastScratch& scratch,
+                                             Context& context);
 
 /// The same as arrays.
 std::vector<MeshAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,

@@ -52,7 +52,8 @@ private:
     void count_isolated() const {
         for (const std::uint32_t v : members_)
             if (state_.row(v)[state_.floats() - 1] == 0)
-                std::atomic_ref(state_.isolated[state_.input.mesh_of_vertex(v)]).fetch_add(1, std::memory_order_relaxed);
+                std::atomic_ref(state_.isolated[state_.input.mesh_of_vertex(v)])
+                    .fetch_add(1, std::memory_order_relaxed);
     }
 
     void leave() const {
@@ -108,7 +109,9 @@ private:
     }
 
     static vec3 across(vec3 n, vec3 t) { return t - n * dot(n, t); }
-    static bool is_weak(vec3 t, float hand) { return !(dot(t, t) >= hand * hand * class_tangent_share * class_tangent_share); }
+    static bool is_weak(vec3 t, float hand) {
+        return !(dot(t, t) >= hand * hand * class_tangent_share * class_tangent_share);
+    }
 
     FastState& state_;
     std::span<const std::uint32_t> members_;  // ascending: sums are made in this order

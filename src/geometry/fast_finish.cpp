@@ -4,8 +4,8 @@
 namespace rakelight::geometry {
 namespace {
 
-void finish_range(FastState& state, const AttributeBuffers& out, std::uint32_t m, std::uint32_t first, std::uint32_t last,
-                  LaneScratch& lane, std::vector<std::uint32_t>& odd) {
+void finish_range(FastState& state, const AttributeBuffers& out, std::uint32_t m, std::uint32_t first,
+                  std::uint32_t last, LaneScratch& lane, std::vector<std::uint32_t>& odd) {
     if (first == last) return;
     lane.odd.resize(odd_capacity);
     const std::uint32_t base = state.input.vertex_base[m];
@@ -30,9 +30,10 @@ std::vector<std::uint32_t> finish_rows(FastState& state) {
     const std::vector<Chunk> chunks = make_chunks(state.input.vertex_base, vertices_per_chunk);
     std::vector<std::vector<std::uint32_t>> odd(chunks.size());
     for_each_in_lanes(state, chunks.size(), [&](LaneScratch& lane, std::size_t c) {
-        for_each_range(chunks[c], state.input.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            finish_range(state, state.out[m], m, first, last, lane, odd[c]);
-        });
+        for_each_range(chunks[c], state.input.vertex_base,
+                       [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                           finish_range(state, state.out[m], m, first, last, lane, odd[c]);
+                       });
     });
     std::vector<std::uint32_t> all;
     for (const auto& part : odd) all.insert(all.end(), part.begin(), part.end());

@@ -45,7 +45,8 @@ private:
 
 class Redo {
 public:
-    Redo(FastState& state, std::span<const std::uint32_t> wanted) : state_(state), input_(state.input), wanted_(wanted) {}
+    Redo(FastState& state, std::span<const std::uint32_t> wanted)
+        : state_(state), input_(state.input), wanted_(wanted) {}
 
     void run(std::span<const AttributeBuffers> out, std::vector<SplitAttributes>& splits) {
         mark();
@@ -88,7 +89,8 @@ private:
         std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found(stretches.size());  // mesh, face
         state_.context.parallel_for(stretches.size(), [&](std::size_t s) {
             const auto [m, first] = stretches[s];
-            const std::uint32_t base = input_.vertex_base[m], faces = std::uint32_t(input_.meshes[m].indices.size() / 3);
+            const std::uint32_t base = input_.vertex_base[m],
+                                faces = std::uint32_t(input_.meshes[m].indices.size() / 3);
             const std::uint32_t* index = input_.meshes[m].indices.data();
             for (std::uint32_t t = first; t < std::min(faces, first + faces_per_range); ++t) {
                 const std::uint32_t* corner = index + 3 * std::size_t(t);
@@ -126,10 +128,12 @@ private:
             part.is_wanted.push_back(is_wanted(input_.vertex_base[part.mesh] + v) ? 1 : 0);
         }
         for (const std::uint32_t t : part.faces)
-            for (std::size_t k = 0; k < 3; ++k) part.indices.push_back(ranks.rank(mesh.indices[3 * std::size_t(t) + k]));
+            for (std::size_t k = 0; k < 3; ++k)
+                part.indices.push_back(ranks.rank(mesh.indices[3 * std::size_t(t) + k]));
     }
 
-    void take(const PartMesh& part, const MeshAttributes& result, const AttributeBuffers& out, SplitAttributes& split) const {
+    void take(const PartMesh& part, const MeshAttributes& result, const AttributeBuffers& out,
+              SplitAttributes& split) const {
         const std::uint32_t count = std::uint32_t(part.vertices.size());
         const bool has_tangents = !result.tangents.empty();
         for (std::uint32_t v = 0; v < count; ++v) {
@@ -148,7 +152,8 @@ private:
         }
         for (std::size_t i = 0; i < result.indices.size(); ++i) {
             if (result.indices[i] < count || part.is_wanted[part.indices[i]] == 0) continue;
-            split.corners.push_back({3 * part.faces[i / 3] + std::uint32_t(i % 3), appended[result.indices[i] - count]});
+            split.corners.push_back(
+                {3 * part.faces[i / 3] + std::uint32_t(i % 3), appended[result.indices[i] - count]});
         }
     }
 

@@ -24,46 +24,54 @@ constexpr float weak_normal_share = 1.0f / 8, weak_tangent_share = 1.0f / 16;
 /// Some triangles of one mesh. A kernel adds their votes to the rows of vertices own_begin .. own_end - 1, which no other thread
 /// touches; votes for other vertices become parcels. It stops after a block of faces when `foreign` or `odd` could overflow.
 struct ScatterJob {
-    const float* positions = nullptr;      ///< [3 * vertices]
-    const float* texcoords = nullptr;      ///< [2 * vertices], or null: no votes for tangents
-    const uint32_t* indices = nullptr;     ///< [3 * triangles]
+    const float* positions = nullptr;   ///< [3 * vertices]
+    const float* texcoords = nullptr;   ///< [2 * vertices], or null: no votes for tangents
+    const uint32_t* indices = nullptr;  ///< [3 * triangles]
     uint32_t vertices = 0;
-    uint32_t face = 0, face_end = 0;       ///< advanced by the kernel
-    float* rows = nullptr;                 ///< row of vertex 0 of the mesh
+    uint32_t face = 0, face_end = 0;  ///< advanced by the kernel
+    float* rows = nullptr;            ///< row of vertex 0 of the mesh
     uint32_t own_begin = 0, own_end = 0;
-    uint32_t ready_end = 0;                ///< own rows from here on are not yet cleared; the kernel stops where it meets one
-    uint32_t wanted_end = 0;               ///< and says here how many it wants
-    void* foreign = nullptr;               ///< FastParcel[parcel_capacity]
+    uint32_t ready_end = 0;   ///< own rows from here on are not yet cleared; the kernel stops where it meets one
+    uint32_t wanted_end = 0;  ///< and says here how many it wants
+    void* foreign = nullptr;  ///< FastParcel[parcel_capacity]
     uint32_t foreign_count = 0;
-    uint32_t* odd = nullptr;               ///< [odd_capacity] faces on which float arithmetic is not safe: for the caller
+    uint32_t* odd = nullptr;  ///< [odd_capacity] faces on which float arithmetic is not safe: for the caller
     uint32_t odd_count = 0;
     uint32_t smallest = 0xffffffffu, largest = 0;  ///< of the indices met
-    bool is_index_bad = false;             ///< an index was out of range; nothing was read through it
+    bool is_index_bad = false;                     ///< an index was out of range; nothing was read through it
 };
-constexpr uint32_t face_block = 16;        ///< faces that a kernel takes at a time; a multiple of the lanes of every set
+constexpr uint32_t face_block = 16;  ///< faces that a kernel takes at a time; a multiple of the lanes of every set
 constexpr uint32_t parcel_capacity = 1024, odd_capacity = 1024;
 
 /// Some vertices of one mesh, from sums to attributes.
 struct FinishJob {
     const float* rows = nullptr;
-    uint32_t begin = 0, end = 0;           ///< vertices
-    float* normals = nullptr;              ///< [3 * vertices]
-    float* tangents = nullptr;             ///< [4 * vertices], or null
-    uint32_t isolated = 0;                 ///< counted by the kernel
-    uint32_t* odd = nullptr;               ///< [odd_capacity] vertices left to the general path; the kernel stops before it
-    uint32_t odd_count = 0;                ///< overflows, with begin advanced
+    uint32_t begin = 0, end = 0;  ///< vertices
+    float* normals = nullptr;     ///< [3 * vertices]
+    float* tangents = nullptr;    ///< [4 * vertices], or null
+    uint32_t isolated = 0;        ///< counted by the kernel
+    uint32_t* odd = nullptr;      ///< [odd_capacity] vertices left to the general path; the kernel stops before it
+    uint32_t odd_count = 0;       ///< overflows, with begin advanced
 };
 
 struct FastKernels {
     void (*scatter_normals)(ScatterJob*);
     void (*scatter_tangents)(ScatterJob*);
     void (*finish_normals)(FinishJob*);
-    void (*finish_tangents)(FinishJob*);   ///< rows of 8; tangents may be null
+    void (*finish_tangents)(FinishJob*);  ///< rows of 8; tangents may be null
 };
 
-namespace scalar { const FastKernels* fast_kernels(); }
-namespace sse2 { const FastKernels* fast_kernels(); }
-namespace avx2 { const FastKernels* fast_kernels(); }
-namespace avx512 { const FastKernels* fast_kernels(); }
+namespace scalar {
+const FastKernels* fast_kernels();
+}
+namespace sse2 {
+const FastKernels* fast_kernels();
+}
+namespace avx2 {
+const FastKernels* fast_kernels();
+}
+namespace avx512 {
+const FastKernels* fast_kernels();
+}
 
 }  // namespace rakelight::geometry

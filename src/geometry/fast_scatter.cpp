@@ -11,10 +11,11 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t faces_per_piece = 1u << 18;
-constexpr std::uint32_t most_pieces = 1u << 10;      // of one mesh
-constexpr std::uint32_t pieces_in_flight = 64;       // whose outboxes are kept at one time: bounds them for shuffled meshes
+constexpr std::uint32_t most_pieces = 1u << 10;  // of one mesh
+constexpr std::uint32_t pieces_in_flight = 64;   // whose outboxes are kept at one time: bounds them for shuffled meshes
 constexpr std::uint32_t faces_per_small_chunk = 1u << 15;
-constexpr std::uint32_t vertices_per_step = 1u << 10;    // made ready at a time, so that faces find their rows in the cache
+constexpr std::uint32_t vertices_per_step = 1u
+                                            << 10;  // made ready at a time, so that faces find their rows in the cache
 
 template <int floats>
 class FastScatter {
@@ -85,7 +86,8 @@ private:
     // Rows of 0, and hashes for the weld while the positions are at hand.
     void make_ready(LaneScratch& lane, std::uint32_t m, std::uint32_t first, std::uint32_t last) const {
         if (first >= last) return;
-        std::memset(state_.row(state_.input.vertex_base[m] + first), 0, std::size_t(last - first) * floats * sizeof(float));
+        std::memset(state_.row(state_.input.vertex_base[m] + first), 0,
+                    std::size_t(last - first) * floats * sizeof(float));
         hash_places(state_, lane, m, first, last);
     }
 
@@ -135,7 +137,8 @@ private:
         job.odd = lane.odd.data();
         job.ready_end = task.clears ? job.own_begin : job.own_end;
         std::uint32_t degenerate = 0;
-        const auto kernel = floats == tangent_row_floats ? state_.kernels.scatter_tangents : state_.kernels.scatter_normals;
+        const auto kernel =
+            floats == tangent_row_floats ? state_.kernels.scatter_tangents : state_.kernels.scatter_normals;
         while (job.face < face_end) {
             const std::uint32_t range = job.face / faces_per_range;
             if (job.face % faces_per_range == 0) {
@@ -146,12 +149,14 @@ private:
             kernel(&job);
             if (job.is_index_bad) return false;
             if (job.ready_end < job.wanted_end) {
-                const std::uint32_t last = std::min(job.own_end, std::max(job.wanted_end, job.ready_end + vertices_per_step));
+                const std::uint32_t last =
+                    std::min(job.own_end, std::max(job.wanted_end, job.ready_end + vertices_per_step));
                 make_ready(lane, m, job.ready_end, last);
                 job.ready_end = last;
             }
             state_.scratch.ranges[state_.scratch.range_base[m] + range] = {job.smallest, job.largest};
-            for (std::uint32_t i = 0; i < job.odd_count; ++i) degenerate += add_odd(job, mesh, task, slot, job.odd[i]) ? 0 : 1;
+            for (std::uint32_t i = 0; i < job.odd_count; ++i)
+                degenerate += add_odd(job, mesh, task, slot, job.odd[i]) ? 0 : 1;
             const Parcel* parcels = static_cast<const Parcel*>(job.foreign);
             for (std::uint32_t i = 0; i < job.foreign_count; ++i) send(job, task, slot, parcels[i]);
             job.foreign_count = job.odd_count = 0;
@@ -166,7 +171,8 @@ private:
         const std::size_t at = box.size();
         if (box.capacity() < at + sizeof parcel) {  // where triangles lie in disorder all parcels are sent
             const std::size_t wanted = std::max<std::size_t>(4096, 2 * at), more = wanted - box.capacity();
-            state_.context.memory().check(outbox_bytes_.fetch_add(more) + more, "smoothing normals of triangles in disorder");
+            state_.context.memory().check(outbox_bytes_.fetch_add(more) + more,
+                                          "smoothing normals of triangles in disorder");
             box.reserve(wanted);
         }
         box.resize(at + sizeof parcel);
@@ -174,7 +180,8 @@ private:
     }
 
     // A face on which float is not safe, as the general path has it. False: it has no vote.
-    bool add_odd(const ScatterJob& job, const AttributeMesh& mesh, const Task& task, std::size_t slot, std::uint32_t face) {
+    bool add_odd(const ScatterJob& job, const AttributeMesh& mesh, const Task& task, std::size_t slot,
+                 std::uint32_t face) {
         const std::uint32_t* index = &mesh.indices[3 * std::size_t(face)];
         const FaceCorners corners = face_corners(mesh, index);
         const Direction normal = direction_of(cross(corners.e1, corners.e2));
@@ -194,8 +201,10 @@ private:
         }
         for (std::size_t k = 0; k < 3; ++k) {
             parcel.vertex = index[k];
-            if (parcel.vertex - job.own_begin < job.own_end - job.own_begin) add(job.rows, parcel);
-            else send(job, task, slot, parcel);
+            if (parcel.vertex - job.own_begin < job.own_end - job.own_begin)
+                add(job.rows, parcel);
+            else
+                send(job, task, slot, parcel);
         }
         return true;
     }

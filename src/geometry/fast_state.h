@@ -39,11 +39,11 @@ struct VertexRange {
 constexpr std::uint32_t faces_per_range = 2048;
 
 struct FastScratch {
-    LargeArray<float> rows;               ///< [vertices][floats]
-    LargeArray<std::uint64_t> records;    ///< [vertices] of the weld
+    LargeArray<float> rows;                      ///< [vertices][floats]
+    LargeArray<std::uint64_t> records;           ///< [vertices] of the weld
     std::vector<std::vector<std::byte>> outbox;  ///< [chunks of a wave][pieces] parcels
-    std::vector<VertexRange> ranges;      ///< [meshes][faces / faces_per_range, rounded up]
-    std::vector<std::size_t> range_base;  ///< [meshes + 1]
+    std::vector<VertexRange> ranges;             ///< [meshes][faces / faces_per_range, rounded up]
+    std::vector<std::size_t> range_base;         ///< [meshes + 1]
     std::vector<LaneScratch> lanes;
     std::size_t bytes() const;
 };
@@ -59,13 +59,15 @@ struct FastState {
     const FastKernels& kernels;
     const WeldKernels& weld_kernels;
     Context& context;
-    bool tangents;                          ///< rows of 8 floats; some mesh has texture coordinates and tangents are asked for
+    bool tangents;  ///< rows of 8 floats; some mesh has texture coordinates and tangents are asked for
     std::vector<std::uint32_t> degenerate;  ///< [meshes]
     std::vector<std::uint32_t> isolated;    ///< [meshes]
 
     int floats() const { return tangents ? tangent_row_floats : normal_row_floats; }
     bool is_textured(std::uint32_t mesh) const { return tangents && !input.meshes[mesh].texcoords.empty(); }
-    std::uint32_t* hashes(std::uint32_t mesh) const { return reinterpret_cast<std::uint32_t*>(out[mesh].normals.data()); }
+    std::uint32_t* hashes(std::uint32_t mesh) const {
+        return reinterpret_cast<std::uint32_t*>(out[mesh].normals.data());
+    }
     float* row(std::uint32_t vertex) const { return scratch.rows.data() + std::size_t(vertex) * std::size_t(floats()); }
 };
 

@@ -36,7 +36,8 @@ struct PlaceKey<false> {
     bool operator==(const PlaceKey&) const = default;
     static PlaceKey of(const Placement& placement, vec3 p) {
         const dvec3 w = placement.position(p) + dvec3{};
-        return {std::bit_cast<std::uint64_t>(w.x), std::bit_cast<std::uint64_t>(w.y), std::bit_cast<std::uint64_t>(w.z)};
+        return {std::bit_cast<std::uint64_t>(w.x), std::bit_cast<std::uint64_t>(w.y),
+                std::bit_cast<std::uint64_t>(w.z)};
     }
     bool is_finite() const {
         constexpr std::uint64_t exponent = 0x7ff0000000000000ull;
@@ -67,17 +68,21 @@ public:
     void run() {
         place_partitions();
         partition();
-        for_each_in_lanes(state_, (partitions_ + partitions_per_task - 1) / partitions_per_task, [&](LaneScratch& lane, std::size_t t) {
-            const std::uint32_t first = std::uint32_t(t) * partitions_per_task;
-            lane.duplicates.clear();
-            for (std::uint32_t p = first; p < std::min(partitions_, first + partitions_per_task); ++p) match(p, lane);
-            if (!lane.duplicates.empty()) join_classes(state_, lane.duplicates);
-        });
+        for_each_in_lanes(state_, (partitions_ + partitions_per_task - 1) / partitions_per_task,
+                          [&](LaneScratch& lane, std::size_t t) {
+                              const std::uint32_t first = std::uint32_t(t) * partitions_per_task;
+                              lane.duplicates.clear();
+                              for (std::uint32_t p = first; p < std::min(partitions_, first + partitions_per_task); ++p)
+                                  match(p, lane);
+                              if (!lane.duplicates.empty()) join_classes(state_, lane.duplicates);
+                          });
     }
 
 private:
     // A record is the hash of a position (the partition is its high bits) and a vertex.
-    static constexpr std::uint64_t record(std::uint32_t hash, std::uint32_t vertex) { return std::uint64_t(hash) << 32 | vertex; }
+    static constexpr std::uint64_t record(std::uint32_t hash, std::uint32_t vertex) {
+        return std::uint64_t(hash) << 32 | vertex;
+    }
     static constexpr std::uint32_t hash_of(std::uint64_t record) { return std::uint32_t(record >> 32); }
 
     Key key(std::uint32_t mesh, std::uint32_t vertex) const {
@@ -130,7 +135,9 @@ private:
         std::uint32_t* const table = lane.table.data();
         std::uint32_t* const left = lane.left.data();
         const std::uint32_t shift = 64 - slot_bits;
-        const auto slot = [records, shift](std::uint32_t r) { return std::uint64_t(hash_of(records[r])) * 0x9e3779b97f4a7c15ull >> shift; };
+        const auto slot = [records, shift](std::uint32_t r) {
+            return std::uint64_t(hash_of(records[r])) * 0x9e3779b97f4a7c15ull >> shift;
+        };
         for (std::uint32_t r = count; r-- > 0;) table[slot(r)] = r;
         std::uint32_t losers = 0;
         for (std::uint32_t r = 0; r < count; ++r) {
@@ -142,7 +149,8 @@ private:
         for (std::uint32_t round = 1; losers != 0; ++round) losers = next_round(records, lane, losers, shift, round);
     }
 
-    std::uint32_t next_round(const std::uint64_t* records, LaneScratch& lane, std::uint32_t losers, std::uint32_t shift, std::uint32_t round) {
+    std::uint32_t next_round(const std::uint64_t* records, LaneScratch& lane, std::uint32_t losers, std::uint32_t shift,
+                             std::uint32_t round) {
         std::uint32_t* const table = lane.table.data();
         const std::uint64_t factor = 0xa0761d6478bd642full + 2 * round;
         const auto slot = [&, factor](std::uint32_t r) {
@@ -156,7 +164,8 @@ private:
 
     // Of the first `losers` entries of `left` those stay that lost to a stranger. Returns their count.
     template <class Winner>
-    std::uint32_t judge(const std::uint64_t* records, LaneScratch& lane, std::uint32_t losers, const Winner& winner) const {
+    std::uint32_t judge(const std::uint64_t* records, LaneScratch& lane, std::uint32_t losers,
+                        const Winner& winner) const {
         for (std::uint32_t i = 0; i < losers; ++i) {
             const std::uint32_t r = lane.left[i], w = winner(r);
             if (hash_of(records[w]) != hash_of(records[r])) continue;
@@ -175,9 +184,12 @@ private:
             const std::uint32_t m = input_.mesh_of_vertex(a), n = input_.mesh_of_vertex(b);
             const Key place = key(n, b);
             if (!place.is_finite()) continue;
-            const bool is_one_scope = state_.options.scope == Scope::model || input_.meshes[m].object == input_.meshes[n].object;
-            if (is_one_scope && key(m, a) == place) lane.duplicates.push_back({a, b});
-            else lane.left[strangers++] = r;
+            const bool is_one_scope =
+                state_.options.scope == Scope::model || input_.meshes[m].object == input_.meshes[n].object;
+            if (is_one_scope && key(m, a) == place)
+                lane.duplicates.push_back({a, b});
+            else
+                lane.left[strangers++] = r;
         }
         return strangers;
     }
@@ -191,10 +203,12 @@ private:
 }  // namespace
 
 std::uint32_t weld_partition_bits(std::uint32_t vertices) {
-    return std::uint32_t(std::bit_width(std::min(std::bit_ceil(vertices / records_per_partition + 1), most_partitions)) - 1);
+    return std::uint32_t(
+        std::bit_width(std::min(std::bit_ceil(vertices / records_per_partition + 1), most_partitions)) - 1);
 }
 
-void hash_places(const FastState& state, LaneScratch& lane, std::uint32_t mesh, std::uint32_t first, std::uint32_t last) {
+void hash_places(const FastState& state, LaneScratch& lane, std::uint32_t mesh, std::uint32_t first,
+                 std::uint32_t last) {
     if (first >= last) return;
     const vec3* const positions = state.input.meshes[mesh].positions.data();
     std::uint32_t* const hashes = state.hashes(mesh);
@@ -213,8 +227,10 @@ void hash_places(const FastState& state, LaneScratch& lane, std::uint32_t mesh, 
 }
 
 void weld_rows(FastState& state) {
-    if (state.is_identity) FastWeld<true>(state).run();
-    else FastWeld<false>(state).run();
+    if (state.is_identity)
+        FastWeld<true>(state).run();
+    else
+        FastWeld<false>(state).run();
 }
 
 }  // namespace rakelight::geometry

@@ -8,7 +8,8 @@ std::uint32_t weld_partition_bits(std::uint32_t vertices);
 
 /// Writes the hashes of positions first .. last - 1 of a mesh (in the world, -0 as +0; with scope `object` also of the object)
 /// and counts them by their partitions in the lane.
-void hash_places(const FastState& state, LaneScratch& lane, std::uint32_t mesh, std::uint32_t first, std::uint32_t last);
+void hash_places(const FastState& state, LaneScratch& lane, std::uint32_t mesh, std::uint32_t first,
+                 std::uint32_t last);
 
 /// Finds the vertices that share a place (exactly, -0 equal to +0; with scope `object` only inside one object) and gives each
 /// class its common row: the sum of its members' rows in the order of their numbers. All places must have been hashed. One

@@ -25,11 +25,14 @@ struct TangentRules {
     float* skew;      // [degrees] out: how far the sum is from perpendicular; or null
 };
 
-vec4 tangent_of(const Placement& placement, const TangentRow& row, dvec3 normal, dvec3 object_normal, TangentRules rules) {
+vec4 tangent_of(const Placement& placement, const TangentRow& row, dvec3 normal, dvec3 object_normal,
+                TangentRules rules) {
     dvec3 t = row.tangent - normal * dot(normal, row.tangent);
     const bool vanished = !(length(t) > cancelled_share * std::fabs(row.hand));
-    if (vanished) t = perpendicular(normal);
-    else if (rules.skew) *rules.skew = float(skew_deg(normal, direction_of(row.tangent).unit));
+    if (vanished)
+        t = perpendicular(normal);
+    else if (rules.skew)
+        *rules.skew = float(skew_deg(normal, direction_of(row.tangent).unit));
     const bool orthogonal = rules.orthogonal || vanished;
     dvec3 back = times_transposed(placement.normal_to_world, orthogonal ? t : row.tangent);
     back = direction_of(back).unit;
@@ -42,7 +45,11 @@ vec4 tangent_of(const Placement& placement, const TangentRow& row, dvec3 normal,
 class Finish {
 public:
     Finish(const VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options)
-        : sums_(sums), input_(input), options_(options), topology_(topology), appended_base_(appended_base(topology, input)),
+        : sums_(sums),
+          input_(input),
+          options_(options),
+          topology_(topology),
+          appended_base_(appended_base(topology, input)),
           skew_(options.measure_orthogonality && sums.has_tangents() ? topology.group.size() : 0, 0) {}
 
     std::uint32_t appended(std::uint32_t m) const { return appended_base_[m + 1] - appended_base_[m]; }
@@ -85,7 +92,8 @@ public:
         for_each_range(chunk, input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
             const Target to = target_of(m);
             for (std::uint32_t v = first; v != last; ++v)
-                vertex(m, input_.vertex_base[m] + v, v, to.normals + v, to.tangents + (makes_tangents(m) ? v : 0), cancelled);
+                vertex(m, input_.vertex_base[m] + v, v, to.normals + v, to.tangents + (makes_tangents(m) ? v : 0),
+                       cancelled);
         });
         for_each_range(chunk, appended_base_, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
             const Target to = target_of(m);
@@ -126,7 +134,8 @@ private:
             out.source_vertex.push_back(topology_.source[a] - input_.vertex_base[m]);
     }
 
-    void vertex(std::uint32_t m, std::uint32_t row, std::uint32_t source, vec3* to_normal, vec4* to_tangent, Cancelled& cancelled) {
+    void vertex(std::uint32_t m, std::uint32_t row, std::uint32_t source, vec3* to_normal, vec4* to_tangent,
+                Cancelled& cancelled) {
         const NormalRow& sum = sums_.normals[row];
         const Placement& placement = input_.placements[m];
         dvec3 normal, object_normal = no_normal;
@@ -139,16 +148,21 @@ private:
             *to_normal = is_unit ? given : cast<float>(object_normal);
         } else {
             if (sum.weight > 0) {
-                if (has_cancelled(sum)) cancelled.push_back(row);
-                else normal = direction_of(sum.normal).unit;
+                if (has_cancelled(sum))
+                    cancelled.push_back(row);
+                else
+                    normal = direction_of(sum.normal).unit;
             }
             if (normal != dvec3{}) object_normal = to_object(placement, normal);
             *to_normal = cast<float>(object_normal);
         }
         if (!makes_tangents(m)) return;
-        const TangentRules rules{options_.orthogonalize == Orthogonalize::attribute, skew_.empty() ? nullptr : &skew_[row]};
-        if (normal != dvec3{}) *to_tangent = tangent_of(placement, sums_.tangents[row], normal, object_normal, rules);
-        else *to_tangent = {1, 0, 0, 1};
+        const TangentRules rules{options_.orthogonalize == Orthogonalize::attribute,
+                                 skew_.empty() ? nullptr : &skew_[row]};
+        if (normal != dvec3{})
+            *to_tangent = tangent_of(placement, sums_.tangents[row], normal, object_normal, rules);
+        else
+            *to_tangent = {1, 0, 0, 1};
     }
 
     const VoteSums& sums_;
@@ -185,8 +199,8 @@ Cancelled finish_all(Finish& finish, const AttributeInput& input, std::vector<Ou
 Cancelled finish_vertices(const VoteSums& sums, const Topology& topology, const AttributeInput& input,
                           const AttributeOptions& options, std::vector<MeshAttributes>& out, Context& context) {
     Finish finish(sums, topology, input, options);
-    Cancelled cancelled =
-        finish_all(finish, input, out, [&](std::uint32_t m) { return finish.target(m, out[m]); }, context);
+    Cancelled cancelled = finish_all(
+        finish, input, out, [&](std::uint32_t m) { return finish.target(m, out[m]); }, context);
     context.parallel_for(input.meshes.size(), [&](std::size_t m) { finish.measure(std::uint32_t(m), out[m]); });
     return cancelled;
 }
@@ -195,7 +209,8 @@ Cancelled finish_vertices(const VoteSums& sums, const Topology& topology, const 
                           const AttributeOptions& options, std::span<const AttributeBuffers> out,
                           std::vector<SplitAttributes>& splits, Context& context) {
     Finish finish(sums, topology, input, options);
-    return finish_all(finish, input, splits, [&](std::uint32_t m) { return Finish::target(out[m], splits[m]); }, context);
+    return finish_all(
+        finish, input, splits, [&](std::uint32_t m) { return Finish::target(out[m], splits[m]); }, context);
 }
 
 }  // namespace rakelight::geometry

@@ -29,9 +29,12 @@ bool is_grouped(const AttributeMesh& mesh) { return !mesh.smoothing.empty() && m
 
 }  // namespace
 
-JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options, JoinRule rule,
-                     const FaceNormals& normals)
-    : input_(input), places_(topology.places->data()), normals_(normals.data()), rule_(rule),
+JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options,
+                     JoinRule rule, const FaceNormals& normals)
+    : input_(input),
+      places_(topology.places->data()),
+      normals_(normals.data()),
+      rule_(rule),
       groups_across_(options.groups_across) {
     const CreaseRange creases = crease_range(input.meshes, options);
     least_cos_ = cosine_of(creases.least);
@@ -141,8 +144,10 @@ void JoinRules::join(Fan& fan, UnionFind& sets) const {
     if (rule_ == JoinRule::apart || fan.size() < 2) return;
     if (rule_ == JoinRule::crease && (joins_all_ || joins_some_)) join_everything(fan, sets);
     gather_places(fan);
-    if (fan.size() <= few) join_pairs(fan, sets);
-    else join_edges(fan, sets);
+    if (fan.size() <= few)
+        join_pairs(fan, sets);
+    else
+        join_edges(fan, sets);
     if (has_hints_ && rule_ == JoinRule::crease) join_hints(fan, sets);
 }
 
@@ -152,7 +157,8 @@ void JoinRules::gather_places(Fan& fan) const {
     fan.previous.resize(fan.size());
     for (std::size_t i = 0; i < fan.size(); ++i) {
         const std::uint32_t k = fan.corner[i] % 3, m = fan.mesh[i];
-        const std::uint32_t* const face = input_.meshes[m].indices.data() + (fan.corner[i] - k - 3 * input_.triangle_base[m]);
+        const std::uint32_t* const face =
+            input_.meshes[m].indices.data() + (fan.corner[i] - k - 3 * input_.triangle_base[m]);
         const std::uint32_t* const places = places_ + input_.vertex_base[m];
         fan.next[i] = places[face[after[k]]];
         fan.previous[i] = places[face[after[after[k]]]];
@@ -251,16 +257,16 @@ void JoinRules::join_around(const Fan& fan, std::span<const Spoke> spokes, Union
         const auto turn = [&](std::size_t i) -> const Spoke& { return at(backwards ? 2 * count - 1 - i : i); };
         for (std::size_t i = 2 * count - 1; i-- > 0;) next[i] = obeys_angle(turn(i), turn(i + 1)) ? i + 1 : next[i + 1];
         for (std::size_t i = 0; i < count; ++i)
-            if (next[i] < 2 * count && joined(fan, turn(i), turn(next[i]))) sets.join(turn(i).index, turn(next[i]).index);
+            if (next[i] < 2 * count && joined(fan, turn(i), turn(next[i])))
+                sets.join(turn(i).index, turn(next[i]).index);
     }
 }
 
 void JoinRules::join_many_by_group(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
     std::vector<Spoke> sorted(spokes.begin(), spokes.end());
     const auto key = [&](const Spoke& s) { return std::tuple(fan.authority[s.index], fan.group[s.index]); };
-    std::sort(sorted.begin(), sorted.end(), [&](const Spoke& a, const Spoke& b) {
-        return key(a) != key(b) ? key(a) < key(b) : a.index < b.index;
-    });
+    std::sort(sorted.begin(), sorted.end(),
+              [&](const Spoke& a, const Spoke& b) { return key(a) != key(b) ? key(a) < key(b) : a.index < b.index; });
     std::uint64_t authority = 0;
     std::uint32_t first_of_bit[32] = {}, seen = 0;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -273,8 +279,10 @@ void JoinRules::join_many_by_group(const Fan& fan, std::span<const Spoke> spokes
         if (fan.kind[index] != GroupKind::masks) continue;
         for (std::uint32_t bit = 0; bit < 32; ++bit) {
             if ((group >> bit & 1) == 0) continue;
-            if ((seen >> bit & 1) != 0) sets.join(first_of_bit[bit], index);
-            else first_of_bit[bit] = index;
+            if ((seen >> bit & 1) != 0)
+                sets.join(first_of_bit[bit], index);
+            else
+                first_of_bit[bit] = index;
         }
         seen |= group;
     }
@@ -289,8 +297,10 @@ void JoinRules::join_everything(const Fan& fan, UnionFind& sets) const {
     std::size_t first = fan.size(), other = fan.size();
     for (std::size_t i = 0; i < fan.size() && other == fan.size(); ++i) {
         if (!takes_part(i)) continue;
-        if (first == fan.size()) first = i;
-        else if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[first]) other = i;
+        if (first == fan.size())
+            first = i;
+        else if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[first])
+            other = i;
     }
     if (other == fan.size()) return;
     for (std::size_t i = 0; i < fan.size(); ++i)

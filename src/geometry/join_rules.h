@@ -13,8 +13,8 @@ namespace rakelight::geometry {
 /// What a stage of grouping is after.
 enum class JoinRule : std::uint8_t {
     crease,  ///< creases, smoothing groups and hints (the user's choice)
-    side,    ///< the two sides of coincident shells whose normals cancel: neighbors that run on, not those that turn back
-    apart,   ///< nothing is joined: each face for itself
+    side,  ///< the two sides of coincident shells whose normals cancel: neighbors that run on, not those that turn back
+    apart,  ///< nothing is joined: each face for itself
 };
 
 /// Cosine of 89.4 degrees: while each face of a group looks less far away from its first one, the sum of their weighted normals
@@ -29,12 +29,13 @@ struct Spoke {
 
 /// The faces at one place, as seen by the rules; index i is the i-th corner of the place.
 struct Fan {
-    std::vector<std::uint32_t> corner;       ///< numbered through, ascending
-    std::vector<std::uint32_t> mesh;         ///< of the corner
-    std::vector<dvec3> normal;               ///< of its face; zero: no vote
-    std::vector<std::uint64_t> authority;    ///< faces of equal non-zero authority obey their groups, all others the angle
-    std::vector<std::uint32_t> group;        ///< smoothing group or mask
-    std::vector<GroupKind> kind;             ///< none with an authority: the hint rules
+    std::vector<std::uint32_t> corner;  ///< numbered through, ascending
+    std::vector<std::uint32_t> mesh;    ///< of the corner
+    std::vector<dvec3> normal;          ///< of its face; zero: no vote
+    std::vector<std::uint64_t>
+        authority;                     ///< faces of equal non-zero authority obey their groups, all others the angle
+    std::vector<std::uint32_t> group;  ///< smoothing group or mask
+    std::vector<GroupKind> kind;       ///< none with an authority: the hint rules
     std::vector<vec3> hint;
     std::vector<std::uint32_t> next, previous;  ///< scratch of JoinRules: places of a face's other corners
     std::vector<Spoke> spokes;                  ///< scratch of JoinRules
@@ -80,7 +81,7 @@ private:
     JoinRule rule_;
     bool groups_across_;
     bool joins_all_, joins_some_;  ///< crease angle pi, of all meshes, of some
-    double least_cos_;  ///< of the crease angle
+    double least_cos_;             ///< of the crease angle
     /// [meshes] where crease angles differ, else empty: above is that of the smallest then.
     std::vector<double> own_cos_;
     bool has_groups_ = false, has_hints_ = false;

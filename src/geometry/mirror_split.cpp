@@ -27,7 +27,8 @@ void for_each_hand(const AttributeInput& input, bool keep_normals, const std::ve
                 if (hand == 0 || cross(face.e1, face.e2) == dvec3{}) continue;
                 const Direction normal = keep_normals ? face_normal(placement, face) : Direction{};
                 for (std::uint32_t k = 0; k < 3; ++k) {
-                    const double seen = keep_normals ? hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand) : hand;
+                    const double seen =
+                        keep_normals ? hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand) : hand;
                     body(m, 3 * (input.triangle_base[m] + t) + k, seen);
                 }
             }

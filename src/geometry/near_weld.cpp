@@ -17,7 +17,8 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::size_t crowded = 1024;      // places in one cell: more is no model but an attack, or a distance far too large
+constexpr std::size_t crowded =
+    1024;  // places in one cell: more is no model but an attack, or a distance far too large
 
 struct Entry {
     dvec3 position;
@@ -30,7 +31,10 @@ using SharedPlace = std::pair<std::uint32_t, std::uint32_t>;
 class NearWeld {
 public:
     NearWeld(std::vector<std::uint32_t>& representative, const AttributeInput& input, WeldKey key, Context& context)
-        : representative_(representative), input_(input), key_(key), context_(context),
+        : representative_(representative),
+          input_(input),
+          key_(key),
+          context_(context),
           chunks_(make_chunks(input.vertex_base, vertices_per_chunk)) {}
 
     void run(double distance) {
@@ -73,10 +77,11 @@ private:
     void find_shared_places() {
         std::vector<std::vector<SharedPlace>> found(chunks_.size());
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
-            for_each_range(chunks_[c], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-                for (std::uint32_t v = input_.vertex_base[m] + first; v != input_.vertex_base[m] + last; ++v)
-                    if (representative_[v] < input_.vertex_base[m]) found[c].emplace_back(representative_[v], m);
-            });
+            for_each_range(
+                chunks_[c], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                    for (std::uint32_t v = input_.vertex_base[m] + first; v != input_.vertex_base[m] + last; ++v)
+                        if (representative_[v] < input_.vertex_base[m]) found[c].emplace_back(representative_[v], m);
+                });
         });
         for (const auto& part : found) shared_.insert(shared_.end(), part.begin(), part.end());
         std::sort(shared_.begin(), shared_.end());
@@ -116,20 +121,22 @@ private:
         const double most = reach(a, b);
         const dvec3 d = b.position - a.position;
         if (!(most >= 0) || !(dot(d, d) <= most * most)) return false;
-        const bool by_step = by_meshes_ && (input_.meshes[a.mesh].position_step > 0 || input_.meshes[b.mesh].position_step > 0);
+        const bool by_step =
+            by_meshes_ && (input_.meshes[a.mesh].position_step > 0 || input_.meshes[b.mesh].position_step > 0);
         return !by_step || !have_a_mesh_in_common(a, b);
     }
 
     // Calls body(mesh, vertex, position) for each place of finite position, once.
     template <class Body>
     void for_each_place(std::size_t chunk, const Body& body) const {
-        for_each_range(chunks_[chunk], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            for (std::uint32_t v = first; v != last; ++v) {
-                if (representative_[input_.vertex_base[m] + v] != input_.vertex_base[m] + v) continue;
-                const dvec3 p = input_.placements[m].position(input_.meshes[m].positions[v]);
-                if (is_finite(p)) body(m, input_.vertex_base[m] + v, p);
-            }
-        });
+        for_each_range(chunks_[chunk], input_.vertex_base,
+                       [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                           for (std::uint32_t v = first; v != last; ++v) {
+                               if (representative_[input_.vertex_base[m] + v] != input_.vertex_base[m] + v) continue;
+                               const dvec3 p = input_.placements[m].position(input_.meshes[m].positions[v]);
+                               if (is_finite(p)) body(m, input_.vertex_base[m] + v, p);
+                           }
+                       });
     }
 
     Box bounds() const {
@@ -194,7 +201,8 @@ private:
         if (!pairs.empty()) sets.reset(representative_.size());
         for (const Pair& pair : pairs) sets.join(pair.a, pair.b);
         // By the place that they become.
-        std::sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return sets.root(a.a) < sets.root(b.a); });
+        std::sort(pairs.begin(), pairs.end(),
+                  [&](const Pair& a, const Pair& b) { return sets.root(a.a) < sets.root(b.a); });
         std::vector<bool> is_welded(pairs.empty() ? 0 : representative_.size(), false);
         std::uint64_t too_wide = 0;
         for (std::size_t first = 0, last = 0; first < pairs.size(); first = last) {
@@ -205,9 +213,10 @@ private:
         }
         const std::uint64_t left = std::accumulate(crowded_.begin(), crowded_.end(), std::uint64_t(0));
         if (too_wide + left != 0)
-            context_.report().add(Remark::warning, {}, {},
-                                  std::to_string(too_wide) + " chains and " + std::to_string(left) +
-                                      " crowded vertices lie too close together to be welded within a tolerance; kept exact");
+            context_.report().add(
+                Remark::warning, {}, {},
+                std::to_string(too_wide) + " chains and " + std::to_string(left) +
+                    " crowded vertices lie too close together to be welded within a tolerance; kept exact");
         if (pairs.empty()) return;
         for (std::uint32_t& r : representative_) {
             const std::uint32_t root = sets.root(r);
@@ -234,8 +243,8 @@ private:
     std::vector<std::uint32_t> matrix_;  // [meshes] equal numbers: equal matrices
     std::size_t matrices_ = 0;
     bool by_meshes_ = false, quantized_ = false;
-    std::vector<double> reach_;          // [meshes] where the meshes set the distance
-    std::vector<SharedPlace> shared_;    // sorted
+    std::vector<double> reach_;        // [meshes] where the meshes set the distance
+    std::vector<SharedPlace> shared_;  // sorted
     double distance_ = 0;
     dvec3 origin_;
     std::vector<std::uint64_t> crowded_;

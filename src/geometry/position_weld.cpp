@@ -67,10 +67,11 @@ public:
         partition();
         std::vector<std::uint32_t> representative(input_.vertex_count());
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
-            for_each_range(chunks_[c], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-                const auto begin = representative.begin() + input_.vertex_base[m];
-                std::iota(begin + first, begin + last, input_.vertex_base[m] + first);
-            });
+            for_each_range(chunks_[c], input_.vertex_base,
+                           [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                               const auto begin = representative.begin() + input_.vertex_base[m];
+                               std::iota(begin + first, begin + last, input_.vertex_base[m] + first);
+                           });
         });
         std::atomic<std::uint64_t> all_met{0};
         context_.parallel_for(partitions_, [&](std::size_t p) { all_met += match(std::uint32_t(p), representative); });
@@ -84,9 +85,10 @@ private:
     // Calls body(vertex) for each vertex of a chunk.
     template <class Body>
     void for_each_vertex(std::size_t chunk, const Body& body) const {
-        for_each_range(chunks_[chunk], input_.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            for (std::uint32_t v = first; v != last; ++v) body(m, input_.vertex_base[m] + v);
-        });
+        for_each_range(chunks_[chunk], input_.vertex_base,
+                       [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                           for (std::uint32_t v = first; v != last; ++v) body(m, input_.vertex_base[m] + v);
+                       });
     }
     // 0: not a place; partition and slot are taken from different ends of the rest.
     std::uint32_t hash_at(std::uint32_t m, std::uint32_t vertex) const {

@@ -13,9 +13,10 @@ namespace rakelight::geometry {
 
 /// Output vertices are numbered through: the input's first (AttributeInput's numbers), then the appended ones.
 struct Topology {
-    std::shared_ptr<const std::vector<std::uint32_t>> places;  ///< [input vertices] smallest one at the same place; never null
-    std::vector<std::uint32_t> group;          ///< [output vertices] one of the vertices that share its normal; group[g] == g
-    std::vector<std::uint32_t> source;         ///< [appended] the input vertex that each copies
+    std::shared_ptr<const std::vector<std::uint32_t>>
+        places;                         ///< [input vertices] smallest one at the same place; never null
+    std::vector<std::uint32_t> group;   ///< [output vertices] one of the vertices that share its normal; group[g] == g
+    std::vector<std::uint32_t> source;  ///< [appended] the input vertex that each copies
     std::vector<std::uint32_t> corner_vertex;  ///< [3 * triangles] output vertex; empty: nothing was split
 
     std::uint32_t vertex_of(const AttributeInput& input, std::uint32_t mesh, std::uint32_t corner) const {

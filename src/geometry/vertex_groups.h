@@ -7,7 +7,7 @@ namespace rakelight::geometry {
 
 /// The groups of two and more vertices, as lists; members ascend. A vertex in no list is alone.
 struct VertexGroups {
-    std::vector<std::uint32_t> begin;    ///< [groups + 1]
+    std::vector<std::uint32_t> begin;  ///< [groups + 1]
     std::vector<std::uint32_t> members;
     std::size_t size() const { return begin.size() - 1; }
 };

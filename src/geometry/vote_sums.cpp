@@ -57,9 +57,15 @@ class Scatter {
 public:
     Scatter(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
             Context& context)
-        : sums_(sums), topology_(topology), input_(input), options_(options), context_(context),
-          appended_base_(appended_base(topology, input)), chunks_(make_chunks(input.triangle_base, triangles_per_chunk)),
-          memory_(context.memory()), outbox_(chunks_.size()) {}
+        : sums_(sums),
+          topology_(topology),
+          input_(input),
+          options_(options),
+          context_(context),
+          appended_base_(appended_base(topology, input)),
+          chunks_(make_chunks(input.triangle_base, triangles_per_chunk)),
+          memory_(context.memory()),
+          outbox_(chunks_.size()) {}
 
     void run() {
         context_.parallel_for(chunks_.size(), [&](std::size_t c) { scatter(c); });
@@ -96,10 +102,14 @@ private:
             clear(own);
             const bool tangents = sums_.has_tangents() && !input_.meshes[m].texcoords.empty();
             switch (options_.weight) {
-                case CornerWeight::uniform: return scatter_as<CornerWeight::uniform>(tangents, c, m, first, last, own);
-                case CornerWeight::area: return scatter_as<CornerWeight::area>(tangents, c, m, first, last, own);
-                case CornerWeight::angle: return scatter_as<CornerWeight::angle>(tangents, c, m, first, last, own);
-                case CornerWeight::angle_area: return scatter_as<CornerWeight::angle_area>(tangents, c, m, first, last, own);
+                case CornerWeight::uniform:
+                    return scatter_as<CornerWeight::uniform>(tangents, c, m, first, last, own);
+                case CornerWeight::area:
+                    return scatter_as<CornerWeight::area>(tangents, c, m, first, last, own);
+                case CornerWeight::angle:
+                    return scatter_as<CornerWeight::angle>(tangents, c, m, first, last, own);
+                case CornerWeight::angle_area:
+                    return scatter_as<CornerWeight::angle_area>(tangents, c, m, first, last, own);
             }
         });
     }
@@ -113,9 +123,12 @@ private:
     }
 
     template <CornerWeight weight>
-    void scatter_as(bool tangents, std::size_t c, std::uint32_t m, std::uint32_t first, std::uint32_t last, const Owned& own) {
-        if (tangents) scatter_range<weight, true>(c, m, first, last, own);
-        else scatter_range<weight, false>(c, m, first, last, own);
+    void scatter_as(bool tangents, std::size_t c, std::uint32_t m, std::uint32_t first, std::uint32_t last,
+                    const Owned& own) {
+        if (tangents)
+            scatter_range<weight, true>(c, m, first, last, own);
+        else
+            scatter_range<weight, false>(c, m, first, last, own);
     }
 
     // Everything that the loop reads is copied to its own stack frame first: no thread shares a cache line with it.
@@ -145,7 +158,8 @@ private:
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const double w = weights[k];
                 double hand = tangent.hand * w;
-                if (tangents && keep_normals) hand = hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
+                if (tangents && keep_normals)
+                    hand = hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
                 const std::uint32_t row = split ? split[3 * std::size_t(t) + k] : vertex_base + index[k];
                 if (owns_all || own.holds(row)) {
                     add(normals[row], normal.unit * w, w);
@@ -157,7 +171,8 @@ private:
                 }
             }
         }
-        if (degenerate != 0) std::atomic_ref(sums_.degenerate_faces[m]).fetch_add(degenerate, std::memory_order_relaxed);
+        if (degenerate != 0)
+            std::atomic_ref(sums_.degenerate_faces[m]).fetch_add(degenerate, std::memory_order_relaxed);
     }
 
     void drain(std::size_t c) {
@@ -172,7 +187,8 @@ private:
             const Owned own = owned_by(chunk, m);
             std::uint32_t isolated = 0;
             for (std::uint32_t row = own.begin; row != own.end; ++row) isolated += normals[row].weight > 0 ? 0 : 1;
-            if (isolated != 0) std::atomic_ref(sums_.isolated_vertices[m]).fetch_add(isolated, std::memory_order_relaxed);
+            if (isolated != 0)
+                std::atomic_ref(sums_.isolated_vertices[m]).fetch_add(isolated, std::memory_order_relaxed);
         }
     }
 
@@ -197,8 +213,8 @@ std::vector<std::uint32_t> appended_base(const Topology& topology, const Attribu
     return base;
 }
 
-VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options, Context& context,
-                   BlockArray<NormalRow>&& normals, BlockArray<TangentRow>&& tangents) {
+VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
+                   Context& context, BlockArray<NormalRow>&& normals, BlockArray<TangentRow>&& tangents) {
     VoteSums sums;
     sums.normals = std::move(normals);
     sums.normals.reserve(topology.group.size());
@@ -216,8 +232,9 @@ VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const 
 void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
                 const AttributeOptions& options, Context& context) {
     constexpr std::size_t step = 1u << 13;
-    const bool skips_locked = !options.locked_vote && std::any_of(input.meshes.begin(), input.meshes.end(),
-                                                                  [](const AttributeMesh& m) { return !m.locked.empty(); });
+    const bool skips_locked =
+        !options.locked_vote &&
+        std::any_of(input.meshes.begin(), input.meshes.end(), [](const AttributeMesh& m) { return !m.locked.empty(); });
     const auto has_no_say = [&](std::uint32_t vertex) {
         if (!skips_locked) return false;
         const std::uint32_t v = topology.source_of(input, vertex), m = input.mesh_of_vertex(v);
@@ -253,11 +270,12 @@ void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topo
             if (sums.has_tangents()) tangents.average(direction_of(normal).unit, members, sums.tangents.data());
         }
     });
-    for (const auto& part : cancelled) sums.cancelled_groups.insert(sums.cancelled_groups.end(), part.begin(), part.end());
+    for (const auto& part : cancelled)
+        sums.cancelled_groups.insert(sums.cancelled_groups.end(), part.begin(), part.end());
 }
 
-std::vector<std::uint32_t> cancelled_vertices(const VoteSums& sums, const Topology& topology, const AttributeInput& input,
-                                              Context& context) {
+std::vector<std::uint32_t> cancelled_vertices(const VoteSums& sums, const Topology& topology,
+                                              const AttributeInput& input, Context& context) {
     const std::size_t count = topology.group.size(), step = vertices_per_chunk;
     std::vector<std::vector<std::uint32_t>> found((count + step - 1) / step);
     context.parallel_for(found.size(), [&](std::size_t c) {

@@ -13,13 +13,15 @@ namespace {
 
 double component_at(const Pixels& pixels, std::size_t i) {
     switch (pixels.component) {
-        case Component::u8: return double(std::uint8_t(pixels.bytes[i])) / 255.0;
+        case Component::u8:
+            return double(std::uint8_t(pixels.bytes[i])) / 255.0;
         case Component::u16: {
             std::uint16_t value = 0;
             std::memcpy(&value, pixels.bytes.data() + 2 * i, sizeof(value));
             return double(value) / 65535.0;
         }
-        case Component::f32: break;
+        case Component::f32:
+            break;
     }
     float value = 0;
     std::memcpy(&value, pixels.bytes.data() + 4 * i, sizeof(value));

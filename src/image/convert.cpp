@@ -35,7 +35,8 @@ void expand_rgba8(const std::byte* from, int channels, int width, std::uint32_t*
             for (int x = 0; x < width; ++x, from += 3) to[x] = value(0) | value(1) << 8 | value(2) << 16 | opaque;
             break;
         default:
-            for (int x = 0; x < width; ++x, from += 4) to[x] = value(0) | value(1) << 8 | value(2) << 16 | value(3) << 24;
+            for (int x = 0; x < width; ++x, from += 4)
+                to[x] = value(0) | value(1) << 8 | value(2) << 16 | value(3) << 24;
     }
 }
 
@@ -63,7 +64,8 @@ void expand_rgba32f(const std::byte* from, int channels, int width, vec4* to, co
         T value[4];
         std::memcpy(value, from, std::size_t(channels) * sizeof(T));
         const float r = color(value[0]);
-        to[x] = {r, gray ? r : color(value[1]), gray ? r : color(value[2]), has_alpha ? plain(value[channels - 1]) : 1.0f};
+        to[x] = {r, gray ? r : color(value[1]), gray ? r : color(value[2]),
+                 has_alpha ? plain(value[channels - 1]) : 1.0f};
     }
 }
 
@@ -81,7 +83,8 @@ std::vector<std::uint32_t> to_rgba8(const Pixels& pixels, Context& context) {
     const std::size_t count = std::size_t(pixels.width) * std::size_t(pixels.height);
     std::vector<std::uint32_t> out(count);
     for_rows(pixels.height, context, [&](int y) {
-        expand_rgba8(pixels.row(y), pixels.channels, pixels.width, out.data() + std::size_t(y) * std::size_t(pixels.width));
+        expand_rgba8(pixels.row(y), pixels.channels, pixels.width,
+                     out.data() + std::size_t(y) * std::size_t(pixels.width));
     });
     return out;
 }
@@ -99,9 +102,15 @@ std::vector<vec4> to_rgba32f(const Pixels& pixels, ColorSpace space, Context& co
     for_rows(pixels.height, context, [&](int y) {
         vec4* const to = out.data() + std::size_t(y) * std::size_t(pixels.width);
         switch (pixels.component) {
-            case Component::u8: expand_rgba32f<std::uint8_t>(pixels.row(y), pixels.channels, pixels.width, to, color8, unit8); break;
-            case Component::u16: expand_rgba32f<std::uint16_t>(pixels.row(y), pixels.channels, pixels.width, to, color16, unit16); break;
-            case Component::f32: expand_rgba32f<float>(pixels.row(y), pixels.channels, pixels.width, to, finite, finite); break;
+            case Component::u8:
+                expand_rgba32f<std::uint8_t>(pixels.row(y), pixels.channels, pixels.width, to, color8, unit8);
+                break;
+            case Component::u16:
+                expand_rgba32f<std::uint16_t>(pixels.row(y), pixels.channels, pixels.width, to, color16, unit16);
+                break;
+            case Component::f32:
+                expand_rgba32f<float>(pixels.row(y), pixels.channels, pixels.width, to, finite, finite);
+                break;
         }
     });
     return out;

@@ -31,7 +31,6 @@ const MipLevel& level_for(const MipChain& chain, int width) {
 }
 
 // --- diffuse: spherical harmonics
-// ----------------------------------------------------------------------------------------
 
 using Harmonics = std::array<dvec3, 9>;
 
@@ -80,7 +79,6 @@ std::array<vec3, 9> irradiance_of(const MipChain& chain, Context& context) {
 }
 
 // --- glossy: octahedral maps
-// ---------------------------------------------------------------------------------------------
 
 vec3 blend(const vec3& a, const vec3& b, float t) { return a + (b - a) * t; }
 

@@ -60,7 +60,8 @@ void encode_row(const vec4* from, int width, bool srgb, std::uint32_t* to) {
             to[x] = encode(from[x].x) | encode(from[x].y) << 8 | encode(from[x].z) << 16 | round_code(from[x].w) << 24;
     } else {
         for (int x = 0; x < width; ++x)
-            to[x] = round_code(from[x].x) | round_code(from[x].y) << 8 | round_code(from[x].z) << 16 | round_code(from[x].w) << 24;
+            to[x] = round_code(from[x].x) | round_code(from[x].y) << 8 | round_code(from[x].z) << 16 |
+                    round_code(from[x].w) << 24;
     }
 }
 
@@ -98,13 +99,15 @@ std::vector<vec4> halve(std::span<const Texel> larger, int width, int height, co
         const int first = int(task) * rows_per_task, last = std::min(half_height, first + rows_per_task);
         for (int y = first; y < last; ++y) {
             filter_vertically(larger.data(), width, taps_of(y, height), decode, row.data());
-            filter_horizontally(row.data(), width, half_width, smaller.data() + std::size_t(y) * std::size_t(half_width));
+            filter_horizontally(row.data(), width, half_width,
+                                smaller.data() + std::size_t(y) * std::size_t(half_width));
         }
     });
     return smaller;
 }
 
-std::vector<std::uint32_t> encode(const std::vector<vec4>& averages, int width, int height, bool srgb, Context& context) {
+std::vector<std::uint32_t> encode(const std::vector<vec4>& averages, int width, int height, bool srgb,
+                                  Context& context) {
     std::vector<std::uint32_t> codes(averages.size());
     context.parallel_for(std::size_t((height + rows_per_task - 1) / rows_per_task), [&](std::size_t task) {
         const int first = int(task) * rows_per_task, last = std::min(height, first + rows_per_task);

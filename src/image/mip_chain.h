@@ -13,16 +13,17 @@ namespace rakelight {
 
 /// One version of a picture, row 0 on top. Exactly one of the two arrays is filled.
 struct MipLevel {
-    int width = 0, height = 0;          ///< [px] >= 1
-    std::vector<std::uint32_t> rgba8;   ///< [height * width] code values, R in the low byte
-    std::vector<vec4> rgba32f;          ///< [height * width] linear RGB, straight alpha; finite
+    int width = 0, height = 0;         ///< [px] >= 1
+    std::vector<std::uint32_t> rgba8;  ///< [height * width] code values, R in the low byte
+    std::vector<vec4> rgba32f;         ///< [height * width] linear RGB, straight alpha; finite
 };
 
 struct MipChain {
-    bool is_srgb = false;          ///< the RGB of rgba8 are sRGB codes (alpha is linear always)
-    bool is_float = false;         ///< rgba32f is filled, else rgba8
-    MemoryCharge charge;           ///< pays for the levels
-    std::vector<MipLevel> levels;  ///< full size first, 1 x 1 last; each side is max(1, half of the one before, rounded down)
+    bool is_srgb = false;   ///< the RGB of rgba8 are sRGB codes (alpha is linear always)
+    bool is_float = false;  ///< rgba32f is filled, else rgba8
+    MemoryCharge charge;    ///< pays for the levels
+    std::vector<MipLevel>
+        levels;  ///< full size first, 1 x 1 last; each side is max(1, half of the one before, rounded down)
 };
 
 /// 8-bit pictures keep their codes in level 0 and have rgba8 levels; 16-bit and float pictures become linear floats.

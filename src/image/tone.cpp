@@ -16,7 +16,8 @@ float clamp_unit(float v) { return v > 0 ? (v < 1 ? v : 1.0f) : 0.0f; }
 }  // namespace
 
 void to_srgb8(std::span<const vec4> linear, int channels, std::span<std::uint8_t> out) {
-    RL_ASSERT((channels == 3 || channels == 4) && out.size() == linear.size() * std::size_t(channels), "wrong size of a row");
+    RL_ASSERT((channels == 3 || channels == 4) && out.size() == linear.size() * std::size_t(channels),
+              "wrong size of a row");
     const SrgbEncoder& encode = SrgbEncoder::instance();
     std::uint8_t* to = out.data();
     const vec4* previous = nullptr;
@@ -36,7 +37,8 @@ void to_srgb8(std::span<const vec4> linear, int channels, std::span<std::uint8_t
 }
 
 void to_srgb16(std::span<const vec4> linear, int channels, std::span<std::uint16_t> out) {
-    RL_ASSERT((channels == 3 || channels == 4) && out.size() == linear.size() * std::size_t(channels), "wrong size of a row");
+    RL_ASSERT((channels == 3 || channels == 4) && out.size() == linear.size() * std::size_t(channels),
+              "wrong size of a row");
     const auto code = [](float v) { return std::uint16_t(v * 65535.0f + 0.5f); };
     std::uint16_t* to = out.data();
     for (const vec4& color : linear) {

@@ -62,7 +62,6 @@ vec3 aces(vec3 c) {
 }
 
 // --- AgX
-// -----------------------------------------------------------------------------------------------------------------
 
 /// Sobotka's sigmoid through (0, 0), (1, 1) and the pivot, where its slope is 2: powers 3 below and 3.25 above.
 double agx_sigmoid(double x) {

@@ -58,7 +58,7 @@ public:
     /// Finish where that was not done, rename, fsync of the folder. @throws Error failed; the file may then be in its
     /// place
     void commit(Sync sync = Sync::now);
-    std::FILE* handle() { return file_; }          ///< for libraries that want a FILE*
+    std::FILE* handle() { return file_; }  ///< for libraries that want a FILE*
 
 private:
     std::string path_, temporary_;

@@ -66,8 +66,9 @@ private:
         if (!scene_.animations.empty()) lost("animations are not written");
         const auto has_groups = [](const Mesh& m) { return !m.smoothing.empty() || !m.smoothing_hint.empty(); };
         if (std::any_of(scene_.meshes.begin(), scene_.meshes.end(), has_groups))
-            context_.report().add(Remark::note, scene_.source, {},
-                                  "smoothing groups have no place in glTF: they are in the normals, and gone for a later run");
+            context_.report().add(
+                Remark::note, scene_.source, {},
+                "smoothing groups have no place in glTF: they are in the normals, and gone for a later run");
         const auto has_targets = [](const Mesh& m) { return !m.targets.empty(); };
         if (std::any_of(scene_.meshes.begin(), scene_.meshes.end(), has_targets)) lost("morph targets are not written");
     }

@@ -216,7 +216,8 @@ OrderedJson camera_json(const Camera& camera) {
     if (camera.projection == Projection::perspective) {
         json["type"] = "perspective";
         // glTF cannot say a width alone: that of a square picture then
-        const double up_rad = camera.vertical_fov_rad > 0 ? camera.vertical_fov_rad : camera.horizontal_fov_rad.value_or(0);
+        const double up_rad =
+            camera.vertical_fov_rad > 0 ? camera.vertical_fov_rad : camera.horizontal_fov_rad.value_or(0);
         OrderedJson& p = json["perspective"] = {{"yfov", up_rad}, {"znear", camera.near}};
         if (camera.horizontal_fov_rad)
             p["aspectRatio"] = math::tan(0.5 * *camera.horizontal_fov_rad) / math::tan(0.5 * up_rad);

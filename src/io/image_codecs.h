@@ -18,7 +18,8 @@ enum class Want : std::uint8_t { pixels, header };
 /// Room for a picture, after its size was held against `max_side` and the memory budget; none where only the header is
 /// wanted.
 /// @throws Error bad_file: no pixels, too large
-Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Want want, Context& context);
+Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Want want,
+                   Context& context);
 
 [[noreturn]] void bad_picture(const std::string& reason, const std::string& advice = {});
 
@@ -36,11 +37,16 @@ void check_exr(std::span<const std::byte> bytes, Context& context);
 bool may_be_tga(std::span<const std::byte> bytes);
 
 /// The writers. Sizes are 1..65536, channels 1..4, the component is component_for(path) or u16 for PNG.
-std::unique_ptr<ImageWriter> write_png(const std::string& path, int width, int height, int channels, Component component);
-std::unique_ptr<ImageWriter> write_jpeg(const std::string& path, int width, int height, int channels, Component component);
-std::unique_ptr<ImageWriter> write_webp(const std::string& path, int width, int height, int channels, Component component);
-std::unique_ptr<ImageWriter> write_exr(const std::string& path, int width, int height, int channels, Component component);
-std::unique_ptr<ImageWriter> write_hdr(const std::string& path, int width, int height, int channels, Component component);
+std::unique_ptr<ImageWriter> write_png(const std::string& path, int width, int height, int channels,
+                                       Component component);
+std::unique_ptr<ImageWriter> write_jpeg(const std::string& path, int width, int height, int channels,
+                                        Component component);
+std::unique_ptr<ImageWriter> write_webp(const std::string& path, int width, int height, int channels,
+                                        Component component);
+std::unique_ptr<ImageWriter> write_exr(const std::string& path, int width, int height, int channels,
+                                       Component component);
+std::unique_ptr<ImageWriter> write_hdr(const std::string& path, int width, int height, int channels,
+                                       Component component);
 std::unique_ptr<ImageWriter> write_exr_channels(const std::string& path, int width, int height,
                                                 std::vector<ExrChannel> channels, ExrPlace place);
 

@@ -43,23 +43,26 @@ bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
 /// Formats that models are seen to carry but that are not read here get their name said.
 void refuse_known_formats(std::span<const std::byte> bytes) {
     using namespace std::string_view_literals;
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> known{{{"GIF8"sv, "GIF"sv},
-                                                                                       {"\xabKTX"sv, "KTX"sv},
-                                                                                       {"DDS "sv, "DDS"sv},
-                                                                                       {"II*\0"sv, "TIFF"sv},
-                                                                                       {"MM\0*"sv, "TIFF"sv},
-                                                                                       {"8BPS"sv, "Photoshop"sv},
-                                                                                       {"sB\x13\0"sv, "Basis"sv},
-                                                                                       {"\0\0\0\x0cJXL "sv, "JPEG XL"sv}}};
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> known{
+        {{"GIF8"sv, "GIF"sv},
+         {"\xabKTX"sv, "KTX"sv},
+         {"DDS "sv, "DDS"sv},
+         {"II*\0"sv, "TIFF"sv},
+         {"MM\0*"sv, "TIFF"sv},
+         {"8BPS"sv, "Photoshop"sv},
+         {"sB\x13\0"sv, "Basis"sv},
+         {"\0\0\0\x0cJXL "sv, "JPEG XL"sv}}};
     for (const auto& [magic, name] : known)
         if (begins_with(bytes, magic))
-            codec::bad_picture("pictures in " + std::string(name) + " format are not supported", "convert it to PNG or JPEG");
+            codec::bad_picture("pictures in " + std::string(name) + " format are not supported",
+                               "convert it to PNG or JPEG");
 }
 
 Reader reader_for(std::span<const std::byte> bytes) {
     if (begins_with(bytes, "\x89PNG\r\n\x1a\n")) return codec::read_png;
     if (begins_with(bytes, "\xff\xd8\xff")) return codec::read_jpeg;
-    if (begins_with(bytes, "RIFF") && bytes.size() >= 12 && begins_with(bytes.subspan(8), "WEBP")) return codec::read_webp;
+    if (begins_with(bytes, "RIFF") && bytes.size() >= 12 && begins_with(bytes.subspan(8), "WEBP"))
+        return codec::read_webp;
     if (begins_with(bytes, "\x76\x2f\x31\x01")) return codec::read_exr;
     if (begins_with(bytes, "#?")) return codec::read_hdr;
     if (begins_with(bytes, "BM")) return codec::read_bmp;
@@ -107,8 +110,8 @@ ImageHandle image_from_file(std::string name, std::string model_file, std::strin
                                                              read_own_file<Want::header>});
 }
 
-ImageHandle image_from_bytes(std::string name, std::string model_file, std::shared_ptr<const std::vector<std::byte>> bytes,
-                             std::string mime_type) {
+ImageHandle image_from_bytes(std::string name, std::string model_file,
+                             std::shared_ptr<const std::vector<std::byte>> bytes, std::string mime_type) {
     if (!bytes) bytes = std::make_shared<const std::vector<std::byte>>();
     return std::make_shared<const EncodedImage>(EncodedImage{std::move(name),
                                                              std::move(model_file),

@@ -35,7 +35,8 @@ class MemoryInput final : public Imf::IStream {
 public:
     explicit MemoryInput(std::span<const std::byte> bytes) : IStream("picture"), bytes_(bytes) {}
     bool read(char to[], int count) override {
-        if (count < 0 || at_ > bytes_.size() || bytes_.size() - at_ < std::size_t(count)) throw std::runtime_error("it ends too early");
+        if (count < 0 || at_ > bytes_.size() || bytes_.size() - at_ < std::size_t(count))
+            throw std::runtime_error("it ends too early");
         std::memcpy(to, bytes_.data() + at_, std::size_t(count));
         at_ += std::size_t(count);
         return at_ < bytes_.size();
@@ -71,7 +72,8 @@ struct Layout {
 
 /// The unnamed layer's color. Missing ones of R, G, B count as zero.
 Layout layout_of(const Imf::ChannelList& list) {
-    const bool rgb = list.findChannel("R") || list.findChannel("G") || list.findChannel("B"), alpha = list.findChannel("A") != nullptr;
+    const bool rgb = list.findChannel("R") || list.findChannel("G") || list.findChannel("B"),
+               alpha = list.findChannel("A") != nullptr;
     if (!rgb && !list.findChannel("Y")) bad_picture("an EXR picture without the channels R, G, B or Y");
     Layout layout = rgb ? Layout{{"R", "G", "B", nullptr}, 3} : Layout{{"Y", nullptr, nullptr, nullptr}, 1};
     if (alpha) layout.names[std::size_t(layout.channels++)] = "A";
@@ -112,7 +114,8 @@ Pixels read_luminance_chroma(std::span<const std::byte> bytes, Want want, Contex
     std::vector<float> floats(row.size() * std::size_t(pixels.channels));
     for (int y = 0; y < pixels.height; ++y) {
         context.throw_if_cancelled();
-        const std::int64_t line = std::int64_t(window.min.y) + y;  // the library adds base, x and y strides: row 0 is at -min
+        const std::int64_t line =
+            std::int64_t(window.min.y) + y;  // the library adds base, x and y strides: row 0 is at -min
         file.setFrameBuffer(row.data() - window.min.x, 1, 0);
         file.readPixels(int(line));
         float* to = floats.data();
@@ -135,7 +138,8 @@ Pixels read_part(Imf::MultiPartInputFile& file, Want want, Context& context) {
     Imf::FrameBuffer buffer;
     for (int c = 0; c < layout.channels; ++c)
         buffer.insert(layout.names[std::size_t(c)],
-                      Imf::Slice::Make(Imf::FLOAT, pixels.bytes.data() + 4 * c, window, std::size_t(4 * layout.channels), pixels.row_bytes()));
+                      Imf::Slice::Make(Imf::FLOAT, pixels.bytes.data() + 4 * c, window,
+                                       std::size_t(4 * layout.channels), pixels.row_bytes()));
     part.setFrameBuffer(buffer);
     constexpr std::int64_t rows_at_once = 256;  // more than a block of any compression
     for (std::int64_t y = window.min.y; y <= window.max.y; y += rows_at_once) {

@@ -56,8 +56,8 @@ void read_window(std::span<const std::byte> value, Part& part) {
     part.width = std::uint64_t(at(2) - at(0) + 1);
     part.height = std::uint64_t(at(3) - at(1) + 1);
     if (part.width > max_side || part.height > max_side)
-        bad_picture("the picture is " + std::to_string(part.width) + " x " + std::to_string(part.height) + " pixels, more than " +
-                    std::to_string(max_side) + " a side");
+        bad_picture("the picture is " + std::to_string(part.width) + " x " + std::to_string(part.height) +
+                    " pixels, more than " + std::to_string(max_side) + " a side");
 }
 
 /// Bytes of one pixel in all channels.
@@ -65,11 +65,13 @@ std::uint64_t read_channels(std::span<const std::byte> value) {
     Source source(value);
     std::uint64_t bytes_a_pixel = 0;
     for (std::uint64_t count = 0; !source.name().empty(); ++count) {
-        if (count == max_channels) bad_picture("an EXR picture with more than " + std::to_string(max_channels) + " channels");
+        if (count == max_channels)
+            bad_picture("an EXR picture with more than " + std::to_string(max_channels) + " channels");
         const auto rest = source.take(16);  // type, linearity, sampling in x and y
         bytes_a_pixel += Source::u32_at(rest, 0) == 1 ? 2 : 4;
         for (const std::size_t at : {8, 12})
-            if (Source::u32_at(rest, at) == 0 || Source::u32_at(rest, at) > max_side) bad_picture("broken EXR: its sampling");
+            if (Source::u32_at(rest, at) == 0 || Source::u32_at(rest, at) > max_side)
+                bad_picture("broken EXR: its sampling");
     }
     if (!source.is_at_end()) bad_picture("broken EXR: its list of channels");
     return bytes_a_pixel;
@@ -83,11 +85,30 @@ void read_tiles(std::span<const std::byte> value, Part& part) {
 }
 
 /// Types of one size.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 24> fixed_sizes{
-    {{"box2i", 16}, {"box2f", 16},      {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8},
-     {"envmap", 1}, {"float", 4},       {"int", 4},             {"keycode", 28},    {"lineOrder", 1},      {"m33d", 72},
-     {"m33f", 36},  {"m44d", 128},      {"m44f", 64},           {"rational", 8},    {"tiledesc", 9},       {"timecode", 8},
-     {"v2d", 16},   {"v2f", 8},         {"v2i", 8},             {"v3d", 24},        {"v3f", 12},           {"v3i", 12}}};
+constexpr std::array<std::pair<std::string_view, std::size_t>, 24> fixed_sizes{{{"box2i", 16},
+                                                                                {"box2f", 16},
+                                                                                {"chromaticities", 32},
+                                                                                {"compression", 1},
+                                                                                {"deepImageState", 1},
+                                                                                {"double", 8},
+                                                                                {"envmap", 1},
+                                                                                {"float", 4},
+                                                                                {"int", 4},
+                                                                                {"keycode", 28},
+                                                                                {"lineOrder", 1},
+                                                                                {"m33d", 72},
+                                                                                {"m33f", 36},
+                                                                                {"m44d", 128},
+                                                                                {"m44f", 64},
+                                                                                {"rational", 8},
+                                                                                {"tiledesc", 9},
+                                                                                {"timecode", 8},
+                                                                                {"v2d", 16},
+                                                                                {"v2f", 8},
+                                                                                {"v2i", 8},
+                                                                                {"v3d", 24},
+                                                                                {"v3f", 12},
+                                                                                {"v3i", 12}}};
 
 /// A value of a type that the library knows must take up exactly the size that the file says.
 void check_value(std::string_view type, std::span<const std::byte> value) {

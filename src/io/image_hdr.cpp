@@ -12,7 +12,7 @@
 namespace rakelight::io::codec {
 namespace {
 
-constexpr int exponent_bias = 128 + 8;                   // the mantissas are integers 0..255
+constexpr int exponent_bias = 128 + 8;                          // the mantissas are integers 0..255
 constexpr int min_packed_width = 8, max_packed_width = 0x7fff;  // widths that scan lines in run lengths can say
 
 class Source {
@@ -46,7 +46,8 @@ struct Size {
 std::uint64_t number(std::string_view& text) {
     std::uint64_t value = 0;
     std::size_t i = 0;
-    for (; i < text.size() && text[i] >= '0' && text[i] <= '9' && value <= max_side; ++i) value = value * 10 + std::uint64_t(text[i] - '0');
+    for (; i < text.size() && text[i] >= '0' && text[i] <= '9' && value <= max_side; ++i)
+        value = value * 10 + std::uint64_t(text[i] - '0');
     text.remove_prefix(i);
     return value;
 }
@@ -54,7 +55,8 @@ std::uint64_t number(std::string_view& text) {
 Size read_header(Source& source) {
     source.line();  // "#?RADIANCE" or the name of another program
     for (std::string_view line = source.line(); !line.empty(); line = source.line())
-        if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe") bad_picture("HDR pictures in XYZ are not supported");
+        if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe")
+            bad_picture("HDR pictures in XYZ are not supported");
     std::string_view line = source.line();
     Size size;
     size.bottom_up = line.starts_with("+Y ");
@@ -131,7 +133,7 @@ void rgbe_of(const float* rgb, std::uint8_t* rgbe) {
     int exponent = 0;
     std::frexp(largest, &exponent);
     if (std::ldexp(largest, 8 - exponent) >= 255.5f) ++exponent;  // the mantissa would be rounded up to 256
-    const double scale = std::ldexp(1.0, 8 - exponent);  // up to 2^135, more than a float holds
+    const double scale = std::ldexp(1.0, 8 - exponent);           // up to 2^135, more than a float holds
     for (int c = 0; c < 3; ++c) rgbe[c] = std::uint8_t(double(v[c]) * scale + 0.5);
     rgbe[3] = std::uint8_t(exponent + 128);
 }
@@ -139,8 +141,14 @@ void rgbe_of(const float* rgb, std::uint8_t* rgbe) {
 class HdrWriter final : public ImageWriter {
 public:
     HdrWriter(const std::string& path, int width, int height, int channels)
-        : path_(path), width_(std::size_t(width)), channels_(std::size_t(channels)), rows_left_(height), file_(path), rgbe_(width_ * 4) {
-        put("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n");
+        : path_(path),
+          width_(std::size_t(width)),
+          channels_(std::size_t(channels)),
+          rows_left_(height),
+          file_(path),
+          rgbe_(width_ * 4) {
+        put("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) +
+            "\n");
     }
 
     void write_row(const void* row) override {
@@ -199,7 +207,8 @@ private:
 Pixels read_hdr(std::span<const std::byte> bytes, Want want, Context& context) {
     Source source(bytes);
     const Size size = read_header(source);
-    if (size.height > source.left() / 4) bad_picture("broken HDR: it ends too early");  // every line has at least four bytes
+    if (size.height > source.left() / 4)
+        bad_picture("broken HDR: it ends too early");  // every line has at least four bytes
     Pixels pixels = make_pixels(size.width, size.height, 3, Component::f32, want, context);
     if (want == Want::header) return pixels;
     pixels.is_linear = true;

@@ -15,8 +15,8 @@ namespace rakelight::io {
 /// (embedded). Nothing is opened or read.
 /// @param place  EncodedImage::place
 ImageHandle image_from_file(std::string name, std::string model_file, std::string path, std::string place = {});
-ImageHandle image_from_bytes(std::string name, std::string model_file, std::shared_ptr<const std::vector<std::byte>> bytes,
-                             std::string mime_type);
+ImageHandle image_from_bytes(std::string name, std::string model_file,
+                             std::shared_ptr<const std::vector<std::byte>> bytes, std::string mime_type);
 
 /// Decodes by content (not by name). The size in the header is held against the memory budget before pixels are asked
 /// for; at most 32768 pixels a side. Colors that EXR holds multiplied by alpha are divided by it (and multiplied on
@@ -38,7 +38,8 @@ public:
 /// @throws Error usage: unknown ending.
 Component component_for(const std::string& path);
 /// @param channels 1, 3 or 4 (JPEG and HDR: 3; a fourth is dropped). @throws Error usage / failed.
-std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels, Component component);
+std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels,
+                                               Component component);
 
 /// How a channel of an EXR file is stored.
 enum class ExrType : std::uint8_t { f32, f16, u32 };

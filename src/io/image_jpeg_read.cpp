@@ -48,8 +48,10 @@ void on_message(j_common_ptr info, int level) {
         case JWRN_HIT_MARKER:
         case JWRN_HUFF_BAD_CODE:
         case JWRN_ARITH_BAD_CODE:
-        case JWRN_MUST_RESYNC: leave(info);
-        default: break;
+        case JWRN_MUST_RESYNC:
+            leave(info);
+        default:
+            break;
     }
 }
 
@@ -123,7 +125,8 @@ Pixels read_jpeg(std::span<const std::byte> bytes, Want want, Context& context) 
     JpegReader reader;
     reader.context = &context;
     const long max_memory = long(std::min<std::uint64_t>(context.memory().limit(), std::numeric_limits<long>::max()));
-    if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), max_memory)) broken(reader);
+    if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), max_memory))
+        broken(reader);
     const bool cmyk = is_cmyk(reader.info), gray = reader.info.jpeg_color_space == JCS_GRAYSCALE;
     reader.info.out_color_space = cmyk ? JCS_CMYK : gray ? JCS_GRAYSCALE : JCS_RGB;
     context.memory().check(coefficient_bytes(reader.info), "the picture while it is decoded");

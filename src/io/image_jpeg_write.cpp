@@ -65,7 +65,11 @@ bool end(JpegEncoder& encoder) {
 class JpegWriter final : public ImageWriter {
 public:
     JpegWriter(const std::string& path, int width, int height, int channels)
-        : path_(path), width_(width), channels_(channels), file_(path), row_(std::size_t(width) * (channels < 3 ? 1 : 3)) {
+        : path_(path),
+          width_(width),
+          channels_(channels),
+          file_(path),
+          row_(std::size_t(width) * (channels < 3 ? 1 : 3)) {
         if (width > JPEG_MAX_DIMENSION || height > JPEG_MAX_DIMENSION)
             throw Error(ErrorCode::usage, "a JPEG picture has at most 65500 pixels a side").with_file(path_);
         require(start(encoder_, file_.handle(), unsigned(width), unsigned(height), channels < 3));
@@ -86,7 +90,8 @@ public:
 
 private:
     void require(bool done) const {
-        if (!done) throw Error(ErrorCode::failed, std::string("cannot be written: ") + encoder_.message).with_file(path_);
+        if (!done)
+            throw Error(ErrorCode::failed, std::string("cannot be written: ") + encoder_.message).with_file(path_);
     }
 
     std::string path_;

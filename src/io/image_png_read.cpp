@@ -55,8 +55,10 @@ Target target_of(const spng_ihdr& header, bool has_transparency) {
         case SPNG_COLOR_TYPE_GRAYSCALE:
             if (has_transparency) return {2, component, deep ? SPNG_FMT_GA16 : SPNG_FMT_GA8};
             return {1, component, deep ? SPNG_FMT_PNG : SPNG_FMT_G8};
-        case SPNG_COLOR_TYPE_GRAYSCALE_ALPHA: return {2, component, SPNG_FMT_PNG};
-        case SPNG_COLOR_TYPE_TRUECOLOR_ALPHA: return {4, component, SPNG_FMT_PNG};
+        case SPNG_COLOR_TYPE_GRAYSCALE_ALPHA:
+            return {2, component, SPNG_FMT_PNG};
+        case SPNG_COLOR_TYPE_TRUECOLOR_ALPHA:
+            return {4, component, SPNG_FMT_PNG};
         default:  // true color, and palettes with at most 8 bits
             if (has_transparency) return {4, component, deep ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8};
             return {3, component, deep ? SPNG_FMT_PNG : SPNG_FMT_RGB8};

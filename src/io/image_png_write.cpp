@@ -14,7 +14,10 @@ namespace {
 class PngWriter final : public ImageWriter {
 public:
     PngWriter(const std::string& path, int width, int height, int channels, Component component)
-        : path_(path), row_bytes_(std::size_t(width) * std::size_t(channels) * size_of(component)), rows_left_(height), file_(path),
+        : path_(path),
+          row_bytes_(std::size_t(width) * std::size_t(channels) * size_of(component)),
+          rows_left_(height),
+          file_(path),
           png_(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free) {
         if (!png_) throw Error(ErrorCode::failed, "out of memory").with_file(path_);
         static constexpr std::uint8_t color_types[] = {SPNG_COLOR_TYPE_GRAYSCALE, SPNG_COLOR_TYPE_GRAYSCALE_ALPHA,
@@ -32,7 +35,8 @@ public:
         require(spng_set_option(png_.get(), SPNG_IMG_COMPRESSION_LEVEL, 1));
         require(spng_set_option(png_.get(), SPNG_IMG_COMPRESSION_STRATEGY, run_lengths));
         require(spng_set_option(png_.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_UP));
-        require(spng_encode_image(png_.get(), nullptr, 0, SPNG_FMT_PNG, SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE));
+        require(
+            spng_encode_image(png_.get(), nullptr, 0, SPNG_FMT_PNG, SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE));
     }
 
     void write_row(const void* row) override {
@@ -67,7 +71,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<ImageWriter> write_png(const std::string& path, int width, int height, int channels, Component component) {
+std::unique_ptr<ImageWriter> write_png(const std::string& path, int width, int height, int channels,
+                                       Component component) {
     return std::make_unique<PngWriter>(path, width, height, channels, component);
 }
 

@@ -26,8 +26,12 @@ namespace rakelight::io::codec {
 namespace {
 
 std::uint32_t byte_at(std::span<const std::byte> bytes, std::size_t at) { return std::uint32_t(bytes[at]); }
-std::uint32_t u16_at(std::span<const std::byte> bytes, std::size_t at) { return byte_at(bytes, at) | byte_at(bytes, at + 1) << 8; }
-std::uint32_t u32_at(std::span<const std::byte> bytes, std::size_t at) { return u16_at(bytes, at) | u16_at(bytes, at + 2) << 16; }
+std::uint32_t u16_at(std::span<const std::byte> bytes, std::size_t at) {
+    return byte_at(bytes, at) | byte_at(bytes, at + 1) << 8;
+}
+std::uint32_t u32_at(std::span<const std::byte> bytes, std::size_t at) {
+    return u16_at(bytes, at) | u16_at(bytes, at + 2) << 16;
+}
 
 /// A picture that was checked to be whole and within limits.
 Pixels read_by_stb(std::span<const std::byte> bytes, const char* format, Want want, Context& context) {
@@ -35,7 +39,8 @@ Pixels read_by_stb(std::span<const std::byte> bytes, const char* format, Want wa
     int width = 0, height = 0, channels = 0;
     if (bytes.size() > INT_MAX) bad_picture(std::string(format) + " files over 2 GiB are not supported");
     const int size = int(bytes.size());
-    if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0 || width <= 0 || height <= 0 || channels < 1 || channels > 4)
+    if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0 || width <= 0 || height <= 0 ||
+        channels < 1 || channels > 4)
         bad_picture(std::string("broken ") + format + ": " + stbi_failure_reason());
     Pixels pixels = make_pixels(std::uint64_t(width), std::uint64_t(height), channels, Component::u8, want, context);
     if (want == Want::header) return pixels;
@@ -43,7 +48,8 @@ Pixels read_by_stb(std::span<const std::byte> bytes, const char* format, Want wa
     const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
         stbi_load_from_memory(data, size, &width, &height, &channels, pixels.channels), stbi_image_free);
     if (!decoded || width != pixels.width || height != pixels.height)
-        bad_picture(std::string("broken ") + format + ": " + (decoded ? "its size is inconsistent" : stbi_failure_reason()));
+        bad_picture(std::string("broken ") + format + ": " +
+                    (decoded ? "its size is inconsistent" : stbi_failure_reason()));
     std::memcpy(pixels.bytes.data(), decoded.get(), pixels.bytes.size());
     return pixels;
 }
@@ -55,9 +61,10 @@ struct TgaHeader {
 };
 
 TgaHeader tga_header(std::span<const std::byte> bytes) {
-    TgaHeader h{byte_at(bytes, 1), byte_at(bytes, 2),  u16_at(bytes, 3),  u16_at(bytes, 5),  byte_at(bytes, 7),
-                u16_at(bytes, 12), u16_at(bytes, 14),  byte_at(bytes, 16), byte_at(bytes, 17), 0};
-    h.pixels_at = 18 + byte_at(bytes, 0) + (h.palette_kind == 1 ? std::size_t(h.palette_length) * ((h.palette_bits + 7) / 8) : 0);
+    TgaHeader h{byte_at(bytes, 1), byte_at(bytes, 2), u16_at(bytes, 3),   u16_at(bytes, 5),   byte_at(bytes, 7),
+                u16_at(bytes, 12), u16_at(bytes, 14), byte_at(bytes, 16), byte_at(bytes, 17), 0};
+    h.pixels_at =
+        18 + byte_at(bytes, 0) + (h.palette_kind == 1 ? std::size_t(h.palette_length) * ((h.palette_bits + 7) / 8) : 0);
     return h;
 }
 
@@ -95,12 +102,14 @@ bool may_be_tga(std::span<const std::byte> bytes) {
     const bool indexed = h.type == 1 || h.type == 9;
     const bool known_type = indexed || h.type == 2 || h.type == 3 || h.type == 10 || h.type == 11;
     const bool known_bits = h.bits == 8 || h.bits == 15 || h.bits == 16 || h.bits == 24 || h.bits == 32;
-    return h.palette_kind <= 1 && known_type && known_bits && h.width > 0 && h.height > 0 && (h.palette_kind == 1 || !indexed);
+    return h.palette_kind <= 1 && known_type && known_bits && h.width > 0 && h.height > 0 &&
+           (h.palette_kind == 1 || !indexed);
 }
 
 Pixels read_tga(std::span<const std::byte> bytes, Want want, Context& context) {
     const TgaHeader h = tga_header(bytes);
-    if (h.palette_kind == 1 && h.palette_start != 0) bad_picture("TGA palettes that begin in the middle are not supported");
+    if (h.palette_kind == 1 && h.palette_start != 0)
+        bad_picture("TGA palettes that begin in the middle are not supported");
     if (h.width > max_side || h.height > max_side) bad_picture("the picture is too large");
     if (!tga_is_whole(bytes, h)) bad_picture("broken TGA: it ends too early");
     Pixels pixels = read_by_stb(bytes, "TGA", want, context);
@@ -118,10 +127,12 @@ Pixels read_bmp(std::span<const std::byte> bytes, Want want, Context& context) {
     const std::int64_t height = old ? u16_at(bytes, 20) : std::int32_t(u32_at(bytes, 22));
     const std::uint32_t bits = u16_at(bytes, old ? 24 : 28);
     const std::uint64_t rows = std::uint64_t(height < 0 ? -height : height);
-    if (width < 1 || rows < 1 || width > max_side || rows > max_side) bad_picture("broken BMP: a size of no or too many pixels");
+    if (width < 1 || rows < 1 || width > max_side || rows > max_side)
+        bad_picture("broken BMP: a size of no or too many pixels");
     if (bits == 0 || bits > 32) bad_picture("broken BMP: " + std::to_string(bits) + " bits a pixel");
     const std::uint64_t row_bytes = (std::uint64_t(width) * bits + 31) / 32 * 4;
-    if (offset > bytes.size() || (bytes.size() - offset) / row_bytes < rows) bad_picture("broken BMP: it ends too early");
+    if (offset > bytes.size() || (bytes.size() - offset) / row_bytes < rows)
+        bad_picture("broken BMP: it ends too early");
     return read_by_stb(bytes, "BMP", want, context);
 }
 

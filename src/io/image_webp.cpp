@@ -11,15 +11,21 @@
 namespace rakelight::io::codec {
 namespace {
 
-const std::uint8_t* data_of(std::span<const std::byte> bytes) { return reinterpret_cast<const std::uint8_t*>(bytes.data()); }
+const std::uint8_t* data_of(std::span<const std::byte> bytes) {
+    return reinterpret_cast<const std::uint8_t*>(bytes.data());
+}
 
 const char* text_of(VP8StatusCode status) {
     switch (status) {
-        case VP8_STATUS_OUT_OF_MEMORY: return "out of memory";
+        case VP8_STATUS_OUT_OF_MEMORY:
+            return "out of memory";
         case VP8_STATUS_SUSPENDED:
-        case VP8_STATUS_NOT_ENOUGH_DATA: return "it ends too early";
-        case VP8_STATUS_UNSUPPORTED_FEATURE: return "it uses an unsupported feature";
-        default: return "its data are damaged";
+        case VP8_STATUS_NOT_ENOUGH_DATA:
+            return "it ends too early";
+        case VP8_STATUS_UNSUPPORTED_FEATURE:
+            return "it uses an unsupported feature";
+        default:
+            return "its data are damaged";
     }
 }
 
@@ -70,7 +76,8 @@ public:
         encoded.picture.height = height_;
         encoded.picture.writer = WebPMemoryWrite;
         encoded.picture.custom_ptr = &encoded.memory;
-        if (!WebPPictureImportRGBA(&encoded.picture, rgba_.data(), width_ * 4) || !WebPEncode(&config, &encoded.picture))
+        if (!WebPPictureImportRGBA(&encoded.picture, rgba_.data(), width_ * 4) ||
+            !WebPEncode(&config, &encoded.picture))
             throw Error(ErrorCode::failed, "cannot be encoded as WebP").with_file(path_);
         file_.write(std::as_bytes(std::span(encoded.memory.mem, encoded.memory.size)));
         file_.commit(sync);

@@ -19,9 +19,10 @@ struct Ending {
     MakeWriter make;
 };
 
-constexpr std::array endings{Ending{"png", Component::u8, codec::write_png},   Ending{"jpg", Component::u8, codec::write_jpeg},
-                             Ending{"jpeg", Component::u8, codec::write_jpeg}, Ending{"webp", Component::u8, codec::write_webp},
-                             Ending{"exr", Component::f32, codec::write_exr},  Ending{"hdr", Component::f32, codec::write_hdr}};
+constexpr std::array endings{
+    Ending{"png", Component::u8, codec::write_png},   Ending{"jpg", Component::u8, codec::write_jpeg},
+    Ending{"jpeg", Component::u8, codec::write_jpeg}, Ending{"webp", Component::u8, codec::write_webp},
+    Ending{"exr", Component::f32, codec::write_exr},  Ending{"hdr", Component::f32, codec::write_hdr}};
 
 std::string lower_case_ending(const std::string& path) {
     const std::size_t dot = path.find_last_of("./");
@@ -38,7 +39,8 @@ const Ending& ending_of(const std::string& path) {
         if (name == ending.name) return ending;
         all += (all.empty() ? "." : ", .") + std::string(ending.name);
     }
-    throw Error(ErrorCode::usage, "a picture file cannot end in '" + one_line(name, 40) + "'", {}, "use one of " + all).with_file(path);
+    throw Error(ErrorCode::usage, "a picture file cannot end in '" + one_line(name, 40) + "'", {}, "use one of " + all)
+        .with_file(path);
 }
 
 }  // namespace
@@ -57,11 +59,13 @@ void check_written_size(const std::string& path, int width, int height, std::siz
 
 }  // namespace
 
-std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels, Component component) {
+std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels,
+                                               Component component) {
     const Ending& ending = ending_of(path);
     const bool is_deep_png = component == Component::u16 && ending.make == codec::write_png;
     if (component != ending.component && !is_deep_png)
-        throw Error(ErrorCode::usage, std::string("a .") + ending.name + " picture cannot hold such components").with_file(path);
+        throw Error(ErrorCode::usage, std::string("a .") + ending.name + " picture cannot hold such components")
+            .with_file(path);
     check_written_size(path, width, height, std::size_t(std::max(channels, 0)), 4);
     return ending.make(path, width, height, channels, component);
 }

@@ -95,7 +95,8 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     const bool direct = exists && !S_ISREG(status.st_mode);
     if (!direct) path_ = behind_links(path_);
     if (exists && ::stat(path_.c_str(), &status) != 0) refuse_output(path_, errno);  // /dev/stdout of a deleted file
-    Descriptor file{direct ? ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY) : create_beside(path_, temporary_, unfinished_)};
+    Descriptor file{direct ? ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY)
+                           : create_beside(path_, temporary_, unfinished_)};
     if (file.fd < 0) refuse_output(path_, errno);
     if (exists && !direct) static_cast<void>(::fchmod(file.fd, status.st_mode & 0777));
     file_ = ::fdopen(file.fd, "wb");

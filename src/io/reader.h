@@ -8,8 +8,9 @@
 namespace rakelight::io {
 
 struct ReadOptions {
-    bool allow_outside = false;   ///< references may leave the model's own folder tree
-    double import_seconds = 8;    ///< time limit of the import helper for files of up to 32 MiB; larger ones get more in proportion
+    bool allow_outside = false;  ///< references may leave the model's own folder tree
+    double import_seconds =
+        8;  ///< time limit of the import helper for files of up to 32 MiB; larger ones get more in proportion
 };
 
 /// Reads a model file of any supported format; the content is held against the ending's format.

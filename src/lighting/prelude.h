@@ -3,7 +3,7 @@
 // difference. Their GLSL brother is prelude.glsl. To be included inside the namespace that takes the words; no include
 // guard.
 #define RL_FN [[gnu::always_inline]] inline  // structs of wide vectors would travel through memory
-#define RL_IN(type) const type&                // a struct that is only read: GLSL's `in`, without a copy
+#define RL_IN(type) const type&              // a struct that is only read: GLSL's `in`, without a copy
 // A function that reads a height map. HeightMap is a type of the includer's, with sample_height(map, uv, lod) beside
 // it.
 #define RL_MAP_FN              \

@@ -7,10 +7,10 @@
 
 namespace rakelight {
 
-float linear_from_srgb(float s);         ///< s in 0..1; outside it is clamped
-float srgb_from_linear(float l);         ///< l in 0..1; outside it is clamped; NaN gives 0
-float linear_from_srgb8(std::uint8_t s); ///< by table
-std::uint8_t srgb8_from_linear(float l); ///< correctly rounded; NaN and negative give 0, over 1 gives 255
+float linear_from_srgb(float s);          ///< s in 0..1; outside it is clamped
+float srgb_from_linear(float l);          ///< l in 0..1; outside it is clamped; NaN gives 0
+float linear_from_srgb8(std::uint8_t s);  ///< by table
+std::uint8_t srgb8_from_linear(float l);  ///< correctly rounded; NaN and negative give 0, over 1 gives 255
 vec3 linear_from_srgb(vec3 s);
 
 }  // namespace rakelight

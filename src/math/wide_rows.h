@@ -47,10 +47,14 @@ inline constexpr int quads = lanes / 4;
 inline __m128 quad(real x, int q) {
 #if defined(RL_ISA_avx512)
     switch (q) {
-        case 0: return _mm512_castps512_ps128(x.v);
-        case 1: return _mm512_extractf32x4_ps(x.v, 1);
-        case 2: return _mm512_extractf32x4_ps(x.v, 2);
-        default: return _mm512_extractf32x4_ps(x.v, 3);
+        case 0:
+            return _mm512_castps512_ps128(x.v);
+        case 1:
+            return _mm512_extractf32x4_ps(x.v, 1);
+        case 2:
+            return _mm512_extractf32x4_ps(x.v, 2);
+        default:
+            return _mm512_extractf32x4_ps(x.v, 3);
     }
 #elif defined(RL_ISA_avx2)
     return q == 0 ? _mm256_castps256_ps128(x.v) : _mm256_extractf128_ps(x.v, 1);

@@ -65,7 +65,6 @@ struct integer {
 };
 
 // --- masks
-// ---------------------------------------------------------------------------------------------------------------
 // && and || evaluate both sides, as everything wide does.
 
 inline mask operator&(mask a, mask b) { return mask(a.v & b.v); }
@@ -91,7 +90,6 @@ inline bool no_lane(mask m) { return lane_bits(m) == 0; }
 inline bool all_lanes(mask m) { return lane_bits(m) == (uint32_t(1) << lanes) - 1; }
 
 // --- arithmetic and comparisons
-// ------------------------------------------------------------------------------------------
 
 inline real operator+(real a, real b) { return real(a.v + b.v); }
 inline real operator-(real a, real b) { return real(a.v - b.v); }
@@ -133,7 +131,6 @@ inline integer min(integer a, integer b) { return integer(xsimd::min(a.v, b.v));
 inline integer max(integer a, integer b) { return integer(xsimd::max(a.v, b.v)); }
 
 // --- conversions and choice
-// ----------------------------------------------------------------------------------------------
 
 inline integer bits_of(real x) { return integer(xsimd::bitwise_cast<IntegerBatch>(x.v)); }
 inline real real_from_bits(integer i) { return real(xsimd::bitwise_cast<RealBatch>(i.v)); }
@@ -150,7 +147,6 @@ inline integer select(mask m, integer a, integer b) { return bits_of(select(m, r
 inline mask select(mask m, mask a, mask b) { return (m && a) || (!m && b); }
 
 // --- two 16-bit numbers a lane. Sums wrap round.
-// --------------------------------------------------------------------------------------------------------------
 
 #if defined(RL_ISA_avx512)
 inline integer low_in_both_halves(integer x) {
@@ -184,7 +180,6 @@ inline integer scale16(integer a, integer b) {  // _mm_mulhrs_epi16 came with SS
 #endif
 
 // --- rounding where the processor has it; wide_functions.h has the text for the others
-// ---------------------------------------
 
 #if defined(RL_ISA_avx512) || defined(RL_ISA_avx2)
 #define RL_WIDE_NATIVE_ROUNDING 1

@@ -19,8 +19,8 @@ Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
 
 /// Offsets from the old normals and tangents say nothing about the new ones. Positions of targets stay.
 /// @param directions  of the new normals, or null: none were made
-void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals, TargetDirections* directions,
-                           Report& report) {
+void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals,
+                           TargetDirections* directions, Report& report) {
     bool refused = false;
     for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
         MorphTarget& target = mesh.targets[t];
@@ -29,7 +29,8 @@ void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number,
             normals = std::move(directions->normals[t]);
             tangents = std::move(directions->tangents[t]);
         }
-        refused = refused || (new_normals && !target.normals.empty() && normals.empty()) || (!target.tangents.empty() && tangents.empty());
+        refused = refused || (new_normals && !target.normals.empty() && normals.empty()) ||
+                  (!target.tangents.empty() && tangents.empty());
         if (new_normals) target.normals = std::move(normals);
         target.tangents = std::move(tangents);
     }

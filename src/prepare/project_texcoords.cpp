@@ -53,9 +53,12 @@ void project_box(const Frame& f, Corners& c) {
     for (int k = 0; k < 3; ++k) {
         const dvec3 from_low = c.p[k] - f.low, from_high = f.high - c.p[k];
         dvec2 uv;
-        if (size.x >= size.y && size.x >= size.z) uv = {n.x > 0 ? from_high.z : from_low.z, from_high.y};
-        else if (size.y >= size.z) uv = {from_low.x, n.y > 0 ? from_low.z : from_high.z};
-        else uv = {n.z > 0 ? from_low.x : from_high.x, from_high.y};
+        if (size.x >= size.y && size.x >= size.z)
+            uv = {n.x > 0 ? from_high.z : from_low.z, from_high.y};
+        else if (size.y >= size.z)
+            uv = {from_low.x, n.y > 0 ? from_low.z : from_high.z};
+        else
+            uv = {n.z > 0 ? from_low.x : from_high.x, from_high.y};
         c.uv[k] = {uv.x / f.longest, uv.y / f.longest};
     }
 }
@@ -97,7 +100,8 @@ void project_cylinder(const Frame& f, Corners& c) {
     const dvec3 n = face_direction(c);
     if (2 * n.y * n.y > 1) {
         for (int k = 0; k < 3; ++k)
-            c.uv[k] = {(c.p[k].x - f.low.x) / f.longest, (n.y > 0 ? c.p[k].z - f.low.z : f.high.z - c.p[k].z) / f.longest};
+            c.uv[k] = {(c.p[k].x - f.low.x) / f.longest,
+                       (n.y > 0 ? c.p[k].z - f.low.z : f.high.z - c.p[k].z) / f.longest};
         return;
     }
     wrap_around(f, c);
@@ -140,7 +144,8 @@ private:
     std::vector<std::uint32_t> source_vertex_;
 };
 
-Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, UvProjection projection, Context& context) {
+Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, UvProjection projection,
+               Context& context) {
     const dmat4 place = to_world * translation(source.origin);
     const bool mirrored = determinant(upper_left(place)) < 0;  // the winding as it is drawn
     context.memory().check((source.positions.size() + source.indices.size()) * 24, "texture coordinates");
@@ -154,9 +159,12 @@ Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, Uv
             if (!is_finite(c.p[k])) c.p[k] = frame.center;
         }
         if (mirrored) std::swap(c.p[1], c.p[2]);
-        if (projection == UvProjection::box) project_box(frame, c);
-        else if (projection == UvProjection::sphere) project_sphere(frame, c);
-        else project_cylinder(frame, c);
+        if (projection == UvProjection::box)
+            project_box(frame, c);
+        else if (projection == UvProjection::sphere)
+            project_sphere(frame, c);
+        else
+            project_cylinder(frame, c);
         if (mirrored) std::swap(c.uv[1], c.uv[2]);
         for (std::size_t k = 0; k < 3; ++k)
             indices[t + k] = coordinates.vertex(indices[t + k], {float(c.uv[k].x), float(c.uv[k].y)});
@@ -214,12 +222,16 @@ Scene project_texcoords(Scene scene, UvProjection projection, Context& context) 
         ++meshes;
     }
     if (meshes == 0) return scene;
-    const char* name = projection == UvProjection::box ? "box" : projection == UvProjection::sphere ? "sphere" : "cylinder";
-    context.report().add(Remark::note, scene.source, {},
-                         std::to_string(meshes) + " meshes without texture coordinates got them by " + name + " projection");
+    const char* name = projection == UvProjection::box      ? "box"
+                       : projection == UvProjection::sphere ? "sphere"
+                                                            : "cylinder";
+    context.report().add(
+        Remark::note, scene.source, {},
+        std::to_string(meshes) + " meshes without texture coordinates got them by " + name + " projection");
     if (variants.copies() > 0)
         context.report().add(Remark::note, scene.source, {},
-                             std::to_string(variants.copies()) + " instances got a mesh of their own: they lie elsewhere in the texture");
+                             std::to_string(variants.copies()) +
+                                 " instances got a mesh of their own: they lie elsewhere in the texture");
     return scene;
 }
 

@@ -10,9 +10,9 @@
 namespace rakelight {
 namespace {
 
-constexpr float unit_tolerance = 1e-3f;      // below this a vector counts as unit and its block is shared as it is
-constexpr float quantized_tolerance = 2e-2f; // bytes give unit vectors to about 1 / 127: no fault of the file
-constexpr float huge_texcoord = 1e6f;        // a float texel address has no sub-texel digits left
+constexpr float unit_tolerance = 1e-3f;       // below this a vector counts as unit and its block is shared as it is
+constexpr float quantized_tolerance = 2e-2f;  // bytes give unit vectors to about 1 / 127: no fault of the file
+constexpr float huge_texcoord = 1e6f;         // a float texel address has no sub-texel digits left
 
 /// How an array of directions looks, in one pass.
 struct DirectionCheck {
@@ -83,13 +83,18 @@ void repair_texcoords(Mesh& mesh, bool is_textured, std::vector<Finding>& findin
         bool finite = true, huge = false, varies = false;
         const vec2 first = set[0];
         for (const vec2& uv : set) {
-            if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) finite = false;
-            else if (std::fabs(uv.x) > huge_texcoord || std::fabs(uv.y) > huge_texcoord) huge = true;
+            if (!std::isfinite(uv.x) || !std::isfinite(uv.y))
+                finite = false;
+            else if (std::fabs(uv.x) > huge_texcoord || std::fabs(uv.y) > huge_texcoord)
+                huge = true;
             varies = varies || !(uv == first);
         }
-        if (huge) findings.push_back({Remark::warning, "texture coordinates beyond 1e6: the texture has no detail there"});
+        if (huge)
+            findings.push_back({Remark::warning, "texture coordinates beyond 1e6: the texture has no detail there"});
         if (!varies && is_textured)
-            findings.push_back({Remark::warning, "all texture coordinates are the same: the texture has one color and no tangent direction"});
+            findings.push_back(
+                {Remark::warning,
+                 "all texture coordinates are the same: the texture has one color and no tangent direction"});
         if (finite) continue;
         findings.push_back({Remark::changed, "texture coordinates that are not finite were set to 0"});
         std::vector<vec2> values(set.begin(), set.end());
@@ -125,7 +130,8 @@ void repair_tangents(Mesh& mesh, std::vector<Finding>& findings) {
         return;
     }
     const DirectionCheck check = check_directions(mesh.tangents);
-    const bool signs_exact = std::all_of(mesh.tangents.begin(), mesh.tangents.end(), [](const vec4& t) { return std::fabs(t.w) == 1; });
+    const bool signs_exact =
+        std::all_of(mesh.tangents.begin(), mesh.tangents.end(), [](const vec4& t) { return std::fabs(t.w) == 1; });
     const bool signs_right = signs_exact || std::all_of(mesh.tangents.begin(), mesh.tangents.end(), [](const vec4& t) {
                                  return std::fabs(std::fabs(t.w) - 1) <= unit_tolerance;  // false for NaN
                              });

@@ -17,7 +17,8 @@ Block<T> without_triangles(const Block<T>& block, const std::vector<std::uint8_t
     if (block.empty()) return block;
     std::vector<T> kept;
     for (std::size_t t = 0; t < dropped.size(); ++t)
-        if (!dropped[t]) kept.insert(kept.end(), block.begin() + t * per_triangle, block.begin() + (t + 1) * per_triangle);
+        if (!dropped[t])
+            kept.insert(kept.end(), block.begin() + t * per_triangle, block.begin() + (t + 1) * per_triangle);
     return Block<T>(std::move(kept));
 }
 
@@ -67,12 +68,16 @@ void repair_positions(Mesh& mesh, std::vector<Finding>& findings) {
     }
     if (!all_finite) drop_broken_triangles(mesh, findings);
     if (mesh.indices.empty()) return;
-    if (!any_triangle_has_area(mesh)) findings.push_back({Remark::warning, "all triangles have zero area: nothing of it can be seen"});
+    if (!any_triangle_has_area(mesh))
+        findings.push_back({Remark::warning, "all triangles have zero area: nothing of it can be seen"});
     const float largest = std::max({-low.x, -low.y, -low.z, high.x, high.y, high.z});
     const float extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-    if (largest > huge_position) findings.push_back({Remark::warning, "positions are so large that their products leave the range of float"});
+    if (largest > huge_position)
+        findings.push_back({Remark::warning, "positions are so large that their products leave the range of float"});
     if (extent > 0 && extent < tiny_extent)
-        findings.push_back({Remark::warning, "the mesh is so small (less than 1e-12 across) that products of its edges leave the range of float"});
+        findings.push_back(
+            {Remark::warning,
+             "the mesh is so small (less than 1e-12 across) that products of its edges leave the range of float"});
 }
 
 }  // namespace rakelight

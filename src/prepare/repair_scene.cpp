@@ -59,7 +59,8 @@ void check_nodes(const Scene& scene, Report& report) {
         const Node& node = scene.nodes[i];
         const dquat& q = node.local.rotation;
         if (!node.local.matrix && q == dquat{0, 0, 0, 0})
-            report.add(Remark::warning, scene.source, Place{"node", i, node.name}.text(), "the rotation is zero: taken as none");
+            report.add(Remark::warning, scene.source, Place{"node", i, node.name}.text(),
+                       "the rotation is zero: taken as none");
         if (draws[i] && flattens(world[i]))
             report.add(Remark::warning, scene.source, Place{"node", i, node.name}.text(),
                        "the matrix or scale flattens the object: it has no volume and perhaps no area");
@@ -95,7 +96,8 @@ Scene repair_scene(Scene scene, NormalSource source, Context& context) {
     });
     for (std::size_t i = 0; i < numbers.size(); ++i)
         for (const Finding& f : findings[i])
-            context.report().add(f.remark, scene.source, Place{"mesh", numbers[i], scene.meshes[numbers[i]].name}.text(), f.message);
+            context.report().add(f.remark, scene.source,
+                                 Place{"mesh", numbers[i], scene.meshes[numbers[i]].name}.text(), f.message);
     if (triangle_count(scene) == 0 && !has_lines_or_points(scene))
         throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     return scene;

@@ -12,15 +12,16 @@ namespace rakelight {
 enum class TangentWish : std::uint8_t { none, where_needed, everywhere };
 
 struct SmoothRequest {
-    AttributeOptions attributes;   ///< `tangents` is overruled by the wish
+    AttributeOptions attributes;  ///< `tangents` is overruled by the wish
     TangentWish tangents = TangentWish::where_needed;
-    bool only_missing = false;     ///< leave meshes alone that have normals
-    bool groups = true;            ///< smoothing groups of the file count; where `source` is set, as normal_rule() says
+    bool only_missing = false;  ///< leave meshes alone that have normals
+    bool groups = true;         ///< smoothing groups of the file count; where `source` is set, as normal_rule() says
     /// Set: only meshes whose normal_rule() by it has attributes.scope, by their own crease angles.
     std::optional<NormalSource> source;
-    bool every_scope = false;      ///< with `source`: all meshes, over attributes.scope
-    bool keep_instances = false;   ///< instances share the first one's mesh even where they touch different things; said
-    TangentMode kept_tangents = TangentMode::mikktspace;  ///< of add_missing_tangents(), in place of attributes.tangent_mode
+    bool every_scope = false;     ///< with `source`: all meshes, over attributes.scope
+    bool keep_instances = false;  ///< instances share the first one's mesh even where they touch different things; said
+    TangentMode kept_tangents =
+        TangentMode::mikktspace;  ///< of add_missing_tangents(), in place of attributes.tangent_mode
 };
 
 /// The coordinate set on which a mesh's tangents are to be made: that of the normal texture, else of the height texture, else

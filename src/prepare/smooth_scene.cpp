@@ -19,7 +19,8 @@
 namespace rakelight {
 namespace {
 
-AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const dmat4& place, const SmoothRequest& request) {
+AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const dmat4& place,
+                             const SmoothRequest& request) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     AttributeMesh out;
     out.object = instance.node;
@@ -46,7 +47,8 @@ AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const
 void check_memory(const std::vector<AttributeMesh>& meshes, Context& context) {
     std::uint64_t bytes = meshes.size() * (sizeof(AttributeMesh) + 2 * sizeof(MeshAttributes));
     for (const AttributeMesh& m : meshes)
-        bytes += m.positions.size() * (sizeof(vec3) + (m.texcoords.empty() ? 0 : sizeof(vec4))) + m.indices.size() * sizeof(std::uint32_t);
+        bytes += m.positions.size() * (sizeof(vec3) + (m.texcoords.empty() ? 0 : sizeof(vec4))) +
+                 m.indices.size() * sizeof(std::uint32_t);
     context.memory().check(bytes, "normals and tangents of all instances");
 }
 
@@ -73,8 +75,8 @@ AttributeOptions options_for(const SmoothRequest& request, const std::vector<Att
 }
 
 /// In two steps where there are morph targets, so that what does not move has offsets of exactly 0.
-Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers, const std::vector<AttributeMesh>& meshes,
-                 const AttributeOptions& options, Context& context) {
+Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers,
+                 const std::vector<AttributeMesh>& meshes, const AttributeOptions& options, Context& context) {
     bool has_targets = false;
     for (const std::uint32_t number : numbers)
         for (const MorphTarget& target : scene.meshes[number].targets)
@@ -91,21 +93,23 @@ Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers, 
 }
 
 /// @param numbers  [results] their meshes
-void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers, const std::vector<MeshAttributes>& results,
-                   const AttributeOptions& options, Report& report) {
+void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers,
+                   const std::vector<MeshAttributes>& results, const AttributeOptions& options, Report& report) {
     InvertedMaps inverted;
     for (std::size_t r = 0; r < results.size(); ++r) {
         const std::uint32_t number = numbers[r];
         const Mesh& mesh = scene.meshes[number];
         // That all of them are degenerate is a warning of prepare's own check.
         if (options.normals && results[r].degenerate_faces > 0 && results[r].degenerate_faces < mesh.triangle_count())
-            report.add(Remark::note, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
-                       std::to_string(results[r].degenerate_faces) + " triangles of no area have no say in the normals");
+            report.add(
+                Remark::note, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
+                std::to_string(results[r].degenerate_faces) + " triangles of no area have no say in the normals");
         if (results[r].inverted_faces > 0 && inverted.first_mesh == none) inverted.first_mesh = number;
         inverted.triangles += results[r].inverted_faces;
         if (!results[r].tangents.empty()) inverted.of += mesh.triangle_count();
         if (options.measure_orthogonality && !results[r].tangents.empty())
-            report_orthogonality(scene, number, results[r].orthogonality_loss_max_deg, results[r].orthogonality_loss_mean_deg, report);
+            report_orthogonality(scene, number, results[r].orthogonality_loss_max_deg,
+                                 results[r].orthogonality_loss_mean_deg, report);
     }
     report_inverted(scene, inverted, options.tangent_mode, report);
 }

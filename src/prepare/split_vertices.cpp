@@ -28,13 +28,15 @@ std::uint64_t vertex_bytes(const Mesh& mesh) {
     return bytes + mesh.texcoords.size() * sizeof(vec2) + mesh.targets.size() * 3 * sizeof(vec3);
 }
 
-void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<const std::uint32_t> source_vertex, Context& context) {
+void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<const std::uint32_t> source_vertex,
+                    Context& context) {
     if (!indices.empty()) {
         RL_ASSERT(indices.size() == mesh.indices.size(), "splitting vertices keeps the triangles");
         mesh.indices = std::move(indices);
     }
     if (source_vertex.empty()) return;
-    context.memory().check((mesh.positions.size() + std::uint64_t(source_vertex.size())) * vertex_bytes(mesh), "splitting vertices");
+    context.memory().check((mesh.positions.size() + std::uint64_t(source_vertex.size())) * vertex_bytes(mesh),
+                           "splitting vertices");
     extend(mesh.positions, source_vertex);
     extend(mesh.normals, source_vertex);
     extend(mesh.tangents, source_vertex);

@@ -33,12 +33,13 @@ void report_orthogonality(const Scene& scene, std::uint32_t mesh, double largest
 void report_inverted(const Scene& scene, const InvertedMaps& inverted, TangentMode mode, Report& report) {
     if (inverted.triangles == 0) return;
     const Mesh& first = scene.meshes[inverted.first_mesh];
-    report.add(Remark::warning, scene.source, Place{"mesh", inverted.first_mesh, first.name}.text(),
-               "the published tangents run against the texture coordinates on " + std::to_string(inverted.triangles) +
-                   " of " + std::to_string(inverted.of) + " triangles, where bumps look like dents; --tangents " +
-                   (mode == TangentMode::published ? "published-no-handedness leaves out the handedness step, --tangents "
-                                                   : "") +
-                   "averaged keeps mirrored charts apart");
+    report.add(
+        Remark::warning, scene.source, Place{"mesh", inverted.first_mesh, first.name}.text(),
+        "the published tangents run against the texture coordinates on " + std::to_string(inverted.triangles) + " of " +
+            std::to_string(inverted.of) + " triangles, where bumps look like dents; --tangents " +
+            (mode == TangentMode::published ? "published-no-handedness leaves out the handedness step, --tangents "
+                                            : "") +
+            "averaged keeps mirrored charts apart");
 }
 
 void report_kept_tangents(const Scene& scene, Report& report) {

@@ -47,7 +47,8 @@ dvec3 curve(dvec3 p0, dvec3 p1, dvec3 p2, dvec3 p3, int k, int n) {
 dvec3 surface(const Patch& patch, int s, int t, int n) {
     dvec3 row[4];
     for (std::size_t j = 0; j < 4; ++j)
-        row[j] = curve(points[patch.points[j]], points[patch.points[4 + j]], points[patch.points[8 + j]], points[patch.points[12 + j]], s, n);
+        row[j] = curve(points[patch.points[j]], points[patch.points[4 + j]], points[patch.points[8 + j]],
+                       points[patch.points[12 + j]], s, n);
     return curve(row[0], row[1], row[2], row[3], t, n);
 }
 
@@ -78,9 +79,7 @@ void add_patch(const Patch& patch, int n, Arrays& out) {
     for (int c = 0; c < top_count; ++c) add_vertex(0, c, (c + (pole ? 0.5 : 0.0)) / n);
     for (int v = 1; v <= n; ++v)
         for (int c = 0; c <= n; ++c) add_vertex(v, c, double(c) / n);
-    const auto at = [&](int v, int c) {
-        return first + std::uint32_t(v == 0 ? c : top_count + (v - 1) * (n + 1) + c);
-    };
+    const auto at = [&](int v, int c) { return first + std::uint32_t(v == 0 ? c : top_count + (v - 1) * (n + 1) + c); };
     for (int v = 0; v < n; ++v)
         for (int c = 0; c < n; ++c) {
             out.indices.insert(out.indices.end(), {at(v, c), at(v + 1, c), at(v + 1, c + 1)});

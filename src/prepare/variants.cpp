@@ -26,7 +26,9 @@ bool all_near(const Block<T>& a, const Block<T>& b) {
 
 bool same_surface(const Mesh& a, const Mesh& b) {
     if (a.positions.size() != b.positions.size() || a.texcoords.size() != b.texcoords.size()) return false;
-    if (!(a.indices == b.indices) && !std::equal(a.indices.begin(), a.indices.end(), b.indices.begin(), b.indices.end())) return false;
+    if (!(a.indices == b.indices) &&
+        !std::equal(a.indices.begin(), a.indices.end(), b.indices.begin(), b.indices.end()))
+        return false;
     for (std::size_t set = 0; set < a.texcoords.size(); ++set)
         if (!all_near(a.texcoords[set], b.texcoords[set])) return false;
     return all_near(a.normals, b.normals) && all_near(a.tangents, b.tangents);
@@ -64,6 +66,8 @@ std::uint32_t MeshVariants::place(const Instance& instance, Mesh result) {
     return number;
 }
 
-void MeshVariants::share(const Instance& instance, std::uint32_t number) { scene_.nodes[instance.node].meshes[instance.slot] = number; }
+void MeshVariants::share(const Instance& instance, std::uint32_t number) {
+    scene_.nodes[instance.node].meshes[instance.slot] = number;
+}
 
 }  // namespace rakelight

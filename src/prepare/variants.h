@@ -33,7 +33,7 @@ public:
     /// The instance shows the mesh `number` that place() returned for another instance of the same mesh.
     void share(const Instance& instance, std::uint32_t number);
     std::uint32_t copies() const { return added_.count(); }  ///< meshes that had to be added
-    std::uint32_t kept() const { return kept_; }      ///< results that were not put in force, since meshes stay shared
+    std::uint32_t kept() const { return kept_; }  ///< results that were not put in force, since meshes stay shared
 
 private:
     Scene& scene_;

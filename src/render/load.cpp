@@ -19,7 +19,7 @@ Scene load_shape(const std::string& words, const std::string& path, Context& con
         throw error.with_file(path);
     }
 }
-}
+}  // namespace
 
 Scene load(const std::string& path, const LoadOptions& options, Context& context) {
     if (path.starts_with(builtin_prefix)) {

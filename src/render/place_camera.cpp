@@ -90,7 +90,8 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     if (camera.projection == Projection::perspective ? view.orthographic : view.vertical_fov_rad.has_value()) {
         camera.half_height = math::tan(0.5 * camera.vertical_fov_rad) * length(eye - focal);
         camera.half_width.reset();
-        if (camera.horizontal_fov_rad) camera.half_width = math::tan(0.5 * *camera.horizontal_fov_rad) * length(eye - focal);
+        if (camera.horizontal_fov_rad)
+            camera.half_width = math::tan(0.5 * *camera.horizontal_fov_rad) * length(eye - focal);
         camera.projection = Projection::orthographic;
     }
     camera.node = none;

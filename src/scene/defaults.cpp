@@ -27,7 +27,8 @@ constexpr double margin = 0.92;  ///< share of the picture's half width and heig
 /// How far along its own axis a camera stands from the middle of the box so that all eight corners are in the picture; at
 /// least a quarter of the radius in front of the nearest one.
 struct Fit {
-    double distance, nearest;  ///< [m] from the eye to the middle; from the middle to the nearest corner, along the axis
+    double distance,
+        nearest;  ///< [m] from the eye to the middle; from the middle to the nearest corner, along the axis
 };
 Fit fit_corners(const Bounds& bounds, const dmat4& axes, double tangent_x, double tangent_y, double radius) {
     const dvec3 half = (bounds.high - bounds.low) * 0.5;
@@ -36,7 +37,8 @@ Fit fit_corners(const Bounds& bounds, const dmat4& axes, double tangent_x, doubl
         const dvec3 corner = {k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z};
         const double x = dot(corner, axes[0].xyz()), y = dot(corner, axes[1].xyz()), z = dot(corner, axes[2].xyz());
         fit.nearest = std::max(fit.nearest, z);
-        fit.distance = std::max(fit.distance, z + std::max(std::fabs(x) / tangent_x, std::fabs(y) / tangent_y) / margin);
+        fit.distance =
+            std::max(fit.distance, z + std::max(std::fabs(x) / tangent_x, std::fabs(y) / tangent_y) / margin);
     }
     if (!(bounds.diagonal() > 1e-100)) return {radius / std::min(tangent_x, tangent_y), 0};
     fit.distance = std::max(fit.distance, fit.nearest + 0.25 * radius);
@@ -71,8 +73,9 @@ struct Side {
     const char* name;
     dvec3 toward_eye, up;
 };
-constexpr Side sides[] = {{"front", {0, 0, 1}, {0, 1, 0}},   {"back", {0, 0, -1}, {0, 1, 0}},  {"left", {-1, 0, 0}, {0, 1, 0}},
-                          {"right", {1, 0, 0}, {0, 1, 0}},   {"top", {0, 1, 0}, {0, 0, -1}},   {"bottom", {0, -1, 0}, {0, 0, 1}},
+constexpr Side sides[] = {{"front", {0, 0, 1}, {0, 1, 0}},    {"back", {0, 0, -1}, {0, 1, 0}},
+                          {"left", {-1, 0, 0}, {0, 1, 0}},    {"right", {1, 0, 0}, {0, 1, 0}},
+                          {"top", {0, 1, 0}, {0, 0, -1}},     {"bottom", {0, -1, 0}, {0, 0, 1}},
                           {"isometric", {1, 1, 1}, {0, 1, 0}}};
 
 Light directional(const char* name, float strength, const dmat4& camera_to_world, dvec3 toward_light_camera) {

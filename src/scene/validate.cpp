@@ -113,9 +113,10 @@ void check_light(const Scene& scene, std::size_t i) {
     if ((light.type == LightType::directional || light.type == LightType::spot) && light.node == none &&
         light.direction == dvec3{0, 0, 0})
         place.fail("the direction is zero");
-    for (const vec3& color : {light.ambient, light.diffuse, light.specular, light.color}) place.finite("a color", cast<double>(color));
-    for (const float number : {light.constant, light.linear, light.quadratic, light.cutoff_rad, light.exponent, light.intensity,
-                               light.inner_cone_rad, light.outer_cone_rad})
+    for (const vec3& color : {light.ambient, light.diffuse, light.specular, light.color})
+        place.finite("a color", cast<double>(color));
+    for (const float number : {light.constant, light.linear, light.quadratic, light.cutoff_rad, light.exponent,
+                               light.intensity, light.inner_cone_rad, light.outer_cone_rad})
         place.finite("a parameter", number);
     if (!(light.range >= 0)) place.fail("the range is not a number >= 0");
 }
@@ -159,15 +160,17 @@ void check_influences(const Scene& scene, const std::vector<std::uint32_t>& join
         const std::size_t joints = scene.skins[node.skin].joints.size();
         for (const std::uint32_t mesh : node.meshes)
             if (joints_needed[mesh] > joints)
-                Place{"mesh", mesh, scene.meshes[mesh].name}.fail("joint " + std::to_string(joints_needed[mesh] - 1) + " exceeds the " +
-                                                                  std::to_string(joints) + " joints of skin " + std::to_string(node.skin));
+                Place{"mesh", mesh, scene.meshes[mesh].name}.fail("joint " + std::to_string(joints_needed[mesh] - 1) +
+                                                                  " exceeds the " + std::to_string(joints) +
+                                                                  " joints of skin " + std::to_string(node.skin));
     }
 }
 
 /// A chain of finite matrices can still overflow.
 void check_world_matrices(const Scene& scene) {
     const std::vector<dmat4> world = world_matrices(scene);
-    for (std::size_t i = 0; i < world.size(); ++i) Place{"node", i, scene.nodes[i].name}.finite("the world matrix", world[i]);
+    for (std::size_t i = 0; i < world.size(); ++i)
+        Place{"node", i, scene.nodes[i].name}.finite("the world matrix", world[i]);
 }
 
 }  // namespace
@@ -175,7 +178,8 @@ void check_world_matrices(const Scene& scene) {
 namespace {
 
 void validate(const Scene& scene, const Scene* known) {
-    for (const std::size_t count : {scene.nodes.size(), scene.meshes.size(), scene.materials.size(), scene.textures.size()})
+    for (const std::size_t count :
+         {scene.nodes.size(), scene.meshes.size(), scene.materials.size(), scene.textures.size()})
         if (count >= none) throw Error(ErrorCode::bad_file, "too many elements for 32-bit indices");
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) check_node(scene, i);
     std::vector<std::uint32_t> joints_needed(scene.meshes.size());

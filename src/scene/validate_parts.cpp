@@ -22,7 +22,9 @@ std::string Place::text() const {
 void Place::fail(const std::string& reason) const { throw Error(ErrorCode::bad_file, reason, text()); }
 
 void Place::index(const char* what, std::uint32_t value, std::size_t count) const {
-    if (value >= count) fail(std::string(what) + " " + std::to_string(value) + " does not exist (there are " + std::to_string(count) + ")");
+    if (value >= count)
+        fail(std::string(what) + " " + std::to_string(value) + " does not exist (there are " + std::to_string(count) +
+             ")");
 }
 
 void Place::index_or_none(const char* what, std::uint32_t value, std::size_t count) const {
@@ -75,11 +77,12 @@ void check_indices(const Place& place, const Mesh& mesh) {
     const unsigned corners = mesh.topology == Topology::triangles ? 3 : mesh.topology == Topology::lines ? 2 : 1;
     if (mesh.indices.size() % corners != 0)
         place.fail(std::to_string(mesh.indices.size()) + " indices are not a multiple of " + std::to_string(corners));
-    if (mesh.indices.empty() || largest_of(mesh.indices) < vertices) return;  // the common case, without a branch a corner
+    if (mesh.indices.empty() || largest_of(mesh.indices) < vertices)
+        return;  // the common case, without a branch a corner
     for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner)
         if (mesh.indices[corner] >= vertices)
-            place.fail("index " + std::to_string(mesh.indices[corner]) + " at corner " + std::to_string(corner) + " exceeds " +
-                       std::to_string(vertices) + " vertices");
+            place.fail("index " + std::to_string(mesh.indices[corner]) + " at corner " + std::to_string(corner) +
+                       " exceeds " + std::to_string(vertices) + " vertices");
 }
 
 std::uint32_t check_influences(const Place& place, const Mesh& mesh) {
@@ -95,13 +98,17 @@ std::uint32_t check_influences(const Place& place, const Mesh& mesh) {
 /// Values a key of a channel.
 std::size_t channel_width(const Scene& scene, const AnimationChannel& channel) {
     switch (channel.path) {
-    case AnimationPath::rotation: return 4;
-    case AnimationPath::translation:
-    case AnimationPath::scale: return 3;
-    case AnimationPath::morph_weights: break;
+        case AnimationPath::rotation:
+            return 4;
+        case AnimationPath::translation:
+        case AnimationPath::scale:
+            return 3;
+        case AnimationPath::morph_weights:
+            break;
     }
     std::size_t targets = 0;
-    for (const std::uint32_t mesh : scene.nodes[channel.node].meshes) targets = std::max(targets, scene.meshes[mesh].targets.size());
+    for (const std::uint32_t mesh : scene.nodes[channel.node].meshes)
+        targets = std::max(targets, scene.meshes[mesh].targets.size());
     return targets;
 }
 
@@ -122,7 +129,8 @@ void check_channel(const Scene& scene, const Place& place, const AnimationChanne
         }
     if (seen.values.insert(channel.values.identity()).second)
         for (const float value : channel.values) place.finite("a key's value", value);
-    const std::size_t per_key = channel_width(scene, channel) * (channel.interpolation == Interpolation::cubic_spline ? 3 : 1);
+    const std::size_t per_key =
+        channel_width(scene, channel) * (channel.interpolation == Interpolation::cubic_spline ? 3 : 1);
     place.size("values of a channel", channel.values.size(), channel.times.size() * per_key, "expected");
 }
 
@@ -149,11 +157,13 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* kno
     place.index_or_none("material", mesh.material, scene.materials.size());
     place.size_or_empty("normals", mesh.normals.size(), vertices, "vertices");
     place.size_or_empty("tangents", mesh.tangents.size(), vertices, "vertices");
-    for (const Block<vec2>& set : mesh.texcoords) place.size_or_empty("texture coordinates", set.size(), vertices, "vertices");
+    for (const Block<vec2>& set : mesh.texcoords)
+        place.size_or_empty("texture coordinates", set.size(), vertices, "vertices");
     place.size_or_empty("colors", mesh.colors.size(), vertices, "vertices");
     place.size_or_empty("joint influences", mesh.influences.size(), vertices, "vertices");
     place.size_or_empty("smoothing groups", mesh.smoothing.size(), mesh.triangle_count(), "triangles");
-    place.size_or_empty("smoothing hints", mesh.smoothing_hint.size(), 3 * std::size_t(mesh.triangle_count()), "corners");
+    place.size_or_empty("smoothing hints", mesh.smoothing_hint.size(), 3 * std::size_t(mesh.triangle_count()),
+                        "corners");
     place.size_or_empty("polygon numbers", mesh.polygons.size(), mesh.triangle_count(), "triangles");
     for (const MorphTarget& target : mesh.targets) {
         place.size_or_empty("morph positions", target.positions.size(), vertices, "vertices");

@@ -37,7 +37,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string_vi
 }
 
 std::string list_of_names(const std::vector<std::string>& names, std::size_t most, std::size_t max_bytes) {
-    constexpr std::size_t longest = 90;  // [bytes] of a list, but for its last name: an error's advice is cut behind 160
+    constexpr std::size_t longest =
+        90;  // [bytes] of a list, but for its last name: an error's advice is cut behind 160
     std::string list;
     std::set<std::string_view> known;
     std::size_t shown = 0;

@@ -8,9 +8,9 @@
 
 namespace rakelight {
 
-inline constexpr std::uint32_t bench_lights_max = 8;            ///< that reach everywhere
+inline constexpr std::uint32_t bench_lights_max = 8;             ///< that reach everywhere
 inline constexpr std::uint32_t bench_small_lights_max = 10'000;  ///< more than those: lights with a range
-inline constexpr float bench_small_range = 1;                   ///< [m] about an object's own size
+inline constexpr float bench_small_range = 1;                    ///< [m] about an object's own size
 
 /// Displaced spheres, (2,3) torus knots and wavy tori in fixed random places, sizes, turns, colors and order; about 60 % of
 /// a picture of 16:9 is covered. One mesh, one classical material (Blinn-Phong, exponent 48) and one node each; normals,

@@ -43,7 +43,9 @@ std::string to_text(const SmoothBenchReport& report) {
         format("%llu triangles, %llu vertices, %u objects, %s; %s; copying %.1f GB/s\n",
                static_cast<unsigned long long>(report.triangles), static_cast<unsigned long long>(report.vertices),
                report.objects, report.order.c_str(), report.isa.c_str(), report.copy_gb_per_s);
-    text += "ns a triangle                             threads   median    (fastest  slowest)      CPU     cold  bytes  to plain\n";
+    text +=
+        "ns a triangle                             threads   median    (fastest  slowest)      CPU     cold  bytes  to "
+        "plain\n";
     for (const BenchRow& r : report.rows)
         text += format("%-40s %8d %8.2f    %9.2f %9.2f %8.2f %8.2f %6.1f %9.2f\n", r.what.c_str(), r.threads,
                        r.ns_per_triangle, r.fastest_ns, r.slowest_ns, r.cpu_ns_per_triangle, r.cold_ns_per_triangle,

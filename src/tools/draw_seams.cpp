@@ -182,7 +182,7 @@ private:
     Frame& frame_;
     const Camera& camera_;
     double radius_px_, half_height_ = 1, pixel_height_ = 1;  ///< the last: of a pixel's width
-    std::vector<float> heat_deg_, cover_;  ///< [pixels]
+    std::vector<float> heat_deg_, cover_;                    ///< [pixels]
 };
 
 }  // namespace

@@ -32,9 +32,9 @@ std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int
         auto out = std::make_shared<ExplainedPixel>();
         out->file = request.input;
         if (x < 0 || y < 0 || x >= request.settings.width || y >= request.settings.height)  // before anything is loaded
-            throw Error(ErrorCode::usage, "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not in the picture of " +
-                                              std::to_string(request.settings.width) + " x " +
-                                              std::to_string(request.settings.height) + " pixels");
+            throw Error(ErrorCode::usage, "pixel " + std::to_string(x) + "," + std::to_string(y) +
+                                              " is not in the picture of " + std::to_string(request.settings.width) +
+                                              " x " + std::to_string(request.settings.height) + " pixels");
         out->engine = open_engine(request, context);
         out->pixel = out->engine->explain(x, y, context);
         if (out->pixel.has_marks)
@@ -69,12 +69,18 @@ TriangleNames names_of(const ExplainedPixel& e, const CoveringTriangle& triangle
 
 const char* word_for(raster::Fate fate) {
     switch (fate) {
-        case raster::Fate::visible: return "visible";
-        case raster::Fate::blended: return "blended";
-        case raster::Fate::hidden: return "hidden";
-        case raster::Fate::masked_out: return "masked_out";
-        case raster::Fate::culled_back: return "culled_back";
-        case raster::Fate::culled_front: return "culled_front";
+        case raster::Fate::visible:
+            return "visible";
+        case raster::Fate::blended:
+            return "blended";
+        case raster::Fate::hidden:
+            return "hidden";
+        case raster::Fate::masked_out:
+            return "masked_out";
+        case raster::Fate::culled_back:
+            return "culled_back";
+        case raster::Fate::culled_front:
+            return "culled_front";
     }
     return "";
 }

@@ -100,7 +100,8 @@ Json light_json(const Light& light, std::size_t index, int reflection_model, con
     out["specular_factor"] = double(t.specular_factor);
     out["own_color"] = {
         {"ambient", list(t.own_ambient)}, {"diffuse", list(t.own_diffuse)}, {"specular", list(t.own_specular)}};
-    out["light_color"] = {{"ambient", list(t.ambient_color)}, {"diffuse", list(t.diffuse_color)}, {"specular", list(t.specular_color)}};
+    out["light_color"] = {
+        {"ambient", list(t.ambient_color)}, {"diffuse", list(t.diffuse_color)}, {"specular", list(t.specular_color)}};
     out["ambient"] = list(t.ambient);
     out["diffuse"] = list(t.diffuse);
     out["specular"] = list(t.specular);
@@ -134,11 +135,10 @@ void add_corners(Json& out, const ExplainedPixel& e, const ShadedLayer& layer) {
 
 Json surface_json(const ShadedLayer& layer) {
     const raster::PixelTrace& t = layer.trace;
-    return {{"vertex_color", list(t.vertex_color)}, {"paint", list(t.paint)},
-            {"base_color", list(t.base_color)},     {"k_ambient", list(t.k_ambient)},
-            {"k_diffuse", list(t.k_diffuse)},       {"k_specular", list(t.k_specular)},
-            {"exponent", double(t.exponent)},       {"metallic", double(t.metallic)},
-            {"roughness", double(t.roughness)}};
+    return {
+        {"vertex_color", list(t.vertex_color)}, {"paint", list(t.paint)},         {"base_color", list(t.base_color)},
+        {"k_ambient", list(t.k_ambient)},       {"k_diffuse", list(t.k_diffuse)}, {"k_specular", list(t.k_specular)},
+        {"exponent", double(t.exponent)},       {"metallic", double(t.metallic)}, {"roughness", double(t.roughness)}};
 }
 
 /// Of the models of more parameters.

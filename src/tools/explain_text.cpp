@@ -23,12 +23,18 @@ std::string shown(const std::string& name, std::uint32_t index) {
 
 std::string fate_text(raster::Fate fate) {
     switch (fate) {
-        case raster::Fate::visible: return "visible";
-        case raster::Fate::blended: return "blended: laid over what is behind";
-        case raster::Fate::hidden: return "hidden: a nearer one is in front";
-        case raster::Fate::masked_out: return "masked out: alpha below the cutoff";
-        case raster::Fate::culled_back: return "culled: seen from behind";
-        case raster::Fate::culled_front: return "culled: seen from the front";
+        case raster::Fate::visible:
+            return "visible";
+        case raster::Fate::blended:
+            return "blended: laid over what is behind";
+        case raster::Fate::hidden:
+            return "hidden: a nearer one is in front";
+        case raster::Fate::masked_out:
+            return "masked out: alpha below the cutoff";
+        case raster::Fate::culled_back:
+            return "culled: seen from behind";
+        case raster::Fate::culled_front:
+            return "culled: seen from the front";
     }
     return {};
 }
@@ -70,7 +76,8 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     values.add("position [m]", world_position(e, t.position), "world");
     values.add("from the eye [m]", t.position, "world axes");
     const raster::DrawList& list = e.engine->list();
-    const std::size_t sets = list.scene.meshes[list.draws[e.pixel.triangles[layer.triangle].draw].mesh].texcoords.size();
+    const std::size_t sets =
+        list.scene.meshes[list.draws[e.pixel.triangles[layer.triangle].draw].mesh].texcoords.size();
     if (sets > 0) values.add("texture coordinates 0", t.texcoord[0]);
     if (sets > 1) values.add("texture coordinates 1", t.texcoord[1]);
     if (t.has_relief && sets > 0) values.add("0 in the relief", t.relief_texcoord[0], "where the ray meets it");
@@ -138,7 +145,8 @@ std::string indented(const std::string& text) {
 
 std::string light_name(const ExplainedPixel& e, std::size_t i) {
     const Light& light = e.engine->list().scene.lights[i];
-    return "Light " + digits(i) + " (" + name_of(light.type) + (light.name.empty() ? "" : ", " + one_line(light.name, 40)) + ")";
+    return "Light " + digits(i) + " (" + name_of(light.type) +
+           (light.name.empty() ? "" : ", " + one_line(light.name, 40)) + ")";
 }
 
 /// What the light's colors are on the way to the point.
@@ -225,7 +233,9 @@ void add_received(TextTable& table, const raster::PixelTrace& t) {
 
 std::string sum_text(const ShadedLayer& layer) {
     TextTable table({"The sum", ">red", ">green", ">blue"});
-    const auto add = [&table](const std::string& name, const auto& v) { table.add({name, digits(v[0]), digits(v[1]), digits(v[2])}); };
+    const auto add = [&table](const std::string& name, const auto& v) {
+        table.add({name, digits(v[0]), digits(v[1]), digits(v[2])});
+    };
     const raster::PixelTrace& t = layer.trace;
     add(layer.is_unlit ? "  own color: emission" : "  emission", t.emission);
     if (layer.is_unlit) add("+ base color", t.base_color);
@@ -263,8 +273,9 @@ std::string form_text(const ShadedLayer& layer) {
 std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::size_t number) {
     const CoveringTriangle& t = e.pixel.triangles[layer.triangle];
     const TriangleNames n = names_of(e, t);
-    std::string text = "\nLayer " + digits(number) + ": triangle " + digits(t.triangle) + " of mesh " + shown(n.mesh, n.mesh_index) + ", object " +
-                       shown(n.object, n.node) + ", vertices " + digits(t.vertex[0]) + " " + digits(t.vertex[1]) + " " + digits(t.vertex[2]) + "\n";
+    std::string text = "\nLayer " + digits(number) + ": triangle " + digits(t.triangle) + " of mesh " +
+                       shown(n.mesh, n.mesh_index) + ", object " + shown(n.object, n.node) + ", vertices " +
+                       digits(t.vertex[0]) + " " + digits(t.vertex[1]) + " " + digits(t.vertex[2]) + "\n";
     text += "  material " + shown(n.material, n.material_index) + " (" + material_model(e, layer) + ")";
     if (!layer.is_unlit) text += std::string(", ") + reflection_model(layer) + form_text(layer);
     text += "\n";
@@ -291,8 +302,8 @@ std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::s
 std::string to_text(const ExplainedPixel& e) {
     const RenderSettings& settings = e.engine->settings();
     const raster::PixelExplanation& p = e.pixel;
-    std::string text = one_line(e.file) + ": pixel " + digits(p.x) + "," + digits(p.y) + " of " + digits(settings.width) + " x " +
-                       digits(settings.height) + "\n";
+    std::string text = one_line(e.file) + ": pixel " + digits(p.x) + "," + digits(p.y) + " of " +
+                       digits(settings.width) + " x " + digits(settings.height) + "\n";
     if (p.triangles.empty()) text += "  background: no triangle covers it\n";
     Values color(4);
     color.add("linear color, alpha", p.color,

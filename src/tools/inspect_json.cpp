@@ -75,8 +75,9 @@ Json json_of(const Camera& c) {
     if (c.projection == Projection::perspective) {
         json["projection"] = "perspective";
         const std::optional<double> across = horizontal_fov_rad(c);
-        json["vertical_fov_deg"] = c.vertical_fov_rad > 0 ? Json(degrees(c.vertical_fov_rad)) : Json();  // null: the height
-        json["horizontal_fov_deg"] = across ? Json(degrees(*across)) : Json();  // null: the picture's width decides
+        json["vertical_fov_deg"] =
+            c.vertical_fov_rad > 0 ? Json(degrees(c.vertical_fov_rad)) : Json();  // null: the height
+        json["horizontal_fov_deg"] = across ? Json(degrees(*across)) : Json();    // null: the picture's width decides
     } else {
         json["projection"] = "orthographic";
         const std::optional<double> across = half_width(c);

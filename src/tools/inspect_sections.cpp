@@ -47,7 +47,8 @@ std::string seams_line(const Inspection& i) {
     if (i.shared_positions == 0) return text + "\n";
     text += ", " + std::to_string(s.continuous) + " continuous (normals: " + s.normals_before + "), " +
             std::to_string(s.joined) + " once smoothed over the model at " + number(s.crease_angle_deg) +
-            (s.crease_angle_most_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_most_deg) : "") + " degrees\n";
+            (s.crease_angle_most_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_most_deg) : "") +
+            " degrees\n";
     text += "  largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
             degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +
             degrees_text(s.before.p95_deg) + "; smoothed max " + degrees_text(s.after.max_deg) + ", mean " +

@@ -79,8 +79,8 @@ std::string name_of_source(const Surfaces& surfaces) {
     if (missing == surfaces.meshes.size()) return made;
     const bool is_overruled = std::any_of(surfaces.rules.begin(), surfaces.rules.end(),
                                           [](const NormalRule& rule) { return !rule.keeps_given; });
-    return "the file's, " + made + (is_overruled ? " of others (" : " where it has none (") + std::to_string(missing) + " of " +
-           std::to_string(surfaces.meshes.size()) + " meshes)";
+    return "the file's, " + made + (is_overruled ? " of others (" : " where it has none (") + std::to_string(missing) +
+           " of " + std::to_string(surfaces.meshes.size()) + " meshes)";
 }
 
 }  // namespace rakelight

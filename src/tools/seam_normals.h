@@ -14,9 +14,9 @@ namespace rakelight {
 
 /// The normals of one part: the file's, or made.
 struct PartNormals {
-    std::span<const vec3> given;  ///< [V] by the mesh's own indices; empty: `made` counts
-    std::vector<vec3> made;               ///< [V'] else
-    std::vector<std::uint32_t> indices;   ///< [3T] into `made`; empty: the mesh's own
+    std::span<const vec3> given;         ///< [V] by the mesh's own indices; empty: `made` counts
+    std::vector<vec3> made;              ///< [V'] else
+    std::vector<std::uint32_t> indices;  ///< [3T] into `made`; empty: the mesh's own
 
     /// The vertex that a corner (3 * triangle + k) uses for its normal.
     /// @param own  the mesh's indices

@@ -16,7 +16,8 @@ int main() {
     mesh.positions = positions;
     mesh.indices = indices;
     const std::vector<MeshAttributes> attributes = compute_attributes({&mesh, 1}, {}, context);
-    if (attributes.size() != 1 || std::fabs(attributes[0].normals[0].z - 1) > 1e-6f) return std::puts("wrong normal"), 1;
+    if (attributes.size() != 1 || std::fabs(attributes[0].normals[0].z - 1) > 1e-6f)
+        return std::puts("wrong normal"), 1;
 
     const Inspection found = inspect(load("builtin:teapot", {}, context), {}, context);
     if (found.objects.size() != 6) return std::puts("wrong number of objects"), 1;

@@ -12,12 +12,18 @@ namespace {
 double inside_by(const ClipVertex& v, unsigned plane, const ClipVolume& volume) {
     const double x = v.x, y = v.y, w = v.w;
     switch (plane) {
-        case clip_near: return double(v.distance) - volume.near;
-        case clip_far: return volume.far - double(v.distance);
-        case clip_left: return w + x;
-        case clip_right: return w - x;
-        case clip_bottom: return w + y;
-        case clip_top: return w - y;
+        case clip_near:
+            return double(v.distance) - volume.near;
+        case clip_far:
+            return volume.far - double(v.distance);
+        case clip_left:
+            return w + x;
+        case clip_right:
+            return w - x;
+        case clip_bottom:
+            return w + y;
+        case clip_top:
+            return w - y;
         case clip_guard_left:
             return double(volume.guard_x) * w + x;
         case clip_guard_right:
@@ -34,12 +40,14 @@ ClipVertex cut(const ClipVertex& inner, const ClipVertex& outer, double inner_by
     const bool from_inner = inner_by <= -outer_by;
     const double t = (from_inner ? inner_by : -outer_by) / (inner_by - outer_by);
     const auto mix = [t, from_inner](float a, float b) {
-        return from_inner ? float(double(a) + (double(b) - double(a)) * t) : float(double(b) + (double(a) - double(b)) * t);
+        return from_inner ? float(double(a) + (double(b) - double(a)) * t)
+                          : float(double(b) + (double(a) - double(b)) * t);
     };
     return {mix(inner.x, outer.x), mix(inner.y, outer.y), mix(inner.w, outer.w), mix(inner.distance, outer.distance)};
 }
 
-std::size_t clip_by_plane(const ClipVertex* in, std::size_t count, ClipVertex* out, unsigned plane, const ClipVolume& volume) {
+std::size_t clip_by_plane(const ClipVertex* in, std::size_t count, ClipVertex* out, unsigned plane,
+                          const ClipVolume& volume) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const ClipVertex &a = in[i], &b = in[(i + 1) % count];
@@ -84,7 +92,8 @@ std::size_t clip_triangle(const ClipVertex (&triangle)[3], unsigned planes, cons
     std::size_t count = 3;
     for (std::size_t i = 0; i < 3; ++i) from[i] = triangle[i];
     // The near plane comes first: after it every w is positive.
-    for (const unsigned plane : {clip_near, clip_far, clip_guard_left, clip_guard_right, clip_guard_bottom, clip_guard_top}) {
+    for (const unsigned plane :
+         {clip_near, clip_far, clip_guard_left, clip_guard_right, clip_guard_bottom, clip_guard_top}) {
         if (!(planes & plane)) continue;
         count = clip_by_plane(from, count, to, plane, volume);
         std::swap(from, to);

@@ -12,9 +12,9 @@ namespace rakelight::raster {
 /// edge it is, so that triangles which share an edge cover each pixel exactly once. From pixel to pixel an edge function
 /// changes by multiples of 256, so only the integer part of its 256th counts: floor(e / 256) >= 0 where e >= 0.
 struct Coverage {
-    int left, top, right, bottom;                  ///< inclusive
-    std::int64_t edge[3], step_x[3], step_y[3];    ///< at (left, top), and its change per pixel; 0 where all pixels pass
-    int plane_x, plane_y;                          ///< pixel about which the plane of the depth keys is given
+    int left, top, right, bottom;                ///< inclusive
+    std::int64_t edge[3], step_x[3], step_y[3];  ///< at (left, top), and its change per pixel; 0 where all pixels pass
+    int plane_x, plane_y;                        ///< pixel about which the plane of the depth keys is given
     float depth_0, depth_x, depth_y;
     float depth_low, depth_high;
 };
@@ -53,7 +53,8 @@ inline bool set_coverage(const ScreenTriangle& s, const Window& area, int tile_x
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t n = (k + 1) % 3;
         const std::int64_t dx = s.x(n) - s.x(k), dy = s.y(n) - s.y(k);
-        const std::int64_t px = (std::int64_t(left) << subpixel_bits) + 128, py = (std::int64_t(top) << subpixel_bits) + 128;
+        const std::int64_t px = (std::int64_t(left) << subpixel_bits) + 128,
+                           py = (std::int64_t(top) << subpixel_bits) + 128;
         const bool is_top_or_left = dy < 0 || (dy == 0 && dx > 0);  // positive area, y down
         c.edge[k] = (dx * (py - s.y(k)) - dy * (px - s.x(k)) - (is_top_or_left ? 0 : 1)) >> subpixel_bits;
         c.step_x[k] = -dy;

@@ -11,10 +11,14 @@ namespace {
 /// Largest whole number of a format; 0 for floats.
 double largest_code(Visibility format) {
     switch (format) {
-        case Visibility::z16: return 65535.0;
-        case Visibility::z24: return 16777215.0;
-        case Visibility::z32: return 4294967295.0;
-        default: return 0;
+        case Visibility::z16:
+            return 65535.0;
+        case Visibility::z24:
+            return 16777215.0;
+        case Visibility::z32:
+            return 4294967295.0;
+        default:
+            return 0;
     }
 }
 
@@ -35,7 +39,9 @@ double reversed_depth(double distance, const DepthRange& r) {
     return r.orthographic ? 1 - (distance - r.near) / (r.far - r.near) : r.near / distance;
 }
 
-double standard_of_reversed(double reversed, const DepthRange& r) { return r.orthographic ? 1 - reversed : limit_of(r) * (1 - reversed); }
+double standard_of_reversed(double reversed, const DepthRange& r) {
+    return r.orthographic ? 1 - reversed : limit_of(r) * (1 - reversed);
+}
 
 double standard_depth(double distance, const DepthRange& r) {
     if (r.orthographic) return (distance - r.near) / (r.far - r.near);
@@ -50,7 +56,8 @@ double stored_depth(Visibility format, double reversed, const DepthRange& r) {
 
 double depth_step(Visibility format, double distance, const DepthRange& r) {
     const bool is_reversed = format == Visibility::z_reversed;
-    const double largest = largest_code(format), z = is_reversed ? reversed_depth(distance, r) : standard_depth(distance, r);
+    const double largest = largest_code(format),
+                 z = is_reversed ? reversed_depth(distance, r) : standard_depth(distance, r);
     const double change = largest > 0 ? 1 / largest : last_bit(z);
     if (r.orthographic) return change * (r.far - r.near);
     return change * distance * distance / (r.near * (is_reversed ? 1.0 : limit_of(r)));

@@ -19,10 +19,10 @@ struct EnvironmentMaps;
 /// One mesh at one place.
 struct Draw {
     std::uint32_t node = none, mesh = none;
-    std::uint32_t material = 0;      ///< into DrawList::materials
-    dmat4 to_world;                  ///< including the mesh's origin
-    bool mirrored = false;           ///< det(to_world) < 0
-    vec3 low, high;                  ///< bounds of the positions, object space
+    std::uint32_t material = 0;  ///< into DrawList::materials
+    dmat4 to_world;              ///< including the mesh's origin
+    bool mirrored = false;       ///< det(to_world) < 0
+    vec3 low, high;              ///< bounds of the positions, object space
 };
 
 /// A material, and which scene material it is (`none`: the default one).
@@ -34,15 +34,15 @@ struct DrawMaterial {
 };
 
 struct DrawList {
-    Scene scene;                     ///< keeps the blocks alive
+    Scene scene;  ///< keeps the blocks alive
     std::vector<dmat4> node_to_world;
     std::vector<Draw> draws;       ///< of triangles
     std::vector<Draw> line_draws;  ///< of lines and points
     MemoryCharge charge;           ///< pays for matrices and draws
     Bounds bounds;                 ///< of the boxes of both in the world
     std::vector<DrawMaterial> materials;
-    std::vector<geometry::NormalSides> normal_sides;  ///< [meshes] of those whose format says nothing about sides
-    std::deque<TextureView> views;   ///< what the slots of the materials point to
+    std::vector<geometry::NormalSides> normal_sides;     ///< [meshes] of those whose format says nothing about sides
+    std::deque<TextureView> views;                       ///< what the slots of the materials point to
     std::shared_ptr<const EnvironmentMaps> environment;  ///< null: none; EnvironmentCache
     EnvironmentView environment_view{};                  ///< of it
 };
@@ -51,6 +51,7 @@ struct DrawList {
 DrawList make_draw_list(Scene scene, TextureCache& textures, Context& context);
 
 /// The lights of a scene about an eye.
-std::vector<lighting::LightParameters> make_lights(const Scene& scene, const std::vector<dmat4>& node_to_world, dvec3 eye);
+std::vector<lighting::LightParameters> make_lights(const Scene& scene, const std::vector<dmat4>& node_to_world,
+                                                   dvec3 eye);
 
 }  // namespace rakelight::raster

@@ -276,8 +276,9 @@ std::vector<TracedCorner> trace_corners(const FrontEnd& front, const LightPoints
 
 PixelExplanation Inspection::explain(int x, int y, Context& context) const {
     if (x < 0 || y < 0 || x >= settings_.width || y >= settings_.height)
-        throw Error(ErrorCode::usage, "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not in the picture of " +
-                                          std::to_string(settings_.width) + " x " + std::to_string(settings_.height) + " pixels",
+        throw Error(ErrorCode::usage,
+                    "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not in the picture of " +
+                        std::to_string(settings_.width) + " x " + std::to_string(settings_.height) + " pixels",
                     {}, "0,0 is the top left one");
     return PixelStages(*this, x, y, context).run();
 }

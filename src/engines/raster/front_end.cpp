@@ -105,8 +105,7 @@ void PictureMemory::add(std::uint64_t bytes) {
     throw Error(ErrorCode::bad_file,
                 "the picture's triangles, lines and points need more than " + std::to_string(limit_) +
                     " bytes, half of the limit",
-                {},
-                "raise the limit with --max-memory, or render a part with --window");
+                {}, "raise the limit with --max-memory, or render a part with --window");
 }
 
 TileGrid::TileGrid(int width, int height, Window w) : window(w.width == 0 ? Window{0, 0, width, height} : w) {

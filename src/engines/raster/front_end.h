@@ -97,12 +97,12 @@ struct FrontEnd {
     const GeometryKernels& kernels;
     std::vector<ClipVertex> clip_store;      ///< [vertices of all draws + row_padding]
     std::vector<ScreenVertex> screen_store;  ///< likewise
-    std::vector<dmat4> to_eye;           ///< [draws] object -> world axes about the eye
+    std::vector<dmat4> to_eye;               ///< [draws] object -> world axes about the eye
     RenderStats stats;
-    mutable PictureMemory memory;  ///< tiles count what they take, too
+    mutable PictureMemory memory;        ///< tiles count what they take, too
     std::vector<ClipVertices> clip;      ///< [draws] in `clip_store`; empty for draws wholly outside
     std::vector<ScreenVertices> screen;  ///< [draws] in `screen_store`
-    std::vector<Shading> shading;  ///< [draws] never automatic; choose_shading()
+    std::vector<Shading> shading;        ///< [draws] never automatic; choose_shading()
     /// [draws] not 0: triangles whose box has pixel centers of the window were culled by the side they are seen from
     std::vector<std::uint8_t> culled_by_side;
     std::vector<FullJob> full;             ///< [draws]; empty: all are plain

@@ -7,8 +7,8 @@
 namespace rakelight::raster {
 
 inline constexpr int tile_size = 64;     ///< [px] side of a tile; tiles lie on the picture's own grid, not the window's
-inline constexpr int tile_bits = 6;          ///< log2 of it
-inline constexpr int block_side = 4;         ///< [px] of the blocks in whose order pixels are shaded
+inline constexpr int tile_bits = 6;      ///< log2 of it
+inline constexpr int block_side = 4;     ///< [px] of the blocks in whose order pixels are shaded
 inline constexpr int subpixel_bits = 8;  ///< screen coordinates are integers of 1/256 pixel
 inline constexpr int row_padding = 15;   ///< arrays that kernels load whole vectors from reach this far past their end
 inline constexpr int small_extent =
@@ -111,7 +111,7 @@ struct RecordJob;
 /// The functions that exist once per instruction set.
 struct GeometryKernels {
     void (*transform)(const VertexJob* job);
-    int32_t (*set_up)(SetUpJob* job);           ///< returns how many passed
+    int32_t (*set_up)(SetUpJob* job);  ///< returns how many passed
     /// Depth -1, visible -1. [tile_size * tile_size] both
     void (*clear_tile)(float* depth, int32_t* visible);
     /// `value` where nothing is visible. Of the tile's first pixel; `stride` pixels from row to row.

@@ -107,7 +107,9 @@ public:
     }
 
 private:
-    std::size_t at(int x, int y) const { return std::size_t(y + oy_) * std::size_t(of_.settings().width) + std::size_t(x + ox_); }
+    std::size_t at(int x, int y) const {
+        return std::size_t(y + oy_) * std::size_t(of_.settings().width) + std::size_t(x + ox_);
+    }
 
     std::size_t at(std::size_t pixel) const { return at(int(pixel) % tile_size, int(pixel) / tile_size); }
 

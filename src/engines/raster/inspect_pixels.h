@@ -25,15 +25,15 @@ struct PixelStageData {
     std::vector<std::uint16_t> overdraw;  ///< opaque surfaces over the pixel, as channel_overdraw; at most 65535
     std::vector<std::uint8_t> faces;  ///< bits, what covers the center: 1 a face seen from behind that culling dropped,
                                       ///< 2 one from the front, 4 one drawn
-    std::vector<float> distance;                    ///< [m] along the view axis; +infinity where nothing opaque is
-    std::vector<std::uint32_t> draw, triangle;      ///< the visible surface; `none` where nothing opaque is
-    std::vector<vec3> normal;                       ///< that is lit
+    std::vector<float> distance;      ///< [m] along the view axis; +infinity where nothing opaque is
+    std::vector<std::uint32_t> draw, triangle;  ///< the visible surface; `none` where nothing opaque is
+    std::vector<vec3> normal;                   ///< that is lit
     /// As Scene::lights but at most `max_lights`: what the terms of the visible surface and of those that are laid over
     /// it come to in the picture. A layer's count by its alpha, those behind it by what it lets through.
     std::vector<TermPictures> lights;
     std::vector<vec3> other_lights;  ///< the same, of all lights beyond `max_lights` together; empty: there are none
     std::vector<vec3> emission;      ///< the same
-    std::vector<vec3> own_color;  ///< the same, of surfaces that are not lit, and of the background behind layers
+    std::vector<vec3> own_color;     ///< the same, of surfaces that are not lit, and of the background behind layers
     /// The same, of the light from all around: what is reflected diffusely, and the gloss. Empty: there is none.
     std::vector<vec3> around_diffuse, around_specular;
     std::vector<vec3> fog;         ///< the same, of the fog's own light; empty: there is none
@@ -48,7 +48,7 @@ struct PixelStageData {
     std::vector<vec4> opaque;               ///< the picture before blended surfaces; empty where no material blends
     std::vector<std::uint8_t> layer_count;  ///< blended surfaces laid over the pixel, at most 255; empty with `opaque`
     std::vector<BlendedLayer> layers;       ///< the first of each pixel, as many as there are, at most most_layers
-    std::vector<vec4> color;                        ///< the picture, linear
+    std::vector<vec4> color;                ///< the picture, linear
     // Of pictures of several samples a pixel, else empty. All else is of the pixels' centers.
     std::vector<vec4> center_color;             ///< the picture of one sample
     std::vector<std::uint8_t> samples_covered;  ///< by something opaque

@@ -40,10 +40,10 @@ struct CoveredSample {
 struct CoveringTriangle {
     std::uint32_t draw = none, triangle = none;  ///< into DrawList::draws; which triangle of its mesh
     std::array<std::uint32_t, 3> vertex{};       ///< into the mesh's arrays
-    bool is_back = false;     ///< seen from behind
-    bool is_clipped = false;  ///< this is a piece: the triangle passes a clipping plane
-    float depth_key = 0;      ///< of the nearest sample, as distance and alpha
-    float distance = 0;       ///< [m] along the view axis
+    bool is_back = false;                        ///< seen from behind
+    bool is_clipped = false;                     ///< this is a piece: the triangle passes a clipping plane
+    float depth_key = 0;                         ///< of the nearest sample, as distance and alpha
+    float distance = 0;                          ///< [m] along the view axis
     float alpha = 1;
     Fate fate = Fate::hidden;
     std::vector<CoveredSample> samples;  ///< at least one, in their order
@@ -69,12 +69,12 @@ struct LaidSample {
 
 /// One surface that was shaded for the pixel: once, whatever the number of samples that show it.
 struct ShadedLayer {
-    std::size_t triangle = 0;      ///< into PixelExplanation::triangles
-    vec2 place;                    ///< [px] from the pixel's center to where it was shaded, y down
+    std::size_t triangle = 0;  ///< into PixelExplanation::triangles
+    vec2 place;                ///< [px] from the pixel's center to where it was shaded, y down
     PixelTrace trace{};
     std::vector<TracedTexels> texels;  ///< [traced_maps]
-    std::vector<TracedLight> lights;  ///< as Scene::lights; empty for unlit surfaces and where trace.is_lit_at_corners
-    std::vector<TracedParts> parts;   ///< [lights], then those of what comes from all around and of the emission
+    std::vector<TracedLight> lights;   ///< as Scene::lights; empty for unlit surfaces and where trace.is_lit_at_corners
+    std::vector<TracedParts> parts;    ///< [lights], then those of what comes from all around and of the emission
     std::vector<TracedCorner> corners;  ///< where trace.is_lit_at_corners: the three vertices, or the centroid alone
     int reflection_model = 0, reflection_form = 0;  ///< of ShadeJob
     int ward_form = -1;                             ///< WardForm where the model is Ward's, else -1
@@ -97,8 +97,8 @@ struct PixelExplanation {
     std::vector<ShadedLayer> layers;
     std::vector<SeenSample> samples;  ///< as many as the picture has a pixel
     vec4 sum;                         ///< what the layers come to: the mean of the samples
-    vec4 color;   ///< the pixel's surfaces as the engine draws them: equal to `sum` to the bit
-    bool has_marks = false;  ///< lines or points of the scene may lie over them
+    vec4 color;                       ///< the pixel's surfaces as the engine draws them: equal to `sum` to the bit
+    bool has_marks = false;           ///< lines or points of the scene may lie over them
 };
 
 /// A prepared scene seen by a camera. Not to be copied: its parts refer to each other.

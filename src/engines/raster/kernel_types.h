@@ -11,53 +11,53 @@
 
 namespace rakelight::raster {
 
-inline constexpr int batch_padding = 32;     ///< arrays of a batch may be read and written this far past their count
-inline constexpr int max_mip_levels = 16;    ///< 32768 texels a side
+inline constexpr int batch_padding = 32;   ///< arrays of a batch may be read and written this far past their count
+inline constexpr int max_mip_levels = 16;  ///< 32768 texels a side
 
 /// One texture as the kernel reads it: all levels in one array, row 0 on top. Around each level stands a border of one
 /// texel that repeats its edges as the wrap modes say, so that a filter's four texels are always neighbors.
 struct TextureView {
-    const uint32_t* rgba8;    ///< linear codes of 8 bits, R in the low byte; or null
-    const uint32_t* rgba16;   ///< linear codes of 15 bits, two words a texel: R | B << 16, G | A << 16; or null
-    const float* rgba32f;     ///< four linear floats a texel; or null
-    int32_t levels;           ///< 1..max_mip_levels
-    int32_t origin[max_mip_levels];                          ///< [texels] place of each level's texel 0, 0
-    int32_t width[max_mip_levels], height[max_mip_levels];   ///< [texels] of each level
-    int32_t stride[max_mip_levels];                          ///< [texels] from row to row: width + 2
+    const uint32_t* rgba8;           ///< linear codes of 8 bits, R in the low byte; or null
+    const uint32_t* rgba16;          ///< linear codes of 15 bits, two words a texel: R | B << 16, G | A << 16; or null
+    const float* rgba32f;            ///< four linear floats a texel; or null
+    int32_t levels;                  ///< 1..max_mip_levels
+    int32_t origin[max_mip_levels];  ///< [texels] place of each level's texel 0, 0
+    int32_t width[max_mip_levels], height[max_mip_levels];            ///< [texels] of each level
+    int32_t stride[max_mip_levels];                                   ///< [texels] from row to row: width + 2
     float fixed_width[max_mip_levels], fixed_height[max_mip_levels];  ///< [2^-15 texels] of each level
-    int32_t wrap_u, wrap_v;   ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
+    int32_t wrap_u, wrap_v;                                           ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
     int32_t magnify_linear, minify_linear;
-    int32_t mip;              ///< 0 none, 1 nearest, 2 linear
+    int32_t mip;  ///< 0 none, 1 nearest, 2 linear
 };
 
 /// Use of a texture: view (null: none), coordinate set, and the affine transform of u, v.
 struct TextureSlot {
     const TextureView* view;
-    int32_t texcoord_set;                  ///< 0 or 1
-    int32_t is_transformed;                ///< 0: the matrix is the identity
-    float uu, uv, vu, vv, u0, v0;          ///< u' = uu u + uv v + u0, v' = vu u + vv v + v0
+    int32_t texcoord_set;          ///< 0 or 1
+    int32_t is_transformed;        ///< 0: the matrix is the identity
+    float uu, uv, vu, vv, u0, v0;  ///< u' = uu u + uv v + u0, v' = vu u + vv v + v0
 };
 
 struct MaterialView {
-    int32_t unlit, metallic_roughness;     ///< both 0: classical
+    int32_t unlit, metallic_roughness;  ///< both 0: classical
     float base_color[4], emission[3], ambient[3], specular[3], shininess;
-    int32_t whole_exponent;                ///< shininess of classical materials where it is a whole number, else 0
+    int32_t whole_exponent;  ///< shininess of classical materials where it is a whole number, else 0
     float metallic, roughness;
     float dielectric_color[3];  ///< that of the index of refraction times the specular color: may exceed 1
     float specular_strength;    ///< KHR_materials_specular
     float normal_scale, occlusion_strength;
-    float alpha_cutoff;                    ///< < 0: no mask
-    int32_t blend;                         ///< 0: alpha is 1
-    int32_t shares_footprint;              ///< the normal map is read where the base color map is, texel by texel
-    int32_t uses_texcoords[2];             ///< some map is read by the set
-    int32_t vertex_colors;                 ///< 0: no mesh with this material has any, all corners are white
+    float alpha_cutoff;         ///< < 0: no mask
+    int32_t blend;              ///< 0: alpha is 1
+    int32_t shares_footprint;   ///< the normal map is read where the base color map is, texel by texel
+    int32_t uses_texcoords[2];  ///< some map is read by the set
+    int32_t vertex_colors;      ///< 0: no mesh with this material has any, all corners are white
     TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map,
         metallic_roughness_map, specular_strength_map, specular_color_map;
     // read by the full kernel alone
     TextureSlot height_map;
-    float lobe_roughness;  ///< of classical materials: that of the GGX or Ward lobe as wide as theirs
-    float sigma;           ///< [rad] Oren-Nayar; < 0: from roughness
-    float ward_alpha[2];   ///< along tangent and bitangent; 0: from roughness and anisotropy
+    float lobe_roughness;                  ///< of classical materials: that of the GGX or Ward lobe as wide as theirs
+    float sigma;                           ///< [rad] Oren-Nayar; < 0: from roughness
+    float ward_alpha[2];                   ///< along tangent and bitangent; 0: from roughness and anisotropy
     float anisotropy, anisotropy_axis[2];  ///< KHR_materials_anisotropy: strength, cosine and sine
     float clearcoat, clearcoat_roughness, clearcoat_normal_scale;
     float sheen_color[3], sheen_roughness;
@@ -96,7 +96,7 @@ struct RecordJob {
     int32_t count;
     const TriangleRow* const* row;  ///< [count]
     int32_t tile_x, tile_y;         ///< [px] of the tile's corner
-    const uint32_t* indices;   ///< of the mesh, [3 * triangles]
+    const uint32_t* indices;        ///< of the mesh, [3 * triangles]
     int32_t vertices;
     const float* clip;                    ///< [vertices] x, y, w, distance
     const float* positions;               ///< [vertices] of 3
@@ -117,29 +117,29 @@ struct RecordJob {
 /// Pixels of one draw in one tile.
 struct ShadeJob {
     int32_t count;
-    const int32_t* pixel;                  ///< [count] y * tile_size + x in the tile
-    const float* offset_x;                 ///< [count] [px] from the pixel's center to where it is shaded; null: there
+    const int32_t* pixel;   ///< [count] y * tile_size + x in the tile
+    const float* offset_x;  ///< [count] [px] from the pixel's center to where it is shaded; null: there
     const float* offset_y;
-    const int32_t* triangle;               ///< [count] into `triangles`
+    const int32_t* triangle;  ///< [count] into `triangles`
     const ShadeTriangle* triangles;
-    const LitTriangle* lit;                ///< beside `triangles`; null: lighting is evaluated at every pixel
+    const LitTriangle* lit;  ///< beside `triangles`; null: lighting is evaluated at every pixel
     const MaterialView* material;
     const lighting::LightParameters* lights;
     int32_t light_count;
-    int32_t reflection_model;              ///< RL_LAMBERT, RL_PHONG, RL_BLINN_PHONG of lighting/light_sum.glsl: 0, 1, 2
-    int32_t reflection_form;               ///< RL_TEXTBOOK, RL_NORMALIZED: 0, 1
+    int32_t reflection_model;  ///< RL_LAMBERT, RL_PHONG, RL_BLINN_PHONG of lighting/light_sum.glsl: 0, 1, 2
+    int32_t reflection_form;   ///< RL_TEXTBOOK, RL_NORMALIZED: 0, 1
     int32_t specular_horizon;
-    int32_t bump;                          ///< 0: normal maps are ignored
-    int32_t orthogonalize;                 ///< 0: tangents are used as they are interpolated, only made unit
-    int32_t anisotropy;                    ///< most texture samples along a footprint's longer side, 1..16
-    int32_t unlit;                         ///< own color: no lighting
-    int32_t affine;                        ///< as in RecordJob
+    int32_t bump;           ///< 0: normal maps are ignored
+    int32_t orthogonalize;  ///< 0: tangents are used as they are interpolated, only made unit
+    int32_t anisotropy;     ///< most texture samples along a footprint's longer side, 1..16
+    int32_t unlit;          ///< own color: no lighting
+    int32_t affine;         ///< as in RecordJob
     int32_t orthographic;
-    float view_direction[3];               ///< towards the viewer, for orthographic views
-    float ray[3][3];  ///< x, y, z of the pixel's ray: change per pixel in x and y, value at the tile's first
-                      ///< pixel center. Perspective: times w it is the position about the eye;
-                      ///< orthographic: the position where the distance is 0
-    float* red;       ///< [count] out, linear, finite
+    float view_direction[3];  ///< towards the viewer, for orthographic views
+    float ray[3][3];          ///< x, y, z of the pixel's ray: change per pixel in x and y, value at the tile's first
+                              ///< pixel center. Perspective: times w it is the position about the eye;
+                              ///< orthographic: the position where the distance is 0
+    float* red;               ///< [count] out, linear, finite
     float* green;
     float* blue;
     float* alpha;
@@ -147,7 +147,7 @@ struct ShadeJob {
                            ///< byte. Of the tile's first pixel; or null
     int64_t srgb8_stride;  ///< [px] from row to row
     const uint32_t* srgb_table;  ///< SrgbEncoder::table()
-    float* normal_x;                       ///< [count] out, shading normal in the world; null: not wanted
+    float* normal_x;             ///< [count] out, shading normal in the world; null: not wanted
     float* normal_y;
     float* normal_z;
     const FullJob* full;  ///< null: the plain kernel, which this job is no more than
@@ -157,11 +157,11 @@ struct ShadeJob {
 /// Arrays are read and written up to batch_padding past `count`.
 struct LightJob {
     int32_t count;
-    const float* position[3];              ///< [count] x, y, z about the eye, world axes
-    const float* normal[3];                ///< [count] unit, on the side that is seen
-    const ShadeJob* shade;                 ///< material, lights, model, view; its pixels are not looked at
-    float roughness;                       ///< of the material, with the mean of its map; not looked at for classical materials
-    float* ambient[3];                     ///< [count] out: R, G, B of each term per unit of its reflectance
+    const float* position[3];  ///< [count] x, y, z about the eye, world axes
+    const float* normal[3];    ///< [count] unit, on the side that is seen
+    const ShadeJob* shade;     ///< material, lights, model, view; its pixels are not looked at
+    float roughness;           ///< of the material, with the mean of its map; not looked at for classical materials
+    float* ambient[3];         ///< [count] out: R, G, B of each term per unit of its reflectance
     float* diffuse[3];
     float* specular[3];
 };
@@ -207,16 +207,22 @@ struct SkyJob {
 struct Kernels {
     int32_t lanes;
     int32_t (*shade)(const ShadeJob* job);  ///< returns how many components came out not finite: they are 0
-    void (*alpha)(const ShadeJob* job);    ///< only `alpha` is written: for masks
+    void (*alpha)(const ShadeJob* job);     ///< only `alpha` is written: for masks
     void (*light)(const LightJob* job);
     void (*channels)(const ChannelJob* job);
     void (*bounds)(const ShadeJob* job, LightBox* box);  ///< of the pixels' positions
     void (*sky)(const SkyJob* job);
 };
 
-namespace scalar { const Kernels* kernels(); }
-namespace sse2 { const Kernels* kernels(); }
-namespace avx2 { const Kernels* kernels(); }
+namespace scalar {
+const Kernels* kernels();
+}
+namespace sse2 {
+const Kernels* kernels();
+}
+namespace avx2 {
+const Kernels* kernels();
+}
 namespace avx512x2 {
 const Kernels* kernels();
 }  // namespace avx512x2

@@ -180,8 +180,9 @@ void remark_shadows(const FrontEnd& front, const LightPoints& points, Context& c
     const bool any =
         std::any_of(points.draws.begin(), points.draws.end(), [](const DrawLight& d) { return d.sides != 0; });
     if (front.settings.shadows && any)
-        context.report().add(Remark::dropped, front.list.scene.source, {},
-                             "shadows do not fall on flat and Gouraud shading: lighting is not evaluated at the pixels");
+        context.report().add(
+            Remark::dropped, front.list.scene.source, {},
+            "shadows do not fall on flat and Gouraud shading: lighting is not evaluated at the pixels");
 }
 
 void remark_maps(const FrontEnd& front, const LightPoints& points, Context& context) {

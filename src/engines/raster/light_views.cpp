@@ -17,10 +17,14 @@ using lighting::LightParameters;
 
 LightKind kind_of(LightType type) {
     switch (type) {
-        case LightType::ambient: return LightKind::ambient;
-        case LightType::directional: return LightKind::directional;
-        case LightType::point: return LightKind::point;
-        case LightType::spot: return LightKind::spot;
+        case LightType::ambient:
+            return LightKind::ambient;
+        case LightType::directional:
+            return LightKind::directional;
+        case LightType::point:
+            return LightKind::point;
+        case LightType::spot:
+            return LightKind::spot;
     }
     return LightKind::point;
 }

@@ -106,8 +106,15 @@ MaterialView factors(const Material& m) {
 TextureSlot slot_for(const TextureUse& use, const TextureView& view) {
     const double c = math::cos(use.transform.rotation_rad), s = math::sin(use.transform.rotation_rad);
     const vec2 scale = use.transform.scale, offset = use.transform.offset;
-    TextureSlot slot = {&view, std::int32_t(use.texcoord_set), 0, float(c * scale.x), float(s * scale.y),
-                        float(-s * scale.x), float(c * scale.y), offset.x, offset.y};
+    TextureSlot slot = {&view,
+                        std::int32_t(use.texcoord_set),
+                        0,
+                        float(c * scale.x),
+                        float(s * scale.y),
+                        float(-s * scale.x),
+                        float(c * scale.y),
+                        offset.x,
+                        offset.y};
     slot.is_transformed = slot.uu != 1 || slot.uv != 0 || slot.vu != 0 || slot.vv != 1 || slot.u0 != 0 || slot.v0 != 0;
     return slot;
 }

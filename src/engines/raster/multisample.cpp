@@ -132,10 +132,9 @@ private:
     void shade_draw(const DrawRun& run) {
         const std::size_t begin = m_.first[std::size_t(run.begin)], end = m_.first[std::size_t(run.end)];
         const bool has_whole = m_.open_pixels.size() < tile_pixels;
-        const auto count =
-            has_whole ? std::size_t(job_.front.kernels.collect(m_.whole.data(), run.begin, run.end, s_.pixel.data(),
-                                                               s_.shown.data()))
-                      : 0;
+        const auto count = has_whole ? std::size_t(job_.front.kernels.collect(m_.whole.data(), run.begin, run.end,
+                                                                              s_.pixel.data(), s_.shown.data()))
+                                     : 0;
         if (count == 0 && begin == end) return;
         s_.wanted.clear();
         if (count > 0) find_wanted(job_, tile_, count, s_);

@@ -26,9 +26,12 @@ namespace {
 
 const Kernels* kernels_for(Isa isa) {
     switch (isa) {
-        case Isa::scalar: return scalar::kernels();
-        case Isa::sse2: return sse2::kernels();
-        case Isa::avx2: return avx2::kernels();
+        case Isa::scalar:
+            return scalar::kernels();
+        case Isa::sse2:
+            return sse2::kernels();
+        case Isa::avx2:
+            return avx2::kernels();
         case Isa::avx512:
             return avx512x2::kernels();
     }
@@ -82,7 +85,8 @@ private:
 /// The rows of a whole tile that lie in the window; a tile that does so wholly is handed on as it stands.
 template <class T>
 std::span<const T> part(const std::vector<T>& whole, const Window& in_tile, std::vector<T>& copy) {
-    if (in_tile.width == tile_size) return std::span(whole).subspan(std::size_t(in_tile.y * tile_size), std::size_t(in_tile.height * tile_size));
+    if (in_tile.width == tile_size)
+        return std::span(whole).subspan(std::size_t(in_tile.y * tile_size), std::size_t(in_tile.height * tile_size));
     for (int y = in_tile.y; y < in_tile.y + in_tile.height; ++y) {
         const auto row = whole.begin() + y * tile_size + in_tile.x;
         copy.insert(copy.end(), row, row + in_tile.width);
@@ -92,7 +96,8 @@ std::span<const T> part(const std::vector<T>& whole, const Window& in_tile, std:
 
 void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     const Window area = job.grid.pixels(tile);
-    const Window in_tile = {area.x - job.grid.origin_x(tile), area.y - job.grid.origin_y(tile), area.width, area.height};
+    const Window in_tile = {area.x - job.grid.origin_x(tile), area.y - job.grid.origin_y(tile), area.width,
+                            area.height};
     const std::uint32_t channels = job.front.settings.channels;
     if (channels & channel_depth)
         for (float& key : s.depth) key = float(job.front.view.distance_of(double(key)));
@@ -229,8 +234,8 @@ public:
         const Marks marks = make_marks(front, grid, context);
         front.stats.times.front_end = clock.lap();
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
-        const bool has_blended =
-            std::any_of(list_.materials.begin(), list_.materials.end(), [](const DrawMaterial& m) { return m.view.blend != 0; });
+        const bool has_blended = std::any_of(list_.materials.begin(), list_.materials.end(),
+                                             [](const DrawMaterial& m) { return m.view.blend != 0; });
         const double waited =
             draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points,
                         sink.takes_srgb8() && !has_sky(list_), (settings.channels & channel_uv1) != 0, &marks, &context,
@@ -293,7 +298,8 @@ private:
         stats.depth_passes = depth_passes;
         stats.samples_covered = samples_covered;
         if (not_finite > 0)
-            context.report().add(Remark::warning, list_.scene.source, {}, std::to_string(not_finite) + " color values came out not finite and are shown black");
+            context.report().add(Remark::warning, list_.scene.source, {},
+                                 std::to_string(not_finite) + " color values came out not finite and are shown black");
         return waited;
     }
 

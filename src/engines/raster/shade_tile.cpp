@@ -103,7 +103,8 @@ constexpr std::size_t most_passes =
 void shade_sorted(const TileJob& job, std::size_t tile, const std::vector<DrawRun>& runs, bool to_srgb8,
                   TileScratch& s) {
     s.sorted.resize(tile_pixels + batch_padding);
-    const auto count = std::size_t(job.front.kernels.collect(s.visible.data(), 0, runs.back().end, s.sorted.data(), s.shown.data()));
+    const auto count =
+        std::size_t(job.front.kernels.collect(s.visible.data(), 0, runs.back().end, s.sorted.data(), s.shown.data()));
     const auto run_of = [&](std::int32_t pixel) {
         return std::partition_point(runs.begin(), runs.end(),
                                     [&](const DrawRun& r) { return r.end <= s.visible[std::size_t(pixel)]; });
@@ -207,7 +208,7 @@ bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
         for (const DrawRun& run : runs)
             shade_draw(job, tile, run.draw,
                        std::size_t(job.front.kernels.collect(s.visible.data(), run.begin, run.end, s.pixel.data(),
-                                                                 s.shown.data())),
+                                                             s.shown.data())),
                        direct, s);
     return blends;
 }

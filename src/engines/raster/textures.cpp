@@ -66,8 +66,9 @@ bool fits_texel_index(std::size_t texels, bool is_float) {
 
 void append_level(const MipChain& chain, const MipLevel& level, const TextureKey& key, TextureData& to) {
     if (chain.is_float)
-        append_bordered(level.rgba32f, level, key,
-                        [&](vec4 t) { to.rgba32f.insert(to.rgba32f.end(), {t.x, t.y, t.z, t.w}); });
+        append_bordered(level.rgba32f, level, key, [&](vec4 t) {
+            to.rgba32f.insert(to.rgba32f.end(), {t.x, t.y, t.z, t.w});
+        });
     else if (chain.is_srgb)
         append_bordered(level.rgba8, level, key, [&](std::uint32_t t) { append_linear15(t, to.rgba16); });
     else
@@ -217,7 +218,9 @@ void TextureCache::update(const std::vector<TextureKey>& uses, Context& context)
     }
     load_all(missing, context);
     for (const Missing& m : missing)
-        if (!*m.data) context.report().add(Remark::warning, m.key->image->file, m.key->image->name, "texture left out: " + m.fault);
+        if (!*m.data)
+            context.report().add(Remark::warning, m.key->image->file, m.key->image->name,
+                                 "texture left out: " + m.fault);
     textures_ = std::move(kept);
 }
 

@@ -16,7 +16,7 @@ namespace rakelight::raster {
 struct TextureData {
     std::vector<std::uint32_t> rgba8, rgba16;  ///< data and colors: see TextureView
     std::vector<float> rgba32f;
-    TextureView view;  ///< without the sampler's filters
+    TextureView view;             ///< without the sampler's filters
     bool is_tagged_srgb = false;  ///< Pixels::is_tagged_srgb
     MemoryCharge charge;          ///< pays for the arrays
 };

@@ -26,10 +26,10 @@ struct TileJob {
     const Kernels& kernels;
     bool has_blended;  ///< some material blends
     const LightPoints& points;
-    bool to_srgb8 = false;       ///< the sink takes display values
-    bool whole_records = false;  ///< records have what no texture of their material needs, too: for inspection
-    const Marks* marks = nullptr;  ///< lines and points; null: none
-    const Context* context = nullptr;  ///< null: nobody cancels
+    bool to_srgb8 = false;              ///< the sink takes display values
+    bool whole_records = false;         ///< records have what no texture of their material needs, too: for inspection
+    const Marks* marks = nullptr;       ///< lines and points; null: none
+    const Context* context = nullptr;   ///< null: nobody cancels
     const LightReach* reach = nullptr;  ///< null: every pixel is lit by all lights; else `tile_lights` holds the tile's
     ShadowTexels* shadow_texels = nullptr;  ///< null: no shadows
 
@@ -61,11 +61,11 @@ public:
     std::function<void(std::size_t count)> on_layer;
     std::vector<float> channel_values;  ///< [channel_planes][tile_pixels + batch_padding] where channels need them
     std::vector<ShadeTriangle> triangles;
-    std::vector<LitTriangle> lit;        ///< beside `triangles` in flat and Gouraud pictures
-    std::vector<CornerFrame> frames;     ///< beside `triangles` where lighting is in the vertices' tangent space
-    FullJob full;                        ///< of the batch, where it has frames
-    std::vector<const TriangleRow*> rows;       ///< of the records that are made, padded
-    std::vector<std::int32_t> record;           ///< [list] position in the list -> in `triangles`, -1: not wanted
+    std::vector<LitTriangle> lit;          ///< beside `triangles` in flat and Gouraud pictures
+    std::vector<CornerFrame> frames;       ///< beside `triangles` where lighting is in the vertices' tangent space
+    FullJob full;                          ///< of the batch, where it has frames
+    std::vector<const TriangleRow*> rows;  ///< of the records that are made, padded
+    std::vector<std::int32_t> record;      ///< [list] position in the list -> in `triangles`, -1: not wanted
     std::vector<std::int32_t> shown = batch<std::int32_t>();    ///< position in the list that each pixel shows
     std::vector<std::int32_t> numbers = batch<std::int32_t>();  ///< number of a record -> position in the list
     std::vector<const ScreenTriangle*> wanted;                  ///< whose records are to be made
@@ -82,9 +82,9 @@ public:
     std::uint64_t covered = 0, shaded = 0, not_finite = 0, marked = 0;
     std::uint64_t samples_covered = 0;       ///< by something opaque
     std::shared_ptr<SampleScratch> samples;  ///< of multisampled pictures
-    StageTimes times;  ///< of all tiles so far
-    std::uint64_t lit_pixels = 0;        ///< lighting was evaluated at
-    std::uint64_t depth_passes = 0;      ///< opaque and masked pixels that were nearer than what stood there
+    StageTimes times;                        ///< of all tiles so far
+    std::uint64_t lit_pixels = 0;            ///< lighting was evaluated at
+    std::uint64_t depth_passes = 0;          ///< opaque and masked pixels that were nearer than what stood there
 
     TileScratch() {
         depth.resize(tile_pixels);
@@ -94,7 +94,9 @@ public:
     }
 
     template <class T>
-    static std::vector<T> batch() { return std::vector<T>(tile_pixels + batch_padding); }
+    static std::vector<T> batch() {
+        return std::vector<T>(tile_pixels + batch_padding);
+    }
 };
 
 /// Nearest opaque (or masked, where its texture is opaque) triangle of every pixel.

@@ -115,7 +115,7 @@ private:
     int ox_, oy_;
     std::uint32_t first_;
     std::vector<std::uint64_t> items_;
-    std::vector<Shown> shown_;  ///< [tile_pixels] where channels are asked for
+    std::vector<Shown> shown_;              ///< [tile_pixels] where channels are asked for
     std::vector<DepthTolerance> surfaces_;  ///< [tile_pixels] what is seen there, where it was asked for
 };
 

@@ -37,7 +37,8 @@ View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderS
     view.scale_y = 1.0 / half_height;
     view.scale_x = view.scale_y / aspect;
     if (view.orthographic && camera.half_width) view.scale_x = 1.0 / *camera.half_width;
-    if (!view.orthographic && camera.horizontal_fov_rad) view.scale_x = 1.0 / math::tan(*camera.horizontal_fov_rad * 0.5);
+    if (!view.orthographic && camera.horizontal_fov_rad)
+        view.scale_x = 1.0 / math::tan(*camera.horizontal_fov_rad * 0.5);
     return view;
 }
 

@@ -11,19 +11,19 @@ namespace rakelight::raster {
 
 /// A vertex before the division. Perspective: w is the distance along the view axis; orthographic: w = 1.
 struct ClipVertex {
-    float x = 0, y = 0;   ///< inside the picture where -w <= x, y <= w
+    float x = 0, y = 0;  ///< inside the picture where -w <= x, y <= w
     float w = 1;
-    float distance = 0;   ///< [m] along the view axis, from the eye
+    float distance = 0;  ///< [m] along the view axis, from the eye
 };
 
 struct View {
-    dmat4 world_to_eye;         ///< translation only: world axes about the eye
-    dmat4 world_to_camera;      ///< camera axes: looks along -Z
+    dmat4 world_to_eye;     ///< translation only: world axes about the eye
+    dmat4 world_to_camera;  ///< camera axes: looks along -Z
     dmat4 camera_to_world;
     bool orthographic = false;
-    double scale_x = 1, scale_y = 1;   ///< camera x, y -> clip x, y
-    double near = 0.1, far = 1000;     ///< far may be infinity
-    int width = 0, height = 0;         ///< [px] of the whole picture
+    double scale_x = 1, scale_y = 1;  ///< camera x, y -> clip x, y
+    double near = 0.1, far = 1000;    ///< far may be infinity
+    int width = 0, height = 0;        ///< [px] of the whole picture
 
     /// [px] of a vertex with w > 0; (0, 0) is the outer corner of the top left pixel.
     dvec2 screen(const ClipVertex& v) const {

@@ -43,7 +43,8 @@ bool fits_kernel(const Coverage& c) {
     constexpr std::int64_t limit = std::int64_t(1) << 30;
     std::int64_t largest = 0;
     for (int k = 0; k < 3; ++k)
-        largest = std::max(largest, std::abs(c.edge[k]) + 2 * tile_size * (std::abs(c.step_x[k]) + std::abs(c.step_y[k])));
+        largest =
+            std::max(largest, std::abs(c.edge[k]) + 2 * tile_size * (std::abs(c.step_x[k]) + std::abs(c.step_y[k])));
     return largest < limit;
 }
 

@@ -15,7 +15,11 @@ namespace {
 class MethodTile {
 public:
     MethodTile(const TileJob& job, std::size_t tile, TileScratch& scratch)
-        : job_(job), s_(scratch), method_(job.front.settings.visibility), area_(job.grid.pixels(tile)), ox_(job.grid.origin_x(tile)),
+        : job_(job),
+          s_(scratch),
+          method_(job.front.settings.visibility),
+          area_(job.grid.pixels(tile)),
+          ox_(job.grid.origin_x(tile)),
           oy_(job.grid.origin_y(tile)) {
         s_.order.assign(tile_pixels, std::numeric_limits<double>::infinity());
     }
@@ -26,7 +30,9 @@ public:
         if (view.blend) return;
         const float cutoff = mask_cutoff(job_.front, t.draw);
         if (cutoff >= 0) return add_masked(t, position, cutoff);
-        for_each_seen(t, [&](int x, int y, float depth, double order) { keep(std::size_t(y * tile_size + x), position, depth, order); });
+        for_each_seen(t, [&](int x, int y, float depth, double order) {
+            keep(std::size_t(y * tile_size + x), position, depth, order);
+        });
     }
 
 private:

@@ -27,7 +27,8 @@ private:
     Visibility method_;
     DepthRange range_;
     double mean_ = 0;
-    double key_x_ = 0, key_y_ = 0, key_0_ = 0, low_ = 0, high_ = 0;  ///< plane of the reversed depth in px, and its limits
+    double key_x_ = 0, key_y_ = 0, key_0_ = 0, low_ = 0,
+           high_ = 0;  ///< plane of the reversed depth in px, and its limits
 };
 
 /// Whether a surface is seen before another that stands at the pixel.
@@ -57,7 +58,8 @@ public:
     bool operator()(int x, int y, int tile_x, int tile_y, float depth, const TileScratch& scratch) const {
         const auto p = std::size_t(y * tile_size + x);
         if (!order_) return depth > scratch.depth[p];
-        return is_seen_before(method_, order_->at(x + tile_x, y + tile_y, depth), scratch.order[p], position_ > scratch.visible[p]);
+        return is_seen_before(method_, order_->at(x + tile_x, y + tile_y, depth), scratch.order[p],
+                              position_ > scratch.visible[p]);
     }
 
 private:

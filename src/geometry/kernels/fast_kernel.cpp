@@ -14,14 +14,19 @@ typedef float Row8 __attribute__((vector_size(32), aligned(4), may_alias));
 template <int floats>
 struct RowOf;
 template <>
-struct RowOf<4> { using type = Row4; };
+struct RowOf<4> {
+    using type = Row4;
+};
 template <>
-struct RowOf<8> { using type = Row8; };
+struct RowOf<8> {
+    using type = Row8;
+};
 
 // Float is safe where sums of squares neither overflow nor come near the denormals, and where the edges are not nearly
 // parallel: an angle between 7 and 173 degrees loses at most three bits of the cross product.
 static inline mask is_safe(real cross_square, real square1, real square2) {
-    return cross_square >= square1 * square2 * real(1.0f / 4096) && cross_square > real(1e-34f) && cross_square < real(1e34f);
+    return cross_square >= square1 * square2 * real(1.0f / 4096) && cross_square > real(1e-34f) &&
+           cross_square < real(1e34f);
 }
 
 // Where a block's corners are read. Vectors are read four floats at a time, so a block that uses the last vertex of its mesh,
@@ -71,7 +76,8 @@ static inline uint32_t face_rows(const float* positions, const float* texcoords,
             vec3 t(real(0.0f));
             if constexpr (textured) {
                 const vec2 q = corner_texcoord(texcoords, corner);
-                const vec2 q1 = corner_texcoord(texcoords, corner + 1) - q, q2 = corner_texcoord(texcoords, corner + 2) - q;
+                const vec2 q1 = corner_texcoord(texcoords, corner + 1) - q,
+                           q2 = corner_texcoord(texcoords, corner + 2) - q;
                 const real du1 = q1.x, dv1 = q1.y, du2 = q2.x, dv2 = q2.y;
                 const real det = du1 * dv2 - du2 * dv1;
                 safe &= is_safe(det * det, du1 * du1 + dv1 * dv1, du2 * du2 + dv2 * dv2);
@@ -184,8 +190,10 @@ static void scatter(ScatterJob* given) {
 
 static void scatter_normals(ScatterJob* job) { scatter<false, normal_row_floats>(job); }
 static void scatter_tangents(ScatterJob* job) {
-    if (job->texcoords != nullptr) scatter<true, tangent_row_floats>(job);
-    else scatter<false, tangent_row_floats>(job);
+    if (job->texcoords != nullptr)
+        scatter<true, tangent_row_floats>(job);
+    else
+        scatter<false, tangent_row_floats>(job);
 }
 
 template <int floats>
@@ -194,8 +202,10 @@ static inline void finish_block(FinishJob& job, const float* rows, uint32_t coun
     uint32_t odd = 0, alone = 0;
     for (uint32_t f = 0; f < face_block; f += uint32_t(lanes)) {
         real v[8];
-        if constexpr (floats == 8) load_rows8(rows + 8 * f, v);
-        else load_rows4(rows + 4 * f, v);
+        if constexpr (floats == 8)
+            load_rows8(rows + 8 * f, v);
+        else
+            load_rows4(rows + 4 * f, v);
         const real weight = v[floats - 1];
         const vec3 sum(v[0], v[1], v[2]);
         const real square = dot(sum, sum);

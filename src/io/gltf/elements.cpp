@@ -93,7 +93,8 @@ std::vector<float> to_scalars(const Elements& elements) {
 double step_of(const Elements& elements) {
     if (elements.type == ComponentType::f32) return 0;
     double largest = 1;
-    with_component_type(elements.type, [&](auto zero) { largest = double(std::numeric_limits<decltype(zero)>::max()); });
+    with_component_type(elements.type,
+                        [&](auto zero) { largest = double(std::numeric_limits<decltype(zero)>::max()); });
     return elements.normalized ? 1 / largest : 1;
 }
 

@@ -101,8 +101,8 @@ Block<vec4> VertexData::colors() {
 
 double VertexData::position_step() {
     const char* const name = "POSITION";
-    const Elements described = accessors_.description(attributes_.required_index(name),
-                                                      {name, components(3), float_or_small}, primitive_);
+    const Elements described =
+        accessors_.description(attributes_.required_index(name), {name, components(3), float_or_small}, primitive_);
     const bool is_packed = draco_ && packed_attributes_.has(name);
     const double packed = is_packed ? draco_->step(packed_attributes_.required_index(name)) : 0;
     return packed > 0 ? packed : step_of(described);

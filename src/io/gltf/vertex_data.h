@@ -32,7 +32,7 @@ public:
     Block<vec2> vec2s(const std::string& semantic);
     Block<vec3> vec3s(const std::string& semantic);
     Block<vec4> tangents();
-    Block<vec4> colors();  ///< linear RGBA; alpha 1 where the file has RGB
+    Block<vec4> colors();    ///< linear RGBA; alpha 1 where the file has RGB
     double position_step();  ///< Mesh::position_step of the primitive's POSITION
     /// An attribute of a morph target: [V] or empty.
     Block<vec3> offsets(const Value& target, const std::string& semantic);

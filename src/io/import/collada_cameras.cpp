@@ -13,11 +13,13 @@ namespace {
 std::string attribute(std::string_view tag, std::string_view name) {
     for (std::size_t at = tag.find(name); at != std::string_view::npos; at = tag.find(name, at + 1)) {
         const std::size_t equals = at + name.size();
-        const bool whole = at > 0 && (tag[at - 1] == ' ' || tag[at - 1] == '\t' || tag[at - 1] == '\n' || tag[at - 1] == '\r');
+        const bool whole =
+            at > 0 && (tag[at - 1] == ' ' || tag[at - 1] == '\t' || tag[at - 1] == '\n' || tag[at - 1] == '\r');
         if (!whole || equals + 1 >= tag.size() || tag[equals] != '=') continue;
         const char quote = tag[equals + 1];
         const std::size_t end = tag.find(quote, equals + 2);
-        if ((quote == '"' || quote == '\'') && end != std::string_view::npos) return std::string(tag.substr(equals + 2, end - equals - 2));
+        if ((quote == '"' || quote == '\'') && end != std::string_view::npos)
+            return std::string(tag.substr(equals + 2, end - equals - 2));
     }
     return {};
 }
@@ -32,10 +34,10 @@ std::optional<double> number(std::string_view text) {
 
 /// Walks over the tags of a text and keeps what it says of cameras and of the nodes that place them.
 struct Walk {
-    std::map<std::string, ColladaOptics> optics;                           ///< by the camera's id
-    std::vector<std::pair<std::string, std::string>> nodes;                ///< open ones: id, name
+    std::map<std::string, ColladaOptics> optics;                                      ///< by the camera's id
+    std::vector<std::pair<std::string, std::string>> nodes;                           ///< open ones: id, name
     std::vector<std::pair<std::pair<std::string, std::string>, std::string>> placed;  ///< node, camera's id
-    std::string camera;                                                    ///< the one that is open
+    std::string camera;                                                               ///< the one that is open
 
     void value(std::string_view element, std::string_view text) {
         ColladaOptics& o = optics[camera];
@@ -48,14 +50,19 @@ struct Walk {
         if (element == "ymag") o.ymag = number(text);
     }
     void tag(std::string_view element, std::string_view tag, std::string_view text) {
-        if (element == "camera") camera = attribute(tag, "id");
-        else if (element == "/camera") camera.clear();
-        else if (element == "node" && !tag.ends_with("/>")) nodes.push_back({attribute(tag, "id"), attribute(tag, "name")});
-        else if (element == "/node" && !nodes.empty()) nodes.pop_back();
+        if (element == "camera")
+            camera = attribute(tag, "id");
+        else if (element == "/camera")
+            camera.clear();
+        else if (element == "node" && !tag.ends_with("/>"))
+            nodes.push_back({attribute(tag, "id"), attribute(tag, "name")});
+        else if (element == "/node" && !nodes.empty())
+            nodes.pop_back();
         else if (element == "instance_camera" && !nodes.empty()) {
             const std::string url = attribute(tag, "url");
             if (url.starts_with('#')) placed.push_back({nodes.back(), url.substr(1)});
-        } else if (!camera.empty()) value(element, text);
+        } else if (!camera.empty())
+            value(element, text);
     }
 };
 
@@ -68,10 +75,14 @@ void complete(const ColladaOptics& o, import_stream::View& view) {
     if (o.aspect && *o.aspect > 0) view.aspect = *o.aspect;
     if (has_x && has_y) view.aspect = tangent_of_half(*o.xfov_deg) / tangent_of_half(*o.yfov_deg);
     const double aspect = view.aspect > 0 ? view.aspect : 4.0 / 3.0;  // as where views become cameras
-    if (has_x) view.horizontal_fov_rad = radians(*o.xfov_deg);
-    else if (has_y) view.horizontal_fov_rad = 2 * math::atan2(tangent_of_half(*o.yfov_deg) * aspect, 1);
-    if (o.xmag) view.half_width = *o.xmag;
-    else if (o.ymag) view.half_width = *o.ymag * aspect;
+    if (has_x)
+        view.horizontal_fov_rad = radians(*o.xfov_deg);
+    else if (has_y)
+        view.horizontal_fov_rad = 2 * math::atan2(tangent_of_half(*o.yfov_deg) * aspect, 1);
+    if (o.xmag)
+        view.half_width = *o.xmag;
+    else if (o.ymag)
+        view.half_width = *o.ymag * aspect;
     if (o.znear) view.near = *o.znear;
     if (o.zfar) view.far = *o.zfar;
 }
@@ -91,14 +102,16 @@ std::map<std::string, ColladaOptics> collada_cameras(std::string_view text) {
         const std::string_view tag = text.substr(at, end + 1 - at);
         const std::string_view element = tag.substr(1, tag.find_first_of(" \t\r\n>", 1) - 1);
         const std::size_t next = std::min(text.find('<', end), text.size());
-        walk.tag(element.ends_with('/') && element.size() > 1 ? element.substr(0, element.size() - 1) : element, tag, text.substr(end + 1, next - end - 1));
+        walk.tag(element.ends_with('/') && element.size() > 1 ? element.substr(0, element.size() - 1) : element, tag,
+                 text.substr(end + 1, next - end - 1));
     }
     std::map<std::string, ColladaOptics> result;
     for (const auto& [node, camera] : walk.placed) {
         const auto found = walk.optics.find(camera);
         if (found == walk.optics.end()) continue;
         if (!node.second.empty()) result.emplace(node.second, found->second);
-        if (!node.first.empty()) result.insert_or_assign(node.first, found->second);  // ids are unique, names need not be
+        if (!node.first.empty())
+            result.insert_or_assign(node.first, found->second);  // ids are unique, names need not be
     }
     return result;
 }

@@ -77,18 +77,26 @@ std::string seconds_text(double seconds) {
 
 const char* name_of_signal(int number) {
     switch (number) {
-        case SIGSEGV: return ", SIGSEGV";
-        case SIGABRT: return ", SIGABRT";
-        case SIGBUS: return ", SIGBUS";
-        case SIGFPE: return ", SIGFPE";
-        case SIGILL: return ", SIGILL";
-        case SIGKILL: return ", SIGKILL";
-        default: return "";
+        case SIGSEGV:
+            return ", SIGSEGV";
+        case SIGABRT:
+            return ", SIGABRT";
+        case SIGBUS:
+            return ", SIGBUS";
+        case SIGFPE:
+            return ", SIGFPE";
+        case SIGILL:
+            return ", SIGILL";
+        case SIGKILL:
+            return ", SIGKILL";
+        default:
+            return "";
     }
 }
 
 [[noreturn]] void too_slow(double seconds) {
-    throw Error(ErrorCode::bad_file, "reading it took longer than " + seconds_text(seconds) + " and was given up", {}, "export glTF instead");
+    throw Error(ErrorCode::bad_file, "reading it took longer than " + seconds_text(seconds) + " and was given up", {},
+                "export glTF instead");
 }
 
 }  // namespace
@@ -96,7 +104,8 @@ const char* name_of_signal(int number) {
 std::string find_import_helper() {
     if (const char* named = std::getenv("RAKELIGHT_IMPORT")) {
         if (is_program(named)) return named;
-        throw Error(ErrorCode::failed, std::string("RAKELIGHT_IMPORT names '") + named + "', which is no program", {}, "correct or unset it");
+        throw Error(ErrorCode::failed, std::string("RAKELIGHT_IMPORT names '") + named + "', which is no program", {},
+                    "correct or unset it");
     }
     const std::string folder = folder_of_this_program();
     for (const std::string& candidate : {folder + "/" + helper_name, folder + "/../libexec/rakelight/" + helper_name})
@@ -129,7 +138,8 @@ void open_pipe(int (&ends)[2]) {
 
 }  // namespace
 
-HelperProcess::HelperProcess(const std::string& helper, const std::string& model, const HelperLimits& limits, Context& context)
+HelperProcess::HelperProcess(const std::string& helper, const std::string& model, const HelperLimits& limits,
+                             Context& context)
     : context_(context), limits_(limits) {
     int ends[2];
     open_pipe(ends);
@@ -142,11 +152,20 @@ HelperProcess::HelperProcess(const std::string& helper, const std::string& model
     Attributes attributes;
     reset_signals(attributes);
     const auto cpu_seconds = static_cast<long long>(std::ceil(std::min(limits.seconds, 1e6))) + 1;
-    std::vector<std::string> words{helper, "--memory", std::to_string(limits.memory_bytes), "--seconds", std::to_string(cpu_seconds),
-                                   "--outside", limits.allow_outside ? "1" : "0", "--", model};
+    std::vector<std::string> words{helper,
+                                   "--memory",
+                                   std::to_string(limits.memory_bytes),
+                                   "--seconds",
+                                   std::to_string(cpu_seconds),
+                                   "--outside",
+                                   limits.allow_outside ? "1" : "0",
+                                   "--",
+                                   model};
     std::vector<std::string> variables = helper_environment();
-    deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<long long>(std::min(limits.seconds, 1e6) * 1000));
-    const int failure = posix_spawn(&child_, helper.c_str(), &files.actions, &attributes.attributes, pointers(words).data(), pointers(variables).data());
+    deadline_ = std::chrono::steady_clock::now() +
+                std::chrono::milliseconds(static_cast<long long>(std::min(limits.seconds, 1e6) * 1000));
+    const int failure = posix_spawn(&child_, helper.c_str(), &files.actions, &attributes.attributes,
+                                    pointers(words).data(), pointers(variables).data());
     close(ends[1]);
     if (failure == 0) return;
     child_ = -1;
@@ -162,7 +181,8 @@ HelperProcess::~HelperProcess() {
 void HelperProcess::kill_and_reap() noexcept {
     if (child_ < 0) return;
     kill(child_, SIGKILL);
-    while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {}
+    while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+    }
     child_ = -1;
 }
 
@@ -175,7 +195,9 @@ void HelperProcess::wait_for_bytes() {
         pollfd wait{pipe_, POLLIN, 0};
         const int ready = poll(&wait, 1, int(std::min<long long>(left, 100)));
         if (ready > 0) return;
-        if (ready < 0 && errno != EINTR) throw Error(ErrorCode::failed, std::string("waiting for the import helper failed: ") + std::strerror(errno));
+        if (ready < 0 && errno != EINTR)
+            throw Error(ErrorCode::failed,
+                        std::string("waiting for the import helper failed: ") + std::strerror(errno));
     }
 }
 
@@ -184,7 +206,9 @@ void HelperProcess::read(std::span<std::byte> to) {
         wait_for_bytes();
         const ssize_t got = ::read(pipe_, to.data(), to.size());
         if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-        if (got < 0) throw Error(ErrorCode::failed, std::string("reading from the import helper failed: ") + std::strerror(errno));
+        if (got < 0)
+            throw Error(ErrorCode::failed,
+                        std::string("reading from the import helper failed: ") + std::strerror(errno));
         if (got == 0) ended_early();
         to = to.subspan(std::size_t(got));
     }
@@ -204,10 +228,13 @@ void HelperProcess::ended_early() {
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) too_slow(limits_.seconds);
     if (WIFSIGNALED(status)) {
         const int number = WTERMSIG(status);
-        throw Error(ErrorCode::bad_file, "the import helper crashed (signal " + std::to_string(number) + name_of_signal(number) + ") on this file", {},
-                    "the file may be broken; export glTF instead");
+        throw Error(
+            ErrorCode::bad_file,
+            "the import helper crashed (signal " + std::to_string(number) + name_of_signal(number) + ") on this file",
+            {}, "the file may be broken; export glTF instead");
     }
-    throw Error(ErrorCode::bad_file, "the import helper ended early (exit code " + std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1) + ")");
+    throw Error(ErrorCode::bad_file, "the import helper ended early (exit code " +
+                                         std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1) + ")");
 }
 
 }  // namespace rakelight::io

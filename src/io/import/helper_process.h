@@ -15,8 +15,8 @@ namespace rakelight::io {
 std::string find_import_helper();
 
 struct HelperLimits {
-    double seconds = 8;               ///< wall clock and processor time, > 0
-    std::uint64_t memory_bytes = 0;   ///< address space
+    double seconds = 8;              ///< wall clock and processor time, > 0
+    std::uint64_t memory_bytes = 0;  ///< address space
     bool allow_outside = false;
 };
 

@@ -21,7 +21,8 @@ vec3 light_color(vec3 c) {
 }
 
 /// Under `parent`; a direction of zero leaves -Z.
-std::uint32_t add_node(const std::string& name, std::uint32_t parent, dvec3 position, dvec3 direction, dvec3 up, Scene& scene) {
+std::uint32_t add_node(const std::string& name, std::uint32_t parent, dvec3 position, dvec3 direction, dvec3 up,
+                       Scene& scene) {
     Node& node = scene.nodes.emplace_back();
     node.name = name;
     node.parent = parent;
@@ -45,7 +46,9 @@ Light light_of(const Lamp& l, double unit_m) {
     light.ambient = light_color(l.ambient);
     light.diffuse = light_color(l.diffuse);
     light.specular = light_color(l.specular);
-    const auto factor = [](float f, double scale) { return std::isfinite(f) && f > 0 ? float(double(f) / scale) : 0.0f; };
+    const auto factor = [](float f, double scale) {
+        return std::isfinite(f) && f > 0 ? float(double(f) / scale) : 0.0f;
+    };
     light.constant = factor(l.constant, 1);
     light.linear = factor(l.linear, unit_m);  // the file counts in its own unit
     light.quadratic = factor(l.quadratic, unit_m * unit_m);
@@ -55,7 +58,8 @@ Light light_of(const Lamp& l, double unit_m) {
         light.constant = 1;
         light.linear = light.quadratic = 0;
     }
-    if (light.type == LightType::spot && l.cone_rad > 0 && l.cone_rad < float(pi)) light.cutoff_rad = l.cone_rad / 2;  // the file has the full angle
+    if (light.type == LightType::spot && l.cone_rad > 0 && l.cone_rad < float(pi))
+        light.cutoff_rad = l.cone_rad / 2;  // the file has the full angle
     if (light.type == LightType::ambient) {
         light.ambient = max(light.ambient, light.diffuse);
         light.diffuse = light.specular = {0, 0, 0};
@@ -63,7 +67,8 @@ Light light_of(const Lamp& l, double unit_m) {
     return light;
 }
 
-constexpr double narrowest_rad = 0.02;  // Assimp 5.2 hands out 0.0137 for Collada cameras, whose angles it does not read
+constexpr double narrowest_rad =
+    0.02;  // Assimp 5.2 hands out 0.0137 for Collada cameras, whose angles it does not read
 
 Camera camera_of(const View& v, double unit_m) {
     Camera camera;
@@ -86,7 +91,8 @@ Camera camera_of(const View& v, double unit_m) {
 
 }  // namespace
 
-void detail::add_lights_and_cameras(const import_stream::Document& d, const std::vector<dmat4>& world, const std::string& path, Scene& scene, Context& context) {
+void detail::add_lights_and_cameras(const import_stream::Document& d, const std::vector<dmat4>& world,
+                                    const std::string& path, Scene& scene, Context& context) {
     if (d.places.empty() || world.empty()) return;
     const double unit = unit_of(world);
     for (const Lamp& l : d.lamps) {
@@ -94,16 +100,19 @@ void detail::add_lights_and_cameras(const import_stream::Document& d, const std:
         const Light light = light_of(l, unit);
         const vec3 sum = light.ambient + light.diffuse + light.specular;
         if (!(sum.x + sum.y + sum.z > 0)) {
-            context.report().add(Remark::dropped, path, "light '" + one_line(l.name, 60) + "'", "a black light is left out");
+            context.report().add(Remark::dropped, path, "light '" + one_line(l.name, 60) + "'",
+                                 "a black light is left out");
             continue;
         }
         scene.lights.push_back(light);
-        if (light.type != LightType::ambient) scene.lights.back().node = add_node(l.name, parent, l.position, l.direction, {0, 1, 0}, scene);
+        if (light.type != LightType::ambient)
+            scene.lights.back().node = add_node(l.name, parent, l.position, l.direction, {0, 1, 0}, scene);
     }
     for (const View& v : d.views) {
         const std::uint32_t parent = v.node == import_stream::nothing ? 0 : v.node;
         if (!(v.half_width > 0) && !(v.horizontal_fov_rad > narrowest_rad))
-            context.report().add(Remark::guessed, path, "camera '" + one_line(v.name, 60) + "'", "its field of view was not read; 40 degrees are taken");
+            context.report().add(Remark::guessed, path, "camera '" + one_line(v.name, 60) + "'",
+                                 "its field of view was not read; 40 degrees are taken");
         scene.cameras.push_back(camera_of(v, unit));
         scene.cameras.back().node = add_node(v.name, parent, v.position, v.direction, v.up, scene);
     }

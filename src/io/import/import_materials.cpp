@@ -32,14 +32,20 @@ bool shows_both_sides(const std::string& ending) { return ending != "3ds"; }
 bool is_black(vec3 c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 const TextureLink* link_of(const Surface& s, Role role) {
-    const auto found = std::find_if(s.links.begin(), s.links.end(), [role](const TextureLink& l) { return l.role == std::uint32_t(role); });
+    const auto found = std::find_if(s.links.begin(), s.links.end(),
+                                    [role](const TextureLink& l) { return l.role == std::uint32_t(role); });
     return found == s.links.end() ? nullptr : &*found;
 }
 
 class MaterialMaker {
 public:
-    MaterialMaker(Import& import, const std::string& path, const std::string& ending, bool allow_outside, Scene& scene, Context& context)
-        : path_(path), ending_(ending), scene_(scene), report_(context.report()), textures_(path, allow_outside, import.document.pictures, scene, context) {}
+    MaterialMaker(Import& import, const std::string& path, const std::string& ending, bool allow_outside, Scene& scene,
+                  Context& context)
+        : path_(path),
+          ending_(ending),
+          scene_(scene),
+          report_(context.report()),
+          textures_(path, allow_outside, import.document.pictures, scene, context) {}
 
     Material make(const Surface& s, std::uint32_t number) {
         number_ = number;
@@ -78,7 +84,8 @@ private:
         float exponent = s.shininess;
         if (ending_ == "dae" && exponent > 0 && exponent < 1) {  // several exporters write 0..1
             exponent *= 128;
-            report_.add(Remark::guessed, path_, "material '" + one_line(s.name, 60) + "'", "a shininess below 1 was taken as a share of 128");
+            report_.add(Remark::guessed, path_, "material '" + one_line(s.name, 60) + "'",
+                        "a shininess below 1 was taken as a share of 128");
         }
         m.classical.shininess = exponent >= 1 ? std::min(exponent, largest_shininess) : 1.0f;
         set_emission(s, m);
@@ -94,7 +101,9 @@ private:
     void set_opacity(const Surface& s, Material& m) {
         float opacity = s.opacity;
         if (!(opacity > 0)) {
-            if (opacity == 0) report_.add(Remark::guessed, path_, "material '" + one_line(s.name, 60) + "'", "it is wholly transparent in the file and was made opaque");
+            if (opacity == 0)
+                report_.add(Remark::guessed, path_, "material '" + one_line(s.name, 60) + "'",
+                            "it is wholly transparent in the file and was made opaque");
             opacity = 1;
         }
         if (opacity < 1) m.alpha_mode = AlphaMode::blend;
@@ -102,7 +111,8 @@ private:
         const TextureLink* mask = link_of(s, Role::opacity);
         if (!mask) return;
         const TextureLink* diffuse = link_of(s, Role::diffuse);
-        const bool own_alpha = diffuse && m.base_color_texture && diffuse->path == mask->path && diffuse->picture == mask->picture;
+        const bool own_alpha =
+            diffuse && m.base_color_texture && diffuse->path == mask->path && diffuse->picture == mask->picture;
         if (!own_alpha) m.opacity_texture = use(s, Role::opacity);  // else the alpha of the color texture is meant
         if (own_alpha || m.opacity_texture) m.alpha_mode = AlphaMode::blend;
     }
@@ -114,11 +124,16 @@ private:
         u.texture = textures_.number(*link);
         if (!u) return {};
         u.texcoord_set = existing_set(link->uv_set);
-        const bool finite = std::isfinite(link->offset[0] + link->offset[1] + link->scale[0] + link->scale[1] + link->rotation_rad);
-        const bool placed = link->offset[0] != 0 || link->offset[1] != 0 || link->scale[0] != 1 || link->scale[1] != 1 || link->rotation_rad != 0;
+        const bool finite =
+            std::isfinite(link->offset[0] + link->offset[1] + link->scale[0] + link->scale[1] + link->rotation_rad);
+        const bool placed = link->offset[0] != 0 || link->offset[1] != 0 || link->scale[0] != 1 ||
+                            link->scale[1] != 1 || link->rotation_rad != 0;
         if (!finite || !placed) return u;
-        if (const auto transform = as_transform(placement_of(*link))) u.transform = *transform;
-        else report_.add(Remark::dropped, path_, "material '" + one_line(s.name, 60) + "'", "a texture's scale is zero; its placement is left out");
+        if (const auto transform = as_transform(placement_of(*link)))
+            u.transform = *transform;
+        else
+            report_.add(Remark::dropped, path_, "material '" + one_line(s.name, 60) + "'",
+                        "a texture's scale is zero; its placement is left out");
         return u;
     }
 
@@ -131,7 +146,8 @@ private:
             found = found || set < mesh.texcoords.size();
         }
         if (!used || found || set == 0) return set;
-        report_.add(Remark::changed, path_, {}, "a texture asks for a set of coordinates that no mesh has; the first is taken");
+        report_.add(Remark::changed, path_, {},
+                    "a texture asks for a set of coordinates that no mesh has; the first is taken");
         return 0;
     }
 
@@ -144,9 +160,11 @@ private:
 
 }  // namespace
 
-void detail::add_materials(Import& import, const std::string& path, const std::string& ending, bool allow_outside, Scene& scene, Context& context) {
+void detail::add_materials(Import& import, const std::string& path, const std::string& ending, bool allow_outside,
+                           Scene& scene, Context& context) {
     MaterialMaker maker(import, path, ending, allow_outside, scene, context);
-    for (std::uint32_t i = 0; i < import.document.surfaces.size(); ++i) scene.materials.push_back(maker.make(import.document.surfaces[i], i));
+    for (std::uint32_t i = 0; i < import.document.surfaces.size(); ++i)
+        scene.materials.push_back(maker.make(import.document.surfaces[i], i));
 }
 
 }  // namespace rakelight::io

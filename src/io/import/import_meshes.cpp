@@ -55,7 +55,8 @@ bool has_stray_vertices(const std::vector<vec3>& positions) {
     if (positions.size() < 8) return false;
     std::vector<float> reach;
     reach.reserve(positions.size());
-    for (const vec3& p : positions) reach.push_back(std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))));
+    for (const vec3& p : positions)
+        reach.push_back(std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))));
     std::erase_if(reach, [](float r) { return !std::isfinite(r); });
     if (reach.empty()) return false;
     const float largest = *std::max_element(reach.begin(), reach.end());
@@ -77,7 +78,9 @@ void detail::add_meshes(import_stream::Import& import, const std::string& path, 
         mesh.topology = Topology(part.topology);
         mesh.material = part.surface;
         if (has_stray_vertices(part.positions))
-            context.report().add(Remark::warning, path, "mesh '" + one_line(mesh.name, 60) + "'", "some vertices lie a million times farther out than half of the others; the file is probably damaged");
+            context.report().add(
+                Remark::warning, path, "mesh '" + one_line(mesh.name, 60) + "'",
+                "some vertices lie a million times farther out than half of the others; the file is probably damaged");
         const bool had_tangents = !part.tangents.empty();
         mesh.influences = block(influences_of(part));
         mesh.positions = block(std::move(part.positions));
@@ -85,7 +88,8 @@ void detail::add_meshes(import_stream::Import& import, const std::string& path, 
         mesh.normals = block(unit_normals(std::move(part.normals)));
         mesh.tangents = block(unit_tangents(std::move(part.tangents)));
         if (had_tangents && mesh.tangents.empty())
-            context.report().add(Remark::dropped, path, "mesh '" + one_line(mesh.name, 60) + "'", "the file's tangents hold zeros and are made anew");
+            context.report().add(Remark::dropped, path, "mesh '" + one_line(mesh.name, 60) + "'",
+                                 "the file's tangents hold zeros and are made anew");
         mesh.smoothing_hint = block(std::move(part.smoothing_hint));
         mesh.polygons = block(std::move(part.polygons));
         for (auto& set : part.texcoords) mesh.texcoords.push_back(block(v_down(std::move(set))));

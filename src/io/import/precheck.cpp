@@ -56,15 +56,19 @@ void check_ase(const Suspect& s) {
     const std::string_view text(reinterpret_cast<const char*>(s.bytes.data()), s.bytes.size());
     const bool utf16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
     const std::size_t begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    if (!utf16 && (begin == std::string_view::npos || text[begin] != '*')) throw Error(ErrorCode::bad_file, "not an ASE file (it does not begin with '*')");
+    if (!utf16 && (begin == std::string_view::npos || text[begin] != '*'))
+        throw Error(ErrorCode::bad_file, "not an ASE file (it does not begin with '*')");
     if (utf16) s.report.add(Remark::note, s.path, {}, "UTF-16 text was read as UTF-8");
     if (!utf16) check_ase_counts(text);
     const long long open = open_braces(s.bytes);
     if (open > 0) s.report.add(Remark::warning, s.path, {}, "the file ends inside a block; it is probably cut short");
-    if (open < 0) s.report.add(Remark::warning, s.path, {}, "a block is closed that was never opened; the file is probably damaged");
+    if (open < 0)
+        s.report.add(Remark::warning, s.path, {},
+                     "a block is closed that was never opened; the file is probably damaged");
     for (const std::byte b : s.bytes) {
         const auto c = std::to_integer<unsigned>(b);
-        if (utf16 || c >= 32 || c == '\t' || c == '\r' || c == '\n' || c == 26 || c == 12) continue;  // 26 ends old DOS files
+        if (utf16 || c >= 32 || c == '\t' || c == '\r' || c == '\n' || c == 26 || c == 12)
+            continue;  // 26 ends old DOS files
         s.report.add(Remark::warning, s.path, {}, "the text holds control characters; the file is probably damaged");
         break;
     }
@@ -72,15 +76,24 @@ void check_ase(const Suspect& s) {
 
 void check_x(const Suspect& s) {
     const std::string_view text(reinterpret_cast<const char*>(s.bytes.data()), s.bytes.size());
-    if (!text.starts_with("xof ") || text.size() < 16) throw Error(ErrorCode::bad_file, "not a DirectX file (it does not begin with 'xof ')");
+    if (!text.starts_with("xof ") || text.size() < 16)
+        throw Error(ErrorCode::bad_file, "not a DirectX file (it does not begin with 'xof ')");
     const std::string_view kind = text.substr(8, 4);
-    if (kind == "txt " && open_braces(s.bytes) != 0) throw Error(ErrorCode::bad_file, "the file ends inside a block; it is cut short or damaged");
+    if (kind == "txt " && open_braces(s.bytes) != 0)
+        throw Error(ErrorCode::bad_file, "the file ends inside a block; it is cut short or damaged");
 }
 
 void check_before_import(const std::string& ending, const Suspect& s) {
-    static constexpr std::array<std::pair<std::string_view, void (*)(const Suspect&)>, 9> checks = {{
-        {"stl", check_stl}, {"ply", check_ply}, {"off", check_off}, {"3ds", check_3ds}, {"ase", check_ase},
-        {"blend", check_blend}, {"dae", check_collada}, {"fbx", check_fbx}, {"x", check_x}}};
+    static constexpr std::array<std::pair<std::string_view, void (*)(const Suspect&)>, 9> checks = {
+        {{"stl", check_stl},
+         {"ply", check_ply},
+         {"off", check_off},
+         {"3ds", check_3ds},
+         {"ase", check_ase},
+         {"blend", check_blend},
+         {"dae", check_collada},
+         {"fbx", check_fbx},
+         {"x", check_x}}};
     if (s.bytes.empty()) throw Error(ErrorCode::bad_file, "the file is empty");
     for (const auto& [name, check] : checks)
         if (name == ending) return check(s);

@@ -12,14 +12,16 @@ namespace {
 
 std::string_view text_of(const Suspect& s) { return {reinterpret_cast<const char*>(s.bytes.data()), s.bytes.size()}; }
 
-template <class T> T little(std::span<const std::byte> bytes, std::uint64_t at) {  // the caller has checked that it is there
+template <class T>
+T little(std::span<const std::byte> bytes, std::uint64_t at) {  // the caller has checked that it is there
     T v;
     std::memcpy(&v, bytes.data() + at, sizeof v);
     return v;
 }
 
 [[noreturn]] void cut_short(const char* what, std::uint64_t at) {
-    throw Error(ErrorCode::bad_file, std::string(what) + "; the file is cut short or damaged", "byte " + std::to_string(at));
+    throw Error(ErrorCode::bad_file, std::string(what) + "; the file is cut short or damaged",
+                "byte " + std::to_string(at));
 }
 
 // --- FBX -------------------------------------------------------------------------------------------------------------------
@@ -33,8 +35,12 @@ FbxNode read_fbx_node(std::span<const std::byte> bytes, std::uint64_t at, bool w
     if (bytes.size() < header || at > bytes.size() - header) cut_short("a node's header runs past the end", at);
     FbxNode n;
     n.header = header;
-    if (wide) n = {little<std::uint64_t>(bytes, at), little<std::uint64_t>(bytes, at + 8), little<std::uint64_t>(bytes, at + 16), 0, header};
-    else n = {little<std::uint32_t>(bytes, at), little<std::uint32_t>(bytes, at + 4), little<std::uint32_t>(bytes, at + 8), 0, header};
+    if (wide)
+        n = {little<std::uint64_t>(bytes, at), little<std::uint64_t>(bytes, at + 8),
+             little<std::uint64_t>(bytes, at + 16), 0, header};
+    else
+        n = {little<std::uint32_t>(bytes, at), little<std::uint32_t>(bytes, at + 4),
+             little<std::uint32_t>(bytes, at + 8), 0, header};
     n.name_bytes = std::to_integer<std::uint64_t>(bytes[at + header - 1]);
     return n;
 }
@@ -58,7 +64,8 @@ void walk_fbx(std::span<const std::byte> bytes, bool wide) {
         const std::uint64_t limit = ends.empty() ? bytes.size() : ends.back();
         if (n.end > limit || n.end < at + n.header) cut_short("a node runs past the end", at);
         const std::uint64_t room = n.end - at - n.header;
-        if (n.name_bytes > room || n.property_bytes > room - n.name_bytes) cut_short("a node's properties run past its end", at);
+        if (n.name_bytes > room || n.property_bytes > room - n.name_bytes)
+            cut_short("a node's properties run past its end", at);
         if (ends.size() > 200) cut_short("nodes are nested too deeply", at);
         at += n.header + n.name_bytes + n.property_bytes;
         ends.push_back(n.end);
@@ -69,16 +76,32 @@ void check_ascii_fbx(const Suspect& s) {
     const std::string_view text = text_of(s);
     if (text.substr(0, 4096).find("FBX") == std::string_view::npos) throw Error(ErrorCode::bad_file, "not an FBX file");
     const long long open = open_braces(s.bytes);
-    if (open != 0) throw Error(ErrorCode::bad_file, open > 0 ? "the text ends inside a block; the file is cut short or damaged" : "a block is closed that was never opened");
+    if (open != 0)
+        throw Error(ErrorCode::bad_file, open > 0 ? "the text ends inside a block; the file is cut short or damaged"
+                                                  : "a block is closed that was never opened");
 }
 
 // --- 3DS -------------------------------------------------------------------------------------------------------------------
 
 bool is_3ds_container(std::uint16_t id) {
     switch (id) {
-        case 0x4D4D: case 0x3D3D: case 0x4100: case 0xAFFF: case 0xB000: case 0xA200: case 0xA204: case 0xA210: case 0xA220: case 0xA230:
-        case 0xA33A: case 0xA33C: case 0xA33D: case 0xA33E: return true;
-        default: return false;
+        case 0x4D4D:
+        case 0x3D3D:
+        case 0x4100:
+        case 0xAFFF:
+        case 0xB000:
+        case 0xA200:
+        case 0xA204:
+        case 0xA210:
+        case 0xA220:
+        case 0xA230:
+        case 0xA33A:
+        case 0xA33C:
+        case 0xA33D:
+        case 0xA33E:
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -107,7 +130,8 @@ public:
         listed_.assign(count, false);
         for (std::uint64_t f = 0; f < count; ++f)
             for (std::uint64_t k = 0; k < 3; ++k)
-                if (little<std::uint16_t>(s_.bytes, begin + 2 + f * 8 + k * 2) >= vertex_count_) wrong("faces have vertex numbers out of range");
+                if (little<std::uint16_t>(s_.bytes, begin + 2 + f * 8 + k * 2) >= vertex_count_)
+                    wrong("faces have vertex numbers out of range");
         return begin + 2 + count * 8;
     }
     void material(std::uint64_t begin, std::uint64_t end) {
@@ -117,13 +141,17 @@ public:
         if (3 + count * 2 > end - begin) cut_short("a list of faces of a material runs past its block", begin);
         for (std::uint64_t i = 0; i < count; ++i) {
             const auto face = little<std::uint16_t>(s_.bytes, begin + 3 + i * 2);
-            if (face >= listed_.size() || listed_[face]) wrong("materials name faces that are not there or have one already");
-            else listed_[face] = true;
+            if (face >= listed_.size() || listed_[face])
+                wrong("materials name faces that are not there or have one already");
+            else
+                listed_[face] = true;
         }
     }
 
 private:
-    void wrong(const char* what) { s_.report.add(Remark::warning, s_.path, {}, std::string(what) + "; the file is probably damaged"); }
+    void wrong(const char* what) {
+        s_.report.add(Remark::warning, s_.path, {}, std::string(what) + "; the file is probably damaged");
+    }
     const Suspect& s_;
     std::uint64_t vertex_count_ = 0;
     std::vector<bool> listed_;
@@ -145,7 +173,9 @@ void check_fbx(const Suspect& s) {
     if (!text.starts_with(binary) || text.size() < 27) throw Error(ErrorCode::bad_file, "the FBX header is damaged");
     const auto version = little<std::uint32_t>(s.bytes, 23);
     if (version < 7100)
-        throw Error(ErrorCode::bad_file, "binary FBX of version " + std::to_string(version) + " is not supported (7100 or newer is)", {}, "save it as FBX 2013 or newer, or as glTF");
+        throw Error(ErrorCode::bad_file,
+                    "binary FBX of version " + std::to_string(version) + " is not supported (7100 or newer is)", {},
+                    "save it as FBX 2013 or newer, or as glTF");
     if (version > 7900) throw Error(ErrorCode::bad_file, "unknown FBX version " + std::to_string(version));
     walk_fbx(s.bytes, version >= 7500);
 }
@@ -155,9 +185,12 @@ void check_3ds(const Suspect& s) {
         std::uint64_t at, end;
     };
     const std::uint64_t size = s.bytes.size();
-    if (size < 6 || little<std::uint16_t>(s.bytes, 0) != 0x4D4D) throw Error(ErrorCode::bad_file, "not a 3DS file (it does not begin with block 0x4D4D)");
+    if (size < 6 || little<std::uint16_t>(s.bytes, 0) != 0x4D4D)
+        throw Error(ErrorCode::bad_file, "not a 3DS file (it does not begin with block 0x4D4D)");
     const auto whole = little<std::uint32_t>(s.bytes, 2);
-    if (whole > size) throw Error(ErrorCode::bad_file, "it promises " + std::to_string(whole) + " bytes, but " + std::to_string(size) + " are there; the file is cut short");
+    if (whole > size)
+        throw Error(ErrorCode::bad_file, "it promises " + std::to_string(whole) + " bytes, but " +
+                                             std::to_string(size) + " are there; the file is cut short");
     if (whole < size) s.report.add(Remark::warning, s.path, {}, "bytes follow the last block");
     Faces3ds faces(s);
     std::vector<Open> open{{0, whole}};
@@ -172,7 +205,8 @@ void check_3ds(const Suspect& s) {
         const auto bytes = little<std::uint32_t>(s.bytes, begin + 2);
         if (bytes < 6 || bytes > o.end - begin) cut_short("a block runs past the end of the one around it", begin);
         o.at += bytes;
-        if (const std::uint64_t inside = enter_3ds(s, faces, id, begin + 6, begin + bytes)) open.push_back({inside, begin + bytes});
+        if (const std::uint64_t inside = enter_3ds(s, faces, id, begin + 6, begin + bytes))
+            open.push_back({inside, begin + bytes});
         if (open.size() > 64) cut_short("blocks are nested too deeply", begin);
     }
 }
@@ -180,10 +214,13 @@ void check_3ds(const Suspect& s) {
 void check_blend(const Suspect& s) {
     const std::string_view text = text_of(s);
     if (text.starts_with("\x1f\x8b")) return;  // gzip: Assimp unpacks it under the helper's memory limit
-    if (text.starts_with("\x28\xb5\x2f\xfd")) throw Error(ErrorCode::bad_file, "compressed by zstd, which is not supported", {}, "save it without compression, or export glTF");
+    if (text.starts_with("\x28\xb5\x2f\xfd"))
+        throw Error(ErrorCode::bad_file, "compressed by zstd, which is not supported", {},
+                    "save it without compression, or export glTF");
     if (!text.starts_with("BLENDER") || text.size() < 12) throw Error(ErrorCode::bad_file, "not a Blender file");
     const std::uint64_t pointer = text[7] == '-' ? 8 : text[7] == '_' ? 4 : 0;
-    if (pointer == 0 || (text[8] != 'v' && text[8] != 'V')) throw Error(ErrorCode::bad_file, "the Blender header is damaged or of a newer kind", {}, "export glTF instead");
+    if (pointer == 0 || (text[8] != 'v' && text[8] != 'V'))
+        throw Error(ErrorCode::bad_file, "the Blender header is damaged or of a newer kind", {}, "export glTF instead");
     const bool big = text[8] == 'V';
     const std::uint64_t header = 16 + pointer;
     bool described = false;

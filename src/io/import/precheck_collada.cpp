@@ -11,13 +11,19 @@ namespace {
 
 constexpr std::size_t deepest = 512;
 
-[[noreturn]] void bad_xml(const std::string& what, std::string_view text, std::size_t at) { throw Error(ErrorCode::bad_file, what, line_of(text, at)); }
+[[noreturn]] void bad_xml(const std::string& what, std::string_view text, std::size_t at) {
+    throw Error(ErrorCode::bad_file, what, line_of(text, at));
+}
 
 /// Position of the first byte that is no UTF-8 (RFC 3629), or npos.
 std::size_t first_bad_utf8(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto c = static_cast<unsigned char>(text[i]);
-        const std::size_t more = c < 0x80 ? 0 : c >= 0xC2 && c < 0xE0 ? 1 : c >= 0xE0 && c < 0xF0 ? 2 : c >= 0xF0 && c < 0xF5 ? 3 : 4;
+        const std::size_t more = c < 0x80                ? 0
+                                 : c >= 0xC2 && c < 0xE0 ? 1
+                                 : c >= 0xE0 && c < 0xF0 ? 2
+                                 : c >= 0xF0 && c < 0xF5 ? 3
+                                                         : 4;
         if (more == 4 || more >= text.size() - i) return i;
         for (std::size_t k = 1; k <= more; ++k)
             if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return i;
@@ -33,17 +39,22 @@ std::size_t end_of_tag(std::string_view text, std::size_t at) {
     char quote = 0;
     for (std::size_t i = at + 1; i < text.size(); ++i) {
         const char c = text[i];
-        if (quote != 0) quote = c == quote ? 0 : quote;
-        else if (c == '"' || c == '\'') quote = c;
-        else if (c == '>') return i + 1;
-        else if (c == '<') return std::string_view::npos;
+        if (quote != 0)
+            quote = c == quote ? 0 : quote;
+        else if (c == '"' || c == '\'')
+            quote = c;
+        else if (c == '>')
+            return i + 1;
+        else if (c == '<')
+            return std::string_view::npos;
     }
     return std::string_view::npos;
 }
 
 std::size_t skip_past(std::string_view text, std::size_t at, std::string_view end) {
     const std::size_t found = text.find(end, at);
-    if (found == std::string_view::npos) bad_xml("a comment or section has no end; the file is cut short or damaged", text, at);
+    if (found == std::string_view::npos)
+        bad_xml("a comment or section has no end; the file is cut short or damaged", text, at);
     return found + end.size();
 }
 
@@ -84,15 +95,26 @@ void check_collada(const Suspect& s) {
     bool any = false;
     for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at)) {
         const std::string_view rest = text.substr(at);
-        if (rest.starts_with("<!--")) { at = skip_past(text, at, "-->"); continue; }
-        if (rest.starts_with("<![CDATA[")) { at = skip_past(text, at, "]]>"); continue; }
-        if (rest.starts_with("<?")) { at = skip_past(text, at, "?>"); continue; }
+        if (rest.starts_with("<!--")) {
+            at = skip_past(text, at, "-->");
+            continue;
+        }
+        if (rest.starts_with("<![CDATA[")) {
+            at = skip_past(text, at, "]]>");
+            continue;
+        }
+        if (rest.starts_with("<?")) {
+            at = skip_past(text, at, "?>");
+            continue;
+        }
         if (rest.starts_with("<!")) bad_xml("a document type or entity declaration, which is refused", text, at);
         const std::size_t end = end_of_tag(text, at);
-        if (end == std::string_view::npos) bad_xml("an element's tag has no end; the file is cut short or damaged", text, at);
+        if (end == std::string_view::npos)
+            bad_xml("an element's tag has no end; the file is cut short or damaged", text, at);
         const std::string_view tag = text.substr(at, end - at), name = tag_name(tag);
         if (tag.starts_with("</")) {
-            if (open.empty() || open.back() != name) bad_xml("the element that ends is not the one that began", text, at);
+            if (open.empty() || open.back() != name)
+                bad_xml("the element that ends is not the one that began", text, at);
             open.pop_back();
         } else if (!tag.ends_with("/>")) {
             if (open.empty() && any) bad_xml("a second root element", text, at);
@@ -104,7 +126,9 @@ void check_collada(const Suspect& s) {
         at = end;
     }
     if (!any) throw Error(ErrorCode::bad_file, "not a Collada file (no XML element)");
-    if (!open.empty()) bad_xml("element <" + one_line(std::string(open.back()), 60) + "> has no end; the file is cut short or damaged", text, text.size());
+    if (!open.empty())
+        bad_xml("element <" + one_line(std::string(open.back()), 60) + "> has no end; the file is cut short or damaged",
+                text, text.size());
 }
 
 }  // namespace rakelight::io

@@ -40,13 +40,15 @@ std::uint64_t to_count(std::string_view word, const char* what) {
     std::uint64_t n = 0;
     const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), n);
     if (problem != std::errc() || end != word.data() + word.size() || n > (1ull << 40))
-        throw Error(ErrorCode::bad_file, "the number of " + std::string(what) + " is '" + one_line(std::string(word), 40) + "'");
+        throw Error(ErrorCode::bad_file,
+                    "the number of " + std::string(what) + " is '" + one_line(std::string(word), 40) + "'");
     return n;
 }
 
 [[noreturn]] void too_few(const char* what, std::uint64_t promised, std::uint64_t needs, std::uint64_t has) {
-    throw Error(ErrorCode::bad_file, "it promises " + std::to_string(promised) + " " + what + " (at least " + std::to_string(needs) +
-                                         " bytes), but " + std::to_string(has) + " bytes are there");
+    throw Error(ErrorCode::bad_file, "it promises " + std::to_string(promised) + " " + what + " (at least " +
+                                         std::to_string(needs) + " bytes), but " + std::to_string(has) +
+                                         " bytes are there");
 }
 
 void check_ascii_stl(const Suspect& s) {
@@ -56,8 +58,10 @@ void check_ascii_stl(const Suspect& s) {
     const std::uint64_t vertices = count_of(lower, "vertex"), loops = count_of(lower, "outer");
     if (loops == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no facet");
     if (vertices != loops * 3)
-        throw Error(ErrorCode::bad_file, std::to_string(loops) + " facets have " + std::to_string(vertices) + " vertices instead of three each");
-    if (lower.find("endsolid") == std::string::npos) s.report.add(Remark::warning, s.path, {}, "the solid has no end; the file is probably cut short");
+        throw Error(ErrorCode::bad_file, std::to_string(loops) + " facets have " + std::to_string(vertices) +
+                                             " vertices instead of three each");
+    if (lower.find("endsolid") == std::string::npos)
+        s.report.add(Remark::warning, s.path, {}, "the solid has no end; the file is probably cut short");
 }
 
 // --- PLY -------------------------------------------------------------------------------------------------------------------
@@ -78,9 +82,22 @@ struct PlyHeader {
 };
 
 std::uint32_t ply_type_bytes(std::string_view type) {
-    static constexpr std::array<std::pair<std::string_view, std::uint32_t>, 16> types = {{
-        {"char", 1}, {"uchar", 1}, {"int8", 1}, {"uint8", 1}, {"short", 2}, {"ushort", 2}, {"int16", 2}, {"uint16", 2}, {"int", 4}, {"uint", 4},
-        {"int32", 4}, {"uint32", 4}, {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}}};
+    static constexpr std::array<std::pair<std::string_view, std::uint32_t>, 16> types = {{{"char", 1},
+                                                                                          {"uchar", 1},
+                                                                                          {"int8", 1},
+                                                                                          {"uint8", 1},
+                                                                                          {"short", 2},
+                                                                                          {"ushort", 2},
+                                                                                          {"int16", 2},
+                                                                                          {"uint16", 2},
+                                                                                          {"int", 4},
+                                                                                          {"uint", 4},
+                                                                                          {"int32", 4},
+                                                                                          {"uint32", 4},
+                                                                                          {"float", 4},
+                                                                                          {"float32", 4},
+                                                                                          {"double", 8},
+                                                                                          {"float64", 8}}};
     for (const auto& [name, bytes] : types)
         if (name == type) return bytes;
     throw Error(ErrorCode::bad_file, "unknown property type '" + one_line(std::string(type), 40) + "'");
@@ -97,7 +114,8 @@ void parse_property(std::string_view line, PlyHeader& header) {
     } else {
         p.bytes = ply_type_bytes(type);
     }
-    if (header.elements.back().properties.size() >= 1000) throw Error(ErrorCode::bad_file, "an element has more than 1000 properties");
+    if (header.elements.back().properties.size() >= 1000)
+        throw Error(ErrorCode::bad_file, "an element has more than 1000 properties");
     header.elements.back().properties.push_back(p);
 }
 
@@ -111,7 +129,8 @@ void parse_format(std::string_view line, PlyHeader& header) {
 
 PlyHeader parse_ply_header(std::string_view text) {
     PlyHeader header;
-    if (!text.starts_with("ply") && !text.starts_with("PLY")) throw Error(ErrorCode::bad_file, "not a PLY file (it does not begin with 'ply')");
+    if (!text.starts_with("ply") && !text.starts_with("PLY"))
+        throw Error(ErrorCode::bad_file, "not a PLY file (it does not begin with 'ply')");
     std::size_t at = 0;
     while (at < text.size()) {
         const std::size_t end = text.find_first_of("\n\r", at);
@@ -142,12 +161,14 @@ std::uint64_t read_number(const unsigned char* p, std::uint32_t bytes, bool big_
 }
 
 /// Walks over a list. @return false when it runs past the end; `bad` counts vertex numbers out of range.
-bool walk_list(const std::span<const unsigned char> data, std::uint64_t& at, const PlyProperty& p, bool big, std::uint64_t vertices, std::uint64_t& bad) {
+bool walk_list(const std::span<const unsigned char> data, std::uint64_t& at, const PlyProperty& p, bool big,
+               std::uint64_t vertices, std::uint64_t& bad) {
     if (p.count_bytes > data.size() - at) return false;
     const std::uint64_t n = read_number(data.data() + at, p.count_bytes, big);
     at += p.count_bytes;
     if (n > (data.size() - at) / p.bytes) return false;
-    for (std::uint64_t i = 0; p.index && p.bytes <= 4 && i < n; ++i) bad += read_number(data.data() + at + i * p.bytes, p.bytes, big) >= vertices;
+    for (std::uint64_t i = 0; p.index && p.bytes <= 4 && i < n; ++i)
+        bad += read_number(data.data() + at + i * p.bytes, p.bytes, big) >= vertices;
     at += n * p.bytes;
     return true;
 }
@@ -166,8 +187,10 @@ Walk walk_binary(const PlyHeader& header, std::span<const unsigned char> data) {
             if (e.properties.empty()) break;
             for (const PlyProperty& p : e.properties) {
                 bool fits = true;
-                if (p.count_bytes > 0) fits = walk_list(data, walk.bytes, p, header.big_endian, vertices, walk.bad_indices);
-                else if ((fits = p.bytes <= data.size() - walk.bytes)) walk.bytes += p.bytes;
+                if (p.count_bytes > 0)
+                    fits = walk_list(data, walk.bytes, p, header.big_endian, vertices, walk.bad_indices);
+                else if ((fits = p.bytes <= data.size() - walk.bytes))
+                    walk.bytes += p.bytes;
                 if (fits) continue;
                 walk.short_of = &e;
                 return walk;
@@ -211,16 +234,22 @@ void check_stl(const Suspect& s) {
         const std::uint64_t needs = 84 + std::uint64_t(count) * 50;
         if (needs == text.size()) {
             if (count == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no triangle");
-            if (solid) s.report.add(Remark::warning, s.path, {}, "it begins with 'solid' like a text STL but is binary, and was read so");
+            if (solid)
+                s.report.add(Remark::warning, s.path, {},
+                             "it begins with 'solid' like a text STL but is binary, and was read so");
             return;
         }
         const bool binary = !solid || text.substr(0, 512).find('\0') != std::string_view::npos;
         if (binary && needs > text.size()) too_few("triangles", count, needs, text.size());
-        if (binary) throw Error(ErrorCode::bad_file, std::to_string(text.size() - needs) + " bytes follow the " + std::to_string(count) + " triangles that it promises");
+        if (binary)
+            throw Error(ErrorCode::bad_file, std::to_string(text.size() - needs) + " bytes follow the " +
+                                                 std::to_string(count) + " triangles that it promises");
     }
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos || !(text.substr(begin).starts_with("solid") || text.substr(begin).starts_with("SOLID")))
-        throw Error(ErrorCode::bad_file, "not an STL file (neither text beginning with 'solid' nor the size of a binary one)");
+    if (begin == std::string_view::npos ||
+        !(text.substr(begin).starts_with("solid") || text.substr(begin).starts_with("SOLID")))
+        throw Error(ErrorCode::bad_file,
+                    "not an STL file (neither text beginning with 'solid' nor the size of a binary one)");
     check_ascii_stl(s);
 }
 
@@ -232,15 +261,21 @@ void check_ply(const Suspect& s) {
     for (const PlyElement& e : header.elements) {
         if (e.name == "vertex") vertices += e.count;
         std::uint64_t least = 0;  // bytes of one element: binary sizes, or a digit and a separator
-        for (const PlyProperty& p : e.properties) least += header.ascii ? 2 : p.count_bytes > 0 ? p.count_bytes : p.bytes;
+        for (const PlyProperty& p : e.properties)
+            least += header.ascii ? 2 : p.count_bytes > 0 ? p.count_bytes : p.bytes;
         if (e.count * least > body.size() + 1) too_few("elements", e.count, e.count * least, body.size());
     }
     if (vertices == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no vertex");
     if (header.ascii) return check_ascii_lists(header, text);
     const Walk walk = walk_binary(header, {reinterpret_cast<const unsigned char*>(body.data()), body.size()});
-    if (walk.short_of) throw Error(ErrorCode::bad_file, "the data ends inside element '" + one_line(std::string(walk.short_of->name), 40) + "'; the file is cut short or damaged");
-    if (walk.bad_indices != 0) throw Error(ErrorCode::bad_file, std::to_string(walk.bad_indices) + " vertex numbers are out of range");
-    if (walk.bytes < body.size()) s.report.add(Remark::warning, s.path, {}, "bytes follow the elements that the header promises");
+    if (walk.short_of)
+        throw Error(ErrorCode::bad_file, "the data ends inside element '" +
+                                             one_line(std::string(walk.short_of->name), 40) +
+                                             "'; the file is cut short or damaged");
+    if (walk.bad_indices != 0)
+        throw Error(ErrorCode::bad_file, std::to_string(walk.bad_indices) + " vertex numbers are out of range");
+    if (walk.bytes < body.size())
+        s.report.add(Remark::warning, s.path, {}, "bytes follow the elements that the header promises");
 }
 
 void check_off(const Suspect& s) {
@@ -254,11 +289,13 @@ void check_off(const Suspect& s) {
     const std::string_view key = next_uncommented();
     if (!key.ends_with("OFF")) throw Error(ErrorCode::bad_file, "not an OFF file (it does not begin with 'OFF')");
     std::string_view word = next_uncommented();
-    if (word == "BINARY") throw Error(ErrorCode::bad_file, "binary OFF files are not supported", {}, "export text OFF or PLY");
+    if (word == "BINARY")
+        throw Error(ErrorCode::bad_file, "binary OFF files are not supported", {}, "export text OFF or PLY");
     const std::uint64_t vertices = to_count(word, "vertices"), faces = to_count(next_uncommented(), "faces");
     if (vertices * 6 > rest.size() + 1) too_few("vertices", vertices, vertices * 6, rest.size());
     if (faces * 2 > rest.size() + 1) too_few("faces", faces, faces * 2, rest.size());
-    if (vertices == 0 || faces == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no vertex or no face");
+    if (vertices == 0 || faces == 0)
+        throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no vertex or no face");
 }
 
 }  // namespace rakelight::io

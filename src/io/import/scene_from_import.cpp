@@ -32,9 +32,12 @@ Transform local_of(const Place& p, std::size_t number) {
     t.rotation = p.rotation;
     t.scale = p.scale;
     const dquat& q = p.rotation;
-    const bool parts = p.animated != 0 && rakelight::is_finite(p.translation) && rakelight::is_finite(p.scale) && std::isfinite(q.x + q.y + q.z + q.w);
+    const bool parts = p.animated != 0 && rakelight::is_finite(p.translation) && rakelight::is_finite(p.scale) &&
+                       std::isfinite(q.x + q.y + q.z + q.w);
     if (!parts) t = {.matrix = affine(p.matrix)};
-    if (!parts && !is_finite(*t.matrix)) throw Error(ErrorCode::bad_file, "a matrix is not finite", "node " + std::to_string(number) + " '" + one_line(p.name, 60) + "'");
+    if (!parts && !is_finite(*t.matrix))
+        throw Error(ErrorCode::bad_file, "a matrix is not finite",
+                    "node " + std::to_string(number) + " '" + one_line(p.name, 60) + "'");
     return t;
 }
 
@@ -56,7 +59,8 @@ void add_nodes(Document& d, Scene& scene) {
         node.local = local_of(p, i);
         node.name = std::move(p.name);
         node.parent = p.parent != import_stream::nothing ? p.parent + shift : above ? 0 : none;
-        if (change && !above && p.parent == import_stream::nothing) node.local = {.matrix = axes * matrix_of(node.local)};
+        if (change && !above && p.parent == import_stream::nothing)
+            node.local = {.matrix = axes * matrix_of(node.local)};
         node.meshes = std::move(p.meshes);
     }
     if (shift == 0) return;
@@ -69,7 +73,8 @@ void add_nodes(Document& d, Scene& scene) {
 
 std::vector<dmat4> matrices_to_world(const Scene& scene) {
     std::vector<dmat4> world;
-    for (const Node& n : scene.nodes) world.push_back(n.parent == none ? matrix_of(n.local) : world[n.parent] * matrix_of(n.local));
+    for (const Node& n : scene.nodes)
+        world.push_back(n.parent == none ? matrix_of(n.local) : world[n.parent] * matrix_of(n.local));
     return world;
 }
 
@@ -78,7 +83,9 @@ void add_skin(const Document& d, Scene& scene) {
     if (d.joints.empty()) return;
     Skin skin;
     for (const auto& j : d.joints) {
-        if (!is_finite(j.inverse_bind)) throw Error(ErrorCode::bad_file, "the bind matrix of a joint is not finite", "node " + std::to_string(j.node));
+        if (!is_finite(j.inverse_bind))
+            throw Error(ErrorCode::bad_file, "the bind matrix of a joint is not finite",
+                        "node " + std::to_string(j.node));
         skin.joints.push_back(j.node);
         skin.inverse_bind.push_back(affine(j.inverse_bind));
     }
@@ -91,7 +98,8 @@ void add_skin(const Document& d, Scene& scene) {
 void add_morph_weights(Scene& scene) {
     for (Node& n : scene.nodes)
         for (std::uint32_t m : n.meshes)
-            if (n.morph_weights.size() < scene.meshes[m].targets.size()) n.morph_weights.resize(scene.meshes[m].targets.size(), 0.0f);
+            if (n.morph_weights.size() < scene.meshes[m].targets.size())
+                n.morph_weights.resize(scene.meshes[m].targets.size(), 0.0f);
 }
 
 void add_animations(Document& d, Scene& scene) {
@@ -99,8 +107,11 @@ void add_animations(Document& d, Scene& scene) {
         Animation animation;
         animation.name = std::move(motion.name);
         for (auto& t : motion.tracks) {
-            const AnimationPath path = t.path == 0 ? AnimationPath::translation : t.path == 1 ? AnimationPath::rotation : AnimationPath::scale;
-            animation.channels.push_back({t.node, path, Interpolation::linear, std::move(t.times), std::move(t.values)});
+            const AnimationPath path = t.path == 0   ? AnimationPath::translation
+                                       : t.path == 1 ? AnimationPath::rotation
+                                                     : AnimationPath::scale;
+            animation.channels.push_back(
+                {t.node, path, Interpolation::linear, std::move(t.times), std::move(t.values)});
         }
         scene.animations.push_back(std::move(animation));
     }
@@ -108,7 +119,8 @@ void add_animations(Document& d, Scene& scene) {
 
 void add_notes(const Document& d, const std::string& path, Report& report) {
     constexpr Remark kinds[] = {Remark::changed, Remark::dropped, Remark::warning, Remark::note};
-    for (const auto& n : d.notes) report.add(kinds[n.kind < 4 ? n.kind : 2], path, one_line(n.place, 120), one_line(n.message));
+    for (const auto& n : d.notes)
+        report.add(kinds[n.kind < 4 ? n.kind : 2], path, one_line(n.place, 120), one_line(n.message));
 }
 
 bool draws_something(const Scene& scene) {
@@ -133,7 +145,8 @@ dmat4 detail::to_our_axes(const import_stream::AxisSystem& a) {
     return m;
 }
 
-Scene scene_from_import(Import&& import, const std::string& path, const std::string& ending, const ReadOptions& options, Context& context) {
+Scene scene_from_import(Import&& import, const std::string& path, const std::string& ending, const ReadOptions& options,
+                        Context& context) {
     Scene scene;
     scene.source = path;
     add_notes(import.document, path, context.report());
@@ -144,7 +157,8 @@ Scene scene_from_import(Import&& import, const std::string& path, const std::str
     add_morph_weights(scene);
     add_animations(import.document, scene);
     detail::add_lights_and_cameras(import.document, matrices_to_world(scene), path, scene, context);
-    if (!draws_something(scene)) throw Error(ErrorCode::bad_file, "nothing to draw: no object has a triangle, line or point");
+    if (!draws_something(scene))
+        throw Error(ErrorCode::bad_file, "nothing to draw: no object has a triangle, line or point");
     scene.charges.push_back(share(std::move(import.charge)));  // without what the meshes' arrays have taken along
     return scene;
 }

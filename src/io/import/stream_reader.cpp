@@ -30,12 +30,13 @@ bool is_size_of(const Picture& p) {
 void check_surfaces(const Document& d) {
     for (const Surface& s : d.surfaces)
         for (const TextureLink& t : s.links) {
-            require(t.role < std::uint32_t(Role::count) && t.placement < std::uint32_t(Placement::count), "role of a texture");
-            require(t.wrap_u < std::uint32_t(WrapMode::count) && t.wrap_v < std::uint32_t(WrapMode::count), "wrap mode");
+            require(t.role < std::uint32_t(Role::count) && t.placement < std::uint32_t(Placement::count),
+                    "role of a texture");
+            require(t.wrap_u < std::uint32_t(WrapMode::count) && t.wrap_v < std::uint32_t(WrapMode::count),
+                    "wrap mode");
             check_index(t.picture, d.pictures.size(), true, "picture of a texture");
         }
-    for (const Picture& p : d.pictures)
-        require(p.width == 0 ? p.height == 0 : is_size_of(p), "size of a picture");
+    for (const Picture& p : d.pictures) require(p.width == 0 ? p.height == 0 : is_size_of(p), "size of a picture");
 }
 
 void check_places(const Document& d) {
@@ -65,7 +66,9 @@ void check_document(const Document& d) {
     const auto is_axis = [](std::int32_t a) { return a >= 0 && a <= 2; };
     const auto is_sign = [](std::int32_t s) { return s == 1 || s == -1; };
     const AxisSystem& a = d.axes;
-    require(is_axis(a.up) && is_axis(a.front) && is_axis(a.side) && is_sign(a.up_sign) && is_sign(a.front_sign) && is_sign(a.side_sign), "axes");
+    require(is_axis(a.up) && is_axis(a.front) && is_axis(a.side) && is_sign(a.up_sign) && is_sign(a.front_sign) &&
+                is_sign(a.side_sign),
+            "axes");
     check_surfaces(d);
     check_places(d);
     check_motions(d);
@@ -78,15 +81,18 @@ void check_part(const Part& p, const Document& d) {
     require(i % (3 - p.topology) == 0, "number of indices");
     check_index(p.surface, d.surfaces.size(), true, "material of a mesh");
     const auto fits = [v](std::size_t n) { return n == 0 || n == v; };
-    require(fits(p.normals.size()) && fits(p.tangents.size()) && fits(p.colors.size()) && fits(p.influences.size()), "size of a vertex array");
+    require(fits(p.normals.size()) && fits(p.tangents.size()) && fits(p.colors.size()) && fits(p.influences.size()),
+            "size of a vertex array");
     require(p.polygons.empty() || (p.topology == 0 && p.polygons.size() == i / 3), "size of a triangle array");
     require(p.smoothing_hint.empty() || (p.topology == 0 && p.smoothing_hint.size() == i), "size of a corner array");
     require(p.texcoords.size() <= most_texcoord_sets, "number of texture coordinate sets");
     for (const auto& set : p.texcoords) require(set.size() == v, "size of a texture coordinate set");
-    for (const Shape& s : p.shapes) require(s.positions.size() == v && fits(s.normals.size()), "size of a morph target");
+    for (const Shape& s : p.shapes)
+        require(s.positions.size() == v && fits(s.normals.size()), "size of a morph target");
     for (std::uint32_t k : p.indices) require(k < v, "vertex index");
     for (const Influence& f : p.influences)
-        for (std::size_t k = 0; k < 4; ++k) require(f.weights[k] == 0 || f.joints[k] < d.joints.size(), "joint of a vertex");
+        for (std::size_t k = 0; k < 4; ++k)
+            require(f.weights[k] == 0 || f.joints[k] < d.joints.size(), "joint of a vertex");
 }
 
 }  // namespace
@@ -120,7 +126,9 @@ Import read_import(Source& source, Context& context) {
     reader.value(head);
     require(head.stream_magic == magic, "not the helper's");
     if (head.stream_version != version)
-        throw Error(ErrorCode::failed, "the import helper speaks version " + std::to_string(head.stream_version) + " of the stream, this program " + std::to_string(version),
+        throw Error(ErrorCode::failed,
+                    "the import helper speaks version " + std::to_string(head.stream_version) +
+                        " of the stream, this program " + std::to_string(version),
                     {}, "install both from one build");
     if (head.kind == std::uint32_t(Kind::refusal)) {
         std::string reason;

@@ -39,27 +39,32 @@ public:
     /// Pays for all that was read.
     MemoryCharge& charge() { return charge_; }
 
-    template <class T> void value(T& v) {
+    template <class T>
+    void value(T& v) {
         static_assert(std::is_trivially_copyable_v<T>);
         source_.read(std::as_writable_bytes(std::span(&v, 1)));
     }
     void text(std::string& s);
-    template <class T> void array(std::vector<T>& v) {
+    template <class T>
+    void array(std::vector<T>& v) {
         static_assert(std::is_trivially_copyable_v<T>);
         const std::uint64_t count = checked_count(sizeof(T));
         constexpr std::uint64_t step = (std::uint64_t(4) << 20) / sizeof(T);
         while (v.size() < count) {
             const std::size_t have = v.size(), more = std::size_t(count - have < step ? count - have : step);
-            if (v.capacity() < have + more) v.reserve(std::size_t(have * 2 < count ? std::max<std::uint64_t>(have * 2, have + more) : count));
+            if (v.capacity() < have + more)
+                v.reserve(std::size_t(have * 2 < count ? std::max<std::uint64_t>(have * 2, have + more) : count));
             v.resize(have + more);
             source_.read(std::as_writable_bytes(std::span(v).subspan(have, more)));
         }
     }
-    template <class T> void arrays(std::vector<std::vector<T>>& v) {
+    template <class T>
+    void arrays(std::vector<std::vector<T>>& v) {
         const std::uint64_t count = checked_count(sizeof(std::vector<T>));
         for (std::uint64_t i = 0; i < count; ++i) array(v.emplace_back());
     }
-    template <class T> void records(std::vector<T>& v) {
+    template <class T>
+    void records(std::vector<T>& v) {
         const std::uint64_t count = checked_count(sizeof(T));
         for (std::uint64_t i = 0; i < count; ++i) transfer(*this, v.emplace_back());
     }

@@ -17,7 +17,8 @@ public:
     using Put = std::function<void(std::span<const std::byte>)>;
     explicit Writer(Put put) : put_(std::move(put)) {}
 
-    template <class T> void value(const T& v) {
+    template <class T>
+    void value(const T& v) {
         static_assert(std::is_trivially_copyable_v<T>);
         put_(std::as_bytes(std::span(&v, 1)));
     }
@@ -25,16 +26,19 @@ public:
         value(std::uint32_t(s.size()));
         put_(std::as_bytes(std::span(s)));
     }
-    template <class T> void array(const std::vector<T>& v) {
+    template <class T>
+    void array(const std::vector<T>& v) {
         static_assert(std::is_trivially_copyable_v<T>);
         value(std::uint64_t(v.size()));
         put_(std::as_bytes(std::span(v)));
     }
-    template <class T> void arrays(const std::vector<std::vector<T>>& v) {
+    template <class T>
+    void arrays(const std::vector<std::vector<T>>& v) {
         value(std::uint64_t(v.size()));
         for (const auto& inner : v) array(inner);
     }
-    template <class T> void records(std::vector<T>& v) {
+    template <class T>
+    void records(std::vector<T>& v) {
         value(std::uint64_t(v.size()));
         for (T& r : v) transfer(*this, r);
     }

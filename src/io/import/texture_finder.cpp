@@ -43,7 +43,8 @@ std::optional<std::string> in_any_case(const std::string& model, const std::stri
     const fs::path folder = fs::path(model).has_parent_path() ? fs::path(model).parent_path() : fs::path(".");
     std::vector<std::string> found;
     std::size_t seen = 0;
-    for (fs::directory_iterator it(folder, problem), end; !problem && it != end && seen < most_entries; it.increment(problem), ++seen) {
+    for (fs::directory_iterator it(folder, problem), end; !problem && it != end && seen < most_entries;
+         it.increment(problem), ++seen) {
         std::string entry = it->path().filename().string();
         if (lower(entry) == lower(name)) found.push_back(std::move(entry));
     }
@@ -60,7 +61,9 @@ std::string mime_of(const Picture& p) {
 }
 
 Wrap wrap_of(std::uint32_t mode) {
-    return mode == std::uint32_t(WrapMode::clamp) ? Wrap::clamp_to_edge : mode == std::uint32_t(WrapMode::mirror) ? Wrap::mirrored_repeat : Wrap::repeat;
+    return mode == std::uint32_t(WrapMode::clamp)    ? Wrap::clamp_to_edge
+           : mode == std::uint32_t(WrapMode::mirror) ? Wrap::mirrored_repeat
+                                                     : Wrap::repeat;
 }
 
 io::Bytes bytes_of(const Picture& p, Context& context) {
@@ -89,7 +92,8 @@ ImageHandle raw_image(std::string name, const std::string& model, Picture& p, Co
 
 }  // namespace
 
-std::optional<std::string> find_texture_file(const std::string& model, const std::string& reference, bool allow_outside) {
+std::optional<std::string> find_texture_file(const std::string& model, const std::string& reference,
+                                             bool allow_outside) {
     if (reference.empty()) return std::nullopt;
     if (auto path = existing(model, reference, allow_outside)) return path;
     const std::string name = bare_name(reference);
@@ -101,9 +105,11 @@ std::optional<std::string> find_texture_file(const std::string& model, const std
 
 ImageHandle TextureTable::embedded(std::uint32_t number) {
     Picture& p = pictures_[number];
-    const std::string name = "image " + std::to_string(number) + (p.name.empty() ? "" : " '" + one_line(p.name, 80) + "'") + " (embedded)";
+    const std::string name =
+        "image " + std::to_string(number) + (p.name.empty() ? "" : " '" + one_line(p.name, 80) + "'") + " (embedded)";
     if (p.bytes.empty() || p.width > 32768 || p.height > 32768) {
-        context_.report().add(Remark::warning, model_, name, "an embedded picture is empty or too large and is left out");
+        context_.report().add(Remark::warning, model_, name,
+                              "an embedded picture is empty or too large and is left out");
         return nullptr;
     }
     if (p.width != 0) return raw_image(name, model_, p, context_);
@@ -112,8 +118,10 @@ ImageHandle TextureTable::embedded(std::uint32_t number) {
 
 ImageHandle TextureTable::image(const TextureLink& link) {
     if (link.picture != nothing) return embedded(link.picture);
-    if (const auto path = find_texture_file(model_, link.path, allow_outside_)) return image_from_file(bare_name(*path), model_, *path);
-    context_.report().add(Remark::warning, model_, {}, "texture '" + one_line(bare_name(link.path), 120) + "' was not found in the model's folder");
+    if (const auto path = find_texture_file(model_, link.path, allow_outside_))
+        return image_from_file(bare_name(*path), model_, *path);
+    context_.report().add(Remark::warning, model_, {},
+                          "texture '" + one_line(bare_name(link.path), 120) + "' was not found in the model's folder");
     return nullptr;
 }
 
@@ -122,7 +130,8 @@ std::uint32_t TextureTable::number(const TextureLink& link) {
     auto known = images_.find(key);
     if (known == images_.end()) known = images_.emplace(key, image(link)).first;
     if (!known->second) return none;
-    const auto place = numbers_.emplace(std::tuple(known->second, link.wrap_u, link.wrap_v), std::uint32_t(scene_.textures.size()));
+    const auto place =
+        numbers_.emplace(std::tuple(known->second, link.wrap_u, link.wrap_v), std::uint32_t(scene_.textures.size()));
     if (place.second) {
         Sampler sampler;
         sampler.wrap_u = wrap_of(link.wrap_u);

@@ -15,13 +15,19 @@ namespace rakelight::io {
 
 /// The file that `reference` means: as written, else its bare name in the model's folder, in any case of letters. Nothing
 /// outside the model's folder tree unless `allow_outside`. nullopt when there is none.
-std::optional<std::string> find_texture_file(const std::string& model, const std::string& reference, bool allow_outside);
+std::optional<std::string> find_texture_file(const std::string& model, const std::string& reference,
+                                             bool allow_outside);
 
 /// Makes each texture and each image once.
 class TextureTable {
 public:
-    TextureTable(std::string model, bool allow_outside, std::vector<import_stream::Picture>& pictures, Scene& scene, Context& context)
-        : model_(std::move(model)), allow_outside_(allow_outside), pictures_(pictures), scene_(scene), context_(context) {}
+    TextureTable(std::string model, bool allow_outside, std::vector<import_stream::Picture>& pictures, Scene& scene,
+                 Context& context)
+        : model_(std::move(model)),
+          allow_outside_(allow_outside),
+          pictures_(pictures),
+          scene_(scene),
+          context_(context) {}
     /// Its number in Scene::textures, or `none` with a warning in the report.
     std::uint32_t number(const import_stream::TextureLink& link);
 

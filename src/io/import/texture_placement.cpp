@@ -33,7 +33,8 @@ TextureAffine placement_of(const import_stream::TextureLink& link) {
         map = after(moved(0.5, 0.5), after(turned(-double(link.rotation_rad)), after(scaled, centered)));
     } else {
         const TextureAffine turn = after(moved(0.5, 0.5), after(turned(link.rotation_rad), moved(-0.5, -0.5)));
-        map = after(moved(link.offset[0], link.offset[1]), after(link.rotation_rad == 0 ? TextureAffine{} : turn, scaled));
+        map = after(moved(link.offset[0], link.offset[1]),
+                    after(link.rotation_rad == 0 ? TextureAffine{} : turn, scaled));
     }
     return after(flip, after(map, flip));
 }

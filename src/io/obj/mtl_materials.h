@@ -36,7 +36,11 @@ bool is_normal_map_name(const std::string& file);
 class MaterialLibrary {
 public:
     MaterialLibrary(Scene& scene, std::string model_path, bool allow_outside, Context& context)
-        : scene_(scene), context_(context), charge_(context.memory()), model_path_(model_path), finder_(std::move(model_path), allow_outside) {}
+        : scene_(scene),
+          context_(context),
+          charge_(context.memory()),
+          model_path_(model_path),
+          finder_(std::move(model_path), allow_outside) {}
 
     /// Reads what one mtllib line names: one file whose name may hold blanks, else several. What is missing is a
     /// warning.

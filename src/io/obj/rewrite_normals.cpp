@@ -98,9 +98,10 @@ public:
             face += is_read;
         }
         if (lost_references_ > 0)
-            context_.report().add(Remark::dropped, path_, {},
-                                  std::to_string(lost_references_) +
-                                      " references to normals were removed from faces and free-form surfaces that are not read");
+            context_.report().add(
+                Remark::dropped, path_, {},
+                std::to_string(lost_references_) +
+                    " references to normals were removed from faces and free-form surfaces that are not read");
         return std::move(out_);
     }
 
@@ -229,7 +230,8 @@ bool rewrite_obj_normals(const std::string& source, const Scene& after, const st
     try {
         obj::Rewriter rewriter(text, source, options, after, context);
         const std::string result = rewriter.is_changed() ? rewriter.rewritten() : std::string(text);
-        if (!is_same_folder(source, output)) copy_beside(obj::material_files(text, source, options, context), output, context);
+        if (!is_same_folder(source, output))
+            copy_beside(obj::material_files(text, source, options, context), output, context);
         write_file(output, std::as_bytes(std::span(result)));
         return rewriter.is_changed();
     } catch (const Error& error) {

@@ -79,7 +79,8 @@ std::vector<WorldKey> camera_keys() {
         {"position", Kind::vector, "Where it stands [m]", any_number, {}, true},
         {"target", Kind::vector, "What it looks at [m] (default 0, 0, 0)"},
         {"up", Kind::vector, "Which way is up (default 0, 1, 0)"},
-        {"vertical_fov_deg", Kind::number, "Vertical field of view (default 40, or by the horizontal one)", degrees_180},
+        {"vertical_fov_deg", Kind::number, "Vertical field of view (default 40, or by the horizontal one)",
+         degrees_180},
         {"horizontal_fov_deg", Kind::number,
          "Horizontal field of view; alone: the vertical one follows from square pixels; both: pixels need not be "
          "square",

@@ -91,9 +91,8 @@ LineCounts::LineCounts(int width, int height)
     : width_(width), height_(height), counts_(std::size_t(width) * std::size_t(height), 0) {}
 
 void LineCounts::line(dvec2 a, dvec2 b) {
-    walk(a, b, width_, height_, [&](int x, int y) {
-        ++counts_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
-    });
+    walk(a, b, width_, height_,
+         [&](int x, int y) { ++counts_[std::size_t(y) * std::size_t(width_) + std::size_t(x)]; });
 }
 
 double LineCounts::mean() const {
@@ -129,7 +128,9 @@ void LineCounts::draw(Canvas& canvas, Code color) const {
 
 Code gray(double v) { return {code(v), code(v), code(v)}; }
 
-Code color_of_normal(vec3 n) { return {code(double(n.x) * 0.5 + 0.5), code(double(n.y) * 0.5 + 0.5), code(double(n.z) * 0.5 + 0.5)}; }
+Code color_of_normal(vec3 n) {
+    return {code(double(n.x) * 0.5 + 0.5), code(double(n.y) * 0.5 + 0.5), code(double(n.z) * 0.5 + 0.5)};
+}
 
 Code display(vec3 l) { return {srgb8_from_linear(l.x), srgb8_from_linear(l.y), srgb8_from_linear(l.z)}; }
 

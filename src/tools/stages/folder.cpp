@@ -29,10 +29,13 @@ std::set<std::string> listed_files(const fs::path& folder) {
     std::set<std::string> names;
     std::error_code error;
     const fs::path list = folder / list_name;
-    if (!fs::is_regular_file(fs::symlink_status(list, error)) || fs::file_size(list, error) > longest_list) return names;
+    if (!fs::is_regular_file(fs::symlink_status(list, error)) || fs::file_size(list, error) > longest_list)
+        return names;
     std::ifstream in(list, std::ios::binary);
     const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
-    if (!json.is_object() || json.value("schema", nlohmann::json()) != schema || !json.contains("files") || !json["files"].is_array()) return names;
+    if (!json.is_object() || json.value("schema", nlohmann::json()) != schema || !json.contains("files") ||
+        !json["files"].is_array())
+        return names;
     for (const nlohmann::json& name : json["files"])
         if (name.is_string()) names.insert(name.get<std::string>());
     names.insert(list_name);
@@ -53,7 +56,8 @@ void check_target(const fs::path& target) {
         if (!is_read) ours = listed_files(target);
         is_read = true;
         if (!fs::is_regular_file(entries->symlink_status(error)) || !ours.contains(entries->path().filename().string()))
-            throw Error(ErrorCode::failed, "the folder holds other things", entries->path().filename().string(), "name a new or an empty folder")
+            throw Error(ErrorCode::failed, "the folder holds other things", entries->path().filename().string(),
+                        "name a new or an empty folder")
                 .with_file(target.string());
     }
 }

@@ -24,10 +24,14 @@ th:first-child, td:first-child { text-align: left; }
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : one_line(text, text.size())) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else if (c == '>') out += "&gt;";
-        else if (c == '"') out += "&quot;";
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
         else
             out += c;
     }
@@ -61,7 +65,8 @@ std::string numbers_html(const Json& numbers) {
     std::string out = "<div class=\"scroll\"><table>\n";
     for (const auto& [name, value] : numbers.items()) {
         const bool is_range = name.starts_with("range of ") && value.is_array() && value.size() == 2;
-        out += "<tr><td>" + escaped(name) + "</td><td>" + (is_range ? shown(value[0]) + " to " + shown(value[1]) : shown(value)) + "</td></tr>\n";
+        out += "<tr><td>" + escaped(name) + "</td><td>" +
+               (is_range ? shown(value[0]) + " to " + shown(value[1]) : shown(value)) + "</td></tr>\n";
     }
     return out + "</table></div>\n";
 }
@@ -80,13 +85,16 @@ std::string rows_html(const Stage& stage) {
 }
 
 std::string stage_html(const Stage& stage, std::size_t number) {
-    std::string out = "<section id=\"" + stage.id + "\">\n<h2>" + std::to_string(number) + ". " + escaped(stage.title) + "</h2>\n<p>" + escaped(stage.text) + "</p>\n";
+    std::string out = "<section id=\"" + stage.id + "\">\n<h2>" + std::to_string(number) + ". " + escaped(stage.title) +
+                      "</h2>\n<p>" + escaped(stage.text) + "</p>\n";
     out += stage.pictures.size() > 1 ? "<div class=\"pictures\">\n" : "";
     for (const Picture& p : stage.pictures)
-        out += "<figure><a href=\"" + p.name + ".png\"><img src=\"" + p.name + ".png\" width=\"" + std::to_string(p.canvas.width()) + "\" height=\"" +
-               std::to_string(p.canvas.height()) + "\" alt=\"" + escaped(p.caption) + "\"></a><figcaption>" + escaped(p.caption) + "</figcaption></figure>\n";
+        out += "<figure><a href=\"" + p.name + ".png\"><img src=\"" + p.name + ".png\" width=\"" +
+               std::to_string(p.canvas.width()) + "\" height=\"" + std::to_string(p.canvas.height()) + "\" alt=\"" +
+               escaped(p.caption) + "\"></a><figcaption>" + escaped(p.caption) + "</figcaption></figure>\n";
     out += stage.pictures.size() > 1 ? "</div>\n" : "";
-    return out + numbers_html(stage.numbers) + rows_html(stage) + "<p><a href=\"" + stage.id + ".json\">" + stage.id + ".json</a></p>\n</section>\n";
+    return out + numbers_html(stage.numbers) + rows_html(stage) + "<p><a href=\"" + stage.id + ".json\">" + stage.id +
+           ".json</a></p>\n</section>\n";
 }
 
 }  // namespace
@@ -100,9 +108,10 @@ std::string digits(double v) {
 std::string table_json(const Stage& stage) {
     Json pictures = Json::array();
     for (const Picture& p : stage.pictures) pictures.push_back({{"file", p.name + ".png"}, {"caption", p.caption}});
-    const Json whole = {{"schema", "rakelight.stages/1"}, {"stage", stage.id},        {"title", stage.title}, {"text", stage.text},
-                        {"pictures", pictures},           {"numbers", stage.numbers}, {"columns", stage.columns}, {"rows", stage.rows},
-                        {"rows_note", stage.rows_note}};
+    const Json whole = {
+        {"schema", "rakelight.stages/1"}, {"stage", stage.id},        {"title", stage.title},     {"text", stage.text},
+        {"pictures", pictures},           {"numbers", stage.numbers}, {"columns", stage.columns}, {"rows", stage.rows},
+        {"rows_note", stage.rows_note}};
     return json_text(whole, 1);
 }
 

@@ -15,8 +15,12 @@ std::uint64_t count(const std::vector<std::uint16_t>& overdraw) {
 }
 
 Stage culling_stage(const Sources& of) {
-    Stage s{.id = "culled", .title = "Culling", .text = "What cannot be seen is dropped before any pixel is looked at: objects and triangles wholly outside of the picture, triangles without area on the screen, and faces that "
-            "are seen from behind (of closed surfaces, as their material says; --cull chooses)."};
+    Stage s{.id = "culled",
+            .title = "Culling",
+            .text =
+                "What cannot be seen is dropped before any pixel is looked at: objects and triangles wholly outside of "
+                "the picture, triangles without area on the screen, and faces that "
+                "are seen from behind (of closed surfaces, as their material says; --cull chooses)."};
     const RenderStats& stats = of.drawn.front.stats;
     s.numbers = {{"triangles in", stats.triangles_in},
                  {of.engine.settings().samples > 1 ? "outside, or no sample in their box"
@@ -33,7 +37,10 @@ Stage culling_stage(const Sources& of) {
         if (faces & 2) return is_drawn ? Code{60, 70, 130} : Code{80, 110, 250};
         return is_drawn ? Code{110, 110, 110} : backdrop;
     });
-    s.pictures.push_back({"culled", "Red: a face seen from behind was dropped here; blue: one from the front. Bright where nothing else covers the pixel, dull where something does; gray: nothing was dropped.", std::move(canvas)});
+    s.pictures.push_back({"culled",
+                          "Red: a face seen from behind was dropped here; blue: one from the front. Bright where "
+                          "nothing else covers the pixel, dull where something does; gray: nothing was dropped.",
+                          std::move(canvas)});
     return s;
 }
 
@@ -70,8 +77,11 @@ Stage coverage_stage(const Sources& of) {
     std::vector<std::uint64_t> histogram(std::size_t(most) + 1, 0);
     for (const std::uint16_t n : overdraw) sum += n, ++histogram[n];
     const std::uint64_t covered = count(overdraw);
-    s.numbers = {{"pixels", overdraw.size()}, {"pixels covered", covered}, {"times covered, all pixels", sum},
-                 {"mean overdraw of covered pixels", covered > 0 ? double(sum) / double(covered) : 0.0}, {"largest overdraw", most}};
+    s.numbers = {{"pixels", overdraw.size()},
+                 {"pixels covered", covered},
+                 {"times covered, all pixels", sum},
+                 {"mean overdraw of covered pixels", covered > 0 ? double(sum) / double(covered) : 0.0},
+                 {"largest overdraw", most}};
     s.columns = {"triangles over a pixel", "pixels"};
     for (std::size_t n = 0; n < std::min<std::size_t>(histogram.size(), 48); ++n) s.rows.push_back({n, histogram[n]});
     s.rows_note = "How many pixels are covered how often";
@@ -82,7 +92,11 @@ Stage coverage_stage(const Sources& of) {
 }
 
 Stage depth_stage(const Sources& of) {
-    Stage s{.id = "depth", .title = "Depth", .text = "At each covered pixel the depth keys are compared and the nearest surface that is not seen through stays; of equal ones the first. Depth is shown as distance along the view axis."};
+    Stage s{.id = "depth",
+            .title = "Depth",
+            .text =
+                "At each covered pixel the depth keys are compared and the nearest surface that is not seen through "
+                "stays; of equal ones the first. Depth is shown as distance along the view axis."};
     const std::vector<float>& distance = of.pixels.distance;
     double low = std::numeric_limits<double>::infinity(), high = 0;
     for (const float d : distance)
@@ -97,7 +111,11 @@ Stage depth_stage(const Sources& of) {
 }
 
 Stage visibility_stage(const Sources& of) {
-    Stage s{.id = "visibility", .title = "Visibility", .text = "What is left is one triangle a pixel: only these are shaded, whatever the overdraw. Each triangle, and each object, has a color of its own."};
+    Stage s{.id = "visibility",
+            .title = "Visibility",
+            .text =
+                "What is left is one triangle a pixel: only these are shaded, whatever the overdraw. Each triangle, "
+                "and each object, has a color of its own."};
     const raster::DrawList& list = of.engine.list();
     const std::vector<std::uint32_t>&draw = of.pixels.draw, &triangle = of.pixels.triangle;
     s.pictures.push_back({"triangles", "Visible triangles.", paint(of, [&](std::size_t p) {
@@ -109,7 +127,8 @@ Stage visibility_stage(const Sources& of) {
     std::vector<std::uint64_t> pixels(list.scene.nodes.size(), 0);
     std::vector<std::uint64_t> seen;
     for (std::size_t p = 0; p < draw.size(); ++p)
-        if (draw[p] != none) ++pixels[list.draws[draw[p]].node], seen.push_back(std::uint64_t(draw[p]) << 32 | triangle[p]);
+        if (draw[p] != none)
+            ++pixels[list.draws[draw[p]].node], seen.push_back(std::uint64_t(draw[p]) << 32 | triangle[p]);
     std::sort(seen.begin(), seen.end());
     s.numbers["pixels that show a surface"] = seen.size();
     s.numbers["triangles of which a pixel is seen"] = std::unique(seen.begin(), seen.end()) - seen.begin();
@@ -125,7 +144,11 @@ Stage visibility_stage(const Sources& of) {
 }
 
 Stage normal_stage(const Sources& of) {
-    Stage s{.id = "normal", .title = "Normals", .text = "The vertices' normals, interpolated with perspective, bent by the normal map where the material has one, and turned to the viewer's side. Lighting uses this one."};
+    Stage s{.id = "normal",
+            .title = "Normals",
+            .text =
+                "The vertices' normals, interpolated with perspective, bent by the normal map where the material has "
+                "one, and turned to the viewer's side. Lighting uses this one."};
     s.pictures.push_back(
         {"normal", "Red, green and blue are x, y and z of the world, from -1 to 1.", paint(of, [&](std::size_t p) {
              return of.pixels.draw[p] == none ? backdrop : color_of_normal(of.pixels.normal[p]);

@@ -88,7 +88,8 @@ Stage shadow_stage(const Sources& of) {
         if (map >= 0) s.pictures.push_back(map_picture(maps[map], number, name));
     }
     s.rows_note =
-        "Pixels that the light would reach if nothing stood before them, and the share of it that does; texels a meter on the map, of "
+        "Pixels that the light would reach if nothing stood before them, and the share of it that does; texels a meter "
+        "on the map, of "
         "lamps at a distance of 1 m";
     return s;
 }

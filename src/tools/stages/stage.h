@@ -15,26 +15,26 @@ namespace rakelight::stages {
 using Json = nlohmann::ordered_json;
 
 struct Picture {
-    std::string name;     ///< of the file, without ending
+    std::string name;  ///< of the file, without ending
     std::string caption;
     Canvas canvas;
 };
 
 struct Stage {
-    std::string id;       ///< "clip-space": names the files
+    std::string id;  ///< "clip-space": names the files
     std::string title;
-    std::string text;     ///< what happens, for people; plain text
+    std::string text;  ///< what happens, for people; plain text
     std::vector<Picture> pictures;
-    Json numbers = Json::object();  ///< name -> number, text or list of numbers
+    Json numbers = Json::object();     ///< name -> number, text or list of numbers
     std::vector<std::string> columns;  ///< of the rows
-    Json rows = Json::array();      ///< arrays of cells
-    std::string rows_note;          ///< which rows these are
+    Json rows = Json::array();         ///< arrays of cells
+    std::string rows_note;             ///< which rows these are
 };
 
 /// What the stages are made of.
 struct Sources {
     const raster::Inspection& engine;
-    const raster::Inspection::Geometry& open;   ///< with what culling drops
+    const raster::Inspection::Geometry& open;  ///< with what culling drops
     const raster::Inspection::Geometry& drawn;
     const raster::PixelStageData& pixels;
     ToneSettings tone;

@@ -14,8 +14,11 @@ using raster::ClipVertex;
 std::vector<double> list(dvec3 p) { return {p.x, p.y, p.z}; }
 
 Stage model_stage(const Sources& of, const Vertices& vertices) {
-    Stage s{.id = "model", .title = "Model space", .text = "Each mesh as its file has it: every object about its own origin, so several lie in one place. "
-            "Vertices and triangles are read once and never changed."};
+    Stage s{.id = "model",
+            .title = "Model space",
+            .text =
+                "Each mesh as its file has it: every object about its own origin, so several lie in one place. "
+                "Vertices and triangles are read once and never changed."};
     add_plot(s, of, vertices, "model",
              {.caption = "All meshes in their own coordinates, seen obliquely.",
               .place = [&](std::size_t d, std::uint32_t v) { return oblique(vertices.model(d, v)); }});

@@ -21,7 +21,8 @@ constexpr std::size_t most_lights = 8;
 StagesResult write(const PictureRequest& request, Context& context) {
     const RenderSettings& settings = request.settings;
     if (std::int64_t(settings.width) * settings.height > most_pixels)
-        throw Error(ErrorCode::usage, "the stages are shown of at most 16 million pixels", {}, "give a smaller --resolution");
+        throw Error(ErrorCode::usage, "the stages are shown of at most 16 million pixels", {},
+                    "give a smaller --resolution");
     stages::NewFolder folder(request.output);  // first: what stands in the way is said at once
     const Scene loaded = load_for_engine(request, context);
     const auto engine = open_engine(loaded, request, context);
@@ -41,7 +42,8 @@ StagesResult write(const PictureRequest& request, Context& context) {
     const auto lighting =
         std::find_if(all.begin(), all.end(), [](const stages::Stage& stage) { return stage.id == "lighting"; });
     all.insert(lighting, stages::frequency_stage(sources, context));
-    const std::string name = std::filesystem::path(request.input).filename().string();  // "builtin:teapot" has no folder
+    const std::string name =
+        std::filesystem::path(request.input).filename().string();  // "builtin:teapot" has no folder
     folder.write("index.html", stages::page(one_line(name, 200), all));
     std::size_t done = 0;
     for (const stages::Stage& stage : all) {

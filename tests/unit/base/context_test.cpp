@@ -23,7 +23,11 @@ TEST(Context, ParallelForNestsAndPassesExceptionsOn) {
     std::atomic<int> sum{0};
     context.parallel_for(4, [&](std::size_t) { context.parallel_for(8, [&](std::size_t) { ++sum; }); });
     EXPECT_EQ(sum, 32);
-    EXPECT_THROW(context.parallel_for(4, [](std::size_t i) { if (i == 2) throw Error(ErrorCode::failed, "x"); }), Error);
+    EXPECT_THROW(context.parallel_for(4,
+                                      [](std::size_t i) {
+                                          if (i == 2) throw Error(ErrorCode::failed, "x");
+                                      }),
+                 Error);
     context.parallel_for(0, [](std::size_t) { FAIL(); });
 }
 
@@ -36,7 +40,11 @@ TEST(Context, RefusesImpossibleThreadCounts) {
 TEST(Context, AnExceptionOfOneBodyOfManyComesOutOnceAndTheContextStaysUsable) {
     for (int threads : {1, 2, 4}) {
         Context context({.threads = threads});
-        EXPECT_THROW(context.parallel_for(1000, [](std::size_t i) { if (i % 7 == 3) throw Error(ErrorCode::failed, "x"); }), Error);
+        EXPECT_THROW(context.parallel_for(1000,
+                                          [](std::size_t i) {
+                                              if (i % 7 == 3) throw Error(ErrorCode::failed, "x");
+                                          }),
+                     Error);
         std::atomic<int> calls{0};
         context.parallel_for(1000, [&](std::size_t) { ++calls; });
         EXPECT_EQ(calls, 1000);

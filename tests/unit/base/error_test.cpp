@@ -43,7 +43,8 @@ TEST(OneLine, ReplacesWhatIsNotUtf8OrTurnsTheDirectionOfWriting) {
     EXPECT_EQ(one_line("\xF0\x82\x82\xAC"), "????") << "overlong";
     EXPECT_EQ(one_line("\xF4\x90\x80\x80"), "????") << "beyond U+10FFFF";
     EXPECT_EQ(one_line("\xE2\x81\xA7"), "???") << "U+2067, right-to-left isolate";
-    EXPECT_EQ(one_line("\xF0\x9F\x8E\xA8\xED\x95\x9C"), "\xF0\x9F\x8E\xA8\xED\x95\x9C") << "a picture and a Korean syllable";
+    EXPECT_EQ(one_line("\xF0\x9F\x8E\xA8\xED\x95\x9C"), "\xF0\x9F\x8E\xA8\xED\x95\x9C")
+        << "a picture and a Korean syllable";
 }
 
 TEST(OneLine, KeepsWhatFitsExactly) {

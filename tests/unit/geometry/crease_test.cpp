@@ -128,7 +128,8 @@ TEST(Crease, ChainsJoinTransitively) {
         const double a = radians(30.0 * i), b = radians(30.0 * (i + 1));
         Shape s;
         s.object = i;
-        s.positions = {{0, 0, 0}, {float(std::cos(a)), float(std::sin(a)), 1}, {float(std::cos(b)), float(std::sin(b)), 1}};
+        s.positions = {
+            {0, 0, 0}, {float(std::cos(a)), float(std::sin(a)), 1}, {float(std::cos(b)), float(std::sin(b)), 1}};
         s.indices = {0, 1, 2};
         fan.push_back(s);
     }
@@ -158,7 +159,8 @@ TEST(Crease, ManyPagesOnOneSpineGroupAsByComparingAllPairs) {
             angle.push_back(double(random() % 3600) / 10);
             Shape s;
             s.object = std::uint32_t(i);
-            s.positions = {{0, 0, 0}, {0, 0, 1}, {float(std::cos(radians(angle[i]))), float(std::sin(radians(angle[i]))), 0.5f}};
+            s.positions = {
+                {0, 0, 0}, {0, 0, 1}, {float(std::cos(radians(angle[i]))), float(std::sin(radians(angle[i]))), 0.5f}};
             s.indices = {0, 1, 2};
             pages.push_back(s);
         }
@@ -174,8 +176,10 @@ TEST(Crease, ManyPagesOnOneSpineGroupAsByComparingAllPairs) {
         const auto out = compute(pages, crease(limit));
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t j = 0; j < i; ++j) {
-                if (group[i] == group[j]) EXPECT_EQ(out[i].normals[0], out[j].normals[0]) << round;
-                else EXPECT_NE(out[i].normals[0], out[j].normals[0]) << round;
+                if (group[i] == group[j])
+                    EXPECT_EQ(out[i].normals[0], out[j].normals[0]) << round;
+                else
+                    EXPECT_NE(out[i].normals[0], out[j].normals[0]) << round;
             }
     }
 }
@@ -191,7 +195,8 @@ TEST(Crease, SidesOfManyCoincidentShellsAreSmoothOverTheirRidge) {
                     const auto first = std::uint32_t(s.positions.size());
                     s.positions.insert(s.positions.end(), {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {-1, 0.5f, 1}});
                     const bool turned = (eaves == 3) != (side == 1);
-                    s.indices.insert(s.indices.end(), {first, first + (turned ? eaves : 1), first + (turned ? 1 : eaves)});
+                    s.indices.insert(s.indices.end(),
+                                     {first, first + (turned ? eaves : 1), first + (turned ? 1 : eaves)});
                     s.object = side;
                 }
         const auto out = compute(shells, published());

@@ -63,7 +63,8 @@ TEST(CutModels, SpotInPartsHasTheNormalsOfTheWhole) {
         std::map<std::tuple<float, float, float>, std::vector<vec3>> truth;
         for (std::size_t i = 0; i < whole[0].indices.size(); ++i)
             truth[key(whole[0].positions[whole[0].indices[i]])].push_back(corner_normal(whole[0], reference[0], i));
-        for (const auto& [name, objects] : {std::pair{"spot_slab5.obj", 5u}, {"spot_checker6.obj", 2u}, {"spot_noise7.obj", 7u}}) {
+        for (const auto& [name, objects] :
+             {std::pair{"spot_slab5.obj", 5u}, {"spot_checker6.obj", 2u}, {"spot_noise7.obj", 7u}}) {
             const auto parts = read_obj(folder / name);
             ASSERT_EQ(parts.size(), objects) << name;
             const auto out = compute(parts, options);
@@ -110,7 +111,8 @@ TEST(CutModels, SpotInPartsHasTheTangentsOfTheWhole) {
             std::size_t corners = 0, off = 0, other_hand = 0;
             for (std::size_t m = 0; m < parts.size(); ++m)
                 for (std::size_t i = 0; i < parts[m].indices.size(); ++i) {
-                    const vec4 t = out[m].tangents[output_vertex(parts[m], out[m], i)], of_whole = truth.at(places_of(parts[m], i));
+                    const vec4 t = out[m].tangents[output_vertex(parts[m], out[m], i)],
+                               of_whole = truth.at(places_of(parts[m], i));
                     ++corners;
                     off += degrees(angle_between(t.xyz(), of_whole.xyz())) > 0.01 ? 1 : 0;
                     other_hand += t.w != of_whole.w ? 1 : 0;

@@ -33,7 +33,8 @@ void expect_equal(const std::vector<MeshAttributes>& a, const std::vector<MeshAt
     }
 }
 
-void expect_as_general(const std::vector<Shape>& shapes, const AttributeOptions& options, double tolerance = as_general) {
+void expect_as_general(const std::vector<Shape>& shapes, const AttributeOptions& options,
+                       double tolerance = as_general) {
     ASSERT_TRUE(geometry::takes_fast_path(views(shapes), options));
     const auto fast = compute(shapes, options), exact = general(shapes, options);
     ASSERT_EQ(fast.size(), exact.size());
@@ -79,7 +80,8 @@ std::vector<Shape> random_model(std::uint32_t seed, std::uint32_t meshes, std::u
 Shape displaced(Shape s, std::uint32_t seed) {
     for (vec3& p : s.positions) {  // by a hash of the position: equal places stay equal
         std::uint32_t h = seed;
-        for (const float c : {p.x, p.y, p.z}) h = (h ^ std::bit_cast<std::uint32_t>(c + 0.0f)) * 2654435761u, h ^= h >> 15;
+        for (const float c : {p.x, p.y, p.z})
+            h = (h ^ std::bit_cast<std::uint32_t>(c + 0.0f)) * 2654435761u, h ^= h >> 15;
         p = p * (1 + float(h % 1000) * 1e-5f);
     }
     return s;
@@ -124,7 +126,8 @@ TEST(FastPath, SeamsAreBitEqual) {
 }
 
 TEST(FastPath, HasTheSameBitsForAllThreadsAndInstructionSets) {
-    std::vector<Shape> parts = cut_by_planes(displaced(make_torus(900, 400), 3), 3);  // 720 000 triangles: several pieces each
+    std::vector<Shape> parts =
+        cut_by_planes(displaced(make_torus(900, 400), 3), 3);  // 720 000 triangles: several pieces each
     const auto more = random_model(7, 6, 3000);
     parts.insert(parts.end(), more.begin(), more.end());
     for (const bool tangents : {false, true}) {

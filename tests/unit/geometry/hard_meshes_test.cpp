@@ -78,7 +78,8 @@ TEST(HardMeshes, NonFiniteCornersLeaveTheirNeighborsAlone) {
 
 TEST(HardMeshes, TinyAndHugeEdgesGiveTheSameNormals) {
     const Shape sphere = make_sphere(24, 12);
-    for (const CornerWeight weight : {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area})
+    for (const CornerWeight weight :
+         {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area})
         for (const double crease : {60.0, 180.0}) {
             AttributeOptions options;
             options.weight = weight;
@@ -97,7 +98,8 @@ TEST(HardMeshes, TinyAndHugeEdgesGiveTheSameNormals) {
                 Shape scaled = sphere;
                 scaled.to_world = scaling(dvec3{size, size, size});
                 const MeshAttributes out = compute({scaled}, options).front();
-                for (std::size_t v = 25; v < 25 * 12; ++v) EXPECT_LT(angle_between(out.normals[v], plain.normals[v]), 1e-5);
+                for (std::size_t v = 25; v < 25 * 12; ++v)
+                    EXPECT_LT(angle_between(out.normals[v], plain.normals[v]), 1e-5);
             }
         }
 }
@@ -176,7 +178,8 @@ TEST(HardMeshes, ThreeFacesWhoseNormalsCancelAreLeftFlat) {
     }
     const MeshAttributes out = compute({s}, published()).front();
     expect_sound(s, out);
-    for (std::size_t i = 0; i < 9; i += 3) EXPECT_LT(angle_between(corner_normal(s, out, i), corner_normal(s, out, i + 2)), 0.02);
+    for (std::size_t i = 0; i < 9; i += 3)
+        EXPECT_LT(angle_between(corner_normal(s, out, i), corner_normal(s, out, i + 2)), 0.02);
 }
 
 TEST(HardMeshes, FlatteningMatrixGivesSoundVectors) {
@@ -194,7 +197,8 @@ TEST(HardMeshes, FlatteningMatrixGivesSoundVectors) {
 
 TEST(HardMeshes, RandomRubbishGivesSoundVectors) {
     std::mt19937 random(21);
-    const float values[] = {0.0f, -0.0f, 1.0f, -1.0f, 1e-38f, 1e-45f, 3e38f, 0.1f, INFINITY, std::nanf(""), 1e20f, 2.0f};
+    const float values[] = {0.0f,  -0.0f, 1.0f,     -1.0f,         1e-38f, 1e-45f,
+                            3e38f, 0.1f,  INFINITY, std::nanf(""), 1e20f,  2.0f};
     const auto pick = [&] { return values[random() % std::size(values)]; };
     for (int round = 0; round < 300; ++round) {
         std::vector<Shape> shapes(1 + random() % 3);
@@ -230,7 +234,8 @@ TEST(HardMeshes, ManyTinyObjectsAreOneModel) {
     for (std::size_t m = 0; m < parts.size(); ++m)
         for (std::size_t v = 0; v < parts[m].positions.size(); ++v) {
             const vec3 p = parts[m].positions[v];
-            const auto [at, is_new] = seen.try_emplace(std::tuple(p.x + 0.0f, p.y + 0.0f, p.z + 0.0f), out[m].normals[v]);
+            const auto [at, is_new] =
+                seen.try_emplace(std::tuple(p.x + 0.0f, p.y + 0.0f, p.z + 0.0f), out[m].normals[v]);
             EXPECT_TRUE(is_new || at->second == out[m].normals[v]);
         }
     EXPECT_EQ(seen.size(), 120u * 59 + 2);
@@ -301,7 +306,8 @@ TEST(HardMeshes, VotesOfTrianglesInDisorderAreWithinTheMemoryLimit) {
     for (int v = 0; v < 20000; ++v) soup.positions.push_back({coordinate(), coordinate(), coordinate()});
     for (int c = 0; c < 3 * 400000; ++c) soup.indices.push_back(random() % 20000);
     const std::vector<AttributeMesh> meshes{soup.view()};
-    for (const CornerWeight weight : {CornerWeight::uniform, CornerWeight::area}) {  // the fast path and the general one
+    for (const CornerWeight weight :
+         {CornerWeight::uniform, CornerWeight::area}) {  // the fast path and the general one
         AttributeOptions options = published();
         options.weight = weight;
         options.weld_distance = 0;

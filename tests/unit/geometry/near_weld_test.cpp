@@ -91,7 +91,8 @@ TEST(NearWeld, EveryClosePairIsFoundWhereverItLies) {
     std::vector<Shape> shapes;
     for (std::uint32_t i = 0; i < 2000; ++i) {
         const dvec3 p{8 * value(random), 8 * value(random), 8 * value(random)};
-        const dvec3 q = p + normalize_or(dvec3{value(random), value(random), value(random)}, dvec3{1, 0, 0}) * (0.9 * distance);
+        const dvec3 q =
+            p + normalize_or(dvec3{value(random), value(random), value(random)}, dvec3{1, 0, 0}) * (0.9 * distance);
         for (const dvec3 at : {p, q}) {
             Shape s;
             s.object = std::uint32_t(shapes.size());
@@ -154,7 +155,8 @@ TEST(NearWeld, AThousandPlacesOnOneSpotAreOnePlace) {
         for (std::uint32_t object = 0; object < 2; ++object)
             for (std::uint32_t i = 0; i < per_object; ++i) {
                 const std::size_t first = 3 * std::size_t(spot) * per_object;
-                ASSERT_EQ(out[object].normals[first + 3 * i], out[0].normals[first]) << spot << " " << object << " " << i;
+                ASSERT_EQ(out[object].normals[first + 3 * i], out[0].normals[first])
+                    << spot << " " << object << " " << i;
             }
 }
 
@@ -293,8 +295,10 @@ TEST(NearWeld, ManyQuantizedMeshesAtTwoPlacesAreComparedByTheOneThatIsAtBoth) {
         }
         const auto out = compute_attributes(meshes, within(-1), context);
         const vec3 at_a = out[1].normals[0], at_b = out[2 * at_each - 2].normals[0];
-        if (shared < meshes.size()) EXPECT_NE(at_a, at_b) << shared;
-        else EXPECT_EQ(at_a, at_b);
+        if (shared < meshes.size())
+            EXPECT_NE(at_a, at_b) << shared;
+        else
+            EXPECT_EQ(at_a, at_b);
     }
 }
 

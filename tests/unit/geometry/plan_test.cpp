@@ -76,7 +76,8 @@ TEST(AttributePlan, OtherMeshesAreRefused) {
 }
 
 TEST(AttributePlan, MemoryOfSplitVerticesCounts) {
-    const Shape sphere = make_sphere(100, 100);  // 10,201 vertices; flat it has 60,000, each with 92 bytes of sums and results
+    const Shape sphere =
+        make_sphere(100, 100);  // 10,201 vertices; flat it has 60,000, each with 92 bytes of sums and results
     const std::vector<AttributeMesh> meshes{sphere.view()};
     constexpr std::uint64_t limit = 4'500'000;
     Context smooth({.threads = 1, .max_memory = limit});

@@ -55,7 +55,8 @@ inline AttributeOptions published() {
     return options;
 }
 
-inline std::vector<MeshAttributes> compute(const std::vector<Shape>& shapes, const AttributeOptions& options, int threads = 2) {
+inline std::vector<MeshAttributes> compute(const std::vector<Shape>& shapes, const AttributeOptions& options,
+                                           int threads = 2) {
     Context context({.threads = threads});
     return compute_attributes(views(shapes), options, context);
 }
@@ -114,7 +115,8 @@ inline Shape make_torus(std::uint32_t columns, std::uint32_t rows) {
 inline Shape make_cube() {
     Shape s;
     for (int i = 0; i < 8; ++i) s.positions.push_back({float(i & 1), float(i >> 1 & 1), float(i >> 2 & 1)});
-    s.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    s.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
     return s;
 }
 
@@ -131,7 +133,8 @@ inline std::vector<Shape> make_hinge(double bend_rad) {
 }
 
 /// Triangle t goes to part(t); every part gets its own vertices, only those it uses, and its own object number.
-inline std::vector<Shape> cut(const Shape& whole, std::uint32_t parts, const std::function<std::uint32_t(std::size_t)>& part) {
+inline std::vector<Shape> cut(const Shape& whole, std::uint32_t parts,
+                              const std::function<std::uint32_t(std::size_t)>& part) {
     std::vector<Shape> out(parts);
     std::vector<std::map<std::uint32_t, std::uint32_t>> number(parts);
     for (std::uint32_t p = 0; p < parts; ++p) {

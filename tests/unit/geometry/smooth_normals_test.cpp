@@ -57,7 +57,8 @@ std::vector<Shape> random_model(std::uint32_t seed) {
         if (seed % 5 == 0 && i == 1) s.to_world = scaling(dvec3{-1, 1, 1});
         const std::uint32_t vertices = 4 + random() % 60, triangles = 1 + random() % 80;
         for (std::uint32_t v = 0; v < vertices; ++v)
-            s.positions.push_back({float(int(random() % 5) - 2), float(int(random() % 5) - 2), float(int(random() % 5) - 2)});
+            s.positions.push_back(
+                {float(int(random() % 5) - 2), float(int(random() % 5) - 2), float(int(random() % 5) - 2)});
         for (std::uint32_t t = 0; t < 3 * triangles; ++t) s.indices.push_back(random() % vertices);
     }
     return shapes;
@@ -136,7 +137,8 @@ void expect_parts_equal_whole(const Shape& whole, const std::vector<Shape>& part
 
 TEST(SmoothNormals, PartsOfClosedFormsEqualTheWholeAndOneAnotherToTheBit) {
     for (const Shape& whole : {make_sphere(40, 20), make_cylinder(40, 7), make_torus(40, 20)})
-        for (const CornerWeight weight : {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area})
+        for (const CornerWeight weight :
+             {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area})
             for (const double crease : {pi, radians(60)}) {
                 AttributeOptions options = published();
                 options.weight = weight;
@@ -189,7 +191,7 @@ TEST(SmoothNormals, ScopesDifferAsTheirNamesSay) {
     EXPECT_EQ(seam(model), 0);
     EXPECT_GT(seam(object), 5);
     for (std::size_t t = 0; t < parts[0].indices.size() / 3; ++t) {  // flat: three equal corners, the face's own normal
-        if (edge_product(parts[0], t) == dvec3{}) continue;  // at the poles
+        if (edge_product(parts[0], t) == dvec3{}) continue;          // at the poles
         const vec3 a = corner_normal(parts[0], face[0], 3 * t), b = corner_normal(parts[0], face[0], 3 * t + 1);
         EXPECT_EQ(a, b);
         EXPECT_EQ(a, cast<float>(normalize_or(edge_product(parts[0], t), dvec3{})));
@@ -259,11 +261,14 @@ TEST(SmoothNormals, MirroredAndScaledObjectsGetNormalsOfTheirOwnSpace) {
         for (vec3& p : parts[1].positions) p = {mirrored ? -p.x : p.x, p.y * 2, p.z};
         parts[1].to_world = scaling(dvec3{mirrored ? -1.0 : 1.0, 0.5, 1});
         if (mirrored)
-            for (std::size_t i = 0; i < parts[1].indices.size(); i += 3) std::swap(parts[1].indices[i], parts[1].indices[i + 1]);
+            for (std::size_t i = 0; i < parts[1].indices.size(); i += 3)
+                std::swap(parts[1].indices[i], parts[1].indices[i + 1]);
         const auto result = compute(parts, published());
-        for (std::size_t v = 0; v < parts[0].positions.size(); ++v) EXPECT_LT(angle_between(result[0].normals[v], plain[0].normals[v]), 1e-6);
+        for (std::size_t v = 0; v < parts[0].positions.size(); ++v)
+            EXPECT_LT(angle_between(result[0].normals[v], plain[0].normals[v]), 1e-6);
         for (std::size_t v = 0; v < parts[1].positions.size(); ++v)
-            EXPECT_LT(angle_between(world_normal(parts[1], result[1].normals[v]), cast<double>(plain[1].normals[v])), 1e-6);
+            EXPECT_LT(angle_between(world_normal(parts[1], result[1].normals[v]), cast<double>(plain[1].normals[v])),
+                      1e-6);
         EXPECT_EQ(result[1].source_vertex.size(), plain[1].source_vertex.size());
     }
 }

@@ -25,7 +25,9 @@ AttributeOptions crease(double angle_deg) {
     return options;
 }
 
-std::size_t splits(const Shape& s, double crease_deg) { return compute({s}, crease(crease_deg)).front().source_vertex.size(); }
+std::size_t splits(const Shape& s, double crease_deg) {
+    return compute({s}, crease(crease_deg)).front().source_vertex.size();
+}
 
 TEST(SmoothingGroups, MasksJoinWhereTheyShareABit) {
     EXPECT_EQ(splits(grouped_hinge(90, GroupKind::masks, 0b0110, 0b0100), 10), 0u);
@@ -114,7 +116,8 @@ TEST(SmoothingGroups, ManyPagesOnOneSpineFollowTheirGroups) {
             const double a = radians(0.9 * i);  // on a quarter turn, so that no group cancels
             book.positions.push_back({float(std::cos(a)), float(std::sin(a)), 0.5f});
             book.indices.insert(book.indices.end(), {0, 1, 2 + i});
-            book.smoothing.push_back(kind == GroupKind::numbers ? random() % 12 : 1u << (random() % 16) | 1u << (random() % 3));
+            book.smoothing.push_back(kind == GroupKind::numbers ? random() % 12
+                                                                : 1u << (random() % 16) | 1u << (random() % 3));
             leader[i] = i;
         }
         const auto join = [&](std::uint32_t a, std::uint32_t b) {
@@ -123,7 +126,8 @@ TEST(SmoothingGroups, ManyPagesOnOneSpineFollowTheirGroups) {
         for (int pass = 0; pass < 100; ++pass)
             for (std::uint32_t i = 0; i < 100; ++i)
                 for (std::uint32_t j = 0; j < 100; ++j)
-                    if (join(book.smoothing[i], book.smoothing[j])) leader[i] = leader[j] = std::min(leader[i], leader[j]);
+                    if (join(book.smoothing[i], book.smoothing[j]))
+                        leader[i] = leader[j] = std::min(leader[i], leader[j]);
         const MeshAttributes out = compute({book}, crease(1)).front();
         for (std::size_t i = 0; i < 100; ++i)
             for (std::size_t j = 0; j < i; ++j)

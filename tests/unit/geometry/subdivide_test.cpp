@@ -278,7 +278,6 @@ TEST(Subdivide, ABoundaryIsTheCubicSplineOfItsVertices) {
 }
 
 // --- OpenSubdiv's own evaluation as the oracle
-// -----------------------------------------------------------------------------
 
 struct FarPoint {
     double x = 0, y = 0, z = 0;
@@ -355,7 +354,6 @@ TEST(Subdivide, ThreadsDoNotChangeABit) {
 }
 
 // --- values
-// ----------------------------------------------------------------------------------------------------------------
 
 TEST(Subdivide, ValuesThatAreThePositionsComeOutAsThePositions) {
     Context context;

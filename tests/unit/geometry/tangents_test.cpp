@@ -113,7 +113,8 @@ TEST(Tangents, PolesOfASphereKeepTheirOwn) {
     expect_frame(out);
     // 49 vertices stand at the pole, their tangents all around: their sum vanishes.
     double widest = 0;
-    for (std::size_t v = 1; v < 48; ++v) widest = std::fmax(widest, angle_between(out.tangents[0].xyz(), out.tangents[v].xyz()));
+    for (std::size_t v = 1; v < 48; ++v)
+        widest = std::fmax(widest, angle_between(out.tangents[0].xyz(), out.tangents[v].xyz()));
     EXPECT_GT(widest, radians(150));
 }
 
@@ -127,7 +128,8 @@ TEST(Tangents, FollowTheRingsOfASphereAcrossItsTextureSeamAndParts) {
             for (std::size_t v = 0; v < parts[m].positions.size(); ++v) {
                 const vec3 p = parts[m].positions[v];
                 if (std::fabs(p.y) > 0.9f) continue;
-                const auto [at, is_new] = seen.try_emplace(std::tuple(p.x + 0.0f, p.y + 0.0f, p.z + 0.0f), out[m].tangents[v]);
+                const auto [at, is_new] =
+                    seen.try_emplace(std::tuple(p.x + 0.0f, p.y + 0.0f, p.z + 0.0f), out[m].tangents[v]);
                 EXPECT_TRUE(is_new || at->second == out[m].tangents[v]);
                 const dvec3 truth = normalize_or(dvec3{p.z, 0, -double(p.x)}, dvec3{});
                 EXPECT_LT(degrees(angle_between(cast<double>(out[m].tangents[v].xyz()), truth)), 3);
@@ -200,7 +202,8 @@ TEST(Tangents, GivenNormalsAreKeptToTheBit) {
     EXPECT_EQ(out.normals, sphere.normals);
     EXPECT_TRUE(out.indices.empty());
     expect_frame(out);
-    for (std::size_t v = 17; v < 17 * 8; v += 17) EXPECT_EQ(out.tangents[v], out.tangents[v + 16]);  // over the texture seam
+    for (std::size_t v = 17; v < 17 * 8; v += 17)
+        EXPECT_EQ(out.tangents[v], out.tangents[v + 16]);  // over the texture seam
 }
 
 TEST(Tangents, GivenNormalsThatPointInwardsTurnTheSign) {

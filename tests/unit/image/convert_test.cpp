@@ -33,13 +33,15 @@ TEST(ToRgba8, KeepsEveryPixelInItsPlace) {
 TEST(ToRgba32f, DecodesColorsButNeverAlpha) {
     Context context;
     const auto deep = picture_of<std::uint16_t>(1, 1, 4, [](int, int, int) { return 0x8080; });
-    const vec4 srgb = to_rgba32f(deep, ColorSpace::srgb, context)[0], linear = to_rgba32f(deep, ColorSpace::linear, context)[0];
+    const vec4 srgb = to_rgba32f(deep, ColorSpace::srgb, context)[0],
+               linear = to_rgba32f(deep, ColorSpace::linear, context)[0];
     EXPECT_EQ(srgb.x, linear_from_srgb(float(0x8080) / 65535.0f));
     EXPECT_EQ(srgb.w, float(0x8080) / 65535.0f);
     EXPECT_EQ(linear, (vec4{srgb.w, srgb.w, srgb.w, srgb.w}));
     const auto shallow = picture_of<std::uint8_t>(1, 1, 2, [](int, int, int) { return 0x80; });
     const vec4 color = to_rgba32f(shallow, ColorSpace::srgb, context)[0];
-    EXPECT_EQ(color, (vec4{linear_from_srgb8(0x80), linear_from_srgb8(0x80), linear_from_srgb8(0x80), 128.0f / 255.0f}));
+    EXPECT_EQ(color,
+              (vec4{linear_from_srgb8(0x80), linear_from_srgb8(0x80), linear_from_srgb8(0x80), 128.0f / 255.0f}));
 }
 
 TEST(ToRgba32f, MakesFloatsFiniteAndLeavesThemOtherwiseAlone) {

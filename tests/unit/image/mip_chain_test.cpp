@@ -58,7 +58,7 @@ TEST(MipChain, OneTexelIsOneLevelAndNoTexelIsNone) {
 TEST(MipChain, BlackAndWhiteInSrgbAverageInLinearLight) {
     Context context;
     const auto board = picture_of<std::uint8_t>(2, 2, 3, [](int x, int y, int) { return (x + y) % 2 * 255; });
-    EXPECT_EQ(make_mip_chain(board, ColorSpace::srgb, context).levels[1].rgba8[0], 0xffbcbcbcu);    // 188: half the light
+    EXPECT_EQ(make_mip_chain(board, ColorSpace::srgb, context).levels[1].rgba8[0], 0xffbcbcbcu);  // 188: half the light
     EXPECT_EQ(make_mip_chain(board, ColorSpace::linear, context).levels[1].rgba8[0], 0xff808080u);
 }
 
@@ -83,14 +83,17 @@ class MipChainSizes : public testing::TestWithParam<std::pair<int, int>> {};
 TEST_P(MipChainSizes, EveryLevelIsTheBoxFilterOfTheWholePictureStepByStep) {
     const auto [width, height] = GetParam();
     Context context;
-    const Pixels picture = picture_of<std::uint8_t>(width, height, 4, [](int x, int y, int c) { return noise(x, y, c) & 255; });
+    const Pixels picture =
+        picture_of<std::uint8_t>(width, height, 4, [](int x, int y, int c) { return noise(x, y, c) & 255; });
     for (const bool srgb : {true, false}) {
         const MipChain chain = make_mip_chain(picture, srgb ? ColorSpace::srgb : ColorSpace::linear, context);
-        const auto decode = [&](std::uint32_t v, int c) { return srgb && c < 3 ? double(linear_from_srgb8(std::uint8_t(v))) : v / 255.0; };
+        const auto decode = [&](std::uint32_t v, int c) {
+            return srgb && c < 3 ? double(linear_from_srgb8(std::uint8_t(v))) : v / 255.0;
+        };
         std::vector<dvec4> expected;
         for (const std::uint32_t texel : chain.levels[0].rgba8)
-            expected.push_back({decode(channel(texel, 0), 0), decode(channel(texel, 1), 1), decode(channel(texel, 2), 2),
-                                decode(channel(texel, 3), 3)});
+            expected.push_back({decode(channel(texel, 0), 0), decode(channel(texel, 1), 1),
+                                decode(channel(texel, 2), 2), decode(channel(texel, 3), 3)});
         for (std::size_t i = 1; i < chain.levels.size(); ++i) {
             const MipLevel& larger = chain.levels[i - 1];
             const MipLevel& level = chain.levels[i];
@@ -99,15 +102,16 @@ TEST_P(MipChainSizes, EveryLevelIsTheBoxFilterOfTheWholePictureStepByStep) {
                 for (int c = 0; c < 4; ++c) {
                     const double linear = expected[t][std::size_t(c)];
                     const double code = srgb && c < 3 ? 255 * double(srgb_from_linear(float(linear))) : 255 * linear;
-                    ASSERT_NEAR(code, channel(level.rgba8[t], c), 0.501) << "level " << i << " texel " << t << " channel " << c;
+                    ASSERT_NEAR(code, channel(level.rgba8[t], c), 0.501)
+                        << "level " << i << " texel " << t << " channel " << c;
                 }
         }
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MipChainSizes,
-                         testing::Values(std::pair{2, 2}, std::pair{3, 3}, std::pair{16, 8}, std::pair{1, 9}, std::pair{33, 1},
-                                         std::pair{31, 18}, std::pair{5, 64}));
+                         testing::Values(std::pair{2, 2}, std::pair{3, 3}, std::pair{16, 8}, std::pair{1, 9},
+                                         std::pair{33, 1}, std::pair{31, 18}, std::pair{5, 64}));
 
 TEST(MipChain, ARampKeepsItsPlaceAndItsMeanInOddSizes) {
     Context context;
@@ -137,10 +141,12 @@ TEST(MipChain, SixteenBitAndFloatPicturesBecomeLinearFloats) {
 }
 
 TEST(MipChain, TheBitsDoNotDependOnTheNumberOfThreads) {
-    const Pixels picture = picture_of<std::uint8_t>(257, 130, 3, noise), deep = picture_of<std::uint16_t>(257, 130, 4, noise);
+    const Pixels picture = picture_of<std::uint8_t>(257, 130, 3, noise),
+                 deep = picture_of<std::uint16_t>(257, 130, 4, noise);
     Context one({.threads = 1}), many({.threads = 7});
     for (const Pixels* pixels : {&picture, &deep}) {
-        const MipChain a = make_mip_chain(*pixels, ColorSpace::srgb, one), b = make_mip_chain(*pixels, ColorSpace::srgb, many);
+        const MipChain a = make_mip_chain(*pixels, ColorSpace::srgb, one),
+                       b = make_mip_chain(*pixels, ColorSpace::srgb, many);
         ASSERT_EQ(a.levels.size(), b.levels.size());
         for (std::size_t i = 0; i < a.levels.size(); ++i) {
             EXPECT_EQ(a.levels[i].rgba8, b.levels[i].rgba8);

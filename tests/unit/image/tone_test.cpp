@@ -38,9 +38,11 @@ TEST(SrgbEncoder, EveryCodeComesBack) {
 
 TEST(SrgbEncoder, ClampsWhatIsOutsideAndMakesNanBlack) {
     const SrgbEncoder& encode = SrgbEncoder::instance();
-    for (const float dark : {-infinity, -1.0f, -0.0f, 0.0f, 1e-40f, std::numeric_limits<float>::denorm_min(), nan, -nan})
+    for (const float dark :
+         {-infinity, -1.0f, -0.0f, 0.0f, 1e-40f, std::numeric_limits<float>::denorm_min(), nan, -nan})
         EXPECT_EQ(encode(dark), 0u) << dark;
-    for (const float bright : {1.0f, std::nextafter(1.0f, 2.0f), 1e30f, infinity}) EXPECT_EQ(encode(bright), 255u) << bright;
+    for (const float bright : {1.0f, std::nextafter(1.0f, 2.0f), 1e30f, infinity})
+        EXPECT_EQ(encode(bright), 255u) << bright;
 }
 
 TEST(ToSrgb8, EncodesColorsAndKeepsAlphaLinear) {

@@ -42,9 +42,13 @@ protected:
     Context context_;
 };
 
-std::string as_text(const std::vector<std::byte>& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+std::string as_text(const std::vector<std::byte>& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
-std::span<const std::byte> as_bytes(const std::string& text) { return std::as_bytes(std::span(text.data(), text.size())); }
+std::span<const std::byte> as_bytes(const std::string& text) {
+    return std::as_bytes(std::span(text.data(), text.size()));
+}
 
 TEST_F(FileTest, ReadsARegularFileWholeAndThroughALink) {
     const std::string path = put("model/a.bin", std::string("ab\0cd", 5));
@@ -65,8 +69,9 @@ TEST_F(FileTest, RefusesWhatIsNoRegularFileWithoutWaitingForIt) {
     ASSERT_LT(socket_path.size(), sizeof(address.sun_path));
     std::strcpy(address.sun_path, socket_path.c_str());
     ASSERT_EQ(::bind(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
-    for (const std::string& path : {fifo, socket_path, folder_.path().string(), std::string("/dev/zero"), (folder_ / "absent").string(),
-                                    std::string(), std::string("a\0b", 3), std::string(5000, 'x')}) {
+    for (const std::string& path :
+         {fifo, socket_path, folder_.path().string(), std::string("/dev/zero"), (folder_ / "absent").string(),
+          std::string(), std::string("a\0b", 3), std::string(5000, 'x')}) {
         const Error error = error_of([&] { read_file(path, context_); });
         EXPECT_EQ(error.code(), ErrorCode::not_found) << error.what();
         EXPECT_FALSE(is_regular_file(path));
@@ -111,11 +116,28 @@ TEST_F(FileTest, RefusesReferencesThatLeaveTheFolder) {
     fs::create_directory_symlink(folder_ / "other", folder_ / "model" / "out");
     fs::create_symlink(folder_ / "other" / "secret", folder_ / "model" / "leak.png");
     fs::create_symlink("loop", folder_ / "model" / "loop");
-    for (const char* reference :
-         {"", "../other/secret", "..\\other\\secret", "textures/../../other/secret", "absent/../../other/secret", "..",
-          "/etc/passwd", "\\\\server\\share\\x", "C:\\x.png", "c:x.png", "http://example.org/x.png", "HTTPS:x.png",
-          "file:///etc/passwd", "file:x.png", "data:,x", "gopher://x/y", "out/secret", "out/absent", "leak.png", "loop/x",
-          "../model2/x", "../modelx"}) {
+    for (const char* reference : {"",
+                                  "../other/secret",
+                                  "..\\other\\secret",
+                                  "textures/../../other/secret",
+                                  "absent/../../other/secret",
+                                  "..",
+                                  "/etc/passwd",
+                                  "\\\\server\\share\\x",
+                                  "C:\\x.png",
+                                  "c:x.png",
+                                  "http://example.org/x.png",
+                                  "HTTPS:x.png",
+                                  "file:///etc/passwd",
+                                  "file:x.png",
+                                  "data:,x",
+                                  "gopher://x/y",
+                                  "out/secret",
+                                  "out/absent",
+                                  "leak.png",
+                                  "loop/x",
+                                  "../model2/x",
+                                  "../modelx"}) {
         const Error error = error_of([&] { resolve_reference(model(), reference, false); });
         EXPECT_EQ(error.code(), ErrorCode::bad_file) << reference;
     }
@@ -151,9 +173,16 @@ TEST(PercentDecode, UndoesEscapesAndRefusesBrokenOnes) {
 }
 
 TEST(Base64Decode, ReadsTheVectorsOfRfc4648WithAndWithoutPadding) {
-    const std::pair<const char*, const char*> vectors[] = {{"", ""}, {"Zg==", "f"}, {"Zm8=", "fo"}, {"Zm9v", "foo"},
-                                                          {"Zm9vYg==", "foob"}, {"Zm9vYmE=", "fooba"}, {"Zm9vYmFy", "foobar"},
-                                                          {"Zg", "f"}, {"Zm8", "fo"}, {"+/+/", "\xfb\xff\xbf"}};
+    const std::pair<const char*, const char*> vectors[] = {{"", ""},
+                                                           {"Zg==", "f"},
+                                                           {"Zm8=", "fo"},
+                                                           {"Zm9v", "foo"},
+                                                           {"Zm9vYg==", "foob"},
+                                                           {"Zm9vYmE=", "fooba"},
+                                                           {"Zm9vYmFy", "foobar"},
+                                                           {"Zg", "f"},
+                                                           {"Zm8", "fo"},
+                                                           {"+/+/", "\xfb\xff\xbf"}};
     for (const auto& [encoded, plain] : vectors) {
         const auto bytes = base64_decode(encoded);
         ASSERT_TRUE(bytes) << encoded;
@@ -162,7 +191,8 @@ TEST(Base64Decode, ReadsTheVectorsOfRfc4648WithAndWithoutPadding) {
 }
 
 TEST(Base64Decode, RefusesIllegalText) {
-    for (const char* broken : {"A", "AAAAA", "Zg=", "Z===", "====", "=", "Zm9v\n", "Zm 9", "Zg==Zg==", "-_-_", "Zm9\xff"})
+    for (const char* broken :
+         {"A", "AAAAA", "Zg=", "Z===", "====", "=", "Zm9v\n", "Zm 9", "Zg==Zg==", "-_-_", "Zm9\xff"})
         EXPECT_FALSE(base64_decode(broken)) << broken;
 }
 
@@ -215,8 +245,8 @@ TEST_F(FileTest, ADeviceIsWrittenToAndNotReplaced) {
 }
 
 TEST_F(FileTest, RefusesOutputThatCannotBeMade) {
-    for (const std::string& path : {(folder_ / "absent" / "x").string(), folder_.path().string(), std::string(), std::string("a\0b", 3),
-                                    put("plain", "x") + "/below"}) {
+    for (const std::string& path : {(folder_ / "absent" / "x").string(), folder_.path().string(), std::string(),
+                                    std::string("a\0b", 3), put("plain", "x") + "/below"}) {
         EXPECT_EQ(error_of([&] { OutputFile file(path); }).code(), ErrorCode::failed);
     }
 }

@@ -117,7 +117,8 @@ TEST(GltfDraco, QuantizedPositionsAreThoseOfTheLibraryAndTellTheirStep) {
             }
             EXPECT_NEAR(mesh.position_step, 9.0 / double((1 << bits) - 1), 1e-6);
         }
-    EXPECT_EQ(draco_file(draco_encode(grid, draco::MESH_SEQUENTIAL_ENCODING), 100, 486).load().meshes[0].position_step, 0);
+    EXPECT_EQ(draco_file(draco_encode(grid, draco::MESH_SEQUENTIAL_ENCODING), 100, 486).load().meshes[0].position_step,
+              0);
 }
 
 TEST(GltfDraco, PositionsOfIntegersKeepTheirType) {

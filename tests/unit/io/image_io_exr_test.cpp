@@ -52,8 +52,9 @@ struct Planes {
     Imf::FrameBuffer slices(const std::vector<const char*>& names, const Imf::Header& header) const {
         Imf::FrameBuffer buffer;
         for (std::size_t c = 0; c < names.size(); ++c)
-            buffer.insert(names[c], Imf::Slice::Make(sizeof(T) == 2 ? Imf::HALF : Imf::FLOAT, values.data() + c * width * height,
-                                                     header.dataWindow(), sizeof(T), sizeof(T) * width));
+            buffer.insert(names[c],
+                          Imf::Slice::Make(sizeof(T) == 2 ? Imf::HALF : Imf::FLOAT, values.data() + c * width * height,
+                                           header.dataWindow(), sizeof(T), sizeof(T) * width));
         return buffer;
     }
 };
@@ -67,7 +68,8 @@ void expect_planes(const Pixels& pixels, int channels) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             for (int c = 0; c < channels; ++c)
-                ASSERT_EQ(values[std::size_t((y * width + x) * channels + c)], value_at(x, y, c)) << x << " " << y << " " << c;
+                ASSERT_EQ(values[std::size_t((y * width + x) * channels + c)], value_at(x, y, c))
+                    << x << " " << y << " " << c;
 }
 
 Pixels decode(const std::string& path) {
@@ -77,8 +79,8 @@ Pixels decode(const std::string& path) {
 
 TEST(ExrReading, HalvesOfEveryCompressionInAWindowAwayFromTheOrigin) {
     const TemporaryFolder folder;
-    for (const auto compression : {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION,
-                                   Imf::PIZ_COMPRESSION}) {
+    for (const auto compression : {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
+                                   Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION}) {
         Imf::Header header = header_at(-7, 1000);
         header.compression() = compression;
         for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::HALF));
@@ -121,7 +123,8 @@ TEST(ExrReading, TheFirstOfSeveralPartsAndOtherLayersAreLeftOut) {
     for (std::size_t i = 0; i < 2; ++i) {
         headers[i].setName(i == 0 ? "first" : "second");
         headers[i].setType(Imf::SCANLINEIMAGE);
-        for (const char* name : {"R", "G", "B", "diffuse.R"}) headers[i].channels().insert(name, Imf::Channel(Imf::FLOAT));
+        for (const char* name : {"R", "G", "B", "diffuse.R"})
+            headers[i].channels().insert(name, Imf::Channel(Imf::FLOAT));
     }
     const Planes<float> planes(4);
     {
@@ -153,7 +156,8 @@ TEST(ExrReading, LuminanceAndChromaBecomeRgb) {
     ASSERT_EQ(pixels.width, w);
     ASSERT_EQ(pixels.height, h);
     const std::vector<float> values = values_of(pixels);
-    for (int i = 0; i < w * h * 3; ++i) ASSERT_NEAR(values[std::size_t(i)], i < w * 3 ? 40.0f : float(1 + i / 3 % w), 0.05f) << i;
+    for (int i = 0; i < w * h * 3; ++i)
+        ASSERT_NEAR(values[std::size_t(i)], i < w * 3 ? 40.0f : float(1 + i / 3 % w), 0.05f) << i;
 }
 
 TEST(ExrReading, ChannelsThatAreNoColorAreRefused) {
@@ -183,12 +187,16 @@ Error error_after_change(const std::string& name, std::size_t offset, const std:
 
 TEST(ExrReading, HeadersThatLieAreRefusedBeforeTheLibrarySeesThem) {
     const std::size_t window = 6 + 4;  // behind "box2i", its zero and the size
-    EXPECT_NE(error_after_change("dataWindow", window + 8, {255, 255, 0, 0}).reason().find("32768 a side"), std::string::npos);
-    EXPECT_NE(error_after_change("dataWindow", window, {255, 255, 255, 127}).reason().find("too far out"), std::string::npos);
-    EXPECT_NE(error_after_change("dataWindow", window + 8, {255, 255, 255, 255}).reason().find("no pixels"), std::string::npos);
+    EXPECT_NE(error_after_change("dataWindow", window + 8, {255, 255, 0, 0}).reason().find("32768 a side"),
+              std::string::npos);
+    EXPECT_NE(error_after_change("dataWindow", window, {255, 255, 255, 127}).reason().find("too far out"),
+              std::string::npos);
+    EXPECT_NE(error_after_change("dataWindow", window + 8, {255, 255, 255, 255}).reason().find("no pixels"),
+              std::string::npos);
     EXPECT_NE(error_after_change("dataWindow", 6, {17, 0, 0, 0}).reason().find("wrong size"), std::string::npos);
     EXPECT_NE(error_after_change("dataWindow", 6, {0, 0, 0, 127}).reason().find("too early"), std::string::npos);
-    EXPECT_NE(error_after_change("dataWindow", 0, {'b', 'o', 'x', '2', 'f'}).reason().find("wrong type"), std::string::npos);
+    EXPECT_NE(error_after_change("dataWindow", 0, {'b', 'o', 'x', '2', 'f'}).reason().find("wrong type"),
+              std::string::npos);
     EXPECT_NE(error_after_change("channels", 7, {18, 0, 0, 0}).reason().find("EXR"), std::string::npos);
     EXPECT_NE(error_after_change("channels", 7 + 4 + 2 + 8, {0, 0, 0, 0}).reason().find("sampling"), std::string::npos);
 }

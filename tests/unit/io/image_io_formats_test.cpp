@@ -49,7 +49,8 @@ Pixels ramp_picture(int width, int height, int channels) {
     Pixels pixels{width, height, channels, Component::u8, false, {}};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            for (int c = 0; c < channels; ++c) pixels.bytes.push_back(std::byte(40 + 100 * x / width + 80 * y / height + 10 * c));
+            for (int c = 0; c < channels; ++c)
+                pixels.bytes.push_back(std::byte(40 + 100 * x / width + 80 * y / height + 10 * c));
     return pixels;
 }
 
@@ -65,7 +66,8 @@ TEST(JpegRoundTrip, StaysCloseInColorAndGray) {
 TEST(JpegRoundTrip, AFourthChannelIsDroppedAndThinColorsKeepTheirPlace) {
     Pixels pixels = ramp_picture(32, 16, 4);
     EXPECT_EQ(round_trip("a.jpeg", pixels).channels, 3);
-    Pixels lines{32, 16, 3, Component::u8, false, {}};  // red and blue columns in turn: chroma subsampling would make them purple
+    Pixels lines{32,    16, 3, Component::u8,
+                 false, {}};  // red and blue columns in turn: chroma subsampling would make them purple
     for (int i = 0; i < 32 * 16; ++i)
         for (const int v : {i % 2 * 200, 0, (1 - i % 2) * 200}) lines.bytes.push_back(std::byte(v));
     EXPECT_GT(compare_pictures(lines, round_trip("a.jpg", lines)).psnr_db, 30);
@@ -104,7 +106,8 @@ TEST(WebpRoundTrip, GrayBecomesRgb) {
 TEST(ExrRoundTrip, FloatsComeBackToTheBit) {
     for (const int channels : {1, 3}) {
         for (const auto& [width, height] : {std::pair{1, 1}, {40, 37}, {300, 2}}) {
-            const Pixels pixels = noise_picture(width, height, channels, Component::f32), back = round_trip("a.exr", pixels);
+            const Pixels pixels = noise_picture(width, height, channels, Component::f32),
+                         back = round_trip("a.exr", pixels);
             EXPECT_EQ(back.width, width);
             EXPECT_EQ(back.height, height);
             EXPECT_EQ(back.channels, channels);
@@ -117,12 +120,14 @@ TEST(ExrRoundTrip, FloatsComeBackToTheBit) {
 
 TEST(ExrRoundTrip, AlphaIsMultipliedInTheFileAndComesBackApart) {
     const std::vector<float> values{0.5f, 2, 8, 0.5f, 1, 1, 1, 1, 4, 4, 4, 0};
-    EXPECT_EQ(values_of(round_trip("a.exr", floats(3, 1, 4, values))), (std::vector<float>{0.5f, 2, 8, 0.5f, 1, 1, 1, 1, 0, 0, 0, 0}));
+    EXPECT_EQ(values_of(round_trip("a.exr", floats(3, 1, 4, values))),
+              (std::vector<float>{0.5f, 2, 8, 0.5f, 1, 1, 1, 1, 0, 0, 0, 0}));
 }
 
 TEST(ExrRoundTrip, InfinitiesAndNanSurvive) {
     const float infinity = std::numeric_limits<float>::infinity();
-    const std::vector<float> back = values_of(round_trip("a.exr", floats(3, 1, 1, {infinity, -infinity, std::nanf("")})));
+    const std::vector<float> back =
+        values_of(round_trip("a.exr", floats(3, 1, 1, {infinity, -infinity, std::nanf("")})));
     EXPECT_EQ(back[0], infinity);
     EXPECT_EQ(back[1], -infinity);
     EXPECT_TRUE(std::isnan(back[2]));
@@ -146,15 +151,17 @@ TEST(HdrRoundTrip, RunsOfEveryLengthComeBack) {
     for (int run = 1; run <= 300; ++run)
         for (int i = 0; i < run; ++i) values.insert(values.end(), {float(run % 2), 0.5f, float(i % 2)});
     const int width = int(values.size() / 3);
-    EXPECT_EQ(values_of(round_trip("a.hdr", floats(width <= 32767 ? width : 32767, 1, 3,
-                                                   std::vector<float>(values.begin(), values.begin() + std::min(width, 32767) * 3)))),
+    EXPECT_EQ(values_of(round_trip(
+                  "a.hdr", floats(width <= 32767 ? width : 32767, 1, 3,
+                                  std::vector<float>(values.begin(), values.begin() + std::min(width, 32767) * 3)))),
               std::vector<float>(values.begin(), values.begin() + std::min(width, 32767) * 3));
 }
 
 TEST(HdrRoundTrip, WhatTheFormatCannotHoldIsBroughtIntoIt) {
     const float infinity = std::numeric_limits<float>::infinity(), largest = std::numeric_limits<float>::max();
     const std::vector<float> back = values_of(round_trip(
-        "a.hdr", floats(4, 1, 3, {-1, std::nanf(""), 1, infinity, 0, 0, largest, 0, 1e-45f, 1e-39f, 6e-39f, 255.9f / 256.0f})));
+        "a.hdr",
+        floats(4, 1, 3, {-1, std::nanf(""), 1, infinity, 0, 0, largest, 0, 1e-45f, 1e-39f, 6e-39f, 255.9f / 256.0f})));
     EXPECT_EQ((std::vector<float>(back.begin(), back.begin() + 3)), (std::vector<float>{0, 0, 1}));
     EXPECT_EQ(back[3], 255.0f * 0x1p119f);
     EXPECT_EQ(back[6], 255.0f * 0x1p119f);
@@ -163,9 +170,10 @@ TEST(HdrRoundTrip, WhatTheFormatCannotHoldIsBroughtIntoIt) {
 
 TEST(HdrReading, KnowsPlainAndOldRunLengthLinesAndBottomUpPictures) {
     using namespace std::string_view_literals;
-    const auto file = bytes_of("#?RADIANCE\n# made by hand\nEXPOSURE=1\nFORMAT=32-bit_rle_rgbe\n\n+Y 2 +X 3\n"
-                               "\x80\x40\x00\x81\x01\x01\x01\x02"
-                               "\x80\x00\x00\x80\x00\x80\x00\x80\x00\x00\x80\x80"sv);
+    const auto file = bytes_of(
+        "#?RADIANCE\n# made by hand\nEXPOSURE=1\nFORMAT=32-bit_rle_rgbe\n\n+Y 2 +X 3\n"
+        "\x80\x40\x00\x81\x01\x01\x01\x02"
+        "\x80\x00\x00\x80\x00\x80\x00\x80\x00\x00\x80\x80"sv);
     Context context;
     EXPECT_EQ(values_of(decode_image(file, context)),
               (std::vector<float>{0.5f, 0, 0, 0, 0.5f, 0, 0, 0, 0.5f, 1, 0.5f, 0, 1, 0.5f, 0, 1, 0.5f, 0}));
@@ -201,8 +209,10 @@ TEST(TgaReading, RunLengthsAreReadAndCutFilesRefused) {
     for (const int b : {0x82, 9, 0x01, 7, 8}) file.push_back(std::byte(b));
     Context context;
     const Pixels pixels = decode_image(file, context);
-    EXPECT_EQ(pixels.bytes, (std::vector<std::byte>{std::byte(9), std::byte(9), std::byte(9), std::byte(7), std::byte(8)}));
-    for (std::size_t size = 18; size < file.size(); ++size) EXPECT_THROW(decode_image(std::span(file).first(size), context), Error);
+    EXPECT_EQ(pixels.bytes,
+              (std::vector<std::byte>{std::byte(9), std::byte(9), std::byte(9), std::byte(7), std::byte(8)}));
+    for (std::size_t size = 18; size < file.size(); ++size)
+        EXPECT_THROW(decode_image(std::span(file).first(size), context), Error);
 }
 
 TEST(BmpReading, ReadsRowsFromBelowAndRefusesCutFiles) {
@@ -217,9 +227,10 @@ TEST(BmpReading, ReadsRowsFromBelowAndRefusesCutFiles) {
     file[28] = std::byte(24);
     for (const int b : {1, 2, 3, 0, 4, 5, 6, 0}) file.push_back(std::byte(b));
     Context context;
-    EXPECT_EQ(decode_image(file, context).bytes, (std::vector<std::byte>{std::byte(6), std::byte(5), std::byte(4), std::byte(3),
-                                                                        std::byte(2), std::byte(1)}));
-    for (std::size_t size = 2; size < file.size(); ++size) EXPECT_THROW(decode_image(std::span(file).first(size), context), Error) << size;
+    EXPECT_EQ(decode_image(file, context).bytes, (std::vector<std::byte>{std::byte(6), std::byte(5), std::byte(4),
+                                                                         std::byte(3), std::byte(2), std::byte(1)}));
+    for (std::size_t size = 2; size < file.size(); ++size)
+        EXPECT_THROW(decode_image(std::span(file).first(size), context), Error) << size;
     file[25] = std::byte(0x80);  // a height of about -2^31
     EXPECT_THROW(decode_image(file, context), Error);
     file[25] = file[28] = std::byte(0);
@@ -234,16 +245,26 @@ TEST(FloatReading, EveryTruncationIsRefused) {
         const auto bytes = bytes_of_file(folder.file(name));
         Context context;
         for (std::size_t size = 0; size < bytes.size(); size += 7)
-            EXPECT_EQ(error_of([&] { decode_image(std::span(bytes).first(size), context); }).code(), ErrorCode::bad_file) << name << size;
+            EXPECT_EQ(error_of([&] { decode_image(std::span(bytes).first(size), context); }).code(),
+                      ErrorCode::bad_file)
+                << name << size;
     }
 }
 
 TEST(DecodeImage, SaysWhatItCannotRead) {
     Context context;
-    for (const auto& [content, word] : {std::pair{"", "empty"}, {"hello", "not a picture"}, {"GIF89a...", "GIF"}, {"DDS ....", "DDS"},
-                                        {"\xabKTX 20\xbb", "KTX"}, {"#?RADIANCE\n\n-X 3 +Y 3\n", "turned"}, {"BM", "too early"},
-                                        {"\xff\xd8\xff\xe0", "JPEG"}, {"\x89PNG\r\n\x1a\n", "PNG"}, {"RIFFxxxxWEBP", "WebP"},
-                                        {"\x76\x2f\x31\x01", "EXR"}, {"#?", "HDR"}}) {
+    for (const auto& [content, word] : {std::pair{"", "empty"},
+                                        {"hello", "not a picture"},
+                                        {"GIF89a...", "GIF"},
+                                        {"DDS ....", "DDS"},
+                                        {"\xabKTX 20\xbb", "KTX"},
+                                        {"#?RADIANCE\n\n-X 3 +Y 3\n", "turned"},
+                                        {"BM", "too early"},
+                                        {"\xff\xd8\xff\xe0", "JPEG"},
+                                        {"\x89PNG\r\n\x1a\n", "PNG"},
+                                        {"RIFFxxxxWEBP", "WebP"},
+                                        {"\x76\x2f\x31\x01", "EXR"},
+                                        {"#?", "HDR"}}) {
         const Error error = error_of([&] { decode_image(bytes_of(content), context); });
         EXPECT_EQ(error.code(), ErrorCode::bad_file);
         EXPECT_NE(error.reason().find(word), std::string::npos) << error.what();

@@ -22,7 +22,8 @@ using test::TemporaryFolder;
 std::string code_of(const Pixels& pixels) {
     std::uint64_t code = 0xcbf29ce484222325;
     const auto take = [&](std::byte b) { code = (code ^ std::uint64_t(b)) * 0x100000001b3; };
-    for (std::size_t i = 0; i < pixels.bytes.size(); ++i) take(pixels.bytes[pixels.component == Component::u16 ? i ^ 1 : i]);
+    for (std::size_t i = 0; i < pixels.bytes.size(); ++i)
+        take(pixels.bytes[pixels.component == Component::u16 ? i ^ 1 : i]);
     char text[17];
     std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(code));
     return text;
@@ -41,7 +42,8 @@ TEST(PngReading, EveryFileOfPngSuiteGivesThePixelsOfAnIndependentDecoder) {
         fields >> name >> width >> height >> channels >> bits >> code;
         SCOPED_TRACE(name);
         Context context;
-        const Pixels pixels = decode_image(bytes_of_file(test::shared_dir() / "assets/textures/pngsuite" / name), context);
+        const Pixels pixels =
+            decode_image(bytes_of_file(test::shared_dir() / "assets/textures/pngsuite" / name), context);
         EXPECT_EQ(pixels.width, width);
         EXPECT_EQ(pixels.height, height);
         EXPECT_EQ(pixels.channels, channels);
@@ -82,7 +84,8 @@ TEST(PngReading, CutCrippledAndHugeFilesAreRefused) {
     RL_NEEDS_SHARED("hostile/gltf/tex");
     for (const char* name : {"not_an_image.png", "png_65535_header.png", "png_crc.png", "png_cut.png"}) {
         Context context;
-        const Error error = error_of([&] { decode_image(bytes_of_file(test::shared_dir() / "hostile/gltf/tex" / name), context); });
+        const Error error =
+            error_of([&] { decode_image(bytes_of_file(test::shared_dir() / "hostile/gltf/tex" / name), context); });
         EXPECT_EQ(error.code(), ErrorCode::bad_file) << name;
     }
 }
@@ -149,8 +152,8 @@ TEST(PngReading, ASmallFileThatClaimsToBeHugeIsRefusedBeforeMemoryIsAskedFor) {
     const TemporaryFolder folder;
     write_image(folder.file("a.png"), noise_picture(4, 4, 1, Component::u8));
     auto bytes = bytes_of_file(folder.file("a.png"));
-    const std::byte header[] = {std::byte(0), std::byte(0), std::byte(0x40), std::byte(0), std::byte(0), std::byte(0), std::byte(0x40),
-                                std::byte(0)};
+    const std::byte header[] = {std::byte(0), std::byte(0), std::byte(0x40), std::byte(0),
+                                std::byte(0), std::byte(0), std::byte(0x40), std::byte(0)};
     std::copy(std::begin(header), std::end(header), bytes.begin() + 16);
     test::mend_png_checksum(bytes, 8);
     Context context;

@@ -12,12 +12,14 @@ std::vector<Corner> corners_of(const Scene& scene) {
     const std::vector<dmat4> world = world_matrices(scene);
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
         const dmat3 normals = cofactor(upper_left(world[n]));
-        const double sign = determinant(upper_left(world[n])) < 0 ? -1 : 1;  // the cofactor matrix of a mirror turns them inside
+        const double sign =
+            determinant(upper_left(world[n])) < 0 ? -1 : 1;  // the cofactor matrix of a mirror turns them inside
         for (std::uint32_t m : scene.nodes[n].meshes) {
             const Mesh& mesh = scene.meshes[m];
             for (std::uint32_t i : mesh.indices) {
                 const dvec3 normal = mesh.normals.empty() ? dvec3{} : normals * cast<double>(mesh.normals[i]) * sign;
-                corners.push_back({transform_point(world[n], cast<double>(mesh.positions[i])), normalize_or(normal, dvec3{})});
+                corners.push_back(
+                    {transform_point(world[n], cast<double>(mesh.positions[i])), normalize_or(normal, dvec3{})});
             }
         }
     }
@@ -49,7 +51,10 @@ std::vector<Row> index_rows() {
         if (cells.size() < 4) continue;
         std::string ending = std::filesystem::path(cells[0]).extension().string();
         for (char& c : ending) c = char(std::tolower(c));
-        if (std::string(" .fbx .dae .3ds .ase .blend .stl .ply .off .x ").find(" " + ending + " ") == std::string::npos || ending.empty()) continue;
+        if (std::string(" .fbx .dae .3ds .ase .blend .stl .ply .off .x ").find(" " + ending + " ") ==
+                std::string::npos ||
+            ending.empty())
+            continue;
         Row row{folder + "/" + cells[0], 0, 0, cells[3].find("cannot") != std::string::npos};
         if (!row.refused) row.objects = std::stoull(cells[2]), row.triangles = std::stoull(cells[3]);
         rows.push_back(row);
@@ -59,7 +64,9 @@ std::vector<Row> index_rows() {
 
 class ImportAssets : public ImportTest {
 protected:
-    static std::string asset(const std::string& name) { return (rakelight::test::shared_dir() / "assets" / name).string(); }
+    static std::string asset(const std::string& name) {
+        return (rakelight::test::shared_dir() / "assets" / name).string();
+    }
     Scene read(const std::string& name) {
         Outcome outcome = read_import(asset(name));
         EXPECT_TRUE(outcome.scene) << name << ": " << outcome.what();
@@ -123,7 +130,8 @@ std::vector<Corner> obj_corners(const std::string& path) {
         for (std::string corner; words >> corner;) {
             const auto slash = corner.find('/'), last = corner.rfind('/');
             EXPECT_NE(slash, std::string::npos);
-            corners.push_back({positions.at(std::stoul(corner.substr(0, slash)) - 1), normals.at(std::stoul(corner.substr(last + 1)) - 1)});
+            corners.push_back({positions.at(std::stoul(corner.substr(0, slash)) - 1),
+                               normals.at(std::stoul(corner.substr(last + 1)) - 1)});
         }
     }
     return corners;
@@ -131,17 +139,18 @@ std::vector<Corner> obj_corners(const std::string& path) {
 
 struct Oracle {
     const char *fbx, *obj;
-    double unit_m;   ///< meters a unit of the OBJ
-    bool z_up;       ///< of the OBJ
+    double unit_m;  ///< meters a unit of the OBJ
+    bool z_up;      ///< of the OBJ
 };
 
 TEST_F(ImportAssets, FbxGeometryAndNormalsAreThoseOfTheOracle) {
     RL_NEEDS_SHARED("assets");
-    const Oracle oracles[] = {{"blender_293_instancing_7400_binary", "blender_293_instancing", 1, false},
-                              {"blender_340_mirrored_normals_7400_binary", "blender_340_mirrored_normals", 1, false},
-                              {"blender_282_suzanne_and_transform_7400_binary", "blender_282_suzanne_and_transform", 1, false},
-                              {"max_geometry_transform_7700_ascii", "max_geometry_transform", 0.0254, true},
-                              {"maya_instanced_pivots_7700_ascii", "maya_instanced_pivots", 0.01, false}};
+    const Oracle oracles[] = {
+        {"blender_293_instancing_7400_binary", "blender_293_instancing", 1, false},
+        {"blender_340_mirrored_normals_7400_binary", "blender_340_mirrored_normals", 1, false},
+        {"blender_282_suzanne_and_transform_7400_binary", "blender_282_suzanne_and_transform", 1, false},
+        {"max_geometry_transform_7700_ascii", "max_geometry_transform", 0.0254, true},
+        {"maya_instanced_pivots_7700_ascii", "maya_instanced_pivots", 0.01, false}};
     for (const Oracle& o : oracles) {
         SCOPED_TRACE(o.fbx);
         const Scene scene = read(std::string("fbx/ufbx/") + o.fbx + ".fbx");
@@ -150,7 +159,8 @@ TEST_F(ImportAssets, FbxGeometryAndNormalsAreThoseOfTheOracle) {
         const double size = world_bounds(scene).diagonal();
         std::vector<const Corner*> by_x;
         for (const Corner& c : ours) by_x.push_back(&c);
-        std::sort(by_x.begin(), by_x.end(), [](const Corner* a, const Corner* b) { return a->position.x < b->position.x; });
+        std::sort(by_x.begin(), by_x.end(),
+                  [](const Corner* a, const Corner* b) { return a->position.x < b->position.x; });
         const auto turned = [&](dvec3 v) { return o.z_up ? dvec3{v.x, v.z, -v.y} : v; };
         std::size_t misses = 0;
         const std::vector<Corner> theirs = obj_corners(asset(std::string("fbx/ufbx/") + o.obj + ".obj"));
@@ -159,7 +169,8 @@ TEST_F(ImportAssets, FbxGeometryAndNormalsAreThoseOfTheOracle) {
             const dvec3 p = turned(c.position) * o.unit_m, n = normalize_or(turned(c.normal), dvec3{});
             const double near = 1e-4 * size;
             bool found = false;
-            auto it = std::lower_bound(by_x.begin(), by_x.end(), p.x - near, [](const Corner* a, double x) { return a->position.x < x; });
+            auto it = std::lower_bound(by_x.begin(), by_x.end(), p.x - near,
+                                       [](const Corner* a, double x) { return a->position.x < x; });
             for (; !found && it != by_x.end() && (*it)->position.x <= p.x + near; ++it)
                 found = length((*it)->position - p) < near && dot((*it)->normal, n) > 0.999;
             misses += !found;
@@ -181,7 +192,8 @@ TEST_F(ImportAssets, OneModelInTwoFormatsHasOneSize) {
         SCOPED_TRACE(name);
         const Bounds fbx = world_bounds(read("crossformat/" + name + "/" + name + ".fbx"));
         Bounds obj;
-        for (const Corner& c : obj_corners(asset("crossformat/" + name + "/" + name + ".obj"))) obj.low = min(obj.low, c.position), obj.high = max(obj.high, c.position);
+        for (const Corner& c : obj_corners(asset("crossformat/" + name + "/" + name + ".obj")))
+            obj.low = min(obj.low, c.position), obj.high = max(obj.high, c.position);
         EXPECT_LT(length(fbx.low - obj.low), 1e-4);
         EXPECT_LT(length(fbx.high - obj.high), 1e-4);
     }
@@ -189,7 +201,8 @@ TEST_F(ImportAssets, OneModelInTwoFormatsHasOneSize) {
 
 TEST_F(ImportAssets, Utf16TextGivesTheSameModel) {
     RL_NEEDS_SHARED("assets");
-    const std::vector<Corner> plain = corners_of(read("ase/ThreeCubesGreen.ASE")), wide = corners_of(read("ase/ThreeCubesGreen_UTF16LE.ASE"));
+    const std::vector<Corner> plain = corners_of(read("ase/ThreeCubesGreen.ASE")),
+                              wide = corners_of(read("ase/ThreeCubesGreen_UTF16LE.ASE"));
     ASSERT_EQ(plain.size(), wide.size());
     ASSERT_EQ(plain.size(), 108u);
     for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_LT(length(plain[i].position - wide[i].position), 1e-3);
@@ -205,8 +218,10 @@ TEST_F(ImportAssets, BinaryFbx6100IsRefusedWithAdvice) {
 
 TEST_F(ImportAssets, MadeUpNormalsAreNoNormals) {
     RL_NEEDS_SHARED("assets");
-    for (const char* name : {"stl/Spider_ascii.stl", "stl/Spider_binary.stl", "blend/SmoothVsSolidCube_248.blend", "ply/cube.ply", "fbx/assimp/boxWithCompressedCTypeArray.FBX"})
-        for (const Mesh& mesh : read(name).meshes) EXPECT_TRUE(mesh.normals.empty() && mesh.smoothing_hint.empty()) << name;
+    for (const char* name : {"stl/Spider_ascii.stl", "stl/Spider_binary.stl", "blend/SmoothVsSolidCube_248.blend",
+                             "ply/cube.ply", "fbx/assimp/boxWithCompressedCTypeArray.FBX"})
+        for (const Mesh& mesh : read(name).meshes)
+            EXPECT_TRUE(mesh.normals.empty() && mesh.smoothing_hint.empty()) << name;
     for (const char* name : {"3ds/fels.3ds", "ase/ThreeCubesGreen.ASE"})
         for (const Mesh& mesh : read(name).meshes) {
             EXPECT_TRUE(mesh.normals.empty()) << name;
@@ -235,7 +250,8 @@ TEST_F(ImportAssets, MirroredNodesKeepTheirNegativeDeterminant) {
     const Scene scene = read("fbx/assimp/cubes_with_mirroring_and_pivot.fbx");
     const std::vector<dmat4> world = world_matrices(scene);
     int mirrored = 0;
-    for (std::size_t n = 0; n < scene.nodes.size(); ++n) mirrored += !scene.nodes[n].meshes.empty() && determinant(upper_left(world[n])) < 0;
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+        mirrored += !scene.nodes[n].meshes.empty() && determinant(upper_left(world[n])) < 0;
     EXPECT_EQ(mirrored, 2);
 }
 
@@ -261,14 +277,15 @@ TEST_F(ImportAssets, BlenderFilesStandUpright) {
     const Scene scene = read("blend/4Cubes4Mats_248.blend");
     ASSERT_EQ(scene.cameras.size(), 1u);
     const dmat4 pose = camera_to_world(scene, scene.cameras[0], world_matrices(scene));
-    EXPECT_NEAR(pose[3].x, 7.48113, 1e-3);   // Blender's default camera stands at (7.48, -6.51, 5.34) with Z up
+    EXPECT_NEAR(pose[3].x, 7.48113, 1e-3);  // Blender's default camera stands at (7.48, -6.51, 5.34) with Z up
     EXPECT_NEAR(pose[3].y, 5.34367, 1e-3);
     EXPECT_NEAR(pose[3].z, 6.50764, 1e-3);
 }
 
 TEST_F(ImportAssets, EmbeddedPicturesDecode) {
     RL_NEEDS_SHARED("assets");
-    for (const char* name : {"fbx/assimp/box_embedded_texture_fragmented.fbx", "blend/TexturedPlane_ImageUvPacked_248.blend"}) {
+    for (const char* name :
+         {"fbx/assimp/box_embedded_texture_fragmented.fbx", "blend/TexturedPlane_ImageUvPacked_248.blend"}) {
         SCOPED_TRACE(name);
         const Scene scene = read(name);
         ASSERT_FALSE(scene.textures.empty());
@@ -283,7 +300,8 @@ TEST_F(ImportAssets, EmbeddedPicturesDecode) {
 
 TEST_F(ImportAssets, AsciiAndBinaryStlGiveTheSameTriangles) {
     RL_NEEDS_SHARED("assets");
-    const std::vector<Corner> ascii = corners_of(read("stl/Spider_ascii.stl")), binary = corners_of(read("stl/Spider_binary.stl"));
+    const std::vector<Corner> ascii = corners_of(read("stl/Spider_ascii.stl")),
+                              binary = corners_of(read("stl/Spider_binary.stl"));
     ASSERT_EQ(ascii.size(), binary.size());
     for (std::size_t i = 0; i < ascii.size(); ++i) ASSERT_LT(length(ascii[i].position - binary[i].position), 1e-5) << i;
 }

@@ -42,10 +42,12 @@ TEST_F(ImportFormats, NamesWithSpacesQuotesAndUmlautsAreNames) {
 
 std::string x_file(const std::string& texture) {
     return "xof 0303txt 0032\n"
-           "Mesh quad {\n 4;\n 0.0;0.0;0.0;,\n 1.0;0.0;0.0;,\n 1.0;1.0;0.0;,\n 0.0;1.0;0.0;;\n 2;\n 3;0,2,1;,\n 3;0,3,2;;\n"  // clockwise from -Z, left-handed
+           "Mesh quad {\n 4;\n 0.0;0.0;0.0;,\n 1.0;0.0;0.0;,\n 1.0;1.0;0.0;,\n 0.0;1.0;0.0;;\n 2;\n 3;0,2,1;,\n "
+           "3;0,3,2;;\n"  // clockwise from -Z, left-handed
            " MeshNormals {\n 1;\n 0.0;0.0;-1.0;;\n 2;\n 3;0,0,0;,\n 3;0,0,0;;\n }\n"
            " MeshTextureCoords {\n 4;\n 0.0;0.25;,\n 1.0;0.25;,\n 1.0;1.0;,\n 0.0;1.0;;\n }\n"
-           " MeshMaterialList {\n 1;\n 2;\n 0,\n 0;\n Material red {\n 0.5;0.25;0.0;1.0;;\n 20.0;\n 0.5;0.5;0.5;;\n 0.0;0.0;0.0;;\n" +
+           " MeshMaterialList {\n 1;\n 2;\n 0,\n 0;\n Material red {\n 0.5;0.25;0.0;1.0;;\n 20.0;\n 0.5;0.5;0.5;;\n "
+           "0.0;0.0;0.0;;\n" +
            (texture.empty() ? std::string() : " TextureFilename { \"" + texture + "\"; }\n") + " }\n }\n}\n";
 }
 
@@ -97,7 +99,9 @@ TEST_F(ImportFormats, ATextureOutsideTheFolderIsNotTaken) {
 }
 
 TEST_F(ImportFormats, PointCloudsAreKeptAsPoints) {
-    const Outcome outcome = read_import(write("cloud.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n1 2 3\n"));
+    const Outcome outcome = read_import(write("cloud.ply",
+                                              "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty "
+                                              "float y\nproperty float z\nend_header\n0 0 0\n1 2 3\n"));
     ASSERT_TRUE(outcome.scene) << outcome.what();
     EXPECT_EQ(outcome.scene->meshes.at(0).topology, Topology::points);
     EXPECT_EQ(outcome.scene->meshes.at(0).indices.size(), 2u);
@@ -105,11 +109,20 @@ TEST_F(ImportFormats, PointCloudsAreKeptAsPoints) {
 
 TEST_F(ImportFormats, ColladaUnitAndAxisAreHonored) {
     const auto dae = [](const std::string& asset) {
-        return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\"><asset>" + asset +
-               "</asset><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" count=\"9\">0 0 0 1 0 0 0 0 1</float_array>"
-               "<technique_common><accessor source=\"#pa\" count=\"3\" stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor></technique_common></source>"
-               "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>"
-               "<library_visual_scenes><visual_scene id=\"s\"><node id=\"n\"><instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+        return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<COLLADA "
+               "xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\"><asset>" +
+               asset +
+               "</asset><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" "
+               "count=\"9\">0 0 0 1 0 0 0 0 1</float_array>"
+               "<technique_common><accessor source=\"#pa\" count=\"3\" stride=\"3\"><param name=\"X\" "
+               "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" "
+               "type=\"float\"/></accessor></technique_common></source>"
+               "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles "
+               "count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 "
+               "2</p></triangles></mesh></geometry></library_geometries>"
+               "<library_visual_scenes><visual_scene id=\"s\"><node id=\"n\"><instance_geometry "
+               "url=\"#g\"/></node></visual_scene></library_visual_scenes><scene><instance_visual_scene "
+               "url=\"#s\"/></scene></COLLADA>";
     };
     const Outcome up = read_import(write("y.dae", dae("<unit meter=\"2\"/><up_axis>Y_UP</up_axis>")));
     ASSERT_TRUE(up.scene) << up.what();
@@ -125,7 +138,9 @@ TEST_F(ImportFormats, MemoryBeyondTheLimitIsOneClearError) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "the helper's address space has no limit";
 #endif
-    std::string big = "ply\nformat ascii 1.0\nelement vertex 60000\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+    std::string big =
+        "ply\nformat ascii 1.0\nelement vertex 60000\nproperty float x\nproperty float y\nproperty float "
+        "z\nend_header\n";
     for (int i = 0; i < 60000; ++i) big += "1 2 3\n";
     const Outcome outcome = read_import(write("big.ply", big), {}, {.threads = 1, .max_memory = 600000});
     ASSERT_TRUE(outcome.error);
@@ -134,10 +149,14 @@ TEST_F(ImportFormats, MemoryBeyondTheLimitIsOneClearError) {
 
 TEST(ImportColladaCameras, OpticsAreFoundByNode) {
     const auto cameras = collada_cameras(
-        "<COLLADA><library_cameras><camera id='c1'><optics><technique_common><perspective><xfov sid='x'> 60 </xfov><aspect_ratio>2</aspect_ratio>"
-        "<znear>0.5</znear></perspective></technique_common></optics></camera><camera id=\"c2\"><optics><orthographic><ymag>3</ymag></orthographic>"
-        "</optics></camera></library_cameras><!-- <camera id='c3'> --><node id='n1' name='eye'><instance_camera url='#c1'/></node><node name='side'>"
-        "<node id='n2'/><instance_camera url='#c2'></instance_camera></node><node id='lost'><instance_camera url='#none'/></node></COLLADA>");
+        "<COLLADA><library_cameras><camera id='c1'><optics><technique_common><perspective><xfov sid='x'> 60 "
+        "</xfov><aspect_ratio>2</aspect_ratio>"
+        "<znear>0.5</znear></perspective></technique_common></optics></camera><camera "
+        "id=\"c2\"><optics><orthographic><ymag>3</ymag></orthographic>"
+        "</optics></camera></library_cameras><!-- <camera id='c3'> --><node id='n1' name='eye'><instance_camera "
+        "url='#c1'/></node><node name='side'>"
+        "<node id='n2'/><instance_camera url='#c2'></instance_camera></node><node id='lost'><instance_camera "
+        "url='#none'/></node></COLLADA>");
     ASSERT_EQ(cameras.size(), 3u);
     EXPECT_EQ(cameras.at("n1").xfov_deg, 60.0);
     EXPECT_EQ(cameras.at("eye").znear, 0.5);
@@ -158,7 +177,8 @@ TEST(ImportColladaCameras, OpticsAreFoundByNode) {
 TEST(ImportAxes, TheFilesAxesBecomeOurs) {
     import_stream::AxisSystem z_up{2, 1, 1, -1, 0, 1, 0.01};
     const dmat4 m = detail::to_our_axes(z_up);
-    const dvec3 up = transform_point(m, dvec3{0, 0, 1}), front = transform_point(m, dvec3{0, -1, 0}), side = transform_point(m, dvec3{1, 0, 0});
+    const dvec3 up = transform_point(m, dvec3{0, 0, 1}), front = transform_point(m, dvec3{0, -1, 0}),
+                side = transform_point(m, dvec3{1, 0, 0});
     EXPECT_EQ(up, (dvec3{0, 0.01, 0}));
     EXPECT_EQ(front, (dvec3{0, 0, 0.01}));
     EXPECT_EQ(side, (dvec3{0.01, 0, 0}));
@@ -200,7 +220,8 @@ TEST(ImportTexturePlacement, ScaleThenMoveKeepsTheBottomWhereItWas) {
     import_stream::TextureLink link;
     link.offset = {0.5f, 0.25f};
     link.scale = {2, 4};
-    const TextureAffine map = placement_of(link);  // v-up (0, 0) goes to (0.5, 0.25), that is v-down (0, 1) to (0.5, 0.75)
+    const TextureAffine map =
+        placement_of(link);  // v-up (0, 0) goes to (0.5, 0.25), that is v-down (0, 1) to (0.5, 0.75)
     EXPECT_NEAR(map.a * 0 + map.b * 1 + map.c, 0.5, 1e-12);
     EXPECT_NEAR(map.d * 0 + map.e * 1 + map.f, 0.75, 1e-12);
 }

@@ -10,11 +10,13 @@ namespace {
 bool is_ours(const std::string& name) {
     std::string ending = std::filesystem::path(name).extension().string();
     for (char& c : ending) c = char(std::tolower(c));
-    return !ending.empty() && std::string(" .fbx .dae .3ds .ase .blend .stl .ply .off .x ").find(" " + ending + " ") != std::string::npos;
+    return !ending.empty() &&
+           std::string(" .fbx .dae .3ds .ase .blend .stl .ply .off .x ").find(" " + ending + " ") != std::string::npos;
 }
 
 bool is_generated(const std::string& name) {
-    return name.starts_with("truncated/") || name.starts_with("flipped/") || name.starts_with("mangled/") || name.starts_with("stl/") || name.starts_with("ply/") || name.starts_with("dae/");
+    return name.starts_with("truncated/") || name.starts_with("flipped/") || name.starts_with("mangled/") ||
+           name.starts_with("stl/") || name.starts_with("ply/") || name.starts_with("dae/");
 }
 
 using ImportHostile = ImportTest;
@@ -30,15 +32,18 @@ TEST_F(ImportHostile, EveryFileKeepsItsVerdict) {
         SCOPED_TRACE(name + " (" + entry[1].get<std::string>() + "): " + verdict);
         ++seen;
         const Outcome outcome = read_import((root / name).string());
-        const bool remarked = std::any_of(outcome.remarks.begin(), outcome.remarks.end(), [](const ReportEntry& e) { return e.remark != Remark::note; });
+        const bool remarked = std::any_of(outcome.remarks.begin(), outcome.remarks.end(),
+                                          [](const ReportEntry& e) { return e.remark != Remark::note; });
         if (outcome.error) {
             EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file) << outcome.what();
-            EXPECT_NE(outcome.what().find(std::filesystem::path(name).filename().string()), std::string::npos) << outcome.what();
+            EXPECT_NE(outcome.what().find(std::filesystem::path(name).filename().string()), std::string::npos)
+                << outcome.what();
             EXPECT_EQ(outcome.what().find('\n'), std::string::npos);
         }
         EXPECT_TRUE(verdict != "refuse" || outcome.error) << "it was accepted";
         EXPECT_TRUE(verdict != "warn+render" || (outcome.scene && remarked)) << outcome.what();
-        EXPECT_TRUE(verdict != "either" || !is_generated(name) || outcome.error || remarked) << "accepted without a word";
+        EXPECT_TRUE(verdict != "either" || !is_generated(name) || outcome.error || remarked)
+            << "accepted without a word";
     }
     EXPECT_GT(seen, 90u);
 }

@@ -27,7 +27,8 @@ Verdict check(const std::string& ending, const std::string& bytes) {
     return verdict;
 }
 
-template <class T> std::string raw(T value) {
+template <class T>
+std::string raw(T value) {
     std::string bytes(sizeof value, '\0');
     std::memcpy(bytes.data(), &value, sizeof value);
     return bytes;
@@ -39,7 +40,8 @@ std::string binary_stl(std::uint32_t promised, std::size_t present, std::string 
 }
 
 TEST(ImportPrecheck, EmptyFilesAndUnknownEndingsAreRefused) {
-    for (const char* ending : {"stl", "ply", "off", "3ds", "ase", "blend", "dae", "fbx", "x"}) EXPECT_NE(check(ending, "").error, "") << ending;
+    for (const char* ending : {"stl", "ply", "off", "3ds", "ase", "blend", "dae", "fbx", "x"})
+        EXPECT_NE(check(ending, "").error, "") << ending;
     EXPECT_NE(check("txt", "text").error, "");
 }
 
@@ -48,7 +50,8 @@ TEST(ImportPrecheck, EveryPrefixOfGarbageIsRefusedWithoutACrash) {
     std::uint32_t state = 1;
     for (int i = 0; i < 300; ++i) noise += char((state = state * 1664525u + 1013904223u) >> 24);
     for (const char* ending : {"stl", "ply", "off", "3ds", "ase", "blend", "dae", "fbx", "x"})
-        for (std::size_t size = 0; size <= noise.size(); ++size) EXPECT_NE(check(ending, noise.substr(0, size)).error, "") << ending << " " << size;
+        for (std::size_t size = 0; size <= noise.size(); ++size)
+            EXPECT_NE(check(ending, noise.substr(0, size)).error, "") << ending << " " << size;
 }
 
 TEST(ImportPrecheck, BinaryStlIsHeldAgainstItsSize) {
@@ -61,18 +64,26 @@ TEST(ImportPrecheck, BinaryStlIsHeldAgainstItsSize) {
 }
 
 TEST(ImportPrecheck, AsciiStlFacetsHaveThreeVertices) {
-    const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    const std::string facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
     EXPECT_EQ(check("stl", "solid a\n" + facet + "endsolid a\n").error, "");
     EXPECT_EQ(check("stl", "solid a\n" + facet + "endsolid a\n").warnings, 0u);
     EXPECT_EQ(check("stl", "solid a\n" + facet).warnings, 1u);
-    EXPECT_NE(check("stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid a\n").error, "");
+    EXPECT_NE(
+        check("stl",
+              "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid a\n")
+            .error,
+        "");
     EXPECT_NE(check("stl", "solid nothing\nendsolid nothing\n").error, "");
 }
 
 TEST(ImportPrecheck, PlyCountsAreHeldAgainstTheData) {
-    const std::string ascii = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string ascii =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+        "1\nproperty list uchar int vertex_indices\nend_header\n";
     EXPECT_EQ(check("ply", ascii + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").error, "");
-    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n0\n").error, "");
+    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n0\n").error,
+              "");
     EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex -1\nproperty float x\nend_header\n0\n").error, "");
     EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n0\n").error, "");
     EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quark x\nend_header\n0\n").error, "");
@@ -110,7 +121,9 @@ TEST(ImportPrecheck, CountsOfAnAseAreHeldAgainstItsSize) {
 }
 
 TEST(ImportPrecheck, BinaryPlyIsWalkedToItsEnd) {
-    const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string header =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nelement face 1\nproperty list uchar "
+        "int vertex_indices\nend_header\n";
     const std::string vertices(12, '\0'), face = raw(std::uint8_t(3)) + raw(0) + raw(1) + raw(2);
     EXPECT_EQ(check("ply", header + vertices + face).error, "");
     EXPECT_EQ(check("ply", header + vertices + face).warnings, 0u);
@@ -128,7 +141,9 @@ TEST(ImportPrecheck, OffCountsAreHeldAgainstTheSize) {
 }
 
 TEST(ImportPrecheck, BlocksOf3dsStayInsideOneAnother) {
-    const auto block = [](std::uint16_t id, const std::string& inside) { return raw(id) + raw(std::uint32_t(6 + inside.size())) + inside; };
+    const auto block = [](std::uint16_t id, const std::string& inside) {
+        return raw(id) + raw(std::uint32_t(6 + inside.size())) + inside;
+    };
     const std::string mesh = block(0x4100, block(0x4110, raw(std::uint16_t(1)) + std::string(12, '\0')));
     const std::string whole = block(0x4D4D, block(0x3D3D, block(0x4000, std::string("cube\0", 5) + mesh)));
     EXPECT_EQ(check("3ds", whole).error, "");
@@ -140,7 +155,9 @@ TEST(ImportPrecheck, BlocksOf3dsStayInsideOneAnother) {
 }
 
 TEST(ImportPrecheck, BlendFilesReachTheirLastBlock) {
-    const auto block = [](const char* code, std::uint32_t bytes) { return std::string(code, 4) + raw(bytes) + std::string(12, '\0') + std::string(bytes, 'x'); };
+    const auto block = [](const char* code, std::uint32_t bytes) {
+        return std::string(code, 4) + raw(bytes) + std::string(12, '\0') + std::string(bytes, 'x');
+    };
     const std::string head = "BLENDER_v248", whole = head + block("DNA1", 8) + block("ENDB", 0);
     EXPECT_EQ(check("blend", whole).error, "");
     EXPECT_NE(check("blend", head + block("DNA1", 8)).error, "");
@@ -185,7 +202,10 @@ TEST(ImportPrecheck, ColladaHasNoEntitiesAndEndsWhereItBegan) {
 
 TEST(ImportPrecheck, FbxNodesStayInsideOneAnother) {
     const std::string magic("Kaydara FBX Binary  \0\x1a\0", 23), end(13, '\0');
-    const auto node = [](std::uint32_t node_end, std::uint32_t bytes) { return raw(node_end) + raw(std::uint32_t(0)) + raw(bytes) + raw(std::uint8_t(1)) + "N" + std::string(bytes, 'p'); };
+    const auto node = [](std::uint32_t node_end, std::uint32_t bytes) {
+        return raw(node_end) + raw(std::uint32_t(0)) + raw(bytes) + raw(std::uint8_t(1)) + "N" +
+               std::string(bytes, 'p');
+    };
     const std::string whole = magic + raw(7400u) + node(27 + 13 + 1 + 5, 5) + end;
     EXPECT_EQ(check("fbx", whole).error, "");
     EXPECT_NE(check("fbx", whole.substr(0, whole.size() - 1)).error, "");

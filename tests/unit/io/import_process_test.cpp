@@ -16,7 +16,9 @@
 namespace rakelight::io::test {
 namespace {
 
-constexpr const char* triangle = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
+constexpr const char* triangle =
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
+    "s\n";
 
 class ImportProcess : public ::testing::Test {
 protected:
@@ -101,7 +103,8 @@ TEST_F(ImportProcess, AMissingHelperIsSaidWithAdvice) {
 }
 
 TEST_F(ImportProcess, TheHelperGetsNoStreamsOfTheProgram) {
-    const Outcome outcome = read_by("cat >/dev/null; echo noise >&2; ls /proc/$$/fd > '" + (folder_ / "fds").string() + "'; exit 1");
+    const Outcome outcome =
+        read_by("cat >/dev/null; echo noise >&2; ls /proc/$$/fd > '" + (folder_ / "fds").string() + "'; exit 1");
     ASSERT_TRUE(outcome.error);
     std::ifstream in(folder_ / "fds");
     std::vector<int> open;

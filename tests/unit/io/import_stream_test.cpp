@@ -58,7 +58,8 @@ Import read(std::span<const std::byte> bytes) {
     return read_import(source, context);
 }
 
-template <class Change> void expect_refused(const char* what, Change change) {
+template <class Change>
+void expect_refused(const char* what, Change change) {
     SCOPED_TRACE(what);
     Document d = document();
     std::vector<Part> parts{quad()};

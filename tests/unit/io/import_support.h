@@ -27,8 +27,10 @@ public:
         ::setenv(name, value.c_str(), 1);
     }
     ~Environment() {
-        if (old_) ::setenv(name_, old_->c_str(), 1);
-        else ::unsetenv(name_);
+        if (old_)
+            ::setenv(name_, old_->c_str(), 1);
+        else
+            ::unsetenv(name_);
     }
     Environment(const Environment&) = delete;
 
@@ -42,12 +44,14 @@ struct Outcome {
     std::optional<Error> error;
     std::vector<ReportEntry> remarks;
     bool says(const std::string& part) const {
-        return std::any_of(remarks.begin(), remarks.end(), [&](const ReportEntry& e) { return e.message.find(part) != std::string::npos; });
+        return std::any_of(remarks.begin(), remarks.end(),
+                           [&](const ReportEntry& e) { return e.message.find(part) != std::string::npos; });
     }
     std::string what() const { return error ? error->what() : "read"; }
 };
 
-inline Outcome read_import(const std::string& path, const ReadOptions& options = {}, ContextOptions run = {.threads = 1}) {
+inline Outcome read_import(const std::string& path, const ReadOptions& options = {},
+                           ContextOptions run = {.threads = 1}) {
     Outcome outcome;
     Context context(run);
     try {

@@ -104,10 +104,10 @@ inline constexpr MaterialChoice all_materials[] = {{oren_nayar},
                                                    {pbr, 2, 1, 1, 1, 1}};
 inline constexpr int lambert = 0, phong = 1, blinn_phong = 2, textbook = 0, normalized = 1;
 inline constexpr Choice all_choices[] = {
-    {lambert, textbook, 1},       {lambert, normalized, 1},    {phong, textbook, 1},       {phong, textbook, 0},
-    {phong, normalized, 1},       {phong, normalized, 0},      {blinn_phong, textbook, 1}, {blinn_phong, textbook, 0},
-    {blinn_phong, normalized, 1}, {blinn_phong, normalized, 0},
-    {phong, textbook, 0, 7},      {phong, normalized, 1, 3},   {blinn_phong, textbook, 1, 48}};
+    {lambert, textbook, 1},        {lambert, normalized, 1},     {phong, textbook, 1},       {phong, textbook, 0},
+    {phong, normalized, 1},        {phong, normalized, 0},       {blinn_phong, textbook, 1}, {blinn_phong, textbook, 0},
+    {blinn_phong, normalized, 1},  {blinn_phong, normalized, 0}, {phong, textbook, 0, 7},    {phong, normalized, 1, 3},
+    {blinn_phong, textbook, 1, 48}};
 
 /// Numbers that are the same on every machine (the distributions of <random> are not).
 class Random {

@@ -18,7 +18,8 @@ TEST(Models, WholePowersAreThoseOfTheSameExponent) {
         item.s = float(i) / 4096;
         items.push(item);
     }
-    for (const auto& [operation, n] : {std::pair{"whole_power_1", 1}, {"whole_power_48", 48}, {"whole_power_1023", 1023}}) {
+    for (const auto& [operation, n] :
+         {std::pair{"whole_power_1", 1}, {"whole_power_48", 48}, {"whole_power_1023", 1023}}) {
         const Results results = run(scalar::kernel, operation, items);
         for (std::size_t i = 0; i < items.size(); ++i) {
             const double expected = i < 8 ? 0 : std::pow(double(int(i) - 8) / 4096, n);

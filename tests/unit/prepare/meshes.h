@@ -51,7 +51,8 @@ inline Mesh ball_mesh(int around, int rings) {
     for (int r = 1; r < rings; ++r)
         for (int c = 0; c < around; ++c) {
             const double theta = pi * r / rings, phi = 2 * pi * c / around;
-            p.push_back({float(std::sin(theta) * std::sin(phi)), float(std::cos(theta)), float(std::sin(theta) * std::cos(phi))});
+            p.push_back({float(std::sin(theta) * std::sin(phi)), float(std::cos(theta)),
+                         float(std::sin(theta) * std::cos(phi))});
         }
     p.push_back({0, -1, 0});
     const auto at = [&](int r, int c) { return std::uint32_t(1 + (r - 1) * around + c % around); };
@@ -59,7 +60,8 @@ inline Mesh ball_mesh(int around, int rings) {
     for (int c = 0; c < around; ++c) {
         index.insert(index.end(), {0, at(1, c), at(1, c + 1)});
         for (int r = 1; r + 1 < rings; ++r)
-            index.insert(index.end(), {at(r, c), at(r + 1, c), at(r + 1, c + 1), at(r, c), at(r + 1, c + 1), at(r, c + 1)});
+            index.insert(index.end(),
+                         {at(r, c), at(r + 1, c), at(r + 1, c + 1), at(r, c), at(r + 1, c + 1), at(r, c + 1)});
         index.insert(index.end(), {at(rings - 1, c), last, at(rings - 1, c + 1)});
     }
     mesh.positions = std::move(p);
@@ -81,7 +83,7 @@ inline Scene scene_of(std::vector<Mesh> meshes) {
 }
 
 /// A material with a texture in one role, for all meshes of the scene.
-inline TextureUse& give_texture(Scene& scene, TextureUse Material::* role, std::uint32_t set = 0) {
+inline TextureUse& give_texture(Scene& scene, TextureUse Material::*role, std::uint32_t set = 0) {
     scene.textures.push_back({"texture", any_image(), {}});
     scene.materials.emplace_back();
     for (Mesh& mesh : scene.meshes) mesh.material = std::uint32_t(scene.materials.size() - 1);
@@ -101,7 +103,8 @@ inline std::uint64_t remarks(Context& context, Remark remark, const std::string&
 
 inline std::string all_remarks(Context& context) {
     std::string text;
-    for (const ReportEntry& e : context.report().entries()) text += std::string(name_of(e.remark)) + ": " + e.place + ": " + e.message + "\n";
+    for (const ReportEntry& e : context.report().entries())
+        text += std::string(name_of(e.remark)) + ": " + e.place + ": " + e.message + "\n";
     return text;
 }
 

@@ -28,7 +28,8 @@ Scene prepared(const Scene& scene, PrepareOptions options = {}) {
     Scene out = prepare_scene(scene, options, context);
     validate(out);
     for (const Node& node : out.nodes)
-        for (const std::uint32_t mesh : node.meshes) test::expect_unit(out.meshes[mesh].normals, out.meshes[mesh].positions.size());
+        for (const std::uint32_t mesh : node.meshes)
+            test::expect_unit(out.meshes[mesh].normals, out.meshes[mesh].positions.size());
     return out;
 }
 
@@ -123,7 +124,8 @@ TEST(PrepareScene, SmoothingGroupsRuleInsideAnObject) {
     soft.smoothing = std::vector<std::uint32_t>{5, 5, 5, 5};
     EXPECT_EQ(prepared(scene_of({sharp})).meshes[0].positions.size(), 8u);
     EXPECT_EQ(prepared(scene_of({soft})).meshes[0].positions.size(), 6u) << "a group joins over any angle";
-    EXPECT_EQ(prepared(scene_of({sharp}), by(NormalSource::model)).meshes[0].positions.size(), 6u) << "an explicit wish overrules groups";
+    EXPECT_EQ(prepared(scene_of({sharp}), by(NormalSource::model)).meshes[0].positions.size(), 6u)
+        << "an explicit wish overrules groups";
 }
 
 TEST(PrepareScene, MasksJoinWhereTheyShareABit) {
@@ -209,7 +211,8 @@ TEST(PrepareScene, KeepsTheFilesTangentsWithItsNormalsOnly) {
 /// A strip of two quads, bent, whose charts meet at 30 degrees: averaged over position they differ from MikkTSpace's.
 Mesh turned_charts(bool with_normals) {
     Mesh mesh;
-    mesh.positions = std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}};
+    mesh.positions =
+        std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}};
     mesh.indices = std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
     const float c = 0.8660254f, s = 0.5f;
     mesh.texcoords = {std::vector<vec2>{{0, 1}, {1, 1}, {1, 0}, {0, 0}, {-s, c}, {c - s, s + c}, {c, s}, {0, 0}}};
@@ -238,7 +241,8 @@ TEST(PrepareScene, TangentsAreTheFilesElseMikktspaceForKeptNormalsElseAveraged) 
     EXPECT_EQ(prepared(scene).meshes[0].tangents[0], (vec4{0, 1, 0, -1})) << "the file's";
     options = {};
     options.tangents = TangentMode::mikktspace;
-    EXPECT_NEAR(prepared(scene, options).meshes[0].tangents[0].x, 1, 1e-6) << "said explicitly, the file's do not count";
+    EXPECT_NEAR(prepared(scene, options).meshes[0].tangents[0].x, 1, 1e-6)
+        << "said explicitly, the file's do not count";
 }
 
 TEST(PrepareScene, PublishedTangentsRunOverObjectsWithKeptNormals) {
@@ -353,11 +357,13 @@ TEST(PrepareScene, SaysHowFarTangentsWereFromPerpendicularWhenAsked) {
     const Mesh made = prepare_scene(scene, options, asked).meshes[0];
     EXPECT_EQ(remarks(asked, Remark::note, "from perpendicular to the normals"), 1u) << test::all_remarks(asked);
     EXPECT_EQ(remarks(asked, Remark::note, "at most 0.00 degrees"), 0u) << "told as it was before";
-    for (std::size_t v = 0; v < made.positions.size(); ++v) EXPECT_NEAR(dot(made.normals[v], made.tangents[v].xyz()), 0, 1e-6);
+    for (std::size_t v = 0; v < made.positions.size(); ++v)
+        EXPECT_NEAR(dot(made.normals[v], made.tangents[v].xyz()), 0, 1e-6);
     options.orthogonalize = Orthogonalize::off;
     float skew = 0;
     const Mesh raw = prepare_scene(scene, options, asked).meshes[0];
-    for (std::size_t v = 0; v < raw.positions.size(); ++v) skew = std::max(skew, std::fabs(dot(raw.normals[v], raw.tangents[v].xyz())));
+    for (std::size_t v = 0; v < raw.positions.size(); ++v)
+        skew = std::max(skew, std::fabs(dot(raw.normals[v], raw.tangents[v].xyz())));
     EXPECT_GT(skew, 0.01f);
     options.measure_orthogonality = false;
     prepare_scene(scene, options, quiet);

@@ -45,7 +45,8 @@ TEST(ProjectTexcoords, LeavesMeshesAloneThatHaveCoordinates) {
     Mesh mesh = cube_mesh();
     mesh.texcoords = {{}, std::vector<vec2>(8)};
     const Mesh after = project_texcoords(scene_of({mesh}), UvProjection::box, context).meshes[0];
-    EXPECT_TRUE(after.positions == mesh.positions && after.texcoords[1] == mesh.texcoords[1] && after.texcoords[0].empty());
+    EXPECT_TRUE(after.positions == mesh.positions && after.texcoords[1] == mesh.texcoords[1] &&
+                after.texcoords[0].empty());
     EXPECT_EQ(test::all_remarks(context), "");
     EXPECT_TRUE(project_texcoords(scene_of({cube_mesh()}), UvProjection::none, context).meshes[0].texcoords.empty());
     EXPECT_TRUE(project_texcoords(Scene{}, UvProjection::sphere, context).meshes.empty());
@@ -107,7 +108,8 @@ TEST(ProjectTexcoords, PolesGetTheMiddleOfTheirTriangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             if (std::fabs(after.positions[after.indices[3 * t + k]].y) != 1) continue;
             ++poles;
-            EXPECT_NEAR(uv(after, 3 * t + k).x, (uv(after, 3 * t + (k + 1) % 3).x + uv(after, 3 * t + (k + 2) % 3).x) / 2, 1e-6);
+            EXPECT_NEAR(uv(after, 3 * t + k).x,
+                        (uv(after, 3 * t + (k + 1) % 3).x + uv(after, 3 * t + (k + 2) % 3).x) / 2, 1e-6);
         }
     EXPECT_EQ(poles, 16);
 }

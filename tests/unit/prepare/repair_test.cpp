@@ -90,7 +90,8 @@ TEST(Repair, WarnsOfPositionsBeyondFloatProducts) {
 }
 
 TEST(Repair, WarnsWhenAllTrianglesHaveNoAreaButNotWhenOneHas) {
-    for (const auto& positions : {std::vector<vec3>(4, {1, 2, 3}), std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 0, 0}}}) {
+    for (const auto& positions :
+         {std::vector<vec3>(4, {1, 2, 3}), std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 0, 0}}}) {
         Context context;
         test::expect_unit(prepare_scene(scene_of({with_positions(positions)}), {}, context).meshes[0].normals, 4);
         EXPECT_EQ(remarks(context, Remark::warning, "zero area"), 1u);
@@ -143,7 +144,8 @@ TEST(Repair, BrokenNormalsAtASeamAreThoseOfBothSides) {
 }
 
 TEST(Repair, MakesNormalsUnitAndSaysSoOnlyWhereItShows) {
-    const std::pair<float, Remark> lengths[] = {{5, Remark::changed}, {1e-30f, Remark::changed}, {1e30f, Remark::changed}, {1.01f, Remark::note}};
+    const std::pair<float, Remark> lengths[] = {
+        {5, Remark::changed}, {1e-30f, Remark::changed}, {1e30f, Remark::changed}, {1.01f, Remark::note}};
     for (const auto& [size, remark] : lengths) {
         Context context;
         const Scene out = repair_scene(scene_of({with_normals(std::vector<vec3>(4, {0, size, 0}))}),
@@ -154,7 +156,8 @@ TEST(Repair, MakesNormalsUnitAndSaysSoOnlyWhereItShows) {
 }
 
 TEST(Repair, DropsTangentsWithABrokenSignOrDirection) {
-    for (const vec4 broken : {vec4{1, 0, 0, 0}, vec4{1, 0, 0, nan_f}, vec4{1, 0, 0, 0.5f}, vec4{0, 0, 0, 1}, vec4{nan_f, 0, 0, 1}}) {
+    for (const vec4 broken :
+         {vec4{1, 0, 0, 0}, vec4{1, 0, 0, nan_f}, vec4{1, 0, 0, 0.5f}, vec4{0, 0, 0, 1}, vec4{nan_f, 0, 0, 1}}) {
         Context context;
         Mesh mesh = with_normals(std::vector<vec3>(4, {0, 0, 1}));
         mesh.tangents = std::vector<vec4>{{1, 0, 0, 1}, {1, 0, 0, 1}, broken, {1, 0, 0, 1}};
@@ -236,7 +239,8 @@ TEST(Repair, WarnsOfNodesThatFlattenAndRotationsOfNoLength) {
     tiny.scale = {1, 1, 1e-22};
     huge.matrix = scaling(dvec3{1, -1e19, 1});
     mirrored.scale = {-1, 1, 1};
-    EXPECT_NE(warnings(zero_scale).find("warning: node 0: the matrix or scale flattens"), std::string::npos) << warnings(zero_scale);
+    EXPECT_NE(warnings(zero_scale).find("warning: node 0: the matrix or scale flattens"), std::string::npos)
+        << warnings(zero_scale);
     EXPECT_NE(warnings(flat).find("flattens"), std::string::npos);
     EXPECT_NE(warnings(sheared_flat).find("flattens"), std::string::npos);
     EXPECT_NE(warnings(no_rotation).find("the rotation is zero"), std::string::npos);

@@ -51,13 +51,17 @@ TEST(SmoothScene, SharesAllBlocksThatItDoesNotMake) {
     const Mesh after = smoothed(scene_of({mesh}), Scope::model).meshes[0];
     EXPECT_TRUE(after.positions == mesh.positions && after.indices == mesh.indices && after.colors == mesh.colors);
     for (std::size_t v = 0; v < 8; ++v)
-        EXPECT_NEAR(dot(after.normals[v], mesh.positions[v]), std::sqrt(3.0), 1e-5) << "a cube's corner smoothed by angle";
+        EXPECT_NEAR(dot(after.normals[v], mesh.positions[v]), std::sqrt(3.0), 1e-5)
+            << "a cube's corner smoothed by angle";
 }
 
 TEST(SmoothScene, LeavesInstancesSharedThatComeOutTheSame) {
     const dquat turned{0, 0.6, 0, 0.8};
     for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
-        const Scene out = smoothed(instances(cube_mesh(), {at({0, 0, 0}), at({10, 0, 0}), at({20, 0, 0}, {2, 2, 2}, turned), at({30, 0, 0}, {-1, 1, 1})}), scope);
+        const Scene out = smoothed(
+            instances(cube_mesh(),
+                      {at({0, 0, 0}), at({10, 0, 0}), at({20, 0, 0}, {2, 2, 2}, turned), at({30, 0, 0}, {-1, 1, 1})}),
+            scope);
         EXPECT_EQ(out.meshes.size(), 1u);
         for (const Node& node : out.nodes) EXPECT_EQ(node.meshes, std::vector<std::uint32_t>{0});
     }
@@ -81,15 +85,18 @@ TEST(SmoothScene, GivesInstancesTheirOwnMeshWhereTheyTouchOthers) {
 
 TEST(SmoothScene, SaysWhenInstancesWereTakenApart) {
     Context context;
-    const Scene scene = instances(quad_mesh(), {at({0, 0, 0}), at({1, 0, 0}, {1, 1, 1}, {0, std::sin(0.2), 0, std::cos(0.2)})});
+    const Scene scene =
+        instances(quad_mesh(), {at({0, 0, 0}), at({1, 0, 0}, {1, 1, 1}, {0, std::sin(0.2), 0, std::cos(0.2)})});
     smooth_scene(scene, {}, context);
-    EXPECT_EQ(test::remarks(context, Remark::note, "1 instances got a mesh of their own"), 1u) << test::all_remarks(context);
+    EXPECT_EQ(test::remarks(context, Remark::note, "1 instances got a mesh of their own"), 1u)
+        << test::all_remarks(context);
 }
 
 TEST(SmoothScene, ComputesUnevenlyScaledInstancesApart) {
     // Under an uneven scale a corner's angles differ, so the angle-weighted normal does.
     const Scene out = smoothed(instances(cube_mesh(), {at({0, 0, 0}), at({50, 0, 0}, {1, 8, 1})}), Scope::object);
-    EXPECT_EQ(smoothed(instances(cube_mesh(), {at({0, 0, 0}), at({50, 0, 0}, {3, 3, 3})}), Scope::object).meshes.size(), 1u);
+    EXPECT_EQ(smoothed(instances(cube_mesh(), {at({0, 0, 0}), at({50, 0, 0}, {3, 3, 3})}), Scope::object).meshes.size(),
+              1u);
     for (const Mesh& mesh : out.meshes) test::expect_unit(mesh.normals, 8);
 }
 
@@ -132,7 +139,8 @@ TEST(SmoothScene, WithoutNormalsAskedForMakesOnlyTangentsAnew) {
 
 TEST(SmoothScene, KeptInstancesShareTheFirstOnesNormalsAloud) {
     const double half = radians(15);
-    const Scene scene = instances(quad_mesh(), {at({0, 0, 0}), at({1, 0, 0}, {1, 1, 1}, {0, std::sin(half), 0, std::cos(half)})});
+    const Scene scene =
+        instances(quad_mesh(), {at({0, 0, 0}), at({1, 0, 0}, {1, 1, 1}, {0, std::sin(half), 0, std::cos(half)})});
     const Scene apart = smoothed(scene, Scope::model);
     ASSERT_EQ(apart.meshes.size(), 2u);
     PrepareOptions options;
@@ -141,9 +149,11 @@ TEST(SmoothScene, KeptInstancesShareTheFirstOnesNormalsAloud) {
     Context context;
     const Scene kept = prepare_scene(scene, options, context);
     ASSERT_EQ(kept.meshes.size(), 1u);
-    for (std::size_t v = 0; v < 4; ++v) EXPECT_NEAR(length(kept.meshes[0].normals[v] - apart.meshes[0].normals[v]), 0, 0.1f);
+    for (std::size_t v = 0; v < 4; ++v)
+        EXPECT_NEAR(length(kept.meshes[0].normals[v] - apart.meshes[0].normals[v]), 0, 0.1f);
     for (const Node& node : kept.nodes) EXPECT_EQ(node.meshes, std::vector<std::uint32_t>{0});
-    EXPECT_EQ(test::remarks(context, Remark::warning, "1 instances that touch other things keep"), 1u) << test::all_remarks(context);
+    EXPECT_EQ(test::remarks(context, Remark::warning, "1 instances that touch other things keep"), 1u)
+        << test::all_remarks(context);
     Context alike;
     prepare_scene(instances(quad_mesh(), {at({0, 0, 0}), at({9, 0, 0})}), options, alike);
     EXPECT_EQ(test::remarks(alike, Remark::warning, "keep the normals"), 0u) << "nothing was given up";

@@ -383,7 +383,6 @@ TEST(SubdivideScene, ThreadsDoNotChangeABit) {
 }
 
 // --- in the way of prepare
-// -------------------------------------------------------------------------------------------------
 
 TEST(SubdivideScene, PrepareKeepsTheLimitsNormalsUnlessFlatOnesAreAskedFor) {
     Context context;

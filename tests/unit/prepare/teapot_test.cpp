@@ -29,7 +29,8 @@ const Mesh& part(const Scene& scene, const std::string& name) {
 }
 
 std::array<vec3, 3> triangle(const Mesh& mesh, std::size_t t) {
-    return {mesh.positions[mesh.indices[3 * t]], mesh.positions[mesh.indices[3 * t + 1]], mesh.positions[mesh.indices[3 * t + 2]]};
+    return {mesh.positions[mesh.indices[3 * t]], mesh.positions[mesh.indices[3 * t + 1]],
+            mesh.positions[mesh.indices[3 * t + 2]]};
 }
 
 /// How often each directed edge occurs, by position; a closed sheet has every edge once each way.
@@ -263,7 +264,8 @@ TEST(Teapot, BecomesSmoothOverItsPartsWhenPrepared) {
     const Scene scene = prepare_scene(make_teapot(10), {}, context);
     std::map<Point, vec3> rim;
     for (std::size_t v = 0; v < part(scene, "rim").positions.size(); ++v)
-        if (part(scene, "rim").texcoords[0][v].y == 1) rim[key(part(scene, "rim").positions[v])] = part(scene, "rim").normals[v];
+        if (part(scene, "rim").texcoords[0][v].y == 1)
+            rim[key(part(scene, "rim").positions[v])] = part(scene, "rim").normals[v];
     int met = 0;
     const Mesh& body = part(scene, "body");
     for (std::size_t v = 0; v < body.positions.size(); ++v) {

@@ -84,7 +84,8 @@ TEST(SplitVertices, ExtendEveryArrayOfTheMesh) {
     Context context;
     Mesh mesh = quad_with_normals(0);
     mesh.tangents = std::vector<vec4>(4, {1, 0, 0, 1});
-    mesh.texcoords = {std::vector<vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}, std::vector<vec2>{{5, 0}, {6, 0}, {7, 0}, {8, 0}}};
+    mesh.texcoords = {
+        std::vector<vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}, std::vector<vec2>{{5, 0}, {6, 0}, {7, 0}, {8, 0}}};
     mesh.colors = std::vector<vec4>{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
     std::vector<JointInfluence> influences(4);
     influences[2].joints[0] = 9;

@@ -95,7 +95,8 @@ void expect_same_everywhere(const Scene& scene, const RenderSettings& settings, 
         if (!is_available(isa)) continue;
         const IsaGuard guard(isa);
         for (const int threads : {1, 2, 4})
-            EXPECT_EQ(hash_of(scene, settings, threads), expected) << name(isa) << ", " << threads << " threads, " << what;
+            EXPECT_EQ(hash_of(scene, settings, threads), expected)
+                << name(isa) << ", " << threads << " threads, " << what;
     }
 }
 
@@ -107,8 +108,9 @@ TEST(Bits, AreThoseOfOneThreadAndNoVectorsForAnyThreadsAndInstructionSet) {
         for (const Visibility visibility : {Visibility::z_reversed, Visibility::z24, Visibility::painter}) {
             RenderSettings settings = settings_for(shading);
             settings.visibility = visibility;
-            expect_same_everywhere(scene, settings,
-                                   "shading " + std::to_string(int(shading)) + ", visibility " + std::to_string(int(visibility)));
+            expect_same_everywhere(
+                scene, settings,
+                "shading " + std::to_string(int(shading)) + ", visibility " + std::to_string(int(visibility)));
         }
 }
 

@@ -99,7 +99,8 @@ TEST(Clip, ACutAtTheNearPlaneLiesThereHoweverFarTheOtherEnd) {
         const std::size_t count = clip_triangle(triangle, clip_near, volume, out);
         ASSERT_EQ(count, 4u) << far;
         int at_near = 0;
-        for (std::size_t i = 0; i < count; ++i) at_near += std::fabs(out[i].w - 0.5f) < 1e-6f && out[i].w == out[i].distance;
+        for (std::size_t i = 0; i < count; ++i)
+            at_near += std::fabs(out[i].w - 0.5f) < 1e-6f && out[i].w == out[i].distance;
         EXPECT_EQ(at_near, 2) << far;
     }
 }
@@ -110,7 +111,8 @@ TEST(Clip, TenThousandRandomTrianglesStayInsideAndKeepTheirPlane) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> big(-1e7, 1e7), depth(-200, 200);
     for (int n = 0; n < 10000; ++n) {
-        const ClipVertex t[3] = {at(big(random), big(random), depth(random)), at(big(random), big(random), depth(random)),
+        const ClipVertex t[3] = {at(big(random), big(random), depth(random)),
+                                 at(big(random), big(random), depth(random)),
                                  at(big(random), big(random), depth(random))};
         ClipVertex out[max_clipped_vertices];
         const std::size_t count = clip_triangle(t, cutting_planes, volume, out);

@@ -10,10 +10,13 @@ using namespace rakelight;
 using namespace rakelight::raster;
 
 namespace {
-constexpr Visibility formats[] = {Visibility::z16, Visibility::z24, Visibility::z32, Visibility::z_float, Visibility::z_reversed};
+constexpr Visibility formats[] = {Visibility::z16, Visibility::z24, Visibility::z32, Visibility::z_float,
+                                  Visibility::z_reversed};
 constexpr DepthRange lecture{1, 1000, false};
 
-double stored_at(Visibility format, double distance, const DepthRange& r) { return stored_depth(format, reversed_depth(distance, r), r); }
+double stored_at(Visibility format, double distance, const DepthRange& r) {
+    return stored_depth(format, reversed_depth(distance, r), r);
+}
 double distance_of_part(double part, const DepthRange& r) { return r.near + part * (r.far - r.near); }
 }  // namespace
 
@@ -40,7 +43,8 @@ TEST(DepthFormats, ShareOfTheCodesInTheFirst2PercentIsCountedNotOnlyComputed) {
 
 TEST(DepthFormats, NearIsZeroAndFarIsTheLargestNumber) {
     for (const DepthRange& r : {lecture, DepthRange{0.1, 50, true}}) {
-        for (const Visibility f : {Visibility::z16, Visibility::z24, Visibility::z32, Visibility::z_float}) EXPECT_EQ(stored_at(f, r.near, r), 0);
+        for (const Visibility f : {Visibility::z16, Visibility::z24, Visibility::z32, Visibility::z_float})
+            EXPECT_EQ(stored_at(f, r.near, r), 0);
         EXPECT_EQ(stored_at(Visibility::z16, r.far, r), 65535);
         EXPECT_EQ(stored_at(Visibility::z24, r.far, r), 16777215);
         EXPECT_EQ(stored_at(Visibility::z32, r.far, r), 4294967295.0);
@@ -73,8 +77,10 @@ TEST(DepthFormats, AStepIsTheDistanceInWhichTheStoredNumberChangesOnce) {
                     changes += code != last;
                     last = code;
                 }
-                const double far_end = d + 20 * step, slope = r.orthographic ? 1 : d / far_end;  // steps grow on the way
-                EXPECT_NEAR(changes, 20 * slope, 1.1) << int(f) << " at " << d << " of " << r.far << (r.orthographic ? " parallel" : "");
+                const double far_end = d + 20 * step,
+                             slope = r.orthographic ? 1 : d / far_end;  // steps grow on the way
+                EXPECT_NEAR(changes, 20 * slope, 1.1)
+                    << int(f) << " at " << d << " of " << r.far << (r.orthographic ? " parallel" : "");
             }
 }
 

@@ -28,7 +28,8 @@ std::vector<Light> lights_around(dvec3 n, double alpha) {
             const double v_dot_h = dot(v, h);
             const dvec3 l = h * (2 * v_dot_h) - v;
             if (v_dot_h <= 0 || dot(l, n) <= 0) continue;
-            const float share = float(4 * v_dot_h * s * step * 2 * pi / sectors / pi);  // a light of 1 has irradiance pi
+            const float share =
+                float(4 * v_dot_h * s * step * 2 * pi / sectors / pi);  // a light of 1 has irradiance pi
             lights.push_back(directional(l * -1.0, {share, share, share}));
         }
     }

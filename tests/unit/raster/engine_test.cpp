@@ -118,7 +118,8 @@ TEST(SoftEngine, AModelAThousandKilometersAwayRendersLikeItself) {
     camera.to_world = translation(far) * camera.to_world;
     const Frame there = render(scene, camera);
     std::size_t off = 0;
-    for (std::size_t i = 0; i < here.color.size(); ++i) off += std::fabs(here.color[i].x - there.color[i].x) > 2.0f / 255;
+    for (std::size_t i = 0; i < here.color.size(); ++i)
+        off += std::fabs(here.color[i].x - there.color[i].x) > 2.0f / 255;
     EXPECT_LE(off, here.color.size() / 500);
 }
 
@@ -155,7 +156,8 @@ TEST(SoftEngine, MaskedTexelsAreHolesAndBlendedSurfacesMix) {
     mask.alpha_mode = AlphaMode::mask;
     Pixels half = rgb_pixels(2, 1, [](int x, int) { return std::array<int, 4>{255, 255, 255, x == 0 ? 255 : 0}; });
     half.channels = 4;
-    mask.base_color_texture = add_texture(scene, picture(half), {.magnify = Filter::nearest, .minify = Filter::nearest});
+    mask.base_color_texture =
+        add_texture(scene, picture(half), {.magnify = Filter::nearest, .minify = Filter::nearest});
     Material glass = matte({0, 0, 1});
     glass.alpha_mode = AlphaMode::blend;
     glass.base_color.w = 0.25f;
@@ -176,7 +178,9 @@ TEST(SoftEngine, MaskedTexelsAreHolesAndBlendedSurfacesMix) {
 TEST(SoftEngine, ANormalMapTurnsTheNormalTowardsGreenUp) {
     Scene scene;
     Material bumpy = matte();
-    const auto up = [](int, int) { return std::array<int, 3>{128, 218, 218}; };  // (0, 0.71, 0.71): leans to the picture's top
+    const auto up = [](int, int) {
+        return std::array<int, 3>{128, 218, 218};
+    };  // (0, 0.71, 0.71): leans to the picture's top
     bumpy.normal_texture = add_texture(scene, picture(rgb_pixels(4, 4, up)));
     scene.materials = {bumpy};
     add_object(scene, square_mesh(0));
@@ -208,12 +212,14 @@ TEST(SoftEngine, TangentsAreUsedAsTheyAreWhereTheyAreNotToBeMadePerpendicular) {
     for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
         if (!is_available(isa)) continue;
         const IsaGuard guard(isa);
-        for (const int threads : {1, 4}) EXPECT_TRUE(same_bits(raw, render(scene, flat_camera(), settings, threads))) << name(isa) << threads;
+        for (const int threads : {1, 4})
+            EXPECT_TRUE(same_bits(raw, render(scene, flat_camera(), settings, threads))) << name(isa) << threads;
     }
     Mesh without = square_mesh(0);
     without.tangents = std::vector<vec4>(without.positions.size(), {0, 0, 0, 1});
     scene.meshes[0] = without;
-    EXPECT_TRUE(is_finite(pixel(render(scene, flat_camera(), settings), 32, 32).xyz())) << "a tangent of no length falls back";
+    EXPECT_TRUE(is_finite(pixel(render(scene, flat_camera(), settings), 32, 32).xyz()))
+        << "a tangent of no length falls back";
 }
 
 TEST(SoftEngine, AWindowHasTheBitsOfTheWhole) {
@@ -225,7 +231,9 @@ TEST(SoftEngine, AWindowHasTheBitsOfTheWhole) {
     settings.window = {37, 21, 90, 77};
     const Frame part = render(scene, inside_camera(), settings);
     for (int y = 0; y < 77; ++y)
-        EXPECT_EQ(std::memcmp(&part.color[std::size_t(y * 90)], &whole.color[std::size_t((y + 21) * 200 + 37)], 90 * sizeof(vec4)), 0);
+        EXPECT_EQ(std::memcmp(&part.color[std::size_t(y * 90)], &whole.color[std::size_t((y + 21) * 200 + 37)],
+                              90 * sizeof(vec4)),
+                  0);
 }
 
 TEST(SoftEngine, TheSameBitsForAnyNumberOfThreadsAndEachInstructionSet) {
@@ -241,7 +249,9 @@ TEST(SoftEngine, TheSameBitsForAnyNumberOfThreadsAndEachInstructionSet) {
     for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
         if (!is_available(isa)) continue;
         const IsaGuard guard(isa);
-        for (const int threads : {1, 2, 4}) EXPECT_TRUE(same_bits(reference, render(scene, inside_camera(), settings, threads))) << name(isa) << threads;
+        for (const int threads : {1, 2, 4})
+            EXPECT_TRUE(same_bits(reference, render(scene, inside_camera(), settings, threads)))
+                << name(isa) << threads;
     }
 }
 
@@ -332,12 +342,14 @@ TEST(SoftEngine, CornersAtAnyDistanceAndAnyNearPlaneDoNotWrapRound) {
     for (const double near : {1e-300, 1e-38, 1e-3, 1.0})
         for (const float size : {1e3f, 1e6f, 1e9f, 1e18f, 1e30f, 1e37f}) {
             Scene scene = lit_square();
-            scene.meshes[0].positions = std::vector<vec3>{{-size, -2, size}, {size, -2, 1}, {size, -2, -size}, {-size, -2, -size}};
+            scene.meshes[0].positions =
+                std::vector<vec3>{{-size, -2, size}, {size, -2, 1}, {size, -2, -size}, {-size, -2, -size}};
             Camera camera;
             camera.near = near;
             camera.far = std::numeric_limits<double>::infinity();
             const Frame f = render(scene, camera);
-            for (int x = 0; x < 64; ++x) EXPECT_EQ(pixel(f, x, 4).w, 0) << "above the horizon: " << near << ", " << size;
+            for (int x = 0; x < 64; ++x)
+                EXPECT_EQ(pixel(f, x, 4).w, 0) << "above the horizon: " << near << ", " << size;
             if (size > 1e10f) continue;  // beyond, what lies 2 below the eye is too thin for double
             EXPECT_GT(pixel(f, 32, 60).w, 0) << "the floor: " << near << ", " << size;
         }
@@ -390,7 +402,8 @@ TEST(SoftEngine, InstancesAndLargeTrianglesWithoutNumberAreRefusedBeforeTheyFill
                 FAIL() << "not refused";
             } catch (const Error& error) {
                 EXPECT_EQ(error.code(), ErrorCode::bad_file);
-                EXPECT_EQ(error.reason(), "the picture's triangles, lines and points need more than 50000000 bytes, half of the limit");
+                EXPECT_EQ(error.reason(),
+                          "the picture's triangles, lines and points need more than 50000000 bytes, half of the limit");
             }
         }
 }

@@ -69,7 +69,9 @@ TEST(ExplainPixel, SumsAreThePicturesBitsUnderEverySetting) {
             s.specular_form = form;
             s.specular_horizon = form == SpecularForm::normalized;
             s.orthogonalize = lighting != Lighting::phong;
-            s.cull = lighting == Lighting::phong ? Cull::back : lighting == Lighting::lambert ? Cull::front : Cull::automatic;
+            s.cull = lighting == Lighting::phong     ? Cull::back
+                     : lighting == Lighting::lambert ? Cull::front
+                                                     : Cull::automatic;
             expect_all_explained(scene, s, busy_view(), 5);
         }
     RenderSettings s = settings();
@@ -201,7 +203,9 @@ TEST(ExplainPixel, LightOfTheCornersTimesWhatThePixelReflectsIsItsColor) {
                 EXPECT_EQ(t.is_lit_at_corners != 0, !layer.is_unlit);
                 if (layer.is_unlit) continue;
                 for (int c = 0; c < 3; ++c)
-                    EXPECT_EQ(t.emission[c] + (t.k_ambient[c] * t.received[0][c] + t.k_diffuse[c] * t.received[1][c] + t.k_specular[c] * t.received[2][c]), t.color[c]);
+                    EXPECT_EQ(t.emission[c] + (t.k_ambient[c] * t.received[0][c] + t.k_diffuse[c] * t.received[1][c] +
+                                               t.k_specular[c] * t.received[2][c]),
+                              t.color[c]);
                 ++lit;
             }
         EXPECT_GT(lit, 20);
@@ -314,7 +318,8 @@ TEST(ExplainPixel, TermsOfALightAddUpFromTheEmissionOn) {
                 for (const raster::TracedLight& l : layer.lights) {
                     sum = sum + (l.ambient[c] + l.diffuse[c] + l.specular[c]);
                     EXPECT_EQ(sum, l.sum[c]);
-                    EXPECT_FLOAT_EQ(l.diffuse[c], layer.trace.k_diffuse[c] * l.diffuse_color[c] * std::max(0.0f, std::min(1.0f, l.n_dot_l)));
+                    EXPECT_FLOAT_EQ(l.diffuse[c], layer.trace.k_diffuse[c] * l.diffuse_color[c] *
+                                                      std::max(0.0f, std::min(1.0f, l.n_dot_l)));
                 }
                 EXPECT_EQ(sum, layer.trace.color[c]);
             }
@@ -329,7 +334,8 @@ TEST(ExplainPixel, NothingIsBackground) {
     Camera camera = flat_camera();
     camera.half_height = 4;
     Context context({.threads = 1});
-    const raster::PixelExplanation e = raster::Inspection(scene, camera, settings(), context).explain(0, height - 1, context);
+    const raster::PixelExplanation e =
+        raster::Inspection(scene, camera, settings(), context).explain(0, height - 1, context);
     EXPECT_TRUE(e.triangles.empty());
     EXPECT_TRUE(e.layers.empty());
     EXPECT_TRUE(same_bits(e.color, settings().background));
@@ -344,7 +350,7 @@ TEST(ExplainPixel, WhatLiesBehindIsListedNearestFirstWithItsFate) {
     holes.alpha_mode = AlphaMode::mask;
     holes.base_color.w = 0.25f;
     scene.materials = {solid, glass, holes};
-    const dmat4 turned = scaling(dvec3{-1, 1, -1});  // half round the y axis
+    const dmat4 turned = scaling(dvec3{-1, 1, -1});                           // half round the y axis
     add_object(scene, square_mesh(0), translation(dvec3{0, 0, -2}));          // hidden
     add_object(scene, square_mesh(0), translation(dvec3{0, 0, -1}));          // seen
     add_object(scene, square_mesh(1), translation(dvec3{0, 0, -3}));          // glass behind
@@ -353,9 +359,11 @@ TEST(ExplainPixel, WhatLiesBehindIsListedNearestFirstWithItsFate) {
     add_object(scene, square_mesh(0), translation(dvec3{0, 0, 2}) * turned);  // from behind
     scene.lights = {directional({0, 0, -1})};
     Context context({.threads = 1});
-    const raster::PixelExplanation e = raster::Inspection(scene, flat_camera(), settings(), context).explain(50, 20, context);
-    const std::pair<std::uint32_t, Fate> expected[] = {{5, Fate::culled_back}, {4, Fate::masked_out}, {3, Fate::blended},
-                                                       {1, Fate::visible},     {0, Fate::hidden},     {2, Fate::hidden}};
+    const raster::PixelExplanation e =
+        raster::Inspection(scene, flat_camera(), settings(), context).explain(50, 20, context);
+    const std::pair<std::uint32_t, Fate> expected[] = {{5, Fate::culled_back}, {4, Fate::masked_out},
+                                                       {3, Fate::blended},     {1, Fate::visible},
+                                                       {0, Fate::hidden},      {2, Fate::hidden}};
     ASSERT_EQ(e.triangles.size(), 6u);
     for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_EQ(e.triangles[i].draw, expected[i].first) << i;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int texels = 1024;
 constexpr double depth = 0.01, shrink = 0.93;  // what the square shows of the map: pixels and texels never fall in step
-constexpr double pixel_width = shrink / size;   // [widths of the map], seen from above
+constexpr double pixel_width = shrink / size;  // [widths of the map], seen from above
 
 double sinc(double x) { return x == 0 ? 1 : std::sin(pi * x) / (pi * x); }
 
@@ -90,7 +90,8 @@ double level_of(double width, double across = texels) {
 
 TEST(FilteredSlope, AMinifiedHeightMapKeepsTheShareOfItsSlopeThatItsFiltersLeave) {
     for (const double pixels_a_wave : {24.0, 12.0, 8.0, 5.0}) {
-        const double k = std::round(1 / (pixels_a_wave * pixel_width)), expected = expected_slope(k, level_of(pixel_width));
+        const double k = std::round(1 / (pixels_a_wave * pixel_width)),
+                     expected = expected_slope(k, level_of(pixel_width));
         for (const Axis axis : {Axis::u, Axis::v})
             EXPECT_NEAR(kept(axis, k, Bump::height), expected, 0.01) << pixels_a_wave;
     }
@@ -167,7 +168,10 @@ TEST(FilteredSlope, ExplainListsTheHeightsThatTheSlopeReadsAndNoOthers) {
         scene.materials[0].normal_texture = add_texture(scene, picture(normal_codes()));
         return scene;
     };
-    const Pixels map = field(16, [](float u, float v) { const float h = u * (1 - v); return vec3{h, h, h}; });
+    const Pixels map = field(16, [](float u, float v) {
+        const float h = u * (1 - v);
+        return vec3{h, h, h};
+    });
     const raster::ShadedLayer layer = explained(with(map), s, camera);
     EXPECT_FALSE(layer.trace.map[raster::traced_normal].is_used);
     const raster::TracedTexels& listed = layer.texels[raster::traced_height];

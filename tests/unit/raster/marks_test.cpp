@@ -142,7 +142,8 @@ TEST(Marks, EdgesOfASurfaceShowWholeOverIt) {
             s.surfaces = false;
             const Frame alone = draw(scene, camera, s);
             EXPECT_GT(sum_of_red(alone), 100 * double(width));
-            for (std::size_t i = 0; i < over.color.size(); ++i)  // red over white or black: what is not green is the line's
+            for (std::size_t i = 0; i < over.color.size();
+                 ++i)  // red over white or black: what is not green is the line's
                 if (alone.color[i].x == 1) {
                     EXPECT_EQ(over.color[i].y, 0) << i % side << ", " << i / side << " width " << width;
                 }
@@ -152,7 +153,9 @@ TEST(Marks, EdgesOfASurfaceShowWholeOverIt) {
 TEST(Marks, AreHiddenBehindSurfacesAndSeenBeforeThem) {
     Scene scene;
     add_object(scene, square_mesh(add_unlit(scene, {0, 0, 1, 1})));
-    add_marks(scene, Topology::lines, {place(5, 20.5, -0.01f), place(60, 20.5, -0.01f), place(5, 40.5, 0.01f), place(60, 40.5, 0.01f)}, {1, 0, 0, 1});
+    add_marks(scene, Topology::lines,
+              {place(5, 20.5, -0.01f), place(60, 20.5, -0.01f), place(5, 40.5, 0.01f), place(60, 40.5, 0.01f)},
+              {1, 0, 0, 1});
     add_marks(scene, Topology::points, {place(30, 10, -0.01f), place(30, 50, 0.01f)}, {0, 1, 0, 1});
     const Frame f = draw(scene, flat_camera(), settings());
     EXPECT_EQ(pixel(f, 30, 20), (vec4{0, 0, 1, 1}));
@@ -242,7 +245,8 @@ TEST(Marks, NearerOnesLieOverFartherOnesWhateverTheirOrder) {
     for (const bool near_first : {true, false}) {
         Scene scene;
         const auto add = [&](bool is_near) {
-            add_marks(scene, Topology::points, {place(32, 32, is_near ? 0.5f : -0.5f)}, is_near ? vec4{1, 0, 0, 1} : vec4{0, 1, 0, 1});
+            add_marks(scene, Topology::points, {place(32, 32, is_near ? 0.5f : -0.5f)},
+                      is_near ? vec4{1, 0, 0, 1} : vec4{0, 1, 0, 1});
         };
         add(near_first);
         add(!near_first);

@@ -20,7 +20,9 @@ namespace {
 constexpr int width = 160, height = 120;
 constexpr dvec3 eye{0.4, 0.9, 3.2};
 
-struct Ray { dvec3 origin, direction; };  ///< direction has length 1 along the view axis, so t is the depth
+struct Ray {
+    dvec3 origin, direction;
+};  ///< direction has length 1 along the view axis, so t is the depth
 
 struct Hit {
     double t, b1, b2;
@@ -55,7 +57,9 @@ public:
         for (std::uint32_t n = 0; n < scene_.nodes.size(); ++n)
             for (std::uint32_t t = 0; t < mesh(n).triangle_count(); ++t) {
                 const std::optional<Hit> hit = meet(r, n, t);
-                if (hit && hit->t >= camera_.near && hit->t <= camera_.far && !is_culled(r, n, t) && (!best || hit->t < best->t)) best = hit;
+                if (hit && hit->t >= camera_.near && hit->t <= camera_.far && !is_culled(r, n, t) &&
+                    (!best || hit->t < best->t))
+                    best = hit;
             }
         return best;
     }
@@ -65,13 +69,16 @@ public:
         const Mesh& m = mesh(h.node);
         const dmat3 linear = upper_left(matrix(h.node));
         const double mirror = determinant(linear) < 0 ? -1 : 1;
-        const auto n_at = [&](std::size_t k) { return unit(cofactor(linear) * cast<double>(m.normals[corner(h, k)]) * mirror); };
+        const auto n_at = [&](std::size_t k) {
+            return unit(cofactor(linear) * cast<double>(m.normals[corner(h, k)]) * mirror);
+        };
         const auto t_at = [&](std::size_t k) { return unit(linear * cast<double>(m.tangents[corner(h, k)].xyz())); };
         const dvec3 n = unit(mixed(h, n_at(0), n_at(1), n_at(2)));
         dvec3 result = n;
         if (const TextureUse& use = material(h).normal_texture) {
             const dvec3 t_mixed = mixed(h, t_at(0), t_at(1), t_at(2));
-            const dvec3 t = unit(t_mixed - n * dot(n, t_mixed)), b = cross(n, t) * (double(m.tangents[corner(h, 0)].w) * mirror);
+            const dvec3 t = unit(t_mixed - n * dot(n, t_mixed)),
+                        b = cross(n, t) * (double(m.tangents[corner(h, 0)].w) * mirror);
             const dvec3 texel = sample(use, linear_, h, x, y);
             const double scale = material(h).normal_scale;
             result = unit(t * ((2 * texel.x - 1) * scale) + b * ((2 * texel.y - 1) * scale) + n * (2 * texel.z - 1));
@@ -88,7 +95,9 @@ public:
             const bool far_away = light.type == LightType::directional;
             const dvec3 to_light = far_away ? -light.direction : light.position - p;
             const double d = length(to_light);
-            const double attenuation = far_away ? 1 : 1 / (double(light.constant) + double(light.linear) * d + double(light.quadratic) * d * d);
+            const double attenuation =
+                far_away ? 1
+                         : 1 / (double(light.constant) + double(light.linear) * d + double(light.quadratic) * d * d);
             sum = sum + albedo * cast<double>(light.diffuse) * (attenuation * std::fmax(0.0, dot(n, to_light / d)));
         }
         return sum;
@@ -99,12 +108,17 @@ private:
     const dmat4& matrix(std::uint32_t node) const { return *scene_.nodes[node].local.matrix; }
     const Mesh& mesh(std::uint32_t node) const { return scene_.meshes[scene_.nodes[node].meshes[0]]; }
     const Material& material(const Hit& h) const { return scene_.materials[mesh(h.node).material]; }
-    std::uint32_t corner(const Hit& h, std::size_t k) const { return mesh(h.node).indices[3 * std::size_t(h.triangle) + k]; }
+    std::uint32_t corner(const Hit& h, std::size_t k) const {
+        return mesh(h.node).indices[3 * std::size_t(h.triangle) + k];
+    }
     dvec3 place(std::uint32_t node, std::uint32_t triangle, std::size_t k) const {
-        return transform_point(matrix(node), cast<double>(mesh(node).positions[mesh(node).indices[3 * std::size_t(triangle) + k]]));
+        return transform_point(matrix(node),
+                               cast<double>(mesh(node).positions[mesh(node).indices[3 * std::size_t(triangle) + k]]));
     }
     template <class T>
-    static T mixed(const Hit& h, T a, T b, T c) { return a * (1 - h.b1 - h.b2) + b * h.b1 + c * h.b2; }
+    static T mixed(const Hit& h, T a, T b, T c) {
+        return a * (1 - h.b1 - h.b2) + b * h.b1 + c * h.b2;
+    }
 
     /// Moeller & Trumbore 1997; `anywhere`: on the triangle's plane, for derivatives.
     std::optional<Hit> meet(const Ray& r, std::uint32_t node, std::uint32_t triangle, bool anywhere = false) const {
@@ -120,7 +134,8 @@ private:
     bool is_back(const Ray& r, std::uint32_t node, std::uint32_t triangle) const {
         const dvec3 a = place(node, triangle, 0);
         const dvec3 face = cross(place(node, triangle, 1) - a, place(node, triangle, 2) - a);
-        const double mirror = determinant(upper_left(matrix(node))) < 0 ? -1 : 1;  // glTF 2.0, 3.7.4: winding turns with it
+        const double mirror =
+            determinant(upper_left(matrix(node))) < 0 ? -1 : 1;  // glTF 2.0, 3.7.4: winding turns with it
         return dot(face, r.direction) * mirror > 0;
     }
     bool is_culled(const Ray& r, std::uint32_t node, std::uint32_t triangle) const {
@@ -129,17 +144,23 @@ private:
 
     /// Coordinates after the transform of KHR_texture_transform.
     dvec2 texcoord(const TextureUse& use, const Hit& h) const {
-        const auto at = [&](std::size_t k) { const vec2 uv = mesh(h.node).texcoords[use.texcoord_set][corner(h, k)]; return dvec2{uv.x, uv.y}; };
+        const auto at = [&](std::size_t k) {
+            const vec2 uv = mesh(h.node).texcoords[use.texcoord_set][corner(h, k)];
+            return dvec2{uv.x, uv.y};
+        };
         const dvec2 uv = mixed(h, at(0), at(1), at(2));
         const double c = std::cos(use.transform.rotation_rad), s = std::sin(use.transform.rotation_rad);
         const dvec2 scaled{uv.x * double(use.transform.scale.x), uv.y * double(use.transform.scale.y)};
-        return {c * scaled.x + s * scaled.y + double(use.transform.offset.x), -s * scaled.x + c * scaled.y + double(use.transform.offset.y)};
+        return {c * scaled.x + s * scaled.y + double(use.transform.offset.x),
+                -s * scaled.x + c * scaled.y + double(use.transform.offset.y)};
     }
     static dvec3 texel(const MipChain& chain, std::size_t level, int x, int y) {
         const MipLevel& m = chain.levels[level];
         const auto wrap = [](int i, int n) { return std::size_t(((i % n) + n) % n); };
         const std::uint32_t v = m.rgba8[wrap(y, m.height) * std::size_t(m.width) + wrap(x, m.width)];
-        const auto decode = [&](std::uint32_t byte) { return chain.is_srgb ? double(linear_from_srgb8(std::uint8_t(byte))) : byte / 255.0; };
+        const auto decode = [&](std::uint32_t byte) {
+            return chain.is_srgb ? double(linear_from_srgb8(std::uint8_t(byte))) : byte / 255.0;
+        };
         return {decode(v & 255), decode(v >> 8 & 255), decode(v >> 16 & 255)};
     }
     static dvec3 bilinear(const MipChain& chain, std::size_t level, dvec2 uv) {
@@ -153,12 +174,16 @@ private:
     dvec3 sample(const TextureUse& use, const std::vector<MipChain>& chains, const Hit& h, double x, double y) const {
         const MipChain& chain = chains[use.texture];
         const double step = 1e-3;
-        const auto at = [&](double px, double py) { return texcoord(use, *meet(ray(px, py), h.node, h.triangle, true)); };
+        const auto at = [&](double px, double py) {
+            return texcoord(use, *meet(ray(px, py), h.node, h.triangle, true));
+        };
         const auto texels = [&](dvec2 a, dvec2 b) {
             return std::hypot((a.x - b.x) * chain.levels[0].width, (a.y - b.y) * chain.levels[0].height) / (2 * step);
         };
-        const double footprint = std::fmax(texels(at(x + step, y), at(x - step, y)), texels(at(x, y + step), at(x, y - step)));
-        const double last = double(chain.levels.size() - 1), level = std::fmin(std::fmax(std::log2(footprint), 0), last);
+        const double footprint =
+            std::fmax(texels(at(x + step, y), at(x - step, y)), texels(at(x, y + step), at(x, y - step)));
+        const double last = double(chain.levels.size() - 1),
+                     level = std::fmin(std::fmax(std::log2(footprint), 0), last);
         const auto lower = std::size_t(level), upper = std::min(lower + 1, chain.levels.size() - 1);
         const dvec2 uv = texcoord(use, h);
         const double part = level - double(lower);
@@ -203,13 +228,14 @@ Scene scene_of_everything() {
     Scene scene;
     const auto wave = [](double x) { return int(std::lround(127.5 + 90 * std::sin(x))); };
     const auto bumps = add_texture(scene, picture(rgb_pixels(32, 16, [&](int x, int y) {
-        return std::array<int, 3>{wave(x * pi / 8), wave(y * pi / 4), 230};
-    })));
+                                       return std::array<int, 3>{wave(x * pi / 8), wave(y * pi / 4), 230};
+                                   })));
     const auto tiles = add_texture(scene, picture(rgb_pixels(64, 16, [&](int x, int y) {
-        return std::array<int, 3>{x * 4, 255 - y * 15, wave(x * pi / 16 + y * pi / 4)};
-    })));
+                                       return std::array<int, 3>{x * 4, 255 - y * 15, wave(x * pi / 16 + y * pi / 4)};
+                                   })));
     Material floor, bumpy, two_sided;
-    for (Material* m : {&floor, &bumpy, &two_sided}) m->model = MaterialModel::metallic_roughness, m->metallic_roughness.metallic = 0;
+    for (Material* m : {&floor, &bumpy, &two_sided})
+        m->model = MaterialModel::metallic_roughness, m->metallic_roughness.metallic = 0;
     floor.base_color_texture = tiles;
     floor.base_color_texture.transform = {{0.3f, -0.2f}, {40, 90}, 0.4f};
     bumpy.base_color = {0.9f, 0.7f, 0.5f, 1};
@@ -261,8 +287,12 @@ TEST_P(AgainstBruteForce, ColorsNormalsDepthsAndObjectsAgreeInsideTriangles) {
     auto engine = raster::make_engine();
     engine->prepare(scene, context);
     Frame frame;
-    engine->render(camera, {.width = width, .height = height, .channels = channel_depth | channel_normal | channel_object,
-                            .lighting = Lighting::lambert}, frame, context);
+    engine->render(camera,
+                   {.width = width,
+                    .height = height,
+                    .channels = channel_depth | channel_normal | channel_object,
+                    .lighting = Lighting::lambert},
+                   frame, context);
     int compared = 0, seen[4] = {0, 0, 0, 0};
     for (int py = 0; py < height; ++py)
         for (int px = 0; px < width; ++px) {
@@ -271,7 +301,8 @@ TEST_P(AgainstBruteForce, ColorsNormalsDepthsAndObjectsAgreeInsideTriangles) {
             const std::optional<Hit> hit = reference.nearest(ray);
             bool is_inside = true;
             for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)})
-                is_inside = is_inside && id_of(reference.nearest(reference.ray(x + dx * near_by, y + dy * near_by))) == id_of(hit);
+                is_inside = is_inside &&
+                            id_of(reference.nearest(reference.ray(x + dx * near_by, y + dy * near_by))) == id_of(hit);
             if (!is_inside) continue;
             ++compared;
             const auto at = std::size_t(py * width + px);
@@ -284,10 +315,12 @@ TEST_P(AgainstBruteForce, ColorsNormalsDepthsAndObjectsAgreeInsideTriangles) {
             // Attributes are those of the triangle with its corners on the grid of 1/256 pixel.
             EXPECT_NEAR(length(cast<double>(frame.normal[at]) - normal), 0, 5e-3)
                 << px << ", " << py << " node " << hit->node;
-            EXPECT_NEAR(length(dvec3{is.x, is.y, is.z} - color), 0, 1.0 / 255) << px << ", " << py << " node " << hit->node;
+            EXPECT_NEAR(length(dvec3{is.x, is.y, is.z} - color), 0, 1.0 / 255)
+                << px << ", " << py << " node " << hit->node;
         }
     EXPECT_GT(compared, width * height * 9 / 10);
     for (const int pixels : seen) EXPECT_GT(pixels, 300) << "every kind of object is in the picture";
 }
 
-INSTANTIATE_TEST_SUITE_P(SoftEngine, AgainstBruteForce, testing::Values(Projection::perspective, Projection::orthographic));
+INSTANTIATE_TEST_SUITE_P(SoftEngine, AgainstBruteForce,
+                         testing::Values(Projection::perspective, Projection::orthographic));

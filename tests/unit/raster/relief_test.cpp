@@ -153,7 +153,7 @@ TEST(ReliefEngine, AutomaticTakesTheNormalMapElseTheHeightMap) {
     EXPECT_TRUE(same_bits(drawn(Bump::automatic), drawn(Bump::normal)));
     EXPECT_FALSE(same_bits(drawn(Bump::automatic), drawn(Bump::height)));
     EXPECT_TRUE(same_bits(drawn(Bump::displacement), drawn(Bump::none)));  // the bumps are in the triangles
-    scene.materials[0].bump = Bump::none;  // the material's own choice goes first
+    scene.materials[0].bump = Bump::none;                                  // the material's own choice goes first
     EXPECT_TRUE(same_bits(drawn(Bump::steep), drawn(Bump::none)));
 }
 

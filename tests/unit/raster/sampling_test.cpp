@@ -70,7 +70,8 @@ TEST(Sampling, WrapModesContinueTheTextureAsTheirNamesSay) {
         s.wrap_u = s.wrap_v = wrap;
         return show(steps(), s, {3, 1}, {-1, 0});  // u from -1 to 2
     };
-    const Frame repeat = across(Wrap::repeat), mirrored = across(Wrap::mirrored_repeat), clamped = across(Wrap::clamp_to_edge);
+    const Frame repeat = across(Wrap::repeat), mirrored = across(Wrap::mirrored_repeat),
+                clamped = across(Wrap::clamp_to_edge);
     for (int x = 0; x < 64; ++x) {
         const double u = -1 + 3 * (x + 0.5) / 64;
         const double folded = std::fabs(u - 2 * std::floor(u / 2 + 0.5));
@@ -87,14 +88,20 @@ TEST(Sampling, ARepeatedTextureHasNoSeamAtItsBorder) {
 }
 
 TEST(Sampling, AMinifiedCheckerboardIsItsMeanInLinearLight) {
-    const Pixels checks = rgb_pixels(256, 256, [](int x, int y) { const int v = (x + y) & 1 ? 255 : 0; return std::array<int, 3>{v, v, v}; });
+    const Pixels checks = rgb_pixels(256, 256, [](int x, int y) {
+        const int v = (x + y) & 1 ? 255 : 0;
+        return std::array<int, 3>{v, v, v};
+    });
     const Frame f = show(checks, {}, {4, 4});  // 16 texels a pixel
     for (const vec4& c : f.color) EXPECT_NEAR(c.x, 0.5f, 0.01f);
 }
 
 TEST(Sampling, TheLevelOfDetailIsTheLogarithmOfTexelsAPixel) {
     // A texture that is bright only in its even columns of 2^k texels turns gray exactly when levels above k are read.
-    const Pixels stripes = rgb_pixels(256, 256, [](int x, int) { const int v = (x / 4) & 1 ? 255 : 0; return std::array<int, 3>{v, v, v}; });
+    const Pixels stripes = rgb_pixels(256, 256, [](int x, int) {
+        const int v = (x / 4) & 1 ? 255 : 0;
+        return std::array<int, 3>{v, v, v};
+    });
     Sampler level_nearest{.magnify = Filter::nearest, .minify = Filter::nearest, .mip = MipFilter::nearest};
     const auto is_gray = [](const Frame& f) {
         for (const vec4& c : f.color)
@@ -187,7 +194,9 @@ TEST(Sampling, BrokenPicturesAreReportedInTheOrderOfTheirUseForAnyNumberOfThread
     for (int i = 0; i < 40; ++i) {
         auto broken = std::make_shared<EncodedImage>();
         broken->name = std::to_string(i * 7 % 40);
-        broken->decode = [](const EncodedImage& e, Context&) -> Pixels { throw Error(ErrorCode::bad_file, "broken " + e.name); };
+        broken->decode = [](const EncodedImage& e, Context&) -> Pixels {
+            throw Error(ErrorCode::bad_file, "broken " + e.name);
+        };
         Material m = matte();
         m.base_color_texture = add_texture(scene, broken);
         scene.materials.push_back(m);

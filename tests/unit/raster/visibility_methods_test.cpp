@@ -15,9 +15,11 @@ using namespace rakelight::test;
 namespace {
 
 constexpr vec4 red{1, 0, 0, 1}, green{0, 1, 0, 1}, blue{0, 0, 1, 1};
-constexpr Visibility all_methods[] = {Visibility::z_reversed, Visibility::z_float, Visibility::z16,  Visibility::z24,
-                                      Visibility::z32,        Visibility::painter, Visibility::none, Visibility::back_face};
-constexpr Visibility depth_methods[] = {Visibility::z_reversed, Visibility::z_float, Visibility::z16, Visibility::z24, Visibility::z32};
+constexpr Visibility all_methods[] = {Visibility::z_reversed, Visibility::z_float,  Visibility::z16,
+                                      Visibility::z24,        Visibility::z32,      Visibility::painter,
+                                      Visibility::none,       Visibility::back_face};
+constexpr Visibility depth_methods[] = {Visibility::z_reversed, Visibility::z_float, Visibility::z16, Visibility::z24,
+                                        Visibility::z32};
 constexpr Visibility other_depths[] = {Visibility::z_float, Visibility::z16, Visibility::z24, Visibility::z32};
 
 RenderSettings settings_of(Visibility method, std::uint32_t channels = 0) {
@@ -40,7 +42,8 @@ void add_polygon(Scene& scene, std::uint32_t material, std::vector<vec3> corners
 /// A square across the view, at this distance before a camera at the origin.
 void add_screen(Scene& scene, vec4 color, double distance, float half = 10, AlphaMode mode = AlphaMode::opaque) {
     const float z = float(-distance);
-    add_polygon(scene, add_unlit(scene, color, mode), {{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}});
+    add_polygon(scene, add_unlit(scene, color, mode),
+                {{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}});
 }
 
 Camera camera_at_origin(double near = 0.1, double far = 1000) {
@@ -61,7 +64,8 @@ Scene cyclic_scene() {
             const double x = along, y = -0.5 - across;
             return vec3{float(x * std::cos(a) - y * std::sin(a)), float(x * std::sin(a) + y * std::cos(a)), z};
         };
-        add_polygon(scene, add_unlit(scene, colors[k]), {at(-1.4, -0.42, 0.6f), at(1.4, 0, -0.6f), at(-1.4, 0.42, 0.6f)});
+        add_polygon(scene, add_unlit(scene, colors[k]),
+                    {at(-1.4, -0.42, 0.6f), at(1.4, 0, -0.6f), at(-1.4, 0.42, 0.6f)});
     }
     return scene;
 }
@@ -83,7 +87,8 @@ Camera flat_camera_of(double half_height) {
 void add_cube(Scene& scene, dvec3 middle) {
     for (int axis = 0; axis < 3; ++axis)
         for (int side = 0; side < 2; ++side) {
-            const std::uint32_t material = add_unlit(scene, {float(axis) / 2, float(side), float(scene.nodes.size() % 3) / 2, 1});
+            const std::uint32_t material =
+                add_unlit(scene, {float(axis) / 2, float(side), float(scene.nodes.size() % 3) / 2, 1});
             scene.materials[material].double_sided = false;
             const float s = side ? 0.5f : -0.5f;
             std::vector<vec3> corners;
@@ -200,7 +205,8 @@ TEST(VisibilityMethods, SurfacesATenthOfAStepApartAreOneToTheFormatAndSurfacesTw
         add_screen(apart, red, distance, 60);
         add_screen(apart, blue, distance - 2 * step, 60);
         const Camera camera = camera_at_origin();
-        EXPECT_EQ(pixel(draw(close, camera, settings_of(method)), 32, 32), red) << "the first of the scene; " << int(method);
+        EXPECT_EQ(pixel(draw(close, camera, settings_of(method)), 32, 32), red)
+            << "the first of the scene; " << int(method);
         EXPECT_EQ(pixel(draw(apart, camera, settings_of(method)), 32, 32), blue) << int(method);
         EXPECT_EQ(pixel(draw(close, camera, settings_of(Visibility::z_reversed)), 32, 32), blue) << int(method);
     }
@@ -211,7 +217,8 @@ TEST(VisibilityMethods, AllDepthFormatsGiveOnePictureWhereSurfacesAreFarApart) {
     const vec4 colors[] = {red, green, blue, {1, 1, 0, 1}};
     for (int i = 0; i < 4; ++i) {
         const float t = float(i) * 0.4f, z = -3 - float(i);
-        add_polygon(scene, add_unlit(scene, colors[i]), {{-2 + t, -2, z}, {1, -1 + t, z - 0.4f}, {0.5f * t, 2, z + 0.3f}});
+        add_polygon(scene, add_unlit(scene, colors[i]),
+                    {{-2 + t, -2, z}, {1, -1 + t, z - 0.4f}, {0.5f * t, 2, z + 0.3f}});
     }
     const Frame expected = draw(scene, camera_at_origin(1, 100), settings_of(Visibility::z_reversed, channel_depth));
     for (const Visibility method : other_depths) {
@@ -221,7 +228,8 @@ TEST(VisibilityMethods, AllDepthFormatsGiveOnePictureWhereSurfacesAreFarApart) {
     }
     Camera parallel = flat_camera_of(3);
     for (const Visibility method : other_depths)
-        EXPECT_TRUE(same_bits(draw(scene, parallel, settings_of(Visibility::z_reversed)), draw(scene, parallel, settings_of(method))));
+        EXPECT_TRUE(same_bits(draw(scene, parallel, settings_of(Visibility::z_reversed)),
+                              draw(scene, parallel, settings_of(method))));
 }
 
 TEST(VisibilityMethods, TheDepthChannelIsThatOfWhatIsShown) {

@@ -99,7 +99,6 @@ TEST(EnvironmentLight, TermsOfTheLightAddUpToTheColor) {
 }
 
 // --- the sky
-// -------------------------------------------------------------------------------------------------------------
 
 TEST(Sky, EveryUncoveredPixelShowsThePictureInItsDirection) {
     const auto light = [](dvec3 d) { return vec3{float(1 + d.x), float(1 + d.y), float(1 + d.z)}; };

@@ -88,7 +88,8 @@ TEST_F(LoadWorld, AModelsSubdivisionIsItsMeshesAlone) {
     EXPECT_EQ(s.meshes[2].subdivision, Subdivision{});
     EXPECT_EQ(s.meshes[3].subdivision, std::nullopt);
     EXPECT_EQ(s.meshes[0].positions, s.meshes[3].positions);  // still shared
-    const std::string error = error_of([&] { load_text("[[model]]\nfile = 'a.obj'\nsubdivide_sharpness = 2\n"); }).what();
+    const std::string error =
+        error_of([&] { load_text("[[model]]\nfile = 'a.obj'\nsubdivide_sharpness = 2\n"); }).what();
     EXPECT_NE(error.find("line 3, column 23: 'subdivide_sharpness'"), std::string::npos) << error;
 }
 
@@ -266,7 +267,8 @@ TEST_F(LoadWorld, BetweenModelsTheSmallerCreaseAngleRulesAndItIsSaid) {
     const auto notes = [&](const std::string& angles) {
         std::size_t found = 0;
         for (const ReportEntry& entry : context_.report().entries())
-            found += entry.message.find(angles + "): where two of them meet, the smaller angle rules") != std::string::npos;
+            found +=
+                entry.message.find(angles + "): where two of them meet, the smaller angle rules") != std::string::npos;
         return found;
     };
     EXPECT_EQ(notes("(5 to 180 degrees"), 1u);

@@ -17,12 +17,16 @@ using namespace rakelight::test;
 namespace {
 
 /// One texel: red 0.2, green 0.4, blue 0.6, alpha 0.8 (bytes 51, 102, 153, 204).
-constexpr unsigned char texel_png[] = {137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0, 1, 0, 0, 0, 1, 8, 6, 0, 0, 0, 31, 21, 196, 137, 0, 0, 0, 13, 73, 68, 65, 84, 120, 218, 99, 48, 78, 155, 121, 6, 0, 4, 1, 1, 255, 196, 228, 107, 228, 0, 0, 0, 0, 73, 69, 78, 68, 174, 66, 96, 130};
+constexpr unsigned char texel_png[] = {
+    137, 80, 78, 71, 13, 10,  26,  10,  0,   0,   0, 13, 73, 72, 68, 82, 0,  0,   0,   1,  0,  0,  0,   1,
+    8,   6,  0,  0,  0,  31,  21,  196, 137, 0,   0, 0,  13, 73, 68, 65, 84, 120, 218, 99, 48, 78, 155, 121,
+    6,   0,  4,  1,  1,  255, 196, 228, 107, 228, 0, 0,  0,  0,  73, 69, 78, 68,  174, 66, 96, 130};
 
 class WorldTextures : public testing::Test {
 protected:
     void SetUp() override {
-        std::ofstream(folder_ / "t.png", std::ios::binary).write(reinterpret_cast<const char*>(texel_png), sizeof texel_png);
+        std::ofstream(folder_ / "t.png", std::ios::binary)
+            .write(reinterpret_cast<const char*>(texel_png), sizeof texel_png);
         std::ofstream(folder_ / "words.png") << "these are words";
     }
 
@@ -54,9 +58,9 @@ protected:
 };
 
 constexpr const char* layer_textures[] = {
-    "metallic_roughness_texture", "specular_factor_texture",  "specular_color_texture",
-    "anisotropy_texture",         "clearcoat_texture",        "clearcoat_roughness_texture",
-    "clearcoat_normal_texture",   "sheen_color_texture",      "sheen_roughness_texture"};
+    "metallic_roughness_texture", "specular_factor_texture", "specular_color_texture",
+    "anisotropy_texture",         "clearcoat_texture",       "clearcoat_roughness_texture",
+    "clearcoat_normal_texture",   "sheen_color_texture",     "sheen_roughness_texture"};
 
 }  // namespace
 
@@ -64,17 +68,14 @@ TEST_F(WorldTextures, EachMultipliesItsFactorByTheChannelThatGltfNames) {
     const struct {
         const char *common, *by_texture, *by_factor;
     } cases[] = {
-        {"metallic = 1", "metallic_roughness_texture = 't.png'\nroughness = 1",
-         "metallic = 0.6\nroughness = 0.4"},
+        {"metallic = 1", "metallic_roughness_texture = 't.png'\nroughness = 1", "metallic = 0.6\nroughness = 0.4"},
         {"roughness = 0.3", "specular_factor_texture = 't.png'", "specular_factor = 0.8"},
         {"roughness = 0.3", "specular_color_texture = 't.png'", "specular_color = '#336699'"},
         {"roughness = 0.3", "clearcoat = 1\nclearcoat_texture = 't.png'", "clearcoat = 0.2"},
         {"clearcoat = 1", "clearcoat_roughness = 1\nclearcoat_roughness_texture = 't.png'",
          "clearcoat_roughness = 0.4"},
-        {"sheen_roughness = 0.5", "sheen_color = [1, 1, 1]\nsheen_color_texture = 't.png'",
-         "sheen_color = '#336699'"},
-        {"sheen_color = [1, 1, 1]", "sheen_roughness = 1\nsheen_roughness_texture = 't.png'",
-         "sheen_roughness = 0.8"},
+        {"sheen_roughness = 0.5", "sheen_color = [1, 1, 1]\nsheen_color_texture = 't.png'", "sheen_color = '#336699'"},
+        {"sheen_color = [1, 1, 1]", "sheen_roughness = 1\nsheen_roughness_texture = 't.png'", "sheen_roughness = 0.8"},
         // direction (2 0.2 - 1, 2 0.4 - 1) = (-0.6, -0.2)
         {"roughness = 0.3", "anisotropy = 1\nanisotropy_texture = 't.png'",
          "anisotropy = 0.6\nanisotropy_rotation_deg = 198.4349488"},
@@ -93,7 +94,9 @@ TEST_F(WorldTextures, TheNormalMapOfTheClearcoatBumpsTheCoatAlone) {
     EXPECT_GT(difference(coat + "clearcoat_normal_texture = 't.png'", coat), 0.05f);
     EXPECT_EQ(difference("clearcoat_normal_texture = 't.png'", ""), 0);
     const MetallicRoughnessParameters p =
-        sphere(coat + "clearcoat_normal_texture = 't.png'\nclearcoat_normal_scale = -2").materials.back().metallic_roughness;
+        sphere(coat + "clearcoat_normal_texture = 't.png'\nclearcoat_normal_scale = -2")
+            .materials.back()
+            .metallic_roughness;
     EXPECT_EQ(p.clearcoat_normal_scale, -2);
     EXPECT_TRUE(bool(p.clearcoat_normal_texture));
 }
@@ -103,10 +106,9 @@ TEST_F(WorldTextures, AllArePlacedByTheKeysOfTheMaterial) {
     for (const char* name : layer_textures) keys += std::string(name) + " = 't.png'\n";
     const Scene scene = sphere(keys);
     const MetallicRoughnessParameters& p = scene.materials.back().metallic_roughness;
-    for (const TextureUse* use :
-         {&p.texture, &p.specular_texture, &p.specular_color_texture, &p.anisotropy_texture, &p.clearcoat_texture,
-          &p.clearcoat_roughness_texture, &p.clearcoat_normal_texture, &p.sheen_color_texture,
-          &p.sheen_roughness_texture}) {
+    for (const TextureUse* use : {&p.texture, &p.specular_texture, &p.specular_color_texture, &p.anisotropy_texture,
+                                  &p.clearcoat_texture, &p.clearcoat_roughness_texture, &p.clearcoat_normal_texture,
+                                  &p.sheen_color_texture, &p.sheen_roughness_texture}) {
         EXPECT_EQ(use->texture, 0u);
         EXPECT_EQ(use->transform.scale, (vec2{3, 4}));
     }
@@ -136,8 +138,7 @@ TEST_F(WorldTextures, AFaultOfAnyOfThemIsOneLineWithItsPlace) {
 TEST_F(WorldTextures, NumbersOutOfRangeAndMisspeltKeysAreSaidWithTheirPlace) {
     EXPECT_EQ(error_of([&] { sphere("clearcoat_normal_scale = 200"); }).place(), "line 6, column 26");
     EXPECT_EQ(error_of([&] { sphere("clearcoat_normal_scale = 'a'"); }).place(), "line 6, column 26");
-    EXPECT_EQ(error_of([&] { sphere("clearcoat_textur = 't.png'"); }).advice(),
-              "did you mean 'clearcoat_texture'?");
+    EXPECT_EQ(error_of([&] { sphere("clearcoat_textur = 't.png'"); }).advice(), "did you mean 'clearcoat_texture'?");
     EXPECT_EQ(error_of([&] { sphere("shininess = 9\nsheen_color_texture = 't.png'"); }).place(), "line 7, column 23");
 }
 

@@ -29,7 +29,8 @@ dvec3 seen_at(const Camera& camera, double aspect, dvec3 p) {
 
 void expect_all_corners_seen(const Camera& camera, double aspect, const Bounds& b) {
     for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p{corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y, corner & 4 ? b.high.z : b.low.z};
+        const dvec3 p{corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y,
+                      corner & 4 ? b.high.z : b.low.z};
         const dvec3 s = seen_at(camera, aspect, p);
         EXPECT_LE(std::fabs(s.x), 1.0 + 1e-6);
         EXPECT_LE(std::fabs(s.y), 1.0 + 1e-6);
@@ -48,8 +49,12 @@ void expect_sane(const Camera& camera) {
 }
 
 TEST(DefaultCamera, SeesTheWholeBoxAtEveryAspectAndScale) {
-    const Bounds boxes[] = {box({-1, -1, -1}, {1, 1, 1}),       box({0, 0, 0}, {10, 0.1, 1}),        box({5, 5, 5}, {5, 9, 5}),
-                            box({-1, 0, -1}, {1, 0, 1}),        box({-1e30, -1e30, 0}, {1e30, 1e30, 0}), box({-1e-30, -1e-30, 0}, {1e-30, 1e-30, 0}),
+    const Bounds boxes[] = {box({-1, -1, -1}, {1, 1, 1}),
+                            box({0, 0, 0}, {10, 0.1, 1}),
+                            box({5, 5, 5}, {5, 9, 5}),
+                            box({-1, 0, -1}, {1, 0, 1}),
+                            box({-1e30, -1e30, 0}, {1e30, 1e30, 0}),
+                            box({-1e-30, -1e-30, 0}, {1e-30, 1e-30, 0}),
                             box({1e6, 1e6, 1e6}, {1e6 + 1, 1e6 + 1, 1e6 + 1})};
     for (const Bounds& b : boxes)
         for (const double aspect : {0.01, 0.5, 1.0, 16.0 / 9, 50.0}) {
@@ -67,7 +72,8 @@ TEST(DefaultCamera, StandsAsNearAsTheMarginLets) {
         const double tangent = std::tan(radians(20));
         double widest = 0;
         for (int k = 0; k < 8; ++k) {
-            const dvec3 p = transform_point(to_camera, {k & 1 ? b.high.x : b.low.x, k & 2 ? b.high.y : b.low.y, k & 4 ? b.high.z : b.low.z});
+            const dvec3 p = transform_point(
+                to_camera, {k & 1 ? b.high.x : b.low.x, k & 2 ? b.high.y : b.low.y, k & 4 ? b.high.z : b.low.z});
             widest = std::max({widest, std::fabs(p.x) / (-p.z * tangent * 2), std::fabs(p.y) / (-p.z * tangent)});
         }
         EXPECT_LE(widest, 0.92 + 1e-9);
@@ -85,7 +91,8 @@ TEST(DefaultCamera, LooksFromFrontRightAbove) {
 
 TEST(DefaultCamera, IsFiniteForPointsNothingAndBrokenAspects) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-    for (const Bounds& b : {Bounds{}, box({0, 0, 0}, {0, 0, 0}), box({1e30, 1e30, 1e30}, {1e30, 1e30, 1e30}), box({3, 3, 3}, {3, 3, 3})})
+    for (const Bounds& b :
+         {Bounds{}, box({0, 0, 0}, {0, 0, 0}), box({1e30, 1e30, 1e30}, {1e30, 1e30, 1e30}), box({3, 3, 3}, {3, 3, 3})})
         for (const double aspect : {1.0, 0.0, -1.0, nan, inf, 1e300, 1e-300}) {
             const Camera camera = default_camera(b, aspect);
             for (const dvec4& column : camera.to_world.columns) EXPECT_TRUE(is_finite(column.xyz()));
@@ -102,8 +109,8 @@ TEST(DefaultCamera, OfAPointFarOutStandsApartFromIt) {
 
 TEST(ViewCamera, LooksFromTheNamedSide) {
     const Bounds b = box({0, 0, 0}, {2, 4, 6});
-    const std::pair<const char*, dvec3> sides[] = {{"front", {0, 0, 1}}, {"back", {0, 0, -1}}, {"left", {-1, 0, 0}}, {"right", {1, 0, 0}},
-                                                   {"top", {0, 1, 0}},   {"bottom", {0, -1, 0}}};
+    const std::pair<const char*, dvec3> sides[] = {{"front", {0, 0, 1}}, {"back", {0, 0, -1}}, {"left", {-1, 0, 0}},
+                                                   {"right", {1, 0, 0}}, {"top", {0, 1, 0}},   {"bottom", {0, -1, 0}}};
     for (const auto& [name, toward_eye] : sides) {
         const Camera camera = view_camera(b, 1.5, name);
         expect_sane(camera);

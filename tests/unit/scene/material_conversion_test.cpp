@@ -44,10 +44,12 @@ TEST(ClassicalFromMetallicRoughness, OfAMetalHasNoDiffuseAndReflectsTheBase) {
 TEST(ClassicalFromMetallicRoughness, KeepsTheExponentWithinItsLimits) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(classical_from_metallic_roughness(metallic_roughness({1, 1, 1, 1}, 0, 0)).classical.shininess, 10000);
-    EXPECT_EQ(classical_from_metallic_roughness(metallic_roughness({1, 1, 1, 1}, 0, 1e-20f)).classical.shininess, 10000);
+    EXPECT_EQ(classical_from_metallic_roughness(metallic_roughness({1, 1, 1, 1}, 0, 1e-20f)).classical.shininess,
+              10000);
     EXPECT_EQ(classical_from_metallic_roughness(metallic_roughness({1, 1, 1, 1}, 0, 1)).classical.shininess, 1);
     EXPECT_EQ(classical_from_metallic_roughness(metallic_roughness({1, 1, 1, 1}, 0, 7)).classical.shininess, 1);
-    EXPECT_TRUE(std::isfinite(classical_from_metallic_roughness(metallic_roughness({1, 1, 1, 1}, nan, nan)).classical.shininess));
+    EXPECT_TRUE(std::isfinite(
+        classical_from_metallic_roughness(metallic_roughness({1, 1, 1, 1}, nan, nan)).classical.shininess));
 }
 
 TEST(ClassicalFromMetallicRoughness, TakesIorAndSpecularFactorsIntoAccount) {
@@ -107,7 +109,8 @@ TEST(MetallicRoughnessFromClassical, WhatHasNoHighlightHasNoneAtGrazingAnglesEit
 TEST(MetallicRoughnessFromClassical, StaysWithinZeroToOneForAnyExponent) {
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
     for (const float n : {0.0f, -5.0f, 1.0f, 1e30f, nan, inf}) {
-        const float r = metallic_roughness_from_classical(classical({1, 1, 1}, {1, 1, 1}, n)).metallic_roughness.roughness;
+        const float r =
+            metallic_roughness_from_classical(classical({1, 1, 1}, {1, 1, 1}, n)).metallic_roughness.roughness;
         EXPECT_GT(r, 0);
         EXPECT_LE(r, 1);
     }

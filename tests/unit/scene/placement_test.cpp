@@ -20,7 +20,8 @@ Node child_of(std::uint32_t parent, dvec3 translation) {
 
 TEST(WorldMatrices, MultiplyAlongTheChain) {
     Scene scene;
-    scene.nodes = {child_of(none, {1, 2, 3}), child_of(0, {10, 0, 0}), child_of(1, {0, 100, 0}), child_of(0, {0, 0, 5})};
+    scene.nodes = {child_of(none, {1, 2, 3}), child_of(0, {10, 0, 0}), child_of(1, {0, 100, 0}),
+                   child_of(0, {0, 0, 5})};
     scene.nodes[0].local.scale = {2, 2, 2};
     const auto world = world_matrices(scene);
     ASSERT_EQ(world.size(), 4u);
@@ -112,9 +113,10 @@ TEST(CameraToWorld, TakesScaleShearAndMirrorsOutAndKeepsTheViewDirection) {
 
 TEST(CameraToWorld, IsARotationEvenForSingularAndBrokenMatrices) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const dmat4& broken : {scaling(dvec3{0, 0, 0}), scaling(dvec3{1, 0, 1}), scaling(dvec3{1, 1, 0}), scaling(dvec3{0, 0, 1}),
-                                scaling(dvec3{nan, nan, nan}), dmat4{{{0, 0, 1, 0}, {0, 0, 1, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}},
-                                dmat4{{{0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}}}) {
+    for (const dmat4& broken :
+         {scaling(dvec3{0, 0, 0}), scaling(dvec3{1, 0, 1}), scaling(dvec3{1, 1, 0}), scaling(dvec3{0, 0, 1}),
+          scaling(dvec3{nan, nan, nan}), dmat4{{{0, 0, 1, 0}, {0, 0, 1, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}},
+          dmat4{{{0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}}}) {
         Camera camera;
         camera.to_world = broken;
         expect_rotation(camera_to_world(Scene{}, camera, {}));

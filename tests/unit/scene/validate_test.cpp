@@ -41,13 +41,16 @@ TEST(Validate, AcceptsTheEmptySceneAndAWholeOne) {
 TEST(Validate, NamesTheMeshAndTheFirstIndexOutOfRange) {
     expect_fault("mesh 0 'quad': index 4 at corner 5 exceeds 4 vertices",
                  [](Scene& s) { s.meshes[0].indices = std::vector<std::uint32_t>{0, 1, 2, 0, 2, 4}; });
-    expect_fault("index 4294967295 at corner 0",
-                 [](Scene& s) { s.meshes[0].indices = std::vector<std::uint32_t>{none, 1, 2}; });
+    expect_fault("index 4294967295 at corner 0", [](Scene& s) {
+        s.meshes[0].indices = std::vector<std::uint32_t>{none, 1, 2};
+    });
     expect_fault("index 0 at corner 0 exceeds 0 vertices", [](Scene& s) { s.meshes[0].positions = {}; });
 }
 
 TEST(Validate, RefusesIndexCountsThatDoNotFitTheTopology) {
-    expect_fault("4 indices are not a multiple of 3", [](Scene& s) { s.meshes[0].indices = std::vector<std::uint32_t>{0, 1, 2, 3}; });
+    expect_fault("4 indices are not a multiple of 3", [](Scene& s) {
+        s.meshes[0].indices = std::vector<std::uint32_t>{0, 1, 2, 3};
+    });
     expect_fault("3 indices are not a multiple of 2", [](Scene& s) {
         s.meshes[0].topology = Topology::lines;
         s.meshes[0].indices = std::vector<std::uint32_t>{0, 1, 2};
@@ -64,10 +67,12 @@ TEST(Validate, RefusesVertexArraysOfAnotherSize) {
     expect_fault("5 tangents for 4 vertices", [](Scene& s) { s.meshes[0].tangents = std::vector<vec4>(5); });
     expect_fault("1 texture coordinates for 4", [](Scene& s) { s.meshes[0].texcoords = {{}, std::vector<vec2>(1)}; });
     expect_fault("8 colors for 4", [](Scene& s) { s.meshes[0].colors = std::vector<vec4>(8); });
-    expect_fault("3 smoothing groups for 2 triangles", [](Scene& s) { s.meshes[0].smoothing = std::vector<std::uint32_t>(3); });
+    expect_fault("3 smoothing groups for 2 triangles",
+                 [](Scene& s) { s.meshes[0].smoothing = std::vector<std::uint32_t>(3); });
     expect_fault("3 polygon numbers for 2 triangles",
                  [](Scene& s) { s.meshes[0].polygons = std::vector<std::uint32_t>(3); });
-    expect_fault("2 smoothing hints for 6 corners", [](Scene& s) { s.meshes[0].smoothing_hint = std::vector<vec3>(2); });
+    expect_fault("2 smoothing hints for 6 corners",
+                 [](Scene& s) { s.meshes[0].smoothing_hint = std::vector<vec3>(2); });
     expect_fault("1 joint influences for 4", [](Scene& s) { s.meshes[0].influences = std::vector<JointInfluence>(1); });
     expect_fault("1 morph normals for 4", [](Scene& s) {
         s.meshes[0].targets.emplace_back();
@@ -85,7 +90,8 @@ TEST(Validate, RefusesReferencesToWhatIsNotThere) {
     expect_fault("skin 0 does not exist", [](Scene& s) { s.nodes[0].skin = 0; });
     expect_fault("material 1 does not exist", [](Scene& s) { s.meshes[0].material = 1; });
     expect_fault("normal texture 1 does not exist", [](Scene& s) { s.materials[0].normal_texture.texture = 1; });
-    expect_fault("anisotropy texture 9", [](Scene& s) { s.materials[0].metallic_roughness.anisotropy_texture.texture = 9; });
+    expect_fault("anisotropy texture 9",
+                 [](Scene& s) { s.materials[0].metallic_roughness.anisotropy_texture.texture = 9; });
     expect_fault("texture 0 'texture': it has no image", [](Scene& s) { s.textures[0].image = nullptr; });
     expect_fault("light 0: node 3", [](Scene& s) { s.lights[0].node = 3; });
     expect_fault("camera 0: node 3", [](Scene& s) { s.cameras[0].node = 3; });
@@ -102,7 +108,8 @@ TEST(Validate, RefusesNumbersThatAreNotFinite) {
     });
     expect_fault("mesh 0 'quad': the origin", [](Scene& s) { s.meshes[0].origin.x = nan_f; });
     expect_fault("material 0: the base color", [](Scene& s) { s.materials[0].base_color.w = nan_f; });
-    expect_fault("a texture transform", [](Scene& s) { s.materials[0].base_color_texture.transform.rotation_rad = nan_f; });
+    expect_fault("a texture transform",
+                 [](Scene& s) { s.materials[0].base_color_texture.transform.rotation_rad = nan_f; });
     expect_fault("light 0: a color", [](Scene& s) { s.lights[0].diffuse.z = nan_f; });
     expect_fault("light 0: the range", [](Scene& s) { s.lights[0].range = nan_f; });
     expect_fault("the color", [](Scene& s) { s.fog.color.x = nan_f; });
@@ -174,7 +181,8 @@ TEST(Validate, ChecksJointsOfASkinnedNodeButNotThoseOfWeightZero) {
 }
 
 TEST(Validate, ChecksKeysOfAnimations) {
-    const auto channel = [](std::vector<float> times, std::size_t values, Interpolation interpolation = Interpolation::linear) {
+    const auto channel = [](std::vector<float> times, std::size_t values,
+                            Interpolation interpolation = Interpolation::linear) {
         return [=](Scene& s) {
             AnimationChannel c;
             c.node = 0;
@@ -195,7 +203,8 @@ TEST(Validate, ChecksKeysOfAnimations) {
 
 TEST(Validate, ChecksSharedNumbersOnceInEachUse) {
     const Block<float> ascending(std::vector<float>{0, 1}), falling(std::vector<float>{1, 0});
-    const auto channels = [](Block<float> times, Block<float> first_values, Block<float> second_times, Block<float> second_values) {
+    const auto channels = [](Block<float> times, Block<float> first_values, Block<float> second_times,
+                             Block<float> second_values) {
         return [=](Scene& s) {
             AnimationChannel a, b;
             a.node = b.node = 0;
@@ -208,7 +217,8 @@ TEST(Validate, ChecksSharedNumbersOnceInEachUse) {
         };
     };
     EXPECT_EQ(fault(channels(ascending, falling, ascending, falling)), "");
-    expect_fault("animation 1 'two': the times of a channel do not ascend", channels(ascending, falling, falling, falling));
+    expect_fault("animation 1 'two': the times of a channel do not ascend",
+                 channels(ascending, falling, falling, falling));
     expect_fault("animation 1 'two': 3 values", channels(ascending, falling, ascending, std::vector<float>{0, 0, 0}));
 }
 

@@ -18,7 +18,8 @@ TEST(Words, TheNearestIsFoundOnlyWhereOneIsNear) {
     EXPECT_EQ(nearest_word("elephant", {"metallic", "roughness"}), "");
     EXPECT_EQ(nearest_word("a", {}), "");
     const std::string long_word(65, 'r');
-    EXPECT_EQ(nearest_word(long_word, {long_word}), "");  // names of files may be long, and the time is a product of lengths
+    EXPECT_EQ(nearest_word(long_word, {long_word}),
+              "");  // names of files may be long, and the time is a product of lengths
 }
 
 TEST(Words, ListsOfLongNamesAreCutBehindAWholeName) {

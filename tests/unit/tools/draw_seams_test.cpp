@@ -92,7 +92,8 @@ TEST(DrawSeams, LinesOfImpossibleCoordinatesAreLeftOut) {
     const Frame without = draw_seams(scene, inspection, options, view, settings, context);
     for (const double far : {1.7e308, 1e200, double(INFINITY), double(NAN)})
         for (const dvec3 end : {dvec3{far, 0.5, 0}, dvec3{-far, 0.5, far}, dvec3{far, far, -far}})
-            inspection.seam_lines.push_back(SeamLine{.a = {-end.x, -end.y, -end.z}, .b = {end.x, end.z, 1.0}, .deg_a = 30, .deg_b = 30});
+            inspection.seam_lines.push_back(
+                SeamLine{.a = {-end.x, -end.y, -end.z}, .b = {end.x, end.z, 1.0}, .deg_a = 30, .deg_b = 30});
     const Frame with = draw_seams(scene, inspection, options, view, settings, context);
     for (const vec4 c : with.color) EXPECT_TRUE(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z));
     EXPECT_EQ(pixel(with, 50, 25), pixel(without, 50, 25));

@@ -11,7 +11,6 @@ namespace {
 using namespace test;
 
 // --- settings: by the facade, by an engine, by a request
-// -----------------------------------------------------------------
 
 struct WrongSettings {
     const char* name;
@@ -132,7 +131,6 @@ TEST(MisusedSettings, ChannelsThatThereAreNotAreLeftOut) {
 }
 
 // --- cameras
-// -------------------------------------------------------------------------------------------------------------
 
 struct WrongCamera {
     const char* name;
@@ -200,7 +198,6 @@ TEST(MisusedCamera, AViewThatCannotBeIsRefused) {
 }
 
 // --- options
-// -------------------------------------------------------------------------------------------------------------
 
 struct WrongOptions {
     const char* name;

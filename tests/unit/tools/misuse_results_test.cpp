@@ -10,8 +10,6 @@ namespace {
 
 using namespace test;
 
-// ----------------------------------------------------------------------------------------------
-
 TEST(MisusedFrame, TilesThatDoNotFitAreRefused) {
     Frame frame;
     expect_usage("a size", "a size below 0", [&] { frame.begin(-1, 5, {}, 0); });

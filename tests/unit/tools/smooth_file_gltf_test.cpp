@@ -179,7 +179,9 @@ TEST(SmoothFileGltf, ANewBufferReplacesNoFileButThatOfTheModelItReplaces) {
     const Files files;
     write(files.dir / "x.bin", "somebody else's");
     Context context;
-    const auto run = [&](const char* name) { smooth_file(files.model.string(), (files.dir / name).string(), {}, context); };
+    const auto run = [&](const char* name) {
+        smooth_file(files.model.string(), (files.dir / name).string(), {}, context);
+    };
     run("x.gltf");
     EXPECT_EQ(bytes_of(files.dir / "x.bin"), "somebody else's");
     const std::string made = bytes_of(files.dir / "x.normals.bin");
@@ -195,7 +197,8 @@ TEST(SmoothFileGltf, ANewBufferReplacesNoFileButThatOfTheModelItReplaces) {
 
 TEST(SmoothFileGltf, PartsThatAreNotDrawnMayBeOfAnyKind) {
     Json tree = fold_tree();
-    for (const char* list : {"meshes", "accessors", "bufferViews", "skins", "animations", "images"}) tree[list].push_back(5);
+    for (const char* list : {"meshes", "accessors", "bufferViews", "skins", "animations", "images"})
+        tree[list].push_back(5);
     tree["meshes"].push_back({{"primitives", "none"}});
     tree["bufferViews"].push_back({{"buffer", "first"}, {"extensions", 7}});
     tree["bufferViews"].push_back({{"buffer", 99}});

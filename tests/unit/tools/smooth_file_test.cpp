@@ -64,8 +64,10 @@ TEST(SmoothFile, ObjLinesWithContinuationRelativeIndicesAndFaultyFacesAreRewritt
 TEST(SmoothFile, FreeFormSurfacesNeverNameNormalsThatAreGone) {
     const TemporaryFolder folder;
     const fs::path file = folder / "surface.obj";
-    const std::string surface = "cstype bezier\ndeg 1 1\nsurf 0.0 1 0 1.0 1/1/3 -3/1/-2 \\\n 3/1 4 # control points\nend\n";
-    write(file, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 1 0\nvn 1 0 0\nvn 0 1 1\nf 1//1 2//2 3//3\n" + surface);
+    const std::string surface =
+        "cstype bezier\ndeg 1 1\nsurf 0.0 1 0 1.0 1/1/3 -3/1/-2 \\\n 3/1 4 # control points\nend\n";
+    write(file,
+          "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 1 0\nvn 1 0 0\nvn 0 1 1\nf 1//1 2//2 3//3\n" + surface);
     Context context;
     EXPECT_TRUE(smooth_file(file.string(), file.string(), {}, context).changed);
     const std::string text = bytes_of(file);

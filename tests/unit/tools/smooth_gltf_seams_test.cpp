@@ -38,12 +38,15 @@ Part part(int first, int last, std::array<int, 3> shift) {
     for (int r = 0; r < rows; ++r)
         for (int c = 0; c + 1 < width; ++c) {
             const int v = r * width + c;
-            for (const int i : {v, v + 1, v + width + 1, v, v + width + 1, v + width}) p.indices.push_back(std::uint16_t(i));
+            for (const int i : {v, v + 1, v + width + 1, v, v + width + 1, v + width})
+                p.indices.push_back(std::uint16_t(i));
         }
     return p;
 }
 
-std::array<Part, 2> two_parts(std::array<int, 3> shift) { return {part(0, cut_at, {0, 0, 0}), part(cut_at, columns, shift)}; }
+std::array<Part, 2> two_parts(std::array<int, 3> shift) {
+    return {part(0, cut_at, {0, 0, 0}), part(cut_at, columns, shift)};
+}
 
 /// Two nodes of one mesh each over 16-bit positions.
 GltfFile quantized_file(const std::array<Part, 2>& parts, bool normalized) {
@@ -52,7 +55,8 @@ GltfFile quantized_file(const std::array<Part, 2>& parts, bool normalized) {
     file.root["scenes"][0]["nodes"] = {0, 1};
     const double scale = normalized ? 32767.0 / 4096 : 1.0 / 4096;
     for (std::size_t n = 0; n < 2; ++n) {
-        const int positions = file.accessor(parts[n].codes, i16, 3, normalized), indices = file.accessor(parts[n].indices, u16, 1);
+        const int positions = file.accessor(parts[n].codes, i16, 3, normalized),
+                  indices = file.accessor(parts[n].indices, u16, 1);
         file.root["accessors"][positions]["min"] = {-32768, -32768, -32768};
         file.root["accessors"][positions]["max"] = {32767, 32767, 32767};
         file.root["meshes"][n]["primitives"] = {{{"attributes", {{"POSITION", positions}}}, {"indices", indices}}};
@@ -92,7 +96,8 @@ TEST(SmoothQuantized, BordersWhoseCodesDifferByAStepHaveOneNormal) {
             EXPECT_EQ(seams(smoothed, parts), 0u) << "as it is written";
             for (std::size_t m = 0; m < 2; ++m) {
                 EXPECT_GT(smoothed.meshes[m].position_step, 0) << "positions stay as they were";
-                EXPECT_TRUE(std::equal(scene.meshes[m].positions.begin(), scene.meshes[m].positions.end(), smoothed.meshes[m].positions.begin()));
+                EXPECT_TRUE(std::equal(scene.meshes[m].positions.begin(), scene.meshes[m].positions.end(),
+                                       smoothed.meshes[m].positions.begin()));
             }
             for (Mesh& mesh : scene.meshes) mesh.position_step = 0;  // without the step there is a seam
             EXPECT_EQ(seams(prepare_scene(scene, options, context), parts), std::size_t(rows + 1));
@@ -138,7 +143,8 @@ TEST(SmoothSkinned, PartsOfOneModelHaveOneNormalWhereverTheirNodesAre) {
 /// Offsets by which the dome bulges out once more: float, for all of a part's vertices.
 std::vector<float> bulge(const Part& p) {
     std::vector<float> offsets;
-    for (std::size_t v = 0; v < p.codes.size(); v += 3) offsets.insert(offsets.end(), {0, 0, 0.9f * float(p.codes[v + 2])});
+    for (std::size_t v = 0; v < p.codes.size(); v += 3)
+        offsets.insert(offsets.end(), {0, 0, 0.9f * float(p.codes[v + 2])});
     return offsets;
 }
 
@@ -166,7 +172,8 @@ Scene bulged(const Scene& scene) {
     Scene out = scene;
     for (Mesh& mesh : out.meshes) {
         std::vector<vec3> positions;
-        for (std::size_t v = 0; v < mesh.positions.size(); ++v) positions.push_back(mesh.positions[v] + mesh.targets[0].positions[v]);
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+            positions.push_back(mesh.positions[v] + mesh.targets[0].positions[v]);
         mesh.positions = std::move(positions);
         mesh.targets.clear();
         mesh.normals = {};

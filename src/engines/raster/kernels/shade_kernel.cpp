@@ -10,7 +10,8 @@ namespace rakelight::raster::RL_ISA {
 /// Flat and Gouraud shading: light that the corners have received, times what the pixel reflects.
 inline vec3 add_interpolated(vec3 sum, const ShadeJob& job, const Pixels& p, const lit::Surface& surface) {
     const ReceivedLight received = interpolate_light(job.lit, p.triangle, p.b);
-    return sum + (surface.ambient * received.ambient + surface.diffuse * received.diffuse + surface.specular * received.specular);
+    return sum + (surface.ambient * received.ambient + surface.diffuse * received.diffuse +
+                  surface.specular * received.specular);
 }
 
 /// Vectors of pixels that go through the stages side by side: what one waits for another one fills (a pixel's own

@@ -17,7 +17,7 @@ struct Pixels {
     Footprint footprint;  ///< of base color and normal map where they share it
     int32_t anisotropy;
     bool shares_footprint;
-    vec3 position;        ///< relative to the eye
+    vec3 position;  ///< relative to the eye
     const int32_t* triangle;
 
     Pixels() = default;
@@ -79,7 +79,8 @@ struct BaseColor {
     if (m.base_color_map.view != nullptr)
         base.paint = p.shares_footprint ? sample(*m.base_color_map.view, p.footprint) : texel(m.base_color_map, p);
     if (m.vertex_colors != 0) base.paint = interpolate_color(p.records, p.b) * base.paint;
-    base.color = vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * base.paint;
+    base.color =
+        vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * base.paint;
     if (m.opacity_map.view != nullptr) base.color.w = base.color.w * texel(m.opacity_map, p).x;
     return base;
 }

@@ -14,9 +14,7 @@ void put(float (&to)[3], vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 void put(float (&to)[4], vec4 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
 
 /// A texel of the border is one of the opposite edge, or of the same.
-int32_t wrapped(int32_t i, int32_t size, int32_t mode) {
-    return mode == 0 ? (i + size) % size : clamp(i, 0, size - 1);
-}
+int32_t wrapped(int32_t i, int32_t size, int32_t mode) { return mode == 0 ? (i + size) % size : clamp(i, 0, size - 1); }
 
 void put_texel(const TextureView& t, int32_t texel, int32_t probe, float weight, TracedTexels& out) {
     if (!(weight > 0.0f) || out.count == most_texels) return;

@@ -28,9 +28,9 @@ struct TracedTexture {
     int32_t probes;        ///< samples along the footprint's longer side, 1..16
     float axis_u, axis_v;  ///< that side: from the first probe's end to the last one's; 0 for one probe
     float
-        level_of_detail;   ///< log2 of texels a pixel, of a probe where there are several; over 0 the picture is shrunk
-    float level;           ///< of the mip chain that was read; a fraction lies between two
-    float value[4];        ///< filtered, linear; of slopes: the mean of the heights that they are differences of
+        level_of_detail;  ///< log2 of texels a pixel, of a probe where there are several; over 0 the picture is shrunk
+    float level;          ///< of the mip chain that was read; a fraction lies between two
+    float value[4];       ///< filtered, linear; of slopes: the mean of the heights that they are differences of
 };
 
 /// The maps in the order of MaterialView.
@@ -124,43 +124,45 @@ struct TracedParts {
 
 /// One light at the pixel. Vectors in world axes.
 struct TracedLight {
-    float to_light[3];     ///< unit l
-    float distance;        ///< [m]; 0 for lights without a place
-    float attenuation;     ///< [1], photometric lights [1/m^2]
-    float range_window;    ///< [1] what of it is the window of a range, 1 - (distance / range)^4; 1: there is no range
-    float spot;            ///< [1] the cone's factor
+    float to_light[3];   ///< unit l
+    float distance;      ///< [m]; 0 for lights without a place
+    float attenuation;   ///< [1], photometric lights [1/m^2]
+    float range_window;  ///< [1] what of it is the window of a range, 1 - (distance / range)^4; 1: there is no range
+    float spot;          ///< [1] the cone's factor
     float n_dot_l;
-    float lobe_cosine;     ///< n.h (Blinn-Phong, Ward, pbr) or r.v (Phong), 0 for Lambert and Oren-Nayar
-    float lobe;            ///< lobe_cosine to the power of the exponent; Ward and pbr: [1/sr] the lobe with F = 1
-    float fresnel_weight;  ///< pbr: (1 - v.h)^5
+    float lobe_cosine;      ///< n.h (Blinn-Phong, Ward, pbr) or r.v (Phong), 0 for Lambert and Oren-Nayar
+    float lobe;             ///< lobe_cosine to the power of the exponent; Ward and pbr: [1/sr] the lobe with F = 1
+    float fresnel_weight;   ///< pbr: (1 - v.h)^5
     float specular_factor;  ///< what k_s and the light's color are multiplied by; pbr: Fresnel's term and the color
     float own_ambient[3], own_diffuse[3], own_specular[3];        ///< of the light; photometric: intensity / pi
     float ambient_color[3], diffuse_color[3], specular_color[3];  ///< that arrive: times attenuation and spot
     float ambient[3], diffuse[3], specular[3];                    ///< what is added to the sum
-    float sum[3];          ///< after this light
-    float seen;            ///< 0..1: how much of its diffuse and specular light is not in shadow
+    float sum[3];                                                 ///< after this light
+    float seen;  ///< 0..1: how much of its diffuse and specular light is not in shadow
 };
 
 struct PixelTrace {
     float barycentric[3];
-    float position[3];        ///< [m] relative to the eye, world axes
-    float texcoord[2][2];     ///< both sets, as interpolated
+    float position[3];     ///< [m] relative to the eye, world axes
+    float texcoord[2][2];  ///< both sets, as interpolated
     float vertex_color[4];
-    float paint[4];           ///< vertex color times base color map
-    float base_color[4];      ///< times the material's factor; alpha with the opacity map
-    float interpolated[3];    ///< unit normal before the map and before facing
-    float tangent[3];         ///< unit, as used by the normal map; 0 without one
-    float mapped[3];          ///< decoded texel in tangent space, not unit; 0, 0, 1 without a map
-    int32_t is_of_slopes;     ///< `mapped` is the normal of the height map's slopes, on the side that is seen
-    float normal[3];          ///< that is lit
+    float paint[4];         ///< vertex color times base color map
+    float base_color[4];    ///< times the material's factor; alpha with the opacity map
+    float interpolated[3];  ///< unit normal before the map and before facing
+    float tangent[3];       ///< unit, as used by the normal map; 0 without one
+    float mapped[3];        ///< decoded texel in tangent space, not unit; 0, 0, 1 without a map
+    int32_t is_of_slopes;   ///< `mapped` is the normal of the height map's slopes, on the side that is seen
+    float normal[3];        ///< that is lit
     float handedness, facing;
-    float view[3];            ///< unit, to the viewer
+    float view[3];  ///< unit, to the viewer
     float k_ambient[3], k_diffuse[3], k_specular[3], exponent;
     float metallic, roughness;
-    float emission[3];        ///< first term of the sum
-    int32_t is_lit_at_corners;  ///< flat and Gouraud: the sum is emission + k_a received[0] + k_d received[1] + k_s received[2]
-    float received[3][3];     ///< ambient, diffuse, specular light at the pixel, interpolated; 0 where it is lit at the pixel
-    float diffuse_normal[3];  ///< that the diffuse term is lit with: `normal` unless bumps act on one term alone
+    float emission[3];  ///< first term of the sum
+    int32_t
+        is_lit_at_corners;  ///< flat and Gouraud: the sum is emission + k_a received[0] + k_d received[1] + k_s received[2]
+    float received[3]
+                  [3];  ///< ambient, diffuse, specular light at the pixel, interpolated; 0 where it is lit at the pixel
+    float diffuse_normal[3];      ///< that the diffuse term is lit with: `normal` unless bumps act on one term alone
     float relief_texcoord[2][2];  ///< both sets where the ray meets the relief
     float relief_height;  ///< there, as the map has it (steep: of the layer; parallax: under the pixel); -1: no ray is
                           ///< cast
@@ -170,12 +172,12 @@ struct PixelTrace {
     float coat, coat_alpha;  ///< pbr: clearcoat's reflectance towards the viewer, its lobe's width
     float coat_normal[3];
     float sheen[3], sheen_alpha;
-    float oren_nayar[2];      ///< A and B
-    float environment[3][3];  ///< ambient, diffuse and specular term of the light from all around
-    float before_fog[3];      ///< the sum
+    float oren_nayar[2];                          ///< A and B
+    float environment[3][3];                      ///< ambient, diffuse and specular term of the light from all around
+    float before_fog[3];                          ///< the sum
     float fog_distance, fog_share, fog_color[3];  ///< [m]; color = before_fog fog_share + fog_color (1 - fog_share)
     TracedTexture map[traced_maps];
-    float color[3], alpha;    ///< the kernel's own result
+    float color[3], alpha;  ///< the kernel's own result
 };
 
 namespace trace {
