@@ -64,9 +64,9 @@ LIBRARIES = {
 }
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
-ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|lighting/(lighting|prelude|light_parameters)\.h|image/srgb_table\.h|lighting/\w+\.glsl|"
+ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/srgb_table\.h|lighting/\w+/\w+\.glsl|"
                          r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|engines/raster/(kernel_types|geometry_types|clip_planes)\.h|engines/raster/kernels/\w+\.(h|cpp)|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
-ISA_FILES = ["src/engines/raster/kernels", "src/geometry/kernels", "src/lighting/lighting.h", "src/lighting/prelude.h"]
+ISA_FILES = ["src/engines/raster/kernels", "src/geometry/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
 
 GLSL_RESERVED = set("active half input output filter common partition smooth flat shared fixed sample patch buffer resource "
                     "precise template this using noise superp cast namespace".split())

@@ -16,10 +16,9 @@ inline constexpr double most_exposure_ev = 32;
 /// none       the light times 2^exposure; what is over 1 is clamped by the encoder
 /// reinhard   Reinhard et al. 2002, "Photographic Tone Reproduction for Digital Images", eq. 3: the luminance (Rec. 709
 ///            weights) becomes L / (1 + L), hue and saturation stay; saturated colors may still pass 1 in a component
-/// neutral    Khronos PBR Neutral, specification of 2024: base colors under 0.8 stay as they are up to the Fresnel
-/// offset aces       Hill's fit of the ACES 1.0 reference and output transforms for sRGB displays (in Pettineo's
-/// "Baking Lab") agx        Sobotka's AgX, base look: inset matrix, log2 from 10 EV under to 6.5 EV over 0.18, sigmoid,
-/// outset matrix,
+/// neutral    Khronos PBR Neutral, specification of 2024: base colors under 0.8 stay as they are up to the Fresnel offset
+/// aces       Hill's fit of the ACES 1.0 reference and output transforms for sRGB displays (in Pettineo's "Baking Lab")
+/// agx        Sobotka's AgX, base look: inset matrix, log2 from 10 EV under to 6.5 EV over 0.18, sigmoid, outset matrix,
 ///            then the display's power 2.2 taken off again, because what follows encodes as sRGB
 ///
 /// Curves take negative light and NaN as 0 and everything over a million as a million.

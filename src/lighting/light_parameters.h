@@ -11,7 +11,7 @@ enum class LightKind : int32_t {
     directional = 1,
     point = 2,
     spot = 3
-};  // = RL_..._LIGHT of light_sum.glsl
+};  // = RL_..._LIGHT of light/sample_light.glsl
 
 struct LightParameters {
     LightKind kind = LightKind::point;
@@ -25,7 +25,7 @@ struct LightParameters {
     float cos_cutoff = 0, exponent = 0;
     // photometric
     float intensity[3] = {1, 1, 1};  ///< color times lux (directional) or candela (point, spot)
-    float inverse_range = 0;         ///< [1/m] of both kinds (classical: range_of(), lighting.h); 0: no range
+    float inverse_range = 0;         ///< [1/m] of both kinds; 0: no range
     float cone_scale = 0, cone_offset = 1;
     int32_t shadow = -1;  ///< the caller's number of its shadow map; -1: none
 };

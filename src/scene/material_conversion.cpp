@@ -4,7 +4,7 @@
 // classical_from_metallic_roughness, for use with the normalized Blinn-Phong lobe (is_normalized):
 //   k_d = base (1 - metallic), k_a = base: even light from all around shows metals in their color
 //   k_s = mix(F0, base, metallic),  F0 = min(((ior - 1) / (ior + 1))^2 specular_color, 1) specular: dielectric_f0() of
-//         src/lighting/ggx.glsl (KHR_materials_specular)
+//         src/lighting/models/ggx.glsl (KHR_materials_specular)
 //   n   = clamp(2 / alpha^2 - 2, 1, 10000),  alpha = roughness^2
 //         (Karis 2013, "Specular BRDF Reference": the exponent whose Blinn-Phong distribution matches a GGX or Beckmann
 //         alpha)

@@ -11,9 +11,22 @@ namespace {
 
 void copy(float (&to)[3], vec3 from) { to[0] = from.x, to[1] = from.y, to[2] = from.z; }
 
-static_assert(relief_height == std::int32_t(Bump::height) && relief_parallax == std::int32_t(Bump::parallax) &&
-              relief_limited == std::int32_t(Bump::parallax_limited) && relief_steep == std::int32_t(Bump::steep) &&
-              relief_occlusion == std::int32_t(Bump::occlusion));
+ReliefTechnique technique_of(Bump bump) {
+    switch (bump) {
+        case Bump::height:
+            return relief_height;
+        case Bump::parallax:
+            return relief_parallax;
+        case Bump::parallax_limited:
+            return relief_limited;
+        case Bump::steep:
+            return relief_steep;
+        case Bump::occlusion:
+            return relief_occlusion;
+        default:
+            return relief_none;
+    }
+}
 
 bool has_coordinates(const Mesh& mesh, const TextureSlot& slot) {
     const auto set = std::size_t(slot.texcoord_set);
@@ -36,9 +49,9 @@ void set_scales(const TextureSlot& map, ReliefView& out) {
 }
 
 ReliefView relief_view(const Relief& r, Bump bump, float scale, const TextureSlot& map) {
-    if (!reads_heights(bump)) return {};
     ReliefView out{};
-    out.technique = std::int32_t(bump);
+    out.technique = technique_of(bump);
+    if (out.technique == relief_none) return out;
     out.depth = r.depth * scale;
     out.level = 1 - r.bias;
     out.holds_depth = r.holds_depth;
@@ -92,15 +105,6 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
     return out;
 }
 
-/// The plain kernel's classical lights have no end.
-bool has_classical_range(const FrontEnd& front) {
-    const std::vector<Light>& lights = front.list.scene.lights;
-    return std::any_of(lights.begin(), lights.end(), [](const Light& light) {
-        return light.units == LightUnits::classical && std::isfinite(light.range) &&
-               (light.type == LightType::point || light.type == LightType::spot);
-    });
-}
-
 /// Lambert has no highlight: under it metals show their base color as diffuse, which the plain kernel does not know.
 bool is_metal_by_lambert(const FrontEnd& front, std::uint32_t draw) {
     const Material& m = material_of(front, draw);
@@ -111,7 +115,6 @@ bool is_metal_by_lambert(const FrontEnd& front, std::uint32_t draw) {
 bool needs_full(const FrontEnd& front, std::uint32_t draw, const FullJob& job) {
     return lighting_of(front, draw) > Lighting::blinn_phong || is_metal_by_lambert(front, draw) ||
            job.viewer_at_infinity || job.relief.technique != 0 || job.shadows || job.environment || job.fog.kind != 0 ||
-           has_classical_range(front) ||
            (job.has_bumps && (job.bump_terms != 0 || job.tangent_space != 0 || !job.normalize_frames ||
                               job.green_down || job.centered_normals));
 }

@@ -9,14 +9,14 @@
 namespace rakelight::raster {
 struct TextureView;
 
-/// What a draw's height map is read for: the numbers of Bump that read one.
+/// What a draw's height map is read for: RL_RELIEF_... of lighting/relief/relief.glsl.
 enum ReliefTechnique : int32_t {
-    relief_none = 0,
-    relief_height = 2,
-    relief_parallax = 4,
-    relief_limited = 5,
-    relief_steep = 6,
-    relief_occlusion = 7,
+    relief_none,
+    relief_height,
+    relief_parallax,
+    relief_limited,
+    relief_steep,
+    relief_occlusion,
 };
 
 /// How a draw's height map acts.
@@ -62,6 +62,7 @@ struct FogView {
     float color[3], start, end, density;
 };
 
+/// RL_BUMP_... of lighting/material/directions.glsl.
 enum BumpTermsNumber : int32_t { bump_both, bump_diffuse, bump_specular };
 /// The numbers of TangentSpace.
 enum TangentSpaceNumber : int32_t { space_world, space_pixel, space_vertex, space_transposed };

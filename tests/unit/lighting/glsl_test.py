@@ -18,24 +18,26 @@ RESERVED = set("active half input output filter common partition smooth flat sha
                "interface long short unsigned union enum typedef cast sizeof class asm texture".split())
 SWIZZLE = re.compile(r"\.(?:[xyzw]{2,4}|[rgba]{1,4}|[stpq]{1,4})\b(?!\s*\()")
 FORBIDDEN = re.compile(r"\b(out|inout|uniform|const|auto|template|dFdx|dFdy|gl_\w+|texture\w*|discard|break|while|do|goto)\b|#include|\?")
-VERSIONS = {"330 core": "", "300 es": "precision highp float;\nprecision highp int;\n"}
+VERSIONS = {"330 core": "", "300 es": "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"}
+# GLSL alone: the words and maps that C++ has in headers.
+GLSL_ONLY = ("math/prelude.glsl", "lighting/maps.glsl", "lighting/albedo_tables.glsl", "image/agx_curves.glsl")
 
 
 def without_comments(text):
     return re.sub(r"//[^\n]*", "", text)
 
 
-def listed_files(folder):
-    lines = (folder / "all.glsl.list").read_text(encoding="utf-8").splitlines()
-    return [line.strip() for line in lines if line.strip() and not line.startswith("#")]
+def listed_files(source):
+    lines = (source / "lighting/all.glsl.list").read_text(encoding="utf-8").splitlines()
+    return ["lighting/" + line.strip() for line in lines if line.strip() and not line.startswith("#")]
 
 
-def faults_of_list(folder, names):
+def faults_of_list(source, names):
     faults = []
-    there = {path.name for path in folder.glob("*.glsl")} - {"prelude.glsl"}
+    there = {str(path.relative_to(source)) for path in (source / "lighting").rglob("*.glsl")} - set(GLSL_ONLY)
     if there != set(names) or len(names) != len(set(names)):
         faults.append(f"all.glsl.list and the folder differ: {sorted(there ^ set(names))}")
-    included = re.findall(r'#include "lighting/(\w+\.glsl)"', (folder / "lighting.h").read_text(encoding="utf-8"))
+    included = re.findall(r'#include "(lighting/[\w/]+\.glsl)"', (source / "lighting/lighting.h").read_text(encoding="utf-8"))
     if included != names:
         faults.append("lighting.h includes in another order than all.glsl.list")
     return faults
@@ -44,7 +46,7 @@ def faults_of_list(folder, names):
 def faults_of_words(name, text):
     code = without_comments(text)
     faults = [f"{name}: '{word}' is a reserved word of GLSL" for word in sorted(set(re.findall(r"\b[A-Za-z_]\w*", code)) & RESERVED)]
-    if name != "prelude.glsl":  # the prelude is GLSL alone, the rest is a subset
+    if name not in GLSL_ONLY:  # the rest is a subset
         faults += [f"{name}: '{match}' is outside the subset" for match in sorted(set(m[0] for m in FORBIDDEN.finditer(code)))]
         faults += [f"{name}: swizzle '{match}'" for match in sorted(set(m[0] for m in SWIZZLE.finditer(code)))]
         faults += [f"{name}: literal '{match}' without f" for match in sorted(set(re.findall(r"(?<![\w.])\d+\.\d*(?:e[-+]?\d+)?(?![\w.])", code)))]
@@ -54,20 +56,18 @@ def faults_of_words(name, text):
 def calls_of(text):
     """A statement for each RL_FN function: called with zeros of its parameters' types, so that nothing is left out."""
     statements, count = [], 0
-    plain = re.sub(r"RL_IN\((\w+)\)", r"\1", without_comments(text))
+    plain = re.sub(r"RL_IN(?:OUT)?\((\w+)\)", r"\1", without_comments(text))
     for result, name, parameters in re.findall(r"RL_(?:MAP_)?FN\s+(\w+)\s+(\w+)\s*\(([^)]*)\)", plain):
         arguments = []
         for parameter in filter(None, (p.strip() for p in parameters.split(","))):
             kind = parameter.split()[0]
-            if kind == "HeightMap":
-                arguments.append("any_map")
-                continue
             statements.append(f"    {kind} a{count};")
             if kind == "real":
                 statements.append(f"    a{count} = seed;")
             arguments.append(f"a{count}")
             count += 1
-        statements.append(f"    {result} r{count} = {name}({', '.join(arguments)});")
+        call = f"{name}({', '.join(arguments)});"
+        statements.append(f"    {call}" if result == "void" else f"    {result} r{count} = {call}")
         if result == "real":
             statements.append(f"    total += r{count};")
         elif result == "vec3":
@@ -77,7 +77,7 @@ def calls_of(text):
 
 
 def compile_as(version, header, text, statements):
-    main = "\n".join(["uniform float seed;", "uniform sampler2D any_map;", "out vec4 color;", "void main()", "{", "    float total = 0.0f;", *statements,
+    main = "\n".join(["uniform float seed;", "out vec4 color;", "void main()", "{", "    float total = 0.0f;", *statements,
                       "    color = vec4(total);", "}"])
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "all.frag"
@@ -87,14 +87,14 @@ def compile_as(version, header, text, statements):
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1]) / "src" / "lighting"
-    names = listed_files(folder)
-    texts = {name: (folder / name).read_text(encoding="utf-8") for name in ["prelude.glsl", *names]}
-    faults = faults_of_list(folder, names)
+    source = pathlib.Path(sys.argv[1]) / "src"
+    names = [*listed_files(source), "image/tone.glsl"]
+    texts = {name: (source / name).read_text(encoding="utf-8") for name in [*GLSL_ONLY, *names]}
+    faults = faults_of_list(source, names[:-1])
     for name, text in texts.items():
         faults += faults_of_words(name, text)
     statements = calls_of("".join(texts[name] for name in names))
-    calls = sum(" = " in s and "(" in s for s in statements)
+    calls = sum("(" in s for s in statements)
     if calls < 20:
         faults.append(f"only {calls} functions found: has the text another form now?")
     has_compiler = shutil.which("glslangValidator") is not None

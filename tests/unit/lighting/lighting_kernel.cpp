@@ -2,12 +2,21 @@
 // Compiled once per instruction set: runs the lighting text over arrays, as an engine's kernel would.
 #include "lighting_kernel.h"
 #include "lighting/lighting.h"
+#include "lighting/read_albedos.h"
 
 namespace rakelight::lighting_test::RL_ISA {
 
 RL_USE_WIDE;
 using namespace rakelight::lighting::RL_ISA;
 using rakelight::lighting::LightParameters;
+
+// clang-format off
+#include "operations.glsl"
+// clang-format on
+
+inline real sample_albedo(const Maps&, int table, real x, real y) {
+    return read_albedo(lighting::albedo_tables(), table, x, y);
+}
 
 static vec3 load3(const Inputs& in, int column, int at) {
     return vec3(load(in.column[column] + at), load(in.column[column + 1] + at), load(in.column[column + 2] + at));
@@ -29,16 +38,18 @@ static void store3(float* const* out, int at, vec3 x) {
         step;                                                                                        \
     }
 
-#define RL_REAL(name, result) \
+#define RL_REAL(name, result, absolute, relative) \
     static void run_##name(const Inputs& in, float* const* out) { RL_LOOP(store(out[0] + at, result)) }
-#define RL_VEC3(name, result) \
+#define RL_VEC3(name, result, absolute, relative) \
     static void run_##name(const Inputs& in, float* const* out) { RL_LOOP(store3(out, at, result)) }
 #include "lighting_operations.inc"
 #undef RL_REAL
 #undef RL_VEC3
 
-#define RL_REAL(name, result) {#name, 1, run_##name},
-#define RL_VEC3(name, result) {#name, 3, run_##name},
+#define RL_REAL(name, result, absolute, relative) \
+    {#name, 1, run_##name, #result, absolute, []([[maybe_unused]] float e) { return relative; }},
+#define RL_VEC3(name, result, absolute, relative) \
+    {#name, 3, run_##name, #result, absolute, []([[maybe_unused]] float e) { return relative; }},
 static const Operation operations[] = {
 #include "lighting_operations.inc"
 };
@@ -70,7 +81,7 @@ static void terms_of_step(const Surface& surface, vec3 l, vec3 p, const LightPar
     met.l = l;
     met.attenuation = 1.0f;
     met.ambient = met.diffuse = met.specular = vec3(1.0f);
-    if (light != nullptr) met = end_at_range(sample_light(*light, p), *light, p);
+    if (light != nullptr) met = sample_light(*light, p);
     const LightTerms terms = light_terms(surface, met, reflection_of(choice));
     store3(out, at, terms.ambient);
     store3(out + 3, at, terms.diffuse);
@@ -116,9 +127,9 @@ static void material(const Inputs& in, MaterialChoice choice, float* const* out)
 }
 
 static void sum(const Inputs& in, const LightParameters* lights, int light_count, Choice choice, float* const* out) {
-    RL_LOOP(vec3 total = vec3(0.0f); for (int i = 0; i < light_count; ++i) total = add_light(
-                                         total, surface_of(n, v, ka, kd, ks, e, choice),
-                                         end_at_range(sample_light(lights[i], p), lights[i], p), reflection_of(choice));
+    RL_LOOP(vec3 total = vec3(0.0f);
+            for (int i = 0; i < light_count; ++i) total = add_light(total, surface_of(n, v, ka, kd, ks, e, choice),
+                                                                    sample_light(lights[i], p), reflection_of(choice));
             store3(out, at, total))
 }
 
@@ -135,24 +146,26 @@ static real sample_height(const TestMap& map, vec2 uv, real) {
     return real(0.25f) + real(3.0f) * max(up, real(0.0f));
 }
 
-static real met_height(const TestMap& map, vec2 uv, vec2 along, real cosine, const ReliefCase& c) {
-    const real level(c.level), lod(0.0f);
-    if (c.march < march_steep) return parallax_height(map, uv, lod);
-    const real layers = relief_layers(cosine, c.min_steps, c.max_steps);
-    const ReliefHit hit = first_layer(map, uv, along, level, layers, c.max_steps, lod);
-    return c.march == march_steep ? hit.height : refined_height(map, uv, along, level, hit, c.refinements, lod);
+static Relief relief_of(const ReliefCase& c) {
+    static constexpr int techniques[] = {RL_RELIEF_PARALLAX, RL_RELIEF_LIMITED, RL_RELIEF_STEEP, RL_RELIEF_OCCLUSION};
+    Relief r;
+    r.technique = techniques[c.march];
+    r.fewest_layers = c.min_steps, r.most_layers = c.max_steps, r.bisections = c.refinements;
+    r.depth = real(c.depth);
+    r.to_uv = vec2(real(1.0f), real(1.0f));
+    r.to_map_u = vec2(real(1.0f), real(0.0f));
+    r.to_map_v = vec2(real(0.0f), real(1.0f));
+    return r;
 }
 
 static void relief_of_step(vec3 p, vec3 v, vec3 l, const ReliefCase& c, float* const* out, int at) {
     const TestMap map = {c.field};
-    const vec2 uv(p.x, p.y), along = (c.march == march_limited ? relief_run_limited(v) : relief_run(v)) * real(c.depth);
-    const real height = met_height(map, uv, along, v.z, c);
-    const vec2 there = uv + along * (height - real(c.level));
-    const real ground = max(height, sample_height(map, there, real(0.0f)));
-    store(out[0] + at, there.x);
-    store(out[1] + at, there.y);
-    store(out[2] + at, height);
-    store(out[3] + at, relief_light(map, there, ground, relief_run(l) * real(c.depth), l.z,
+    const ReliefPoint point = relief_point(map, relief_of(c), vec2(p.x, p.y), real(c.level), v, real(0.0f));
+    const real ground = max(point.height, sample_height(map, point.uv, real(0.0f)));
+    store(out[0] + at, point.uv.x);
+    store(out[1] + at, point.uv.y);
+    store(out[2] + at, point.height);
+    store(out[3] + at, relief_light(map, point.uv, ground, relief_run(l) * real(c.depth), l.z,
                                     relief_layers(l.z, c.min_steps, c.max_steps), c.max_steps, real(0.0f)));
 }
 

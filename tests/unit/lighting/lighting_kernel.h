@@ -18,6 +18,9 @@ struct Operation {
     const char* name;
     int width;  ///< 1 or 3 columns
     void (*run)(const Inputs& in, float* const* out);
+    const char* text;  ///< the expression, which is GLSL, too
+    float absolute;    ///< by how much a GPU may be off
+    float (*relative)(float e);
 };
 
 struct Choice {

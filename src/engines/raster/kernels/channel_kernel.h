@@ -11,6 +11,10 @@ struct ColorTerms {
     vec3 ambient, diffuse, specular, emission;
 };
 
+inline void set_terms(ColorTerms& sum, const lit::LightTerms& t) {
+    sum.ambient = t.ambient, sum.diffuse = t.diffuse, sum.specular = t.specular;
+}
+
 inline ColorTerms color_terms(const ShadeJob& job, const Pixels& p, const BaseColor& base,
                               const lit::Surface& surface) {
     const vec3 zero(real(0.0f));
@@ -18,15 +22,9 @@ inline ColorTerms color_terms(const ShadeJob& job, const Pixels& p, const BaseCo
     if (job.unlit != 0) {
         sum.emission = lit::unlit(rgb(base.color), sum.emission);
     } else if (job.lit != nullptr) {
-        const ReceivedLight received = interpolate_light(job.lit, p.triangle, p.b);
-        sum.ambient = surface.ambient * received.ambient;
-        sum.diffuse = surface.diffuse * received.diffuse;
-        sum.specular = surface.specular * received.specular;
+        set_terms(sum, lit::corner_terms(surface, interpolate_light(job.lit, p.triangle, p.b)));
     } else {
-        const ReceivedLight reflected = receive(job, surface, p.position);
-        sum.ambient = reflected.ambient;
-        sum.diffuse = reflected.diffuse;
-        sum.specular = reflected.specular;
+        set_terms(sum, receive(job, surface, p.position));
     }
     return sum;
 }

@@ -57,16 +57,10 @@ void light_full(const LightJob* job) {
     for (int32_t i = 0; i < job->count; i += lanes) {
         const vec3 position = load3(job->position, i);
         const lit::MaterialSurface s = full_point(shade, job->roughness, position, load3(job->normal, i));
-        ReceivedLight sum = {vec3(real(0.0f)), vec3(real(0.0f)), vec3(real(0.0f))};
-        for (int32_t k = 0; k < shade.light_count; ++k) {
-            const lit::LightTerms terms = point_terms(shade, s, light_at(shade, k, position));
-            sum.ambient = sum.ambient + terms.ambient;
-            sum.diffuse = sum.diffuse + terms.diffuse;
-            sum.specular = sum.specular + terms.specular;
-        }
-        store3(job->ambient, i, sum.ambient);
-        store3(job->diffuse, i, sum.diffuse);
-        store3(job->specular, i, sum.specular);
+        lit::LightTerms sum = no_light();
+        for (int32_t k = 0; k < shade.light_count; ++k)
+            accumulate(sum, point_terms(shade, s, lit::sample_light(shade.lights[k], position)));
+        store_terms(*job, i, sum);
     }
 }
 

@@ -30,40 +30,19 @@ inline void find_full(const ShadeJob& job, int32_t first, FullPixels& f) {
     f.emission = finish_surface(job, f.p, emission_of(m, f.p), f.surface);
 }
 
-/// Light i as it falls on the surface, ended by its range.
-inline lit::LightSample light_of(const ShadeJob& job, int32_t i, const FullPixels& f) {
-    return lit::end_at_range(sample_in_frame(job, i, f.p, f.bumps), job.lights[i], f.p.position);
-}
-
-inline lit::LightTerms no_light() {
-    lit::LightTerms terms;
-    terms.ambient = terms.diffuse = terms.specular = vec3(real(0.0f));
-    return terms;
-}
-
 /// 0..1: how much of light i is not in shadow.
 inline real seen_of(const ShadeJob& job, int32_t i, const FullPixels& f, const lit::LightSample& light) {
-    return shadow_factor(job, i, f.p, light) * relief_shadow(job, i, f.bumps, light);
+    return shadow_factor(job, i, f.p) * relief_shadow(job, i, f.bumps, light);
 }
 
 /// What light i adds at the pixel.
 inline lit::LightTerms full_light(const ShadeJob& job, int32_t i, const FullPixels& f) {
-    const lit::LightSample light = light_of(job, i, f);
+    const lit::LightSample light = sample_in_frame(job, i, f.p, f.bumps);
     if (no_lane(light.attenuation > real(0.0f))) return no_light();
-    return material_terms(job, f.surface, light, seen_of(job, i, f, light));
+    return material_terms(job, f.surface, light, seen_of(job, i, f, light), traits_of(job));
 }
 
 inline vec3 add_terms(vec3 sum, const lit::LightTerms& t) { return sum + (t.ambient + t.diffuse + t.specular); }
-
-/// Flat and Gouraud: what the corners received, times what the pixel reflects.
-inline lit::LightTerms corner_terms(const ShadeJob& job, const FullPixels& f) {
-    const ReceivedLight received = interpolate_light(job.lit, f.p.triangle, f.p.b);
-    lit::LightTerms terms;
-    terms.ambient = f.surface.base.ambient * received.ambient;
-    terms.diffuse = f.surface.base.diffuse * received.diffuse;
-    terms.specular = f.surface.base.specular * received.specular;
-    return terms;
-}
 
 /// Calls add(terms) for all that falls on the surface, in the order of the plain kernel's sum. What comes from all
 /// around is found at the pixels in flat and Gouraud pictures too.
@@ -71,7 +50,7 @@ template <class Add>
 inline void each_light(const ShadeJob& job, const FullPixels& f, const Add& add) {
     if (job.unlit != 0) return;
     if (job.lit != nullptr)
-        add(corner_terms(job, f));
+        add(lit::corner_terms(f.surface.base, interpolate_light(job.lit, f.p.triangle, f.p.b)));
     else
         for (int32_t i = 0; i < job.light_count; ++i) add(full_light(job, i, f));
     if (job.full->environment != nullptr) add(environment_terms(job, f.surface));

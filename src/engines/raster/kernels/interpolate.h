@@ -2,10 +2,11 @@
 // Perspective-correct attributes of a run of pixels, and their analytic screen derivatives. Per instruction set.
 #pragma once
 #include "engines/raster/kernel_types.h"
-#include "math/wide.h"
+#include "lighting/lighting.h"
 
 namespace rakelight::raster::RL_ISA {
 RL_USE_WIDE;
+namespace lit = rakelight::lighting::RL_ISA;
 namespace part = rakelight::wide::RL_WIDE_PART;
 using rakelight::wide::RL_ISA::part_of;
 

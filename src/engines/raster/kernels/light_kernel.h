@@ -4,10 +4,8 @@
 // the ambient term alone, metalness and specular maps on the specular one. Per instruction set.
 #pragma once
 #include "engines/raster/kernels/interpolate.h"
-#include "lighting/lighting.h"
 
 namespace rakelight::raster::RL_ISA {
-namespace lit = rakelight::lighting::RL_ISA;
 
 inline vec3 splat(const float (&v)[3]) { return vec3(real(v[0]), real(v[1]), real(v[2])); }
 
@@ -21,39 +19,31 @@ inline lit::Reflection reflection_of(const ShadeJob& job) {
 }
 
 inline vec3 to_viewer(const ShadeJob& job, vec3 position) {
-    return job.orthographic != 0 ? splat(job.view_direction) : -safe_normalize(position);
+    return lit::to_viewer(position, splat(job.view_direction), job.orthographic);
 }
 
 /// Of jobs of the full kernel.
 inline vec3 viewer_of(const ShadeJob& job, vec3 position) {
-    return job.full->viewer_at_infinity != 0 ? splat(job.view_direction) : to_viewer(job, position);
+    return lit::to_viewer(position, splat(job.view_direction), job.orthographic | job.full->viewer_at_infinity);
 }
 
-/// Exponent of the Blinn-Phong lobe that is as wide as a GGX lobe of this roughness.
-inline real exponent_of_roughness(real roughness) {
-    const real alpha = max(roughness * roughness, real(1e-3f));
-    return clamp(real(2.0f) / (alpha * alpha) - real(2.0f), real(1.0f), real(10000.0f));
+inline lit::LightTerms no_light() {
+    lit::LightTerms terms;
+    terms.ambient = terms.diffuse = terms.specular = vec3(real(0.0f));
+    return terms;
 }
 
-struct ReceivedLight {
-    vec3 ambient, diffuse, specular;
-};
-
-/// Light i as a point meets it, ended by its range.
-inline lit::LightSample light_at(const ShadeJob& job, int32_t i, vec3 position) {
-    const lit::LightSample light = lit::sample_light(job.lights[i], position);
-    return job.full != nullptr ? lit::end_at_range(light, job.lights[i], position) : light;
+inline void accumulate(lit::LightTerms& sum, const lit::LightTerms& t) {
+    sum.ambient = sum.ambient + t.ambient;
+    sum.diffuse = sum.diffuse + t.diffuse;
+    sum.specular = sum.specular + t.specular;
 }
 
-inline ReceivedLight receive(const ShadeJob& job, const lit::Surface& surface, vec3 position) {
-    ReceivedLight sum = {vec3(real(0.0f)), vec3(real(0.0f)), vec3(real(0.0f))};
+inline lit::LightTerms receive(const ShadeJob& job, const lit::Surface& surface, vec3 position) {
+    lit::LightTerms sum = no_light();
     const lit::Reflection reflection = reflection_of(job);
-    for (int32_t i = 0; i < job.light_count; ++i) {
-        const lit::LightTerms terms = lit::light_terms(surface, light_at(job, i, position), reflection);
-        sum.ambient = sum.ambient + terms.ambient;
-        sum.diffuse = sum.diffuse + terms.diffuse;
-        sum.specular = sum.specular + terms.specular;
-    }
+    for (int32_t i = 0; i < job.light_count; ++i)
+        accumulate(sum, lit::light_terms(surface, lit::sample_light(job.lights[i], position), reflection));
     return sum;
 }
 
@@ -67,15 +57,16 @@ inline void store3(float* const (&to)[3], int32_t i, vec3 v) {
 }
 
 /// A point of the material whose terms are those per unit of reflectance.
-inline lit::Surface point_surface(const ShadeJob& job, float roughness, vec3 position, vec3 normal) {
+inline lit::Surface point_surface(const ShadeJob& job, float roughness, vec3 normal, vec3 viewer) {
     const MaterialView& m = *job.material;
-    lit::Surface surface;
-    surface.ambient = surface.diffuse = surface.specular = vec3(real(1.0f));
-    surface.exponent = m.metallic_roughness != 0 ? exponent_of_roughness(real(roughness)) : real(m.shininess);
-    surface.lobe_scale = lit::lobe_scale(surface.exponent, reflection_of(job));
-    surface.n = normal;
-    surface.v = to_viewer(job, position);
-    return surface;
+    const real exponent = m.metallic_roughness != 0 ? lit::exponent_of_roughness(real(roughness)) : real(m.shininess);
+    return lit::unit_surface(normal, viewer, exponent, reflection_of(job));
+}
+
+inline void store_terms(const LightJob& job, int32_t i, const lit::LightTerms& terms) {
+    store3(job.ambient, i, terms.ambient);
+    store3(job.diffuse, i, terms.diffuse);
+    store3(job.specular, i, terms.specular);
 }
 
 void light_full(const LightJob* job);  // full_kernel.cpp
@@ -83,21 +74,20 @@ void light_full(const LightJob* job);  // full_kernel.cpp
 inline void light(const LightJob* job) {
     if (job->shade->full != nullptr) return light_full(job);
     for (int32_t i = 0; i < job->count; i += lanes) {
-        const vec3 position = load3(job->position, i);
-        const lit::Surface surface = point_surface(*job->shade, job->roughness, position, load3(job->normal, i));
-        const ReceivedLight received = receive(*job->shade, surface, position);
-        store3(job->ambient, i, received.ambient);
-        store3(job->diffuse, i, received.diffuse);
-        store3(job->specular, i, received.specular);
+        const vec3 position = load3(job->position, i), viewer = to_viewer(*job->shade, position);
+        const lit::Surface surface = point_surface(*job->shade, job->roughness, load3(job->normal, i), viewer);
+        store_terms(*job, i, receive(*job->shade, surface, position));
     }
 }
 
 /// The light of each pixel's triangle at the pixel, perspective-correct.
-inline ReceivedLight interpolate_light(const LitTriangle* triangles, const int32_t* triangle, const Barycentrics& b) {
+inline lit::LightTerms interpolate_light(const LitTriangle* triangles, const int32_t* triangle, const Barycentrics& b) {
     const Records records(reinterpret_cast<const float*>(triangles), lit_triangle_floats, triangle);
-    return {interpolate3(records, b, offsetof(LitTriangle, ambient)),
-            interpolate3(records, b, offsetof(LitTriangle, diffuse)),
-            interpolate3(records, b, offsetof(LitTriangle, specular))};
+    lit::LightTerms terms;
+    terms.ambient = interpolate3(records, b, offsetof(LitTriangle, ambient));
+    terms.diffuse = interpolate3(records, b, offsetof(LitTriangle, diffuse));
+    terms.specular = interpolate3(records, b, offsetof(LitTriangle, specular));
+    return terms;
 }
 
 }  // namespace rakelight::raster::RL_ISA

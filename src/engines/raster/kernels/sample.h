@@ -223,31 +223,8 @@ inline vec4 sample(const TextureSlot& slot, const TexCoords& raw) {
     return select(is_minified, result, sample(t, footprint_of(t, c, real(0.0f), t.magnify_linear != 0)));
 }
 
-/// Samples along the longer side of a footprint, each as wide as the shorter one:
-/// GL_EXT_texture_filter_anisotropic, its section 3.8.8, with the footprint's axes as they are.
-struct Probes {
-    mask is_stretched;  ///< else one sample as of square footprints
-    real count, inverse, lod;
-    vec2 axis;
-
-    vec2 place(vec2 middle, int32_t i) const {
-        return middle + axis * ((real(float(i)) + real(0.5f)) * inverse - real(0.5f));
-    }
-};
-
-inline Probes probes_of(const TextureView& t, const TexCoords& c, int32_t most) {
-    const real w = real(float(t.width[0])), h = real(float(t.height[0]));
-    const real ux = c.dx.x * w, vx = c.dx.y * h, uy = c.dy.x * w, vy = c.dy.y * h;
-    const real along_x = ux * ux + vx * vx, along_y = uy * uy + vy * vy;
-    const real longer = max(along_x, along_y), shorter = max(min(along_x, along_y), real(1e-20f));
-    const real count = ceil(clamp(sqrt(longer / shorter), real(1.0f), real(float(most))));
-    Probes p;
-    p.is_stretched = count > real(1.0f) && longer > real(1.0f);  // what is magnified needs one sample
-    p.count = select(p.is_stretched, count, real(1.0f));
-    p.inverse = reciprocal(p.count);
-    p.lod = real(0.5f) * log2_coarse(longer * p.inverse * p.inverse);
-    p.axis = select(along_x >= along_y, c.dx, c.dy);
-    return p;
+inline lit::Probes probes_of(const TextureView& t, const TexCoords& c, int32_t most) {
+    return lit::probes_of(c.dx, c.dy, vec2(real(float(t.width[0])), real(float(t.height[0]))), most);
 }
 
 /// A slot's texture by up to `most` probes.
@@ -256,12 +233,12 @@ inline vec4 sample_anisotropic(const TextureSlot& slot, const TexCoords& raw, in
     TexCoords room;
     const TexCoords& c = transformed(slot, raw, room);
     if (t.mip == 0 || t.levels == 1) return sample(slot, raw);
-    const Probes p = probes_of(t, c, most);
+    const lit::Probes p = probes_of(t, c, most);
     if (no_lane(p.is_stretched)) return sample(slot, raw);
     vec4 sum = vec4(real(0.0f));
     for (int32_t i = 0; any_lane(real(float(i)) < p.count); ++i) {
         TexCoords at = c;
-        at.uv = p.place(c.uv, i);
+        at.uv = lit::probe_place(p, c.uv, i);
         const vec4 probe = sample(t, footprint_of(t, at, p.lod, t.minify_linear != 0));
         sum = sum + select(real(float(i)) < p.count, probe, vec4(real(0.0f)));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shading of a run of pixels of one material, `lanes` at a time. Compiled once per instruction set: includes only plain
 // data, math/wide.h and what stands on it.
-#include "engines/raster/kernels/sky.h"
+#include "engines/raster/kernels/environment_light.h"
 #include "engines/raster/kernels/store.h"
 #include "engines/raster/kernels/surface.h"
 
@@ -9,9 +9,8 @@ namespace rakelight::raster::RL_ISA {
 
 /// Flat and Gouraud shading: light that the corners have received, times what the pixel reflects.
 inline vec3 add_interpolated(vec3 sum, const ShadeJob& job, const Pixels& p, const lit::Surface& surface) {
-    const ReceivedLight received = interpolate_light(job.lit, p.triangle, p.b);
-    return sum + (surface.ambient * received.ambient + surface.diffuse * received.diffuse +
-                  surface.specular * received.specular);
+    const lit::LightTerms t = lit::corner_terms(surface, interpolate_light(job.lit, p.triangle, p.b));
+    return sum + (t.ambient + t.diffuse + t.specular);
 }
 
 /// Vectors of pixels that go through the stages side by side: what one waits for another one fills (a pixel's own

@@ -44,6 +44,11 @@ inline vec4 texel(const TextureSlot& slot, const Pixels& p) {
     return p.anisotropy > 1 ? sample_anisotropic(slot, at, p.anisotropy) : sample(slot, at);
 }
 
+/// The neutral texel of a map that is not there.
+inline vec4 texel_or_white(const TextureSlot& slot, const Pixels& p) {
+    return slot.view != nullptr ? texel(slot, p) : vec4(real(1.0f));
+}
+
 inline void find_texcoords(const MaterialView& m, Pixels& p) {
     if (m.uses_texcoords[0] != 0) find_texcoords_of<0>(p.records, p.b, p.texcoords[0]);
     if (m.uses_texcoords[1] != 0) find_texcoords_of<1>(p.records, p.b, p.texcoords[1]);
@@ -120,68 +125,44 @@ inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
     return lit_side(f, is_mapped);
 }
 
-inline void set_classical(const MaterialView& m, const Pixels& p, vec3 paint, lit::Surface& s) {
-    s.ambient = splat(m.ambient) * paint;
-    s.specular = splat(m.specular);
-    if (m.specular_map.view != nullptr) s.specular = s.specular * rgb(texel(m.specular_map, p));
-    s.exponent = real(m.shininess);
-}
-
 /// What a metallic-roughness material is at a pixel, for every lighting model.
-struct MetallicRoughness {
-    real metallic, roughness;
-    vec3 dielectric_f0;  ///< of what is no metal
-    real dielectric_f90;
-};
-
-inline MetallicRoughness metallic_roughness_at(const MaterialView& m, const Pixels& p) {
-    MetallicRoughness at;
+inline lit::MetallicRoughness metallic_roughness_at(const MaterialView& m, const Pixels& p) {
+    lit::MetallicRoughness at;
     at.metallic = real(m.metallic), at.roughness = real(m.roughness);
-    if (m.metallic_roughness_map.view != nullptr) {
-        const vec4 t = texel(m.metallic_roughness_map, p);
-        at.roughness = at.roughness * t.y;
-        at.metallic = at.metallic * t.z;
-    }
-    vec3 color = splat(m.dielectric_color);
-    at.dielectric_f90 = real(m.specular_strength);
-    if (m.specular_color_map.view != nullptr) color = color * rgb(texel(m.specular_color_map, p));
-    if (m.specular_strength_map.view != nullptr)
-        at.dielectric_f90 = at.dielectric_f90 * texel(m.specular_strength_map, p).w;
-    at.dielectric_f0 = lit::dielectric_f0(color, at.dielectric_f90);
+    lit::apply_metallic_roughness(at, texel_or_white(m.metallic_roughness_map, p));
+    lit::apply_specular(at, splat(m.dielectric_color), real(m.specular_strength),
+                        texel_or_white(m.specular_color_map, p), texel_or_white(m.specular_strength_map, p));
     return at;
 }
 
-/// k_d and k_s, or f0; ambient light shows metals in their color.
-inline void set_metallic_reflectance(const MetallicRoughness& at, vec3 base, lit::Surface& s) {
-    s.ambient = base;
-    s.diffuse = base * (real(1.0f) - at.metallic);
-    s.specular = mix(at.dielectric_f0, base, at.metallic);
+inline void set_classical(const MaterialView& m, const Pixels& p, vec3 paint, lit::Surface& s) {
+    lit::set_classical_reflectance(s, splat(m.ambient), splat(m.specular), real(m.shininess), paint,
+                                   texel_or_white(m.specular_map, p));
 }
 
-/// Metallic-roughness as the parameters of a normalized lobe: what classical_from_metallic_roughness() says, per pixel.
-inline void set_metallic_roughness(const MaterialView& m, const Pixels& p, vec3 base, lit::Surface& s) {
-    const MetallicRoughness at = metallic_roughness_at(m, p);
-    set_metallic_reflectance(at, base, s);
-    s.exponent = exponent_of_roughness(at.roughness);
+inline real occlusion_of(const MaterialView& m, const Pixels& p) {
+    return lit::occlusion_factor(real(m.occlusion_strength), texel_or_white(m.occlusion_map, p));
 }
 
-/// What the material reflects at the pixel: all of the surface but its directions.
+/// What the material reflects at the pixel: all of the surface but its directions. Metallic-roughness as the parameters
+/// of a normalized lobe.
 inline void set_reflectance(const ShadeJob& job, const Pixels& p, const BaseColor& base, lit::Surface& s) {
     const MaterialView& m = *job.material;
     s.diffuse = rgb(base.color);
-    if (m.metallic_roughness != 0)
-        set_metallic_roughness(m, p, rgb(base.color), s);
-    else
+    if (m.metallic_roughness != 0) {
+        const lit::MetallicRoughness at = metallic_roughness_at(m, p);
+        lit::set_metallic_reflectance(s, at, rgb(base.color));
+        s.exponent = lit::exponent_of_roughness(at.roughness);
+    } else {
         set_classical(m, p, rgb(base.paint), s);
-    if (m.occlusion_map.view != nullptr)
-        s.ambient = s.ambient * (real(1.0f) + real(m.occlusion_strength) * (texel(m.occlusion_map, p).x - real(1.0f)));
+    }
+    if (m.occlusion_map.view != nullptr) s.ambient = s.ambient * occlusion_of(m, p);
     s.lobe_scale = lit::lobe_scale(s.exponent, reflection_of(job));
 }
 
 /// First term of the sum.
 inline vec3 emission_of(const MaterialView& m, const Pixels& p) {
-    const vec3 emission = splat(m.emission);
-    return m.emission_map.view != nullptr ? emission * rgb(texel(m.emission_map, p)) : emission;
+    return lit::emission_of(splat(m.emission), texel_or_white(m.emission_map, p));
 }
 
 }  // namespace rakelight::raster::RL_ISA

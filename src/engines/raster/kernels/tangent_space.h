@@ -7,28 +7,6 @@
 
 namespace rakelight::raster::RL_ISA {
 
-/// The interpolated frame of a pixel. The bitangent is cross(n, t) * w; normals are lit on side `side` of it.
-struct Frame {
-    vec3 n, t;          ///< unit, perpendicular
-    vec3 map_n, map_t;  ///< what a normal map acts in: the settings may want them neither unit nor perpendicular
-    real w, side;
-};
-
-/// (tangent, bitangent, normal) coordinates of the frame n, t, w -> a vector of the world.
-inline vec3 out_of(vec3 n, vec3 t, real w, vec3 d) { return t * d.x + cross(n, t) * (w * d.y) + n * d.z; }
-
-/// A vector of the world in the frame n, t, w: by the inverse of its matrix, whose rows are the cross products of its
-/// columns over the determinant; or by the transposed one, which is the inverse of orthonormal frames only.
-inline vec3 into(vec3 n, vec3 t, real w, bool is_transposed, vec3 d) {
-    const vec3 b = cross(n, t) * w;
-    if (is_transposed) return vec3(dot(t, d), dot(b, d), dot(n, d));
-    const vec3 across = cross(b, n);
-    const real determinant = dot(t, across);
-    const mask is_singular = abs(determinant) < real(1e-12f);
-    const real scale = real(1.0f) / select(is_singular, real(1.0f), determinant);
-    return vec3(dot(across, d), dot(cross(n, t), d), dot(cross(t, b), d)) * scale;
-}
-
 /// Frames and places of each pixel's three vertices.
 struct VertexFrames {
     vec3 position[3], n[3], t[3];
@@ -63,28 +41,29 @@ inline vec3 through_vertices(const ShadeJob& job, const Pixels& p, const To& to)
     const VertexFrames f = vertex_frames(job, p);
     const bool is_transposed = job.full->tangent_space == space_transposed;
     vec3 at[3];
-    for (int k = 0; k < 3; ++k) at[k] = into(f.n[k], f.t[k], f.w, is_transposed, to(f.position[k]));
+    for (int k = 0; k < 3; ++k) at[k] = lit::to_tangent_space(f.n[k], f.t[k], f.w, is_transposed, to(f.position[k]));
     return at[0] + (at[1] - at[0]) * p.b.b1 + (at[2] - at[0]) * p.b.b2;
 }
 
 /// A direction of the world as the lighting of the job's tangent space has it: `world` at the pixel, to(position) from
 /// the vertices.
 template <class To>
-inline vec3 in_tangent_space(const ShadeJob& job, const Pixels& p, const Frame& f, vec3 world, const To& to) {
+inline vec3 in_tangent_space(const ShadeJob& job, const Pixels& p, const lit::Frame& f, vec3 world, const To& to) {
     if (job.full->has_bumps == 0 || job.bump == 0 || job.full->tangent_space == space_world) return world;
-    const vec3 d = job.full->tangent_space == space_pixel ? into(f.map_n, f.map_t, f.w, false, world)
-                                                          : through_vertices(job, p, to);
-    return safe_normalize_or(out_of(f.n, f.t, f.w, d), world);
+    const vec3 d = job.full->tangent_space == space_pixel
+                       ? lit::to_tangent_space(f.map_normal, f.map_tangent, f.w, 0, world)
+                       : through_vertices(job, p, to);
+    return lit::tangent_space_direction(f, d, world);
 }
 
-inline vec3 viewer_in_tangent_space(const ShadeJob& job, const Pixels& p, const Frame& f, vec3 v) {
+inline vec3 viewer_in_tangent_space(const ShadeJob& job, const Pixels& p, const lit::Frame& f, vec3 v) {
     return in_tangent_space(job, p, f, v, [&](vec3 position) {
         const bool is_fixed = job.orthographic != 0 || job.full->viewer_at_infinity != 0;
         return is_fixed ? splat(job.view_direction) : vec3(real(0.0f)) - position;
     });
 }
 
-inline vec3 light_in_tangent_space(const ShadeJob& job, const Pixels& p, const Frame& f, int32_t i, vec3 l) {
+inline vec3 light_in_tangent_space(const ShadeJob& job, const Pixels& p, const lit::Frame& f, int32_t i, vec3 l) {
     const lighting::LightParameters& light = job.lights[i];
     if (light.kind == lighting::LightKind::ambient) return l;
     return in_tangent_space(job, p, f, l, [&](vec3 position) {

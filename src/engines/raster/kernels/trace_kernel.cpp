@@ -57,8 +57,8 @@ void trace_texels(const TextureView& t, const Footprint& f, int32_t probe, float
 }
 
 /// How texel() reads: the probes and their level of detail; one in the middle where none are wanted.
-Probes trace_probes(const TextureView& t, const TexCoords& c, int32_t most, TracedTexture& out) {
-    Probes p{};
+lit::Probes trace_probes(const TextureView& t, const TexCoords& c, int32_t most, TracedTexture& out) {
+    lit::Probes p{};
     if (most > 1 && t.mip != 0 && t.levels > 1) p = probes_of(t, c, most);
     out.probes = 1;
     out.axis_u = out.axis_v = 0;
@@ -78,7 +78,7 @@ void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out,
     out.is_used = 1;
     out.u = c.uv.x;
     out.v = c.uv.y;
-    const Probes probes = trace_probes(t, c, p.anisotropy, out);
+    const lit::Probes probes = trace_probes(t, c, p.anisotropy, out);
     out.level = 0;
     if (t.mip != 0 && t.levels > 1 && out.level_of_detail > 0.0f) {
         out.level = clamp(out.level_of_detail, 0.0f, float(t.levels - 1));
@@ -89,7 +89,7 @@ void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out,
     const bool linear = (out.probes > 1 || out.level_of_detail > 0.0f ? t.minify_linear : t.magnify_linear) != 0;
     for (int32_t i = 0; i < out.probes; ++i) {
         TexCoords at = c;
-        if (out.probes > 1) at.uv = probes.place(c.uv, i);
+        if (out.probes > 1) at.uv = lit::probe_place(probes, c.uv, i);
         trace_texels(t, footprint_of(t, at, out.level_of_detail, linear), i, 1.0f / float(out.probes), *texels);
     }
 }
@@ -103,21 +103,23 @@ float level_read(const TextureView& t, float lod) {
 
 /// How the height map is read where the ray arrives: four heights a probe where the normal is that of its slopes.
 void trace_heights(const ShadeJob& job, const FullPixels& f, TracedTexture& out, TracedTexels* texels) {
-    const HeightPlace& place = f.bumps.point.place;
+    const HeightPlace& place = f.bumps.place;
+    const vec2 uv = f.bumps.point.uv;
     const TextureSlot& slot = job.material->height_map;
     const TextureView& t = *slot.view;
     const bool is_slope = uses_slopes(job);
     TexCoords room;
     TexCoords at = transformed(slot, f.p.texcoords[slot.texcoord_set == 0 ? 0 : 1], room);
-    Probes probes{};
+    lit::Probes probes{};
     probes.count = probes.inverse = 1.0f, probes.lod = place.lod;
     if (is_slope && f.p.anisotropy > 1) probes = slope_probes(place, at, f.p.anisotropy);
-    const real level = is_slope ? slope_level(t, probes.lod) : probes.lod;
-    const real half = is_slope ? 0.5f * slope_width(t, level) : 0.0f;
+    const lit::HeightLevels levels = height_levels(t);
+    const real level = is_slope ? lit::slope_level(levels, probes.lod) : probes.lod;
+    const real half = is_slope ? 0.5f * lit::slope_width(levels, level) : 0.0f;
     const vec2 ways[4] = {vec2(half / float(t.width[0]), 0.0f), vec2(-half / float(t.width[0]), 0.0f),
                           vec2(0.0f, half / float(t.height[0])), vec2(0.0f, -half / float(t.height[0]))};
     out.is_used = 1;
-    out.u = place.uv.x, out.v = place.uv.y;
+    out.u = uv.x, out.v = uv.y;
     out.probes = to_int(probes.count);
     out.axis_u = out.axis_v = 0;
     if (out.probes > 1) out.axis_u = probes.axis.x, out.axis_v = probes.axis.y;
@@ -128,7 +130,7 @@ void trace_heights(const ShadeJob& job, const FullPixels& f, TracedTexture& out,
     vec4 sum(0.0f);
     for (int32_t i = 0; i < out.probes; ++i)
         for (int32_t k = 0; k < heights; ++k) {
-            at.uv = (out.probes > 1 ? probes.place(place.uv, i) : place.uv) + ways[k];
+            at.uv = (out.probes > 1 ? lit::probe_place(probes, uv, i) : uv) + ways[k];
             const Footprint footprint = footprint_of(t, at, level, true);
             sum = sum + sample(t, footprint) * share;
             if (texels != nullptr) trace_texels(t, footprint, i, share, *texels);
@@ -180,15 +182,15 @@ void trace_normal(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
     out.facing = normal.sign;
     out.is_of_slopes = job.full != nullptr && uses_slopes(job);
     if (out.is_of_slopes) {
-        put(out.tangent, f.bumps.frame.t);
-        put(out.mapped, sloped_normal(job, p, f.bumps.point.place));
+        put(out.tangent, f.bumps.frame.tangent);
+        put(out.mapped, slope_vector(job, p, f.bumps));
         return;
     }
     if (job.bump == 0 || m.normal_map.view == nullptr) return;
     const vec3 across = lit::orthogonal_tangent(n, tangent.v);
     put(out.tangent, job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across));
     put(out.mapped,
-        job.full != nullptr ? mapped_normal(job, p) : lit::decode_normal(rgb(texel(m.normal_map, p)), m.normal_scale));
+        job.full != nullptr ? map_vector(job, p) : lit::decode_normal(rgb(texel(m.normal_map, p)), m.normal_scale));
 }
 
 void trace_surface(const MaterialView& m, const lit::Surface& s, PixelTrace& out) {
@@ -213,13 +215,13 @@ void trace_reach(const lighting::LightParameters& p, vec3 position, TracedLight&
     const real cos_angle = -dot(lit::broadcast3(p.direction), ray.l);
     const bool is_spot = p.kind == lighting::LightKind::spot;
     out.distance = sqrt(dot(to_light, to_light));
-    out.range_window = lit::range_of(p, position);
+    out.range_window = lit::range_window(ray.squared, p.inverse_range);
     if (p.is_photometric) {
         out.attenuation = lit::photometric_attenuation(ray.squared, p.inverse_range);
         if (is_spot) out.spot = lit::photometric_spot(cos_angle, p.cone_scale, p.cone_offset);
     } else {
         out.attenuation = lit::classical_attenuation(ray.distance, p.constant_term, p.linear_term, p.quadratic_term);
-        if (lit::has_classical_range(p)) out.attenuation = out.attenuation * lit::range_of(p, position);
+        if (p.inverse_range > 0) out.attenuation = out.attenuation * out.range_window;
         if (is_spot) out.spot = lit::classical_spot(cos_angle, p.cos_cutoff, p.exponent);
     }
 }
@@ -273,7 +275,7 @@ void trace_plain_parts(const ShadeJob& job, const lit::Surface& surface, const l
 void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surface, vec3 sum, TracedLight* lights,
                   TracedParts* parts) {
     for (int32_t i = 0; i < job.light_count; ++i) {
-        const lit::LightSample sample = light_at(job, i, p.position);
+        const lit::LightSample sample = lit::sample_light(job.lights[i], p.position);
         trace_light(job, i, p.position, surface, sample, lights[i]);
         trace_plain_parts(job, surface, sample, parts == nullptr ? nullptr : parts + i);
         sum = lit::add_light(sum, surface, sample, reflection_of(job));
@@ -301,17 +303,21 @@ void trace_parameters(const ShadeJob& job, const lit::MaterialSurface& s, PixelT
 void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
     put(out.diffuse_normal, f.surface.diffuse_n);
     trace_parameters(job, f.surface, out);
-    for (int set = 0; set < 2; ++set)
-        out.relief_texcoord[set][0] = f.p.texcoords[set].uv.x, out.relief_texcoord[set][1] = f.p.texcoords[set].uv.y;
+    for (int set = 0; set < 2; ++set) {
+        const bool is_read = job.material->uses_texcoords[set] != 0;  // else it is not found
+        const vec2 uv = f.p.texcoords[set].uv;
+        out.relief_texcoord[set][0] = is_read ? uv.x : out.texcoord[set][0];
+        out.relief_texcoord[set][1] = is_read ? uv.y : out.texcoord[set][1];
+    }
     out.has_relief = job.full->relief.technique != 0;
     out.relief_height = -1;
-    const HeightMap& heights = f.bumps.point.place.map;
+    const Maps& maps = f.bumps.place.maps;
     if (has_relief(job) && job.full->relief.technique >= relief_parallax)
-        out.relief_height = (f.bumps.point.height - heights.offset) * heights.scale;
+        out.relief_height = (f.bumps.point.height - maps.height_offset) * maps.height_scale;
     out.has_fog = job.full->fog.kind != 0;
     out.has_environment = job.full->environment != nullptr && job.unlit == 0;
     put(out.before_fog, radiance_before_fog(job, f));
-    out.fog_distance = distance_in_fog(job, f.p.position);
+    out.fog_distance = lit::fog_distance(f.p.position, splat(job.view_direction), job.orthographic);
     out.fog_share = fog_of(job, f.p);
     put(out.fog_color, splat(job.full->fog.color));
     if (!out.has_environment) return;
@@ -337,18 +343,23 @@ void trace_full_lobe(const ShadeJob& job, const lit::MaterialSurface& s, const l
     out.specular_factor = out.lobe * (RL_PI * lit::lambert_cosine(out.n_dot_l));
 }
 
+lit::LightAlbedo albedo_of(const ShadeJob& job, const lit::MaterialSurface& s, const lit::LightSample& light,
+                           const lit::MaterialTraits& traits) {
+    return lit::light_albedo(s, maps_of(job), light.l, traits, job.reflection_model);
+}
+
 void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* lights, TracedParts* parts) {
     vec3 sum = f.emission;
     const lit::MaterialTraits traits = traits_of(job);
     const lit::Reflection reflection = reflection_of(job);
     for (int32_t i = 0; i < job.light_count; ++i) {
-        const lit::LightSample sample = light_of(job, i, f);
+        const lit::LightSample sample = sample_in_frame(job, i, f.p, f.bumps);
         trace_light(job, i, f.p.position, f.surface.base, sample, lights[i]);
         trace_full_lobe(job, f.surface, traits, sample, lights[i]);
         lights[i].seen = seen_of(job, i, f, sample);
         if (parts != nullptr)
             trace_parts(
-                {f.surface, sample, traits, reflection, light_albedo(job, traits, sample.l, f.surface), lights[i].seen},
+                {f.surface, sample, traits, reflection, albedo_of(job, f.surface, sample, traits), lights[i].seen},
                 parts[i]);
         const lit::LightTerms terms = full_light(job, i, f);
         put_terms(terms, lights[i]);
@@ -358,7 +369,7 @@ void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* li
 }
 
 void trace_received(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
-    const ReceivedLight light = interpolate_light(job.lit, p.triangle, p.b);
+    const lit::LightTerms light = interpolate_light(job.lit, p.triangle, p.b);
     put(out.received[0], light.ambient);
     put(out.received[1], light.diffuse);
     put(out.received[2], light.specular);
@@ -406,7 +417,7 @@ lit::LightTerms trace_full_point(const ShadeJob& job, const lit::MaterialSurface
     const lit::Reflection reflection = reflection_of(job);
     const lit::LightTerms terms = point_terms(job, s, light);
     trace_full_lobe(job, s, traits, light, out);
-    trace_parts({s, light, traits, reflection, light_albedo(job, traits, light.l, s), 1.0f}, parts);
+    trace_parts({s, light, traits, reflection, albedo_of(job, s, light, traits), 1.0f}, parts);
     put_terms(terms, out);
     return terms;
 }
@@ -416,10 +427,10 @@ lit::LightTerms trace_full_point(const ShadeJob& job, const lit::MaterialSurface
 void trace_point(const ShadeJob* job, float roughness, const float (&position)[3], const float (&normal)[3],
                  float (&received)[3][3], TracedLight* lights, TracedParts* parts) {
     const vec3 at = splat(position);
-    const lit::Surface surface = point_surface(*job, roughness, at, splat(normal));
+    const lit::Surface surface = point_surface(*job, roughness, splat(normal), to_viewer(*job, at));
     vec3 sum[3] = {vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f)};
     for (int32_t i = 0; i < job->light_count; ++i) {
-        const lit::LightSample sample = light_at(*job, i, at);
+        const lit::LightSample sample = lit::sample_light(job->lights[i], at);
         lit::LightTerms terms = trace_light(*job, i, at, surface, sample, lights[i]);
         if (job->full != nullptr)
             terms = trace_full_point(*job, full_point(*job, roughness, at, splat(normal)), sample, lights[i], parts[i]);

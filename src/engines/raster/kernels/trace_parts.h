@@ -205,21 +205,22 @@ inline void trace_parts_around(const ShadeJob& job, const FullPixels& f, TracedP
             .times(Quantity::own_emission, emission_of(*job.material, f.p))
             .times(Quantity::coat_rest, 1.0f - s.coat_reflectance);
     if (job.full->environment == nullptr || job.unlit != 0) return;
-    const EnvironmentView& e = *job.full->environment;
+    const Maps maps = maps_of(job);
+    const lit::Environment e = environment_of(*job.full->environment);
     PartWriter(out, Term::ambient, Layer::base)
         .times(Quantity::around_diffuse, s.around_diffuse)
-        .times(Quantity::mean_light, irradiance(e, s.diffuse_n));
+        .times(Quantity::mean_light, lit::irradiance(e, s.diffuse_n));
     PartWriter(out, Term::specular, Layer::base)
         .times(Quantity::around_specular, s.around_specular)
-        .times(Quantity::mirrored, glossy(job, e, s, traits));
+        .times(Quantity::mirrored, lit::glossy(maps, e, s, traits, job.reflection_model));
     if (traits.has_sheen != 0)
         PartWriter(out, Term::specular, Layer::sheen)
             .times(Quantity::around_sheen, s.around_sheen)
-            .times(Quantity::mean_light_sheen, irradiance(e, s.base.n));
+            .times(Quantity::mean_light_sheen, lit::irradiance(e, s.base.n));
     if (traits.has_coat != 0)
         PartWriter(out, Term::specular, Layer::coat)
             .times(Quantity::around_coat, s.around_coat)
-            .times(Quantity::mirrored_coat, mirrored(e, mirrored_about(s.coat_n, s.base.v), sqrt(s.coat_alpha)));
+            .times(Quantity::mirrored_coat, lit::mirrored_by_coat(maps, e, s));
 }
 
 }  // namespace rakelight::raster::RL_ISA

@@ -20,6 +20,19 @@ RL_FN vec3 decode_normal_centered(vec3 texel, real scale)
     return vec3(m.x * scale, m.y * scale, m.z);
 }
 
+// A texel in 0..1 as the material says: which byte is 0, and whether green points down.
+RL_FN vec3 decode_mapped(vec3 texel, real scale, int is_centered, int is_green_down)
+{
+    vec3 m = decode_normal(texel, scale);
+    if (is_centered != 0) {
+        m = decode_normal_centered(texel, scale);
+    }
+    if (is_green_down != 0) {
+        return vec3(m.x, -m.y, m.z);
+    }
+    return m;
+}
+
 // t made perpendicular to the unit normal n (Gram-Schmidt) and unit again; where t has no part across n, the axis that lies
 // most across n takes its place (x, unless n leans on it by more than 0.7; then y).
 RL_FN vec3 orthogonal_tangent(vec3 n, vec3 t)

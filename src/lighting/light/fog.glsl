@@ -40,3 +40,18 @@ RL_FN real fog_factor(int kind, real d, real start, real end, real density)
     }
     return 1.0f;
 }
+
+// [m] >= 0 that the ray to a point (about the eye) goes through the fog: from the eye; in parallel views from the plane of the
+// camera, view_direction towards the viewer.
+RL_FN real fog_distance(vec3 position, vec3 view_direction, int is_parallel)
+{
+    if (is_parallel != 0) {
+        return max(-dot(view_direction, position), 0.0f);
+    }
+    return length(position);
+}
+
+RL_FN vec3 behind_fog(vec3 radiance, vec3 fog_color, real factor)
+{
+    return radiance * factor + fog_color * (1.0f - factor);
+}

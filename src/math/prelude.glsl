@@ -3,10 +3,10 @@
 // math/wide.h, which is the scalar and the wide C++ prelude. The loader puts #version (and for ES the precision) before it.
 #define RL_FN
 #define RL_IN(type) type
+#define RL_INOUT(type) inout type
 #define real float
 #define mask bool
 #define RL_MAP_FN
-#define HeightMap sampler2D
 
 bool any_lane(bool m) { return m; }
 bool all_lanes(bool m) { return m; }
@@ -16,10 +16,9 @@ vec2 select(bool m, vec2 a, vec2 b) { return m ? a : b; }
 vec3 select(bool m, vec3 a, vec3 b) { return m ? a : b; }
 vec4 select(bool m, vec4 a, vec4 b) { return m ? a : b; }
 
-// Height in 0..1 at a level of detail.
-float sample_height(sampler2D map, vec2 uv, float lod) { return textureLod(map, uv, lod).x; }
-
 float reciprocal(float x) { return 1.0f / x; }
+float copy_sign(float x, float s) { return uintBitsToFloat((floatBitsToUint(x) & 0x7fffffffu) | (floatBitsToUint(s) & 0x80000000u)); }
+float log2_coarse(float x) { return log2(x); }
 float safe_sqrt(float x) { return x > 0.0f ? sqrt(x) : 0.0f; }  // 0 for negative x and NaN
 
 // x^y for x > 0; 0 for x <= 0 and NaN, whatever y.

@@ -9,12 +9,12 @@
 
 // Change of height per unit of u and of v, by differences over width_u, width_v: those of a texel of the level that is read,
 // so that the slope is filtered as the height is and has no steps where the map is magnified.
-RL_MAP_FN vec2 height_slope(RL_IN(HeightMap) map, vec2 uv, real width_u, real width_v, real lod)
+RL_MAP_FN vec2 height_slope(RL_IN(Maps) maps, vec2 uv, real width_u, real width_v, real lod)
 {
     vec2 along_u = vec2(0.5f * width_u, 0.0f);
     vec2 along_v = vec2(0.0f, 0.5f * width_v);
-    real du = sample_height(map, uv + along_u, lod) - sample_height(map, uv - along_u, lod);
-    real dv = sample_height(map, uv + along_v, lod) - sample_height(map, uv - along_v, lod);
+    real du = sample_height(maps, uv + along_u, lod) - sample_height(maps, uv - along_u, lod);
+    real dv = sample_height(maps, uv + along_v, lod) - sample_height(maps, uv - along_v, lod);
     return vec2(du / width_u, dv / width_v);
 }
 

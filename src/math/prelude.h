@@ -4,9 +4,10 @@
 // guard.
 #define RL_FN [[gnu::always_inline]] inline  // structs of wide vectors would travel through memory
 #define RL_IN(type) const type&              // a struct that is only read: GLSL's `in`, without a copy
-// A function that reads a height map. HeightMap is a type of the includer's, with sample_height(map, uv, lod) beside
-// it.
-#define RL_MAP_FN              \
-    template <class HeightMap> \
+#define RL_INOUT(type) type&                 // a struct that is changed: GLSL's `inout`
+// A function that reads maps. Maps is a type of the includer's, with functions sample_height(maps, uv, level) and so on beside
+// it: lighting/maps.glsl is their GLSL brother.
+#define RL_MAP_FN         \
+    template <class Maps> \
     RL_FN
 RL_USE_WIDE;

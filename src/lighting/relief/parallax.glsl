@@ -29,9 +29,9 @@ RL_FN real relief_layers(real cosine, int fewest, int most)
 }
 
 // Height of the point that plain parallax takes: the one under the pixel, whatever stands between.
-RL_MAP_FN real parallax_height(RL_IN(HeightMap) map, vec2 uv, real lod)
+RL_MAP_FN real parallax_height(RL_IN(Maps) maps, vec2 uv, real lod)
 {
-    return sample_height(map, uv, lod);
+    return sample_height(maps, uv, lod);
 }
 
 // Two heights of a ray between which it enters the relief, and how high the relief stands over the ray there: a gap < 0
@@ -44,7 +44,7 @@ struct ReliefHit {
 };
 
 // Steep parallax: the ray goes down layer by layer and stops at the first that lies in the relief. layers <= most.
-RL_MAP_FN ReliefHit first_layer(RL_IN(HeightMap) map, vec2 uv, vec2 along, real level, real layers, int most, real lod)
+RL_MAP_FN ReliefHit first_layer(RL_IN(Maps) maps, vec2 uv, vec2 along, real level, real layers, int most, real lod)
 {
     real thickness = reciprocal(layers);
     ReliefHit hit;
@@ -55,7 +55,7 @@ RL_MAP_FN ReliefHit first_layer(RL_IN(HeightMap) map, vec2 uv, vec2 along, real 
     mask is_above = layers > 0.0f;
     for (int i = 0; i <= most + 1; ++i) {
         real height = max(1.0f - real(float(i)) * thickness, 0.0f);
-        real gap = sample_height(map, uv + along * (height - level), lod) - height;
+        real gap = sample_height(maps, uv + along * (height - level), lod) - height;
         hit.before = select(is_above, hit.height, hit.before);
         hit.gap_before = select(is_above, hit.gap, hit.gap_before);
         hit.height = select(is_above, height, hit.height);
@@ -69,7 +69,7 @@ RL_MAP_FN ReliefHit first_layer(RL_IN(HeightMap) map, vec2 uv, vec2 along, real 
 }
 
 // Parallax occlusion: the crossing between the two heights, by bisections and at last along the line between them.
-RL_MAP_FN real refined_height(RL_IN(HeightMap) map, vec2 uv, vec2 along, real level, RL_IN(ReliefHit) hit, int bisections, real lod)
+RL_MAP_FN real refined_height(RL_IN(Maps) maps, vec2 uv, vec2 along, real level, RL_IN(ReliefHit) hit, int bisections, real lod)
 {
     real above = hit.before;
     real gap_above = hit.gap_before;
@@ -77,7 +77,7 @@ RL_MAP_FN real refined_height(RL_IN(HeightMap) map, vec2 uv, vec2 along, real le
     real gap_below = hit.gap;
     for (int i = 0; i < bisections; ++i) {
         real middle = 0.5f * (above + below);
-        real gap = sample_height(map, uv + along * (middle - level), lod) - middle;
+        real gap = sample_height(maps, uv + along * (middle - level), lod) - middle;
         mask is_inside = gap >= 0.0f;
         below = select(is_inside, middle, below);
         gap_below = select(is_inside, gap, gap_below);
@@ -90,7 +90,7 @@ RL_MAP_FN real refined_height(RL_IN(HeightMap) map, vec2 uv, vec2 along, real le
 
 // 1 where no height stands between the relief's point at uv, `height` and the light, else 0; uv is the point's own. `cosine`: of the
 // light to the polygon's normal; what is lit from under the polygon lies in its shadow.
-RL_MAP_FN real relief_light(RL_IN(HeightMap) map, vec2 uv, real height, vec2 along, real cosine, real layers, int most, real lod)
+RL_MAP_FN real relief_light(RL_IN(Maps) maps, vec2 uv, real height, vec2 along, real cosine, real layers, int most, real lod)
 {
     real room = 1.0f - height;
     real step_share = reciprocal(layers);
@@ -98,7 +98,7 @@ RL_MAP_FN real relief_light(RL_IN(HeightMap) map, vec2 uv, real height, vec2 alo
     for (int i = 0; i < most; ++i) {
         real share = (real(float(i)) + 0.5f) * step_share;
         real up = room * share;
-        real there = sample_height(map, uv + along * up, lod);
+        real there = sample_height(maps, uv + along * up, lod);
         is_hidden = is_hidden || (share < 1.0f && there > height + up);
         if (all_lanes(is_hidden)) {
             return 0.0f;

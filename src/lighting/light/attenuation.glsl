@@ -14,21 +14,18 @@ RL_FN real classical_spot(real cos_angle, real cos_cutoff, real exponent)
     return select(cos_angle >= cos_cutoff, pow_positive(min(1.0f, cos_angle), exponent), 0.0f);
 }
 
-// [1/m^2] inverse square with the range's window max(min(1 - (d / range)^4, 1), 0); inverse_range 0: no range.
-// Distances under 0.1 mm count as that.
-RL_FN real photometric_attenuation(real distance_squared, real inverse_range)
-{
-    real d2 = clamp(distance_squared, 1e-8f, 1e37f);
-    real ratio = d2 * inverse_range * inverse_range;
-    real window = clamp(1.0f - ratio * ratio, 0.0f, 1.0f);
-    return window / d2;
-}
-
-// [1] that window alone, for classical lights that end.
+// [1] window of a range: max(min(1 - (d / range)^4, 1), 0). Classical lights that end have it, too.
 RL_FN real range_window(real distance_squared, real inverse_range)
 {
     real ratio = min(distance_squared, 1e37f) * inverse_range * inverse_range;
     return clamp(1.0f - ratio * ratio, 0.0f, 1.0f);
+}
+
+// [1/m^2] inverse square with that window; inverse_range 0: no range. Distances under 0.1 mm count as that.
+RL_FN real photometric_attenuation(real distance_squared, real inverse_range)
+{
+    real d2 = clamp(distance_squared, 1e-8f, 1e37f);
+    return range_window(d2, inverse_range) / d2;
 }
 
 // [1] cone_scale = 1 / max(0.001, cos inner - cos outer), cone_offset = -cos outer * cone_scale; squared as the extension's note.

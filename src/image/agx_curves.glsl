@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// AgX's curves for GLSL, as AgxTables of tone_curves.cpp makes them: Sobotka's sigmoid over the logarithm of light from 10 EV under to
+// 6.5 EV over 0.18, through the pivot where its slope is 2; and the display's power.
+
+float agx_contrast(Maps maps, float light)
+{
+    const float pivot = 10.0f / 16.5f;
+    float x = clamp((log2(clamp(light, exp2(-13.0f), 32.0f) / 0.18f) + 10.0f) / 16.5f, 0.0f, 1.0f);
+    bool is_above = x > pivot;
+    float power = is_above ? 3.25f : 3.0f;
+    float span = is_above ? 1.0f - pivot : pivot;
+    float a = (pow(4.0f * span, power) - 1.0f) / pow(span, power);  // so that the curve ends at 0 or 1
+    float from = abs(x - pivot);
+    float rise = 2.0f * from / pow(1.0f + a * pow_positive(from, power), 1.0f / power);
+    return clamp(is_above ? 0.5f + rise : 0.5f - rise, 0.0f, 1.0f);
+}
+
+float agx_power(Maps maps, float display) { return pow_positive(clamp(display, 0.0f, 1.0f), 2.2f); }

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: Apache-2.0
+// Entry points of the lighting text that take structs, maps or change what they get, as functions of plain vectors: the rows of
+// lighting_operations.inc. In the subset, so that C++ and a GPU evaluate the same.
+
+struct Maps {
+    real height_scale;
+    real height_offset;
+};
+
+RL_FN Maps test_maps()
+{
+    Maps maps;
+    maps.height_scale = 0.9f;
+    maps.height_offset = 0.05f;
+    return maps;
+}
+
+// A bowl, 0..1.
+RL_FN real sample_height(RL_IN(Maps) maps, vec2 uv, real level)
+{
+    vec2 from = uv - vec2(0.4f, 0.6f);
+    return maps.height_offset + maps.height_scale / (1.0f + dot(from, from) * (4.0f - level * 0.1f));
+}
+
+RL_FN vec3 sample_environment(RL_IN(Maps) maps, vec2 uv, real level)
+{
+    return vec3(uv.x, uv.y, maps.height_offset) * (2.0f - level * 0.2f);
+}
+
+RL_FN vec3 sample_sky(RL_IN(Maps) maps, vec2 uv, real level)
+{
+    return vec3(uv.x, uv.y, maps.height_scale + level * 0.01f);
+}
+
+// A wall at half a shadow map's reach that leans.
+RL_FN real fetch_nearness(RL_IN(Maps) maps, real column, real row)
+{
+    return maps.height_offset + column * 0.003f + row * 0.001f;
+}
+
+RL_FN vec2 fetch_slopes(RL_IN(Maps) maps, real column, real row)
+{
+    return vec2(column * 0.01f, -row * 0.01f) * maps.height_scale;
+}
+
+// real sample_albedo(maps, table, x, y): of read_albedos.h and albedo_tables.glsl.
+
+RL_FN vec3 radiance_of_terms(RL_IN(LightTerms) terms)
+{
+    return terms.ambient + terms.diffuse + terms.specular;
+}
+
+RL_FN vec3 arriving(RL_IN(LightSample) light)
+{
+    return light.l + (light.ambient + light.diffuse + light.specular) * light.attenuation;
+}
+
+RL_FN vec3 sampled_classical(vec3 l, vec3 ka, vec3 kd, vec3 ks, vec3 p)
+{
+    ClassicalLight light;
+    light.type = RL_SPOT_LIGHT;
+    light.position = l * 3.0f;
+    light.direction = safe_normalize(p - l * 3.0f);
+    light.ambient = ka;
+    light.diffuse = kd;
+    light.specular = ks;
+    light.constant_term = 1.0f;
+    light.linear_term = ka.x;
+    light.quadratic_term = ka.y;
+    light.cos_cutoff = -1.0f;
+    light.exponent = ka.z;
+    light.has_range = 1;
+    light.inverse_range = 0.1f;
+    return arriving(sample_classical(light, p));
+}
+
+RL_FN vec3 sampled_photometric(vec3 n, vec3 l, vec3 kd, vec3 p, real s)
+{
+    PhotometricLight light;
+    light.type = RL_SPOT_LIGHT;
+    light.position = l * 5.0f;
+    light.direction = n;
+    light.intensity = kd;
+    light.inverse_range = 0.1f;
+    light.cone_scale = 1.0f;
+    light.cone_offset = s;
+    return arriving(sample_photometric(light, p));
+}
+
+RL_FN Frame any_frame(vec3 n, vec3 p, real s)
+{
+    return bump_frame(n * 1.5f, select(s < 0.0f, real(-1.0f), real(1.0f)), p, 1.0f, 0, 1);
+}
+
+RL_FN Relief any_relief(int technique, vec3 ka, vec3 kd)
+{
+    Relief r;
+    r.technique = technique;
+    r.fewest_layers = 4;
+    r.most_layers = 12;
+    r.bisections = 6;
+    r.depth = 0.1f * kd.x;
+    r.to_uv = vec2(1.0f + ka.x, -1.0f - ka.y);
+    r.to_map_u = vec2(1.0f + ka.x, ka.z);
+    r.to_map_v = vec2(ka.z, 1.0f + ka.y);
+    return r;
+}
+
+RL_FN vec3 any_sense(real s, real level)
+{
+    HeightSense sense = height_sense(select(s < 0.0f, real(-1.0f), real(1.0f)), level, 1);
+    return vec3(sense.scale, sense.offset, sense.level);
+}
+
+RL_FN vec3 relief_scales(RL_IN(Relief) r, real s, real t)
+{
+    vec2 to_map = relief_to_map(r, vec2(s, t));
+    return vec3(to_map.x, to_map.y, relief_to_uv(r, vec2(s, t)).y);
+}
+
+RL_FN vec3 moved(vec3 ka, vec3 kd, vec3 ks)
+{
+    vec2 move = same_move(vec2(1.0f + ka.x, ka.y), vec2(-ka.z, 1.0f + kd.x), vec2(kd.y, kd.z), vec2(ks.x, ks.y), vec2(ks.z, 0.5f));
+    return vec3(move.x, move.y, 0.0f);
+}
+
+RL_FN vec3 met(int technique, vec3 ka, vec3 kd, vec3 v)
+{
+    vec3 eye = vec3(v.x, v.y, 0.3f + abs(v.z));
+    ReliefPoint point = relief_point(test_maps(), any_relief(technique, ka, kd), vec2(kd.y, kd.z), 0.9f, eye, 1.0f);
+    return vec3(point.uv.x, point.uv.y, point.height) + vec3(point.move.x, point.move.y, 0.0f);
+}
+
+RL_FN real shaded_relief(vec3 ka, vec3 kd, vec3 l)
+{
+    ReliefPoint point = relief_point(test_maps(), any_relief(RL_RELIEF_PARALLAX, ka, kd), vec2(kd.y, kd.z), 0.9f, vec3(0.0f, 0.0f, 1.0f), 1.0f);
+    return relief_shadow(test_maps(), any_relief(RL_RELIEF_PARALLAX, ka, kd), point, l, 1.0f);
+}
+
+RL_FN vec3 probed(vec3 ka, vec3 kd, vec3 ks)
+{
+    Probes p = probes_of(vec2(ka.x, ka.y) * 0.01f, vec2(kd.x, kd.y) * 0.1f, vec2(512.0f, 256.0f), 1);
+    vec2 place = probe_place(p, vec2(ks.x, ks.y), 0);
+    return vec3(place.x, place.y, p.inverse);
+}
+
+RL_FN vec3 sloped(vec3 ka, vec3 kd, vec3 ks)
+{
+    HeightLevels levels;
+    levels.texel = vec2(0.01f, 0.02f);
+    levels.last = 8.0f;
+    levels.mip = 2;
+    Probes p;
+    p.is_stretched = ka.x >= 0.0f;
+    p.count = 3.0f;
+    p.inverse = 1.0f / p.count;
+    p.lod = 2.0f * ka.y;
+    p.axis = vec2(kd.x, kd.y) * 0.1f;
+    vec2 slope = filtered_slope(test_maps(), levels, vec2(ks.x, ks.y), p);
+    return vec3(slope.x, slope.y, slope_width(levels, slope_level(levels, p.lod)));
+}
+
+RL_FN Surface any_base(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real exponent, RL_IN(Reflection) r)
+{
+    Surface s = unit_surface(n, v, exponent, r);
+    s.ambient = ka;
+    s.diffuse = kd;
+    s.specular = ks;
+    return s;
+}
+
+RL_FN Reflection any_reflection(int model, int form)
+{
+    Reflection r;
+    r.model = model;
+    r.form = form;
+    r.horizon = 0;
+    r.whole_exponent = 0;
+    return r;
+}
+
+RL_FN MetallicRoughness any_metal(vec3 ka, vec3 kd, vec3 ks)
+{
+    MetallicRoughness at;
+    at.metallic = ka.x;
+    at.roughness = ka.y;
+    apply_metallic_roughness(at, vec4(1.0f, kd.y, kd.z, 1.0f));
+    apply_specular(at, ks, 0.8f, vec4(kd.x, kd.y, kd.z, 1.0f), vec4(1.0f, 1.0f, 1.0f, ka.z));
+    return at;
+}
+
+RL_FN vec3 reflected_metal(vec3 ka, vec3 kd, vec3 ks)
+{
+    Surface s;
+    set_metallic_reflectance(s, any_metal(ka, kd, ks), kd);
+    return s.diffuse + s.specular + s.ambient;
+}
+
+RL_FN vec3 dielectric_of_metal(vec3 ka, vec3 kd, vec3 ks)
+{
+    MetallicRoughness at = any_metal(ka, kd, ks);
+    return at.dielectric_f0 + metallic_f90(at) + vec3(at.metallic, at.roughness, 0.0f);
+}
+
+RL_FN vec3 reflected_classical(vec3 ka, vec3 kd, vec3 ks)
+{
+    Surface s;
+    set_classical_reflectance(s, ka, ks, 10.0f, kd, vec4(kd.x, kd.y, kd.z, 1.0f));
+    return s.ambient + s.specular + vec3(s.exponent);
+}
+
+RL_FN vec3 lobe_of_classical(vec3 ks, real roughness)
+{
+    MaterialSurface s;
+    s.base.specular = ks;
+    set_classical_lobe(s, roughness, RL_TEXTBOOK);
+    return s.base.specular + s.f90 + vec3(s.dielectric_f0, s.dielectric_f90, s.roughness);
+}
+
+RL_FN vec3 lobe_of_metal(vec3 ka, vec3 kd, vec3 ks)
+{
+    MaterialSurface s;
+    set_metallic_lobe(s, any_metal(ka, kd, ks), kd, RL_PBR);
+    set_even_widths(s);
+    return s.base.specular + s.base.ambient + s.f90 + vec3(s.dielectric_f0, s.alpha_x, s.table_roughness);
+}
+
+RL_FN vec3 widths_of_ward(vec3 ka)
+{
+    MaterialSurface s;
+    set_ward_widths(s, vec2(ka.x, ka.y));
+    return vec3(s.alpha_x, s.alpha_y, s.roughness);
+}
+
+RL_FN vec3 widths_of_anisotropy(vec3 ka)
+{
+    MaterialSurface s;
+    s.roughness = ka.x;
+    set_even_widths(s);
+    apply_anisotropy(s, ka.y, vec4(1.0f, 0.5f, ka.z, 1.0f));
+    return vec3(s.alpha_x, s.roughness, s.table_roughness);
+}
+
+RL_FN vec3 sheen_of(vec3 ka, vec3 kd)
+{
+    MaterialSurface s;
+    set_no_layers(s);
+    set_sheen(s, ka, kd.x, vec4(kd.x, kd.y, kd.z, 1.0f), vec4(1.0f, 1.0f, 1.0f, ka.x));
+    return s.sheen + vec3(s.sheen_alpha, s.coat_alpha, s.coat_reflectance);
+}
+
+RL_FN vec3 coat_of(vec3 ka, vec3 kd)
+{
+    MaterialSurface s;
+    set_no_layers(s);
+    set_coat(s, ka.x, ka.y, vec4(kd.x, 1.0f, 1.0f, 1.0f), vec4(1.0f, kd.y, 1.0f, 1.0f));
+    return s.sheen + vec3(s.sheen_alpha, s.coat_alpha, s.coat_reflectance);
+}
+
+RL_FN vec3 slopes_of(real roughness)
+{
+    MaterialSurface s;
+    set_oren_nayar(s, sigma_of_roughness(roughness));
+    return vec3(s.oren_nayar_a, s.oren_nayar_b, 0.0f);
+}
+
+RL_FN vec3 normals_of(vec3 n, vec3 l, int terms)
+{
+    MaterialSurface s;
+    set_normals(s, n, l, terms);
+    return s.base.n + 2.0f * s.diffuse_n;
+}
+
+RL_FN vec3 axes_of(vec3 n, vec3 p, vec3 ka)
+{
+    MaterialSurface s;
+    s.base.n = n;
+    set_lobe_axes(s, p, -1.0f);
+    turn_lobe_axes(s, vec2(0.6f, 0.8f), vec4(0.5f + 0.5f * ka.x, 0.5f + 0.5f * ka.y, 1.0f, 1.0f));
+    return s.tangent + 2.0f * s.bitangent;
+}
+
+RL_FN MaterialTraits all_traits()
+{
+    MaterialTraits traits;
+    traits.ward_form = RL_WARD_BOUNDED;
+    traits.is_anisotropic = 1;
+    traits.has_scattering = 1;
+    traits.has_sheen = 1;
+    traits.has_coat = 1;
+    return traits;
+}
+
+// A surface with every layer, whose directions are n, v and the tangent p.
+RL_FN MaterialSurface any_material(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, int model)
+{
+    MaterialSurface s;
+    s.base = any_base(n, v, ka, kd, ks, 1.0f, any_reflection(model, RL_TEXTBOOK));
+    set_metallic_lobe(s, any_metal(ka, kd, ks), kd, model);
+    s.roughness = 0.2f + 0.8f * ka.y;
+    set_even_widths(s);
+    apply_anisotropy(s, ka.z, vec4(1.0f, 0.5f, 1.0f, 1.0f));
+    set_sheen(s, ks, 0.3f + 0.7f * ka.x, vec4(0.5f), vec4(1.0f));
+    set_coat(s, ka.x, 0.3f + 0.7f * kd.x, vec4(1.0f), vec4(1.0f));
+    set_oren_nayar(s, ka.x);
+    set_normals(s, n, n, RL_BUMP_BOTH);
+    set_lobe_axes(s, p, 1.0f);
+    s.coat_n = n;
+    set_pbr_albedos(s, test_maps(), 0.7f, 1, all_traits());
+    return s;
+}
+
+RL_FN vec3 equal_lobe(vec3 n, vec3 v, vec3 p, vec3 ka)
+{
+    MaterialSurface s;
+    s.base.n = n;
+    s.alpha_x = 0.1f + ka.x;
+    s.alpha_y = 0.1f;
+    set_lobe_axes(s, p, 1.0f);
+    return vec3(table_cosine(s, v, all_traits()), equal_roughness(s.alpha_x, s.alpha_y), 0.0f);
+}
+
+RL_FN vec3 around_pbr(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p)
+{
+    MaterialSurface s = any_material(n, v, ka, kd, ks, p, RL_PBR);
+    return s.around_diffuse + s.around_specular + s.around_sheen + s.scattering + vec3(s.around_coat, s.albedo, s.albedo_mean);
+}
+
+RL_FN vec3 around_power(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real e)
+{
+    MaterialSurface s;
+    s.base = any_base(n, v, ka, kd, ks, e, any_reflection(RL_PHONG, RL_TEXTBOOK));
+    set_around(s, 0.7f, any_reflection(RL_PHONG, RL_TEXTBOOK));
+    return s.around_diffuse + s.around_specular + vec3(s.roughness);
+}
+
+RL_FN vec3 around_metal(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real e)
+{
+    MaterialSurface s;
+    s.base = any_base(n, v, ka, kd, ks, e, any_reflection(RL_PHONG, RL_NORMALIZED));
+    set_around(s, 0.7f, any_reflection(RL_PHONG, RL_NORMALIZED));
+    set_split_sum(s, test_maps(), vec3(1.0f), 0.7f);
+    return s.around_diffuse + s.around_specular;
+}
+
+RL_FN vec3 albedos_to_light(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p)
+{
+    MaterialSurface s = any_material(n, v, ka, kd, ks, p, RL_PBR);
+    LightAlbedo albedo = light_albedo(s, test_maps(), l, all_traits(), RL_PBR);
+    return vec3(albedo.lobe, albedo.sheen, 0.0f);
+}
+
+RL_FN vec3 terms_at_corner(vec3 ka, vec3 kd, vec3 ks)
+{
+    LightTerms received;
+    received.ambient = kd;
+    received.diffuse = ks;
+    received.specular = ka;
+    vec3 up = vec3(0.0f, 0.0f, 1.0f);
+    return radiance_of_terms(corner_terms(any_base(up, up, ka, kd, ks, 1.0f, any_reflection(RL_LAMBERT, RL_TEXTBOOK)), received));
+}
+
+RL_FN vec3 point_of(vec3 n, vec3 v, vec3 ka, real e)
+{
+    Surface base = unit_surface(n, v, e, any_reflection(RL_PHONG, RL_TEXTBOOK));
+    MaterialSurface s = unit_material(base, test_maps(), ka.x, vec2(ka.y, ka.z));
+    return s.tangent + s.bitangent + vec3(s.albedo, s.albedo_mean, s.alpha_x);
+}
+
+RL_FN vec3 power_terms(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, real e, int model, int form)
+{
+    Reflection r = any_reflection(model, form);
+    LightSample light = make_sample(l, 0.7f, ka, ks, kd);
+    return add_light(ka, any_base(n, v, ka, kd, ks, e, r), light, r);
+}
+
+RL_FN vec3 model_terms(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, int model)
+{
+    MaterialSurface s = any_material(n, v, ka, kd, ks, p, model);
+    LightSample light = make_sample(l, 0.7f, ka, ks, kd);
+    LightAlbedo albedo = light_albedo(s, test_maps(), l, all_traits(), model);
+    return radiance_of_terms(surface_terms(s, light, 0.5f, albedo, all_traits(), any_reflection(model, RL_TEXTBOOK)));
+}
+
+RL_FN Environment any_environment(vec3 ka, vec3 kd, vec3 ks, real s)
+{
+    Environment e;
+    e.turn = vec2(0.6f, 0.8f);
+    e.intensity = 1.5f;
+    e.last_level = 6.0f;
+    e.irradiance.constant_part = vec3(1.0f);
+    e.irradiance.by_y = ka;
+    e.irradiance.by_z = kd;
+    e.irradiance.by_x = ks;
+    e.irradiance.by_xy = ka * s;
+    e.irradiance.by_yz = kd * s;
+    e.irradiance.by_zz = ks * s;
+    e.irradiance.by_xz = ka - kd;
+    e.irradiance.by_xx_yy = kd - ks;
+    return e;
+}
+
+RL_FN vec3 shown_environment(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, real s)
+{
+    MaterialSurface surface = any_material(n, v, ka, kd, ks, p, RL_PBR);
+    return radiance_of_terms(environment_terms(test_maps(), any_environment(ka, kd, ks, s), surface, all_traits(), RL_PBR));
+}
+
+RL_FN real shadowed(vec3 n, vec3 p, int is_cube, int is_parallel)
+{
+    ShadowMap s;
+    s.size = 64;
+    s.is_cube = is_cube;
+    s.is_parallel = is_parallel;
+    s.radius = 1;
+    s.right = vec3(1.0f, 0.0f, 0.0f);
+    s.up = vec3(0.0f, 0.8f, 0.6f);
+    s.ahead = vec3(0.0f, -0.6f, 0.8f);
+    s.origin = vec3(0.1f, 0.2f, 5.0f);
+    s.texels = 16.0f;
+    s.texel = 1.0f / 16.0f;
+    s.push = 0.5f / 16.0f;
+    s.reach = 2.0f;
+    return shadow_factor(test_maps(), s, p, n);
+}
