@@ -25,9 +25,12 @@ inline Maps maps_of(const ShadeJob& job) {
     return sample(t, footprint_of(t, at, level, true));
 }
 
-/// Always filtered linearly: a relief has no steps that its map's texels do not have.
+/// Always filtered linearly: a relief has no steps that its map's texels do not have. Not by sample_level(), whose other
+/// three channels the compiler then does not drop: a march takes 4 % longer.
 inline real sample_height(const Maps& maps, vec2 uv, real level) {
-    return maps.height_offset + maps.height_scale * sample_level(*maps.height, uv, level).x;
+    TexCoords at;
+    at.uv = uv;
+    return maps.height_offset + maps.height_scale * sample(*maps.height, footprint_of(*maps.height, at, level, true)).x;
 }
 
 inline vec3 sample_environment(const Maps& maps, vec2 uv, real level) {
