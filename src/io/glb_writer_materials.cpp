@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <string_view>
 
 #include "io/file.h"
 #include "math/functions.h"
 #include "math/linear.h"
+#include "scene/material_table.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight::io::gltf {
@@ -128,36 +131,38 @@ bool MaterialWriter::set_use(OrderedJson& owner, const char* name, const Texture
     return true;
 }
 
-void MaterialWriter::specular(OrderedJson& json, const Material& m) {
+/// Numbers that are not the default, and textures; nothing of a layer that is not there.
+OrderedJson MaterialWriter::extension_of(const char* name, const Material& m) {
+    static const MetallicRoughnessParameters defaults;
     const MetallicRoughnessParameters& p = m.metallic_roughness;
-    if (p.ior != 1.5f) extension(json, "KHR_materials_ior", {{"ior", p.ior}});
-    OrderedJson specular = OrderedJson::object();
-    if (p.specular != 1) specular["specularFactor"] = p.specular;
-    if (!(p.specular_color == vec3{1, 1, 1})) specular["specularColorFactor"] = json_of(p.specular_color);
-    set_use(specular, "specularTexture", p.specular_texture);
-    set_use(specular, "specularColorTexture", p.specular_color_texture);
-    if (!specular.empty()) extension(json, "KHR_materials_specular", std::move(specular));
-    layers(json, p);
-    if (p.anisotropy == 0) return;
-    OrderedJson anisotropy = {{"anisotropyStrength", p.anisotropy}, {"anisotropyRotation", p.anisotropy_rotation_rad}};
-    set_use(anisotropy, "anisotropyTexture", p.anisotropy_texture);
-    extension(json, "KHR_materials_anisotropy", std::move(anisotropy));
+    const auto is_this = [name](const GltfPlace& place) {
+        return place.extension && !std::strcmp(place.extension, name);
+    };
+    OrderedJson object = OrderedJson::object();
+    for (const MaterialParameter& parameter : metallic_roughness_parameters()) {
+        if (!is_this(parameter.gltf)) continue;
+        if (parameter.color && !(p.*parameter.color == defaults.*parameter.color))
+            object[parameter.gltf.name] = json_of(p.*parameter.color);
+        if (parameter.number && p.*parameter.number != defaults.*parameter.number)
+            object[parameter.gltf.name] = p.*parameter.number;
+    }
+    for (const TextureRole& role : texture_roles()) {
+        if (!is_this(role.gltf)) continue;
+        if (role.layer.silences(m)) return OrderedJson::object();
+        if (set_use(object, role.gltf.name, role.in(m)) && role.number == role_clearcoat_normal)
+            object[role.gltf.name]["scale"] = p.clearcoat_normal_scale;
+    }
+    return object;
 }
 
-void MaterialWriter::layers(OrderedJson& json, const MetallicRoughnessParameters& p) {
-    if (p.clearcoat > 0) {
-        OrderedJson coat = {{"clearcoatFactor", p.clearcoat}, {"clearcoatRoughnessFactor", p.clearcoat_roughness}};
-        set_use(coat, "clearcoatTexture", p.clearcoat_texture);
-        set_use(coat, "clearcoatRoughnessTexture", p.clearcoat_roughness_texture);
-        if (set_use(coat, "clearcoatNormalTexture", p.clearcoat_normal_texture))
-            coat["clearcoatNormalTexture"]["scale"] = p.clearcoat_normal_scale;
-        extension(json, "KHR_materials_clearcoat", std::move(coat));
+void MaterialWriter::extensions(OrderedJson& json, const Material& m) {
+    std::vector<std::string_view> done;
+    for (const MaterialParameter& parameter : metallic_roughness_parameters()) {
+        const char* const name = parameter.gltf.extension;
+        if (!name || std::find(done.begin(), done.end(), name) != done.end()) continue;
+        done.emplace_back(name);
+        if (OrderedJson object = extension_of(name, m); !object.empty()) extension(json, name, std::move(object));
     }
-    if (p.sheen_color == vec3{0, 0, 0}) return;
-    OrderedJson sheen = {{"sheenColorFactor", json_of(p.sheen_color)}, {"sheenRoughnessFactor", p.sheen_roughness}};
-    set_use(sheen, "sheenColorTexture", p.sheen_color_texture);
-    set_use(sheen, "sheenRoughnessTexture", p.sheen_roughness_texture);
-    extension(json, "KHR_materials_sheen", std::move(sheen));
 }
 
 OrderedJson MaterialWriter::material(const Material& source, std::size_t number) {
@@ -197,7 +202,7 @@ OrderedJson MaterialWriter::material(const Material& source, std::size_t number)
     if (m.model == MaterialModel::unlit)
         extension(json, "KHR_materials_unlit", OrderedJson::object());
     else
-        specular(json, m);
+        extensions(json, m);
     return json;
 }
 

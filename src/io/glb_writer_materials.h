@@ -26,8 +26,8 @@ public:
 private:
     OrderedJson material(const Material& source, std::size_t number);
     void extension(OrderedJson& material, const char* name, OrderedJson value);
-    void specular(OrderedJson& json, const Material& m);
-    void layers(OrderedJson& json, const MetallicRoughnessParameters& p);
+    OrderedJson extension_of(const char* name, const Material& m);
+    void extensions(OrderedJson& json, const Material& m);
     OrderedJson use(const TextureUse& use);
     bool set_use(OrderedJson& owner, const char* name, const TextureUse& use);
     std::uint32_t texture(std::uint32_t number);

@@ -17,6 +17,7 @@
 #include "prepare/turn_triangles.h"
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"
+#include "scene/material_table.h"
 #include "scene/scene_tools.h"
 #include "scene/validate_parts.h"
 
@@ -117,6 +118,14 @@ void warn_of_tangents(const Scene& scene, Bump wanted, Report& report) {
     }
 }
 
+/// Without coordinates: of what it is, not of directions, for which warn_of_tangents() is.
+bool shows_one_color(const TextureRole& role, const Material& m) {
+    if (m.model == MaterialModel::unlit) return role.number == role_base_color;
+    const bool is_direction = role.number == role_normal || role.number == role_height ||
+                              role.number == role_anisotropy || role.number == role_clearcoat_normal;
+    return role.is_of(m.model) && role.number != role_opacity && !is_direction;
+}
+
 /// What warn_of_tangents() is for normal maps.
 void warn_of_textures(const Scene& scene, Report& report) {
     std::vector<bool> seen(scene.meshes.size(), false);
@@ -125,15 +134,9 @@ void warn_of_textures(const Scene& scene, Report& report) {
         if (seen[instance.mesh] || mesh.material == none) continue;
         seen[instance.mesh] = true;
         const Material& m = scene.materials[mesh.material];
-        const bool is_unlit = m.model == MaterialModel::unlit;  // shows the first alone
-        const MetallicRoughnessParameters& p = m.metallic_roughness;
-        const TextureUse& of_model = m.model == MaterialModel::classical ? m.classical.specular_texture : p.texture;
-        for (const TextureUse* use :
-             {&m.base_color_texture, &m.emission_texture, &m.occlusion_texture, &of_model, &p.specular_texture,
-              &p.specular_color_texture, &p.clearcoat_texture, &p.clearcoat_roughness_texture, &p.sheen_color_texture,
-              &p.sheen_roughness_texture}) {
-            if (!*use || has_coordinates(mesh, use->texcoord_set) || (is_unlit && use != &m.base_color_texture))
-                continue;
+        for (const TextureRole& role : texture_roles()) {
+            const TextureUse& use = role.in(m);
+            if (!use || has_coordinates(mesh, use.texcoord_set) || !shows_one_color(role, m)) continue;
             report.add(Remark::warning, scene.source, Place{"mesh", instance.mesh, mesh.name}.text(),
                        mesh.texcoords.empty()
                            ? "a texture shows one color: the mesh has no texture coordinates; --uv makes some"

@@ -8,6 +8,7 @@
 #include "prepare/normal_rule.h"
 #include "prepare/repair.h"
 #include "prepare/variants.h"
+#include "scene/material_table.h"
 #include "scene/scene_tools.h"
 #include "scene/validate_parts.h"
 
@@ -17,14 +18,8 @@ namespace {
 bool is_textured(const Scene& scene, const Mesh& mesh) {
     if (mesh.material == none) return false;
     const Material& m = scene.materials[mesh.material];
-    const MetallicRoughnessParameters& p = m.metallic_roughness;
-    for (const TextureUse* use :
-         {&m.base_color_texture, &m.normal_texture, &m.height_texture, &m.opacity_texture, &m.occlusion_texture,
-          &m.emission_texture, &m.classical.specular_texture, &p.texture, &p.specular_texture,
-          &p.specular_color_texture, &p.anisotropy_texture, &p.clearcoat_texture, &p.clearcoat_roughness_texture,
-          &p.clearcoat_normal_texture, &p.sheen_color_texture, &p.sheen_roughness_texture})
-        if (*use) return true;
-    return false;
+    const auto roles = texture_roles();
+    return std::any_of(roles.begin(), roles.end(), [&m](const TextureRole& role) { return bool(role.in(m)); });
 }
 
 /// A column of no length, or three columns in a plane (to twelve digits).

@@ -10,6 +10,7 @@
 #include "io/world/material_keys.h"
 #include "render/change_material.h"
 #include "render/load_world.h"
+#include "scene/material_table.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -85,30 +86,6 @@ void warn_of_display_colors(const WorldMaterial& from, const std::string& path, 
     }
 }
 
-/// A picture of what is not there where a number is 0.
-struct Multiplied {
-    const char *picture, *factor;
-    bool (*is_zero)(const Material&);
-};
-
-bool is_black(vec3 c) { return c.x <= 0 && c.y <= 0 && c.z <= 0; }
-bool has_no_coat(const Material& m) { return m.metallic_roughness.clearcoat <= 0; }
-bool has_no_sheen(const Material& m) { return is_black(m.metallic_roughness.sheen_color); }
-
-constexpr Multiplied multiplied[] = {
-    {"emission_texture", "emission", [](const Material& m) { return is_black(m.emission); }},
-    {"specular_texture", "specular", [](const Material& m) { return is_black(m.classical.specular); }},
-    {"anisotropy_texture", "anisotropy", [](const Material& m) { return m.metallic_roughness.anisotropy <= 0; }},
-    {"clearcoat_texture", "clearcoat", has_no_coat},
-    {"clearcoat_roughness_texture", "clearcoat", has_no_coat},
-    {"clearcoat_roughness_texture", "clearcoat_roughness",
-     [](const Material& m) { return m.metallic_roughness.clearcoat_roughness <= 0; }},
-    {"clearcoat_normal_texture", "clearcoat", has_no_coat},
-    {"sheen_color_texture", "sheen_color", has_no_sheen},
-    {"sheen_roughness_texture", "sheen_color", has_no_sheen},
-    {"sheen_roughness_texture", "sheen_roughness",
-     [](const Material& m) { return m.metallic_roughness.sheen_roughness <= 0; }}};
-
 /// A [[material]] and the materials of the scene that it acted on.
 struct Changed {
     const WorldMaterial* by;
@@ -119,17 +96,18 @@ struct Changed {
 /// @param scene  after all of them
 void warn_of_idle_pictures(const Scene& scene, const Changed& changed, const std::string& path, Report& report) {
     if (changed.materials.empty()) return;
-    const auto is_idle = [&](const Multiplied& entry) {
-        return std::all_of(changed.materials.begin(), changed.materials.end(),
-                           [&](std::uint32_t i) { return entry.is_zero(scene.materials[i]); });
+    const auto is_idle = [&](const TextureFactor& factor) {
+        return factor.key && std::all_of(changed.materials.begin(), changed.materials.end(),
+                                         [&](std::uint32_t i) { return factor.is_zero(scene.materials[i]); });
     };
     for (const WorldValue& value : changed.by->values)
-        for (const Multiplied& entry : multiplied)
-            if (value.key == entry.picture && is_idle(entry)) {
+        for (const TextureRole& role : texture_roles()) {
+            if (value.key != role.key) continue;
+            const TextureFactor& why = is_idle(role.layer) ? role.layer : role.factor;
+            if (is_idle(why))
                 report.add(Remark::warning, path, to_text(value.place),
-                           "'" + value.key + "' has no effect: '" + entry.factor + "' is 0");
-                break;
-            }
+                           "'" + value.key + "' has no effect: '" + why.key + "' is 0");
+        }
 }
 
 /// @param covered  a part that has such materials under one of the world's own; null: none

@@ -3,16 +3,12 @@
 
 #include <algorithm>
 
+#include "scene/material_table.h"
+
 namespace rakelight {
 
 void for_each_texture_use(Material& m, const std::function<void(TextureUse&)>& f) {
-    MetallicRoughnessParameters& p = m.metallic_roughness;
-    for (TextureUse* use :
-         {&m.base_color_texture, &m.normal_texture, &m.height_texture, &m.opacity_texture, &m.occlusion_texture,
-          &m.emission_texture, &m.classical.specular_texture, &p.texture, &p.specular_texture,
-          &p.specular_color_texture, &p.anisotropy_texture, &p.clearcoat_texture, &p.clearcoat_roughness_texture,
-          &p.clearcoat_normal_texture, &p.sheen_color_texture, &p.sheen_roughness_texture})
-        f(*use);
+    for (const TextureRole& role : texture_roles()) f(role.in(m));
 }
 
 void drop_emission(Material& m, Report& report, const std::string& file, const std::string& place) {

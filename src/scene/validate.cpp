@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The door check of a scene: every index, size and number that engines and prepare rely on. One pass over each array.
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -7,6 +8,7 @@
 
 #include "base/enumerators.h"
 #include "math/linear.h"
+#include "scene/material_table.h"
 #include "scene/scene_tools.h"
 #include "scene/validate_parts.h"
 
@@ -32,8 +34,10 @@ void check_node(const Scene& scene, std::size_t i) {
     }
 }
 
-void check_use(const Scene& scene, const Place& place, const char* what, const TextureUse& use) {
-    place.index_or_none(what, use.texture, scene.textures.size());
+void check_use(const Scene& scene, const Place& place, const TextureRole& role, const TextureUse& use) {
+    std::string what = std::string(role.name) + " texture";
+    std::replace(what.begin(), what.end(), '_', ' ');
+    place.index_or_none(what.c_str(), use.texture, scene.textures.size());
     const TextureTransform& t = use.transform;
     place.finite("a texture transform", dvec4{t.offset.x, t.offset.y, t.scale.x, t.scale.y});
     place.finite("a texture transform", t.rotation_rad);
@@ -55,35 +59,19 @@ void check_material(const Scene& scene, std::size_t i) {
     const Place place{"material", i, m.name};
     const ClassicalParameters& c = m.classical;
     const MetallicRoughnessParameters& p = m.metallic_roughness;
-    const std::pair<const char*, const TextureUse*> uses[] = {
-        {"base color texture", &m.base_color_texture},
-        {"normal texture", &m.normal_texture},
-        {"height texture", &m.height_texture},
-        {"opacity texture", &m.opacity_texture},
-        {"occlusion texture", &m.occlusion_texture},
-        {"emission texture", &m.emission_texture},
-        {"specular texture", &c.specular_texture},
-        {"metallic-roughness texture", &p.texture},
-        {"specular texture", &p.specular_texture},
-        {"specular color texture", &p.specular_color_texture},
-        {"anisotropy texture", &p.anisotropy_texture},
-        {"clearcoat texture", &p.clearcoat_texture},
-        {"clearcoat roughness texture", &p.clearcoat_roughness_texture},
-        {"clearcoat normal texture", &p.clearcoat_normal_texture},
-        {"sheen color texture", &p.sheen_color_texture},
-        {"sheen roughness texture", &p.sheen_roughness_texture}};
-    for (const auto& [what, use] : uses) check_use(scene, place, what, *use);
+    for (const TextureRole& role : texture_roles()) check_use(scene, place, role, role.in(m));
     check_words(place, m);
     place.finite("the base color", cast<double>(m.base_color));
     place.finite("the emission", cast<double>(m.emission));
     place.finite("the ambient color", cast<double>(c.ambient));
     place.finite("the specular color", cast<double>(c.specular));
-    place.finite("the specular color", cast<double>(p.specular_color));
-    place.finite("the sheen color", cast<double>(p.sheen_color));
+    for (const MaterialParameter& parameter : metallic_roughness_parameters())
+        if (parameter.color)
+            place.finite(parameter.key, cast<double>(p.*parameter.color));
+        else
+            place.finite(parameter.key, p.*parameter.number);
     for (const float number :
-         {m.normal_scale, m.height_scale, m.occlusion_strength, m.alpha_cutoff, c.shininess, p.metallic, p.roughness,
-          p.ior, p.specular, p.anisotropy, p.anisotropy_rotation_rad, p.clearcoat, p.clearcoat_roughness,
-          p.clearcoat_normal_scale, p.sheen_roughness, m.sigma_rad.value_or(0)})
+         {m.normal_scale, m.height_scale, m.occlusion_strength, m.alpha_cutoff, c.shininess, m.sigma_rad.value_or(0)})
         place.finite("a parameter", number);
     if (m.sigma_rad && *m.sigma_rad < 0) place.fail("sigma is negative");
     const vec2 alpha = m.ward_alpha.value_or(vec2{1, 1});

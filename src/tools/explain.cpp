@@ -4,6 +4,7 @@
 #include <new>
 
 #include "render/rows.h"
+#include "scene/material_table.h"
 #include "tools/explained_pixel.h"
 #include "tools/object_title.h"
 #include "tools/open_engine.h"
@@ -85,37 +86,19 @@ const char* word_for(raster::Fate fate) {
     return "";
 }
 
-const char* name_of_map(int map) {
-    static constexpr const char* names[raster::traced_maps] = {
-        "base_color",          "normal",           "emission",          "occlusion",      "opacity",    "specular",
-        "metallic_roughness",  "height",           "specular_strength", "specular_color", "anisotropy", "clearcoat",
-        "clearcoat_roughness", "clearcoat_normal", "sheen_color",       "sheen_roughness"};
-    return names[map];
-}
+// The recorder's numbers are those of the table, which sources that are compiled per instruction set may not include.
+static_assert(raster::traced_maps == int(texture_role_count) && raster::traced_emission == int(role_emission) &&
+              raster::traced_metallic_roughness == int(role_metallic_roughness) &&
+              raster::traced_sheen_roughness == int(role_sheen_roughness));
+const char* name_of_map(int map) { return texture_roles()[std::size_t(map)].name; }
 
 std::string picture_of_map(const ExplainedPixel& e, const ShadedLayer& layer, int map) {
     const raster::DrawList& list = e.engine->list();
     const std::uint32_t index = list.materials[draw_of(e, layer).material].scene_material;
     if (index == none) return {};
-    const Material& m = list.scene.materials[index];
-    const TextureUse* const uses[raster::traced_maps] = {&m.base_color_texture,
-                                                         &m.normal_texture,
-                                                         &m.emission_texture,
-                                                         &m.occlusion_texture,
-                                                         &m.opacity_texture,
-                                                         &m.classical.specular_texture,
-                                                         &m.metallic_roughness.texture,
-                                                         &m.height_texture,
-                                                         &m.metallic_roughness.specular_texture,
-                                                         &m.metallic_roughness.specular_color_texture,
-                                                         &m.metallic_roughness.anisotropy_texture,
-                                                         &m.metallic_roughness.clearcoat_texture,
-                                                         &m.metallic_roughness.clearcoat_roughness_texture,
-                                                         &m.metallic_roughness.clearcoat_normal_texture,
-                                                         &m.metallic_roughness.sheen_color_texture,
-                                                         &m.metallic_roughness.sheen_roughness_texture};
-    if (!*uses[map]) return {};
-    const Texture& texture = list.scene.textures[uses[map]->texture];
+    const TextureUse& use = texture_roles()[std::size_t(map)].in(list.scene.materials[index]);
+    if (!use) return {};
+    const Texture& texture = list.scene.textures[use.texture];
     return texture.image && !texture.image->name.empty() ? texture.image->name : texture.name;
 }
 

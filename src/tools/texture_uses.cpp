@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/texture_uses.h"
 
+#include "scene/material_table.h"
+
 namespace rakelight {
 
 std::vector<std::pair<const char*, TextureUse>> texture_uses(const Material& m) {
-    std::vector<std::pair<const char*, TextureUse>> uses{
-        {"base_color", m.base_color_texture}, {"normal", m.normal_texture},       {"height", m.height_texture},
-        {"opacity", m.opacity_texture},       {"occlusion", m.occlusion_texture}, {"emission", m.emission_texture}};
-    if (m.model == MaterialModel::classical) uses.emplace_back("specular", m.classical.specular_texture);
-    if (m.model == MaterialModel::metallic_roughness) {
-        const MetallicRoughnessParameters& p = m.metallic_roughness;
-        uses.emplace_back("metallic_roughness", p.texture);
-        uses.emplace_back("specular", p.specular_texture);
-        uses.emplace_back("specular_color", p.specular_color_texture);
-        uses.emplace_back("anisotropy", p.anisotropy_texture);
-        uses.emplace_back("clearcoat", p.clearcoat_texture);
-        uses.emplace_back("clearcoat_roughness", p.clearcoat_roughness_texture);
-        uses.emplace_back("clearcoat_normal", p.clearcoat_normal_texture);
-        uses.emplace_back("sheen_color", p.sheen_color_texture);
-        uses.emplace_back("sheen_roughness", p.sheen_roughness_texture);
-    }
+    std::vector<std::pair<const char*, TextureUse>> uses;
+    for (const TextureRole& role : texture_roles())
+        if (role.is_of(m.model)) uses.emplace_back(role.name, role.in(m));
     std::erase_if(uses, [](const auto& use) { return !use.second; });
     return uses;
 }

@@ -1,54 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene materials -> what the kernels read: factors, texture slots, color spaces by role.
 #include <cmath>
+#include <iterator>
 
 #include "engines/raster/draw_list.h"
 #include "engines/raster/normal_map_remarks.h"
 #include "math/functions.h"
 #include "math/linear.h"
+#include "scene/material_table.h"
 
 namespace rakelight::raster {
 namespace {
 
-constexpr auto color = ColorSpace::srgb;
-constexpr auto data = ColorSpace::linear;
+/// The slot of each role of the table.
+constexpr TextureSlot MaterialView::*slots[] = {&MaterialView::base_color_map,
+                                                &MaterialView::normal_map,
+                                                &MaterialView::height_map,
+                                                &MaterialView::opacity_map,
+                                                &MaterialView::occlusion_map,
+                                                &MaterialView::emission_map,
+                                                &MaterialView::specular_map,
+                                                &MaterialView::metallic_roughness_map,
+                                                &MaterialView::specular_strength_map,
+                                                &MaterialView::specular_color_map,
+                                                &MaterialView::anisotropy_map,
+                                                &MaterialView::clearcoat_map,
+                                                &MaterialView::clearcoat_roughness_map,
+                                                &MaterialView::clearcoat_normal_map,
+                                                &MaterialView::sheen_color_map,
+                                                &MaterialView::sheen_roughness_map};
+static_assert(std::size(slots) == texture_role_count);
 
-/// The textures of a material with the color space that each role implies.
-struct RoleUse {
-    const TextureUse* use;
-    ColorSpace space;
-    TextureSlot MaterialView::*slot;
-};
-
-bool is_black(vec3 c) { return c.x <= 0 && c.y <= 0 && c.z <= 0; }
-
-void add_metallic_roughness_roles(const MetallicRoughnessParameters& p, std::vector<RoleUse>& roles) {
-    roles.push_back({&p.texture, data, &MaterialView::metallic_roughness_map});
-    roles.push_back({&p.specular_texture, data, &MaterialView::specular_strength_map});
-    roles.push_back({&p.specular_color_texture, color, &MaterialView::specular_color_map});
-    if (p.anisotropy > 0) roles.push_back({&p.anisotropy_texture, data, &MaterialView::anisotropy_map});
-    if (p.clearcoat > 0) {
-        roles.push_back({&p.clearcoat_texture, data, &MaterialView::clearcoat_map});
-        roles.push_back({&p.clearcoat_roughness_texture, data, &MaterialView::clearcoat_roughness_map});
-        roles.push_back({&p.clearcoat_normal_texture, data, &MaterialView::clearcoat_normal_map});
-    }
-    if (is_black(p.sheen_color)) return;
-    roles.push_back({&p.sheen_color_texture, color, &MaterialView::sheen_color_map});
-    roles.push_back({&p.sheen_roughness_texture, data, &MaterialView::sheen_roughness_map});
+/// Whether pictures show what the texture is read for.
+bool is_read(const TextureRole& role, const Material& m) {
+    if (role.number == role_opacity) return m.alpha_mode != AlphaMode::opaque;
+    if (m.model == MaterialModel::unlit) return role.number == role_base_color;
+    return role.is_of(m.model) && !role.layer.silences(m);
 }
 
-std::vector<RoleUse> roles_of(const Material& m) {
-    std::vector<RoleUse> roles = {{&m.base_color_texture, color, &MaterialView::base_color_map}};
-    if (m.alpha_mode != AlphaMode::opaque) roles.push_back({&m.opacity_texture, data, &MaterialView::opacity_map});
-    if (m.model == MaterialModel::unlit) return roles;
-    roles.push_back({&m.normal_texture, data, &MaterialView::normal_map});
-    roles.push_back({&m.height_texture, data, &MaterialView::height_map});
-    roles.push_back({&m.emission_texture, color, &MaterialView::emission_map});
-    roles.push_back({&m.occlusion_texture, data, &MaterialView::occlusion_map});
-    if (m.model == MaterialModel::classical)
-        roles.push_back({&m.classical.specular_texture, color, &MaterialView::specular_map});
-    else
-        add_metallic_roughness_roles(m.metallic_roughness, roles);
+std::vector<const TextureRole*> roles_of(const Material& m) {
+    std::vector<const TextureRole*> roles;
+    for (const TextureRole& role : texture_roles())
+        if (role.in(m) && is_read(role, m)) roles.push_back(&role);
     return roles;
 }
 
@@ -142,7 +135,7 @@ public:
     /// @param is_drawn  else its textures are not looked at
     void add(Material m, std::uint32_t scene_material, bool is_drawn) {
         const TextureUse& emission = m.emission_texture;
-        if (is_drawn && m.model != MaterialModel::unlit && emission && !pixels_of(emission, color))
+        if (is_drawn && m.model != MaterialModel::unlit && emission && !pixels_of(emission, ColorSpace::srgb))
             drop_emission(m, report_, list_.scene.source, m.name);
         DrawMaterial out;
         out.view = factors(m);
@@ -150,8 +143,7 @@ public:
         out.double_sided = m.double_sided;
         out.classical = m.model == MaterialModel::classical;
         if (is_drawn)
-            for (const RoleUse& r : roles_of(m))
-                if (*r.use) bind(m, r, out.view);
+            for (const TextureRole* const role : roles_of(m)) bind(m, *role, out.view);
         out.view.shares_footprint = share_footprint(out.view.base_color_map, out.view.normal_map);
         list_.materials.push_back(out);
     }
@@ -165,17 +157,18 @@ private:
         return textures_.find(key_of(list_.scene.textures[use.texture], space));
     }
 
-    void bind(const Material& m, const RoleUse& r, MaterialView& view) {
-        if (r.use->texcoord_set >= texcoord_sets)
+    void bind(const Material& m, const TextureRole& role, MaterialView& view) {
+        const TextureUse& use = role.in(m);
+        if (use.texcoord_set >= texcoord_sets)
             return report_.add(Remark::dropped, list_.scene.source, m.name,
                                "texture left out: the soft engine has texture coordinate sets 0 and 1");
-        const TextureData* pixels = pixels_of(*r.use, r.space);
+        const TextureData* pixels = pixels_of(use, role.space);
         if (!pixels) return;
-        if (r.slot == &MaterialView::normal_map) remarks_.look_at(m, *r.use, *pixels);
-        if (r.slot == &MaterialView::height_map) remarks_.look_at_heights(m, *r.use, *pixels);
-        list_.views.push_back(with_filters(*pixels, list_.scene.textures[r.use->texture].sampler));
-        view.*r.slot = slot_for(*r.use, list_.views.back());
-        view.uses_texcoords[r.use->texcoord_set] = 1;
+        if (role.number == role_normal) remarks_.look_at(m, use, *pixels);
+        if (role.number == role_height) remarks_.look_at_heights(m, use, *pixels);
+        list_.views.push_back(with_filters(*pixels, list_.scene.textures[use.texture].sampler));
+        view.*slots[role.number] = slot_for(use, list_.views.back());
+        view.uses_texcoords[use.texcoord_set] = 1;
     }
 
     DrawList& list_;
@@ -194,8 +187,8 @@ void fill_materials(DrawList& list, TextureCache& textures, Context& context) {
     for (const Draw& d : list.draws) is_drawn[d.material] = true;
     for (std::size_t i = 0; i < materials.size(); ++i)
         if (is_drawn[i])
-            for (const RoleUse& r : roles_of(materials[i]))
-                if (*r.use) uses.push_back(key_of(list.scene.textures[r.use->texture], r.space));
+            for (const TextureRole* const role : roles_of(materials[i]))
+                uses.push_back(key_of(list.scene.textures[role->in(materials[i]).texture], role->space));
     textures.update(uses, context);
     MaterialViews views(list, textures, context.report());
     for (std::size_t i = 0; i < materials.size(); ++i)

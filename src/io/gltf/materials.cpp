@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "math/linear.h"
+#include "scene/material_table.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight::io::gltf {
@@ -126,38 +128,30 @@ void Materials::read_extensions(const Value& source, Material& material) {
     const float strength =
         not_negative(document_, source.extension("KHR_materials_emissive_strength"), "emissiveStrength", 1);
     material.emission = scaled(material.emission, strength);
-    if (const Value ior = source.extension("KHR_materials_ior")) target.ior = not_negative(document_, ior, "ior", 1.5);
-    if (const Value specular = source.extension("KHR_materials_specular")) {
-        target.specular = unit(document_, specular, "specularFactor", 1);
-        target.specular_texture = textures_.use(specular, "specularTexture");
-        target.specular_color = color3(document_, specular, "specularColorFactor", {1, 1, 1});
-        target.specular_color_texture = textures_.use(specular, "specularColorTexture");
-    }
-    if (const Value anisotropy = source.extension("KHR_materials_anisotropy")) {
-        target.anisotropy = unit(document_, anisotropy, "anisotropyStrength", 0);
-        target.anisotropy_rotation_rad = anisotropy.real("anisotropyRotation", 0);
-        target.anisotropy_texture = textures_.use(anisotropy, "anisotropyTexture");
-    }
-    read_layers(source, target);
+    for (const MaterialParameter& p : metallic_roughness_parameters())
+        if (p.gltf.extension)
+            if (const Value object = source.extension(p.gltf.extension)) read_parameter(object, p, target);
+    for (const TextureRole& role : texture_roles())
+        if (role.gltf.extension)
+            if (const Value object = source.extension(role.gltf.extension))
+                role.in(material) = textures_.use(object, role.gltf.name);
+    if (const Value coat = source.extension("KHR_materials_clearcoat"))
+        target.clearcoat_normal_scale = coat.object("clearcoatNormalTexture").real("scale", 1);
 }
 
-/// What lies over the material.
-void Materials::read_layers(const Value& source, MetallicRoughnessParameters& target) {
-    if (const Value coat = source.extension("KHR_materials_clearcoat")) {
-        target.clearcoat = unit(document_, coat, "clearcoatFactor", 0);
-        target.clearcoat_texture = textures_.use(coat, "clearcoatTexture");
-        target.clearcoat_roughness = unit(document_, coat, "clearcoatRoughnessFactor", 0);
-        target.clearcoat_roughness_texture = textures_.use(coat, "clearcoatRoughnessTexture");
-        target.clearcoat_normal_texture = textures_.use(coat, "clearcoatNormalTexture");
-        target.clearcoat_normal_scale = coat.object("clearcoatNormalTexture").real("scale", 1);
+void Materials::read_parameter(const Value& object, const MaterialParameter& p, MetallicRoughnessParameters& target) {
+    using Range = MaterialParameter::Range;
+    const char* const name = p.gltf.name;
+    if (p.color) {
+        vec3& color = target.*p.color;
+        color = color3(document_, object, name, color);
+        if (p.gltf_range == Range::unit) color = min(color, vec3{1, 1, 1});
+        return;
     }
-    if (const Value sheen = source.extension("KHR_materials_sheen")) {
-        const vec3 color = color3(document_, sheen, "sheenColorFactor", {0, 0, 0});
-        target.sheen_color = {std::min(color.x, 1.0f), std::min(color.y, 1.0f), std::min(color.z, 1.0f)};
-        target.sheen_color_texture = textures_.use(sheen, "sheenColorTexture");
-        target.sheen_roughness = unit(document_, sheen, "sheenRoughnessFactor", 0);
-        target.sheen_roughness_texture = textures_.use(sheen, "sheenRoughnessTexture");
-    }
+    float& number = target.*p.number;
+    if (p.gltf_range == Range::unit) number = unit(document_, object, name, double(number));
+    if (p.gltf_range == Range::not_negative) number = not_negative(document_, object, name, double(number));
+    if (p.gltf_range == Range::any) number = object.real(name, number);
 }
 
 }  // namespace rakelight::io::gltf

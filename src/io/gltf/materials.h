@@ -2,6 +2,7 @@
 // glTF materials to scene materials, made when a primitive first asks.
 #pragma once
 #include "io/gltf/textures.h"
+#include "scene/material_table.h"
 
 namespace rakelight::io::gltf {
 
@@ -18,7 +19,7 @@ private:
     void read_metallic_roughness(const Value& source, Material& material);
     void read_specular_glossiness(const Value& source, Material& material);
     void read_extensions(const Value& source, Material& material);
-    void read_layers(const Value& source, MetallicRoughnessParameters& target);
+    void read_parameter(const Value& object, const MaterialParameter& p, MetallicRoughnessParameters& target);
     const Document& document_;
     Textures& textures_;
     Scene& scene_;

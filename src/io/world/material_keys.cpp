@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world/material_keys.h"
 
+#include "scene/material_table.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight::io::world {
@@ -28,55 +29,20 @@ void transform_textures(C& c, void (*change)(TextureTransform&, const C&)) {
 constexpr Word<AlphaMode> alpha_words[] = {
     {"opaque", AlphaMode::opaque}, {"mask", AlphaMode::mask}, {"blend", AlphaMode::blend}};
 
-std::vector<MaterialKey> pictures() {
-    const auto file = [](const char* name, const char* help, Of of, void (*set)(C&)) {
-        return MaterialKey{{name, Kind::file, help}, of, set};
-    };
-    return {
-        file("color_texture", "Picture that color and opacity are multiplied by", Of::all,
-             [](C& c) { c.material.base_color_texture = c.picture; }),
-        file("normal_texture", "Normal map in tangent space", Of::all,
-             [](C& c) { c.material.normal_texture = c.picture; }),
-        file("height_texture", "Gray height map", Of::all, [](C& c) { c.material.height_texture = c.picture; }),
-        file("opacity_texture", "Gray, multiplies the opacity; blended, unless `alpha` says otherwise", Of::all,
-             [](C& c) {
-                 c.material.opacity_texture = c.picture;
-                 if (c.material.alpha_mode == AlphaMode::opaque) c.material.alpha_mode = AlphaMode::blend;
-             }),
-        file("occlusion_texture", "Red multiplies ambient light", Of::all,
-             [](C& c) { c.material.occlusion_texture = c.picture; }),
-        file("emission_texture", "Multiplies the emission", Of::all,
-             [](C& c) { c.material.emission_texture = c.picture; }),
-        file("specular_texture", "classical: multiplies specular", Of::classical,
-             [](C& c) { c.material.classical.specular_texture = c.picture; }),
-    };
+Of of_model(std::optional<MaterialModel> model) {
+    if (!model) return Of::all;
+    return *model == MaterialModel::classical ? Of::classical : Of::metallic_roughness;
 }
 
-/// Those of metallic-roughness materials, with the channels that glTF reads.
-std::vector<MaterialKey> layer_pictures() {
-    const auto file = [](const char* name, const char* help, void (*set)(C&)) {
-        return MaterialKey{{name, Kind::file, help}, Of::metallic_roughness, set};
-    };
-    return {
-        file("metallic_roughness_texture", "Green multiplies the roughness, blue the metalness",
-             [](C& c) { c.material.metallic_roughness.texture = c.picture; }),
-        file("specular_factor_texture", "Its alpha multiplies specular_factor",
-             [](C& c) { c.material.metallic_roughness.specular_texture = c.picture; }),
-        file("specular_color_texture", "Multiplies specular_color",
-             [](C& c) { c.material.metallic_roughness.specular_color_texture = c.picture; }),
-        file("anisotropy_texture", "Red and green are the direction, blue multiplies anisotropy",
-             [](C& c) { c.material.metallic_roughness.anisotropy_texture = c.picture; }),
-        file("clearcoat_texture", "Red multiplies clearcoat",
-             [](C& c) { c.material.metallic_roughness.clearcoat_texture = c.picture; }),
-        file("clearcoat_roughness_texture", "Green multiplies clearcoat_roughness",
-             [](C& c) { c.material.metallic_roughness.clearcoat_roughness_texture = c.picture; }),
-        file("clearcoat_normal_texture", "Normal map of the clearcoat alone",
-             [](C& c) { c.material.metallic_roughness.clearcoat_normal_texture = c.picture; }),
-        file("sheen_color_texture", "Multiplies sheen_color",
-             [](C& c) { c.material.metallic_roughness.sheen_color_texture = c.picture; }),
-        file("sheen_roughness_texture", "Its alpha multiplies sheen_roughness",
-             [](C& c) { c.material.metallic_roughness.sheen_roughness_texture = c.picture; }),
-    };
+std::vector<MaterialKey> pictures() {
+    std::vector<MaterialKey> keys;
+    for (const TextureRole& role : texture_roles())
+        keys.push_back({{role.key, Kind::file, role.help}, of_model(role.model), [&role](C& c) {
+                            role.in(c.material) = c.picture;
+                            if (role.number == role_opacity && c.material.alpha_mode == AlphaMode::opaque)
+                                c.material.alpha_mode = AlphaMode::blend;
+                        }});
+    return keys;
 }
 
 std::vector<MaterialKey> general() {
@@ -137,36 +103,19 @@ std::vector<MaterialKey> classical() {
 }
 
 std::vector<MaterialKey> metallic_roughness() {
-    const auto factor = [](const char* name, const char* help, Range range, void (*set)(C&)) {
-        return MaterialKey{{name, Kind::number, help, range}, Of::metallic_roughness, set};
-    };
-    const auto color = [](const char* name, const char* help, void (*set)(C&)) {
-        return MaterialKey{{name, Kind::color, help}, Of::metallic_roughness, set};
-    };
-    return {
-        factor("metallic", "0 to 1", from_0_to_1, [](C& c) { c.material.metallic_roughness.metallic = c.number(); }),
-        factor("roughness", "0 to 1", from_0_to_1, [](C& c) { c.material.metallic_roughness.roughness = c.number(); }),
-        factor("ior", "Index of refraction (default 1.5)", {1, 100},
-               [](C& c) { c.material.metallic_roughness.ior = c.number(); }),
-        factor("specular_factor", "KHR_materials_specular", from_0_to_1,
-               [](C& c) { c.material.metallic_roughness.specular = c.number(); }),
-        color("specular_color", "KHR_materials_specular",
-              [](C& c) { c.material.metallic_roughness.specular_color = c.color(); }),
-        factor("anisotropy", "KHR_materials_anisotropy", from_0_to_1,
-               [](C& c) { c.material.metallic_roughness.anisotropy = c.number(); }),
-        factor("anisotropy_rotation_deg", "KHR_materials_anisotropy", {-360, 360},
-               [](C& c) { c.material.metallic_roughness.anisotropy_rotation_rad = radians(c.number()); }),
-        factor("clearcoat", "KHR_materials_clearcoat", from_0_to_1,
-               [](C& c) { c.material.metallic_roughness.clearcoat = c.number(); }),
-        factor("clearcoat_roughness", "KHR_materials_clearcoat", from_0_to_1,
-               [](C& c) { c.material.metallic_roughness.clearcoat_roughness = c.number(); }),
-        factor("clearcoat_normal_scale", "How strongly the clearcoat's normal map bumps (default 1)", {-100, 100},
-               [](C& c) { c.material.metallic_roughness.clearcoat_normal_scale = c.number(); }),
-        color("sheen_color", "KHR_materials_sheen",
-              [](C& c) { c.material.metallic_roughness.sheen_color = c.color(); }),
-        factor("sheen_roughness", "KHR_materials_sheen", from_0_to_1,
-               [](C& c) { c.material.metallic_roughness.sheen_roughness = c.number(); }),
-    };
+    std::vector<MaterialKey> keys;
+    for (const MaterialParameter& p : metallic_roughness_parameters()) {
+        if (p.color)
+            keys.push_back({{p.key, Kind::color, p.help}, Of::metallic_roughness, [&p](C& c) {
+                                c.material.metallic_roughness.*p.color = c.color();
+                            }});
+        else
+            keys.push_back({{p.key, Kind::number, p.help, {p.low, p.high}}, Of::metallic_roughness, [&p](C& c) {
+                                const bool is_angle = p.kind == MaterialParameter::Kind::angle;
+                                c.material.metallic_roughness.*p.number = is_angle ? radians(c.number()) : c.number();
+                            }});
+    }
+    return keys;
 }
 
 std::vector<MaterialKey> lighting() {
@@ -244,8 +193,7 @@ const std::vector<MaterialKey>& material_setters() {
     static const std::vector<MaterialKey> all = [] {
         std::vector<MaterialKey> keys;
         // Pictures first: texture_scale and the like act on them. Color before ambient.
-        for (std::vector<MaterialKey> (*part)() :
-             {pictures, layer_pictures, general, classical, metallic_roughness, lighting, bumps})
+        for (std::vector<MaterialKey> (*part)() : {pictures, general, classical, metallic_roughness, lighting, bumps})
             for (MaterialKey& key : part()) keys.push_back(std::move(key));
         return keys;
     }();

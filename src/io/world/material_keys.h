@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keys of [[material]] and what each does to a material.
 #pragma once
+#include <functional>
 #include <span>
 
 #include "io/world/world_keys.h"
@@ -25,7 +26,7 @@ enum class Of { all, classical, metallic_roughness };
 struct MaterialKey {
     WorldKey key;
     Of of;
-    void (*set)(MaterialChange&);
+    std::function<void(MaterialChange&)> set;
 };
 
 /// All but name and model.

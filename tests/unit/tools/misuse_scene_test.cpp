@@ -121,7 +121,7 @@ const Fault numbers[] = {
     {"NegativeStep", [](Scene& s) { s.meshes[0].position_step = -1; }, "the step of the positions is negative"},
     {"NanColor", [](Scene& s) { s.materials[0].base_color.x = nan_f; }, "the base color is not finite"},
     {"NanRoughness", [](Scene& s) { s.materials[0].metallic_roughness.roughness = nan_f; },
-     "a parameter is not finite"},
+     "roughness is not finite"},
     {"NanReliefDepth", [](Scene& s) { s.materials[0].relief.emplace().depth = nan_f; }, "the relief is not finite"},
     {"InfiniteReliefBias", [](Scene& s) { s.materials[0].relief.emplace().bias = inf_f; }, "the relief is not finite"},
     {"NanTextureTransform", [](Scene& s) { s.materials[0].height_texture.transform.offset.x = nan_f; },

@@ -152,18 +152,17 @@ void trace_maps(const ShadeJob& job, const FullPixels& f, PixelTrace& out, Trace
     const Pixels& p = f.p;
     const MaterialView& m = *job.material;
     const TextureSlot* const slots[traced_maps] = {
-        &m.base_color_map,          &m.normal_map,           &m.emission_map,
-        &m.occlusion_map,           &m.opacity_map,          &m.specular_map,
-        &m.metallic_roughness_map,  &m.height_map,           &m.specular_strength_map,
-        &m.specular_color_map,      &m.anisotropy_map,       &m.clearcoat_map,
-        &m.clearcoat_roughness_map, &m.clearcoat_normal_map, &m.sheen_color_map,
-        &m.sheen_roughness_map};
+        &m.base_color_map,          &m.normal_map,           &m.height_map,      &m.opacity_map,
+        &m.occlusion_map,           &m.emission_map,         &m.specular_map,    &m.metallic_roughness_map,
+        &m.specular_strength_map,   &m.specular_color_map,   &m.anisotropy_map,  &m.clearcoat_map,
+        &m.clearcoat_roughness_map, &m.clearcoat_normal_map, &m.sheen_color_map, &m.sheen_roughness_map};
     const bool has_heights = job.full != nullptr && has_relief(job);
     for (int i = 0; i < traced_maps; ++i) {
         if (texels != nullptr) texels[i].count = 0;
         TracedTexels* const its_texels = texels != nullptr ? &texels[i] : nullptr;
         if (i == traced_normal && (job.bump == 0 || (has_heights && uses_slopes(job)))) continue;
-        if (i == traced_height ? !has_heights : i > traced_height && !reads_of_metallic_roughness(job, i)) continue;
+        if (i == traced_height && !has_heights) continue;
+        if (i > traced_metallic_roughness && !reads_of_metallic_roughness(job, i)) continue;
         if (i == traced_height)
             trace_heights(job, f, out.map[i], its_texels);
         else

@@ -33,16 +33,16 @@ struct TracedTexture {
     float value[4];       ///< filtered, linear; of slopes: the mean of the heights that they are differences of
 };
 
-/// The maps in the order of MaterialView.
+/// The maps: TextureRoleNumber of scene/material_table.h.
 enum TracedMap : int32_t {
     traced_base_color,
     traced_normal,
-    traced_emission,
-    traced_occlusion,
+    traced_height,
     traced_opacity,
+    traced_occlusion,
+    traced_emission,
     traced_specular,
     traced_metallic_roughness,
-    traced_height,
     traced_specular_strength,
     traced_specular_color,
     traced_anisotropy,
