@@ -24,6 +24,7 @@ import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 MOMENTS = (0.3, 1.2)
+MOST_OUTSIDE_OF_WORK = 8
 
 
 def png(path, width, height, channels):
@@ -154,11 +155,17 @@ def interrupt(command, folder, moment, where):
         return took, min(max(0.0, worked), took * os.cpu_count()), process.returncode, errors.read().decode(errors="replace"), left
 
 
+def is_outside_of_work(code, errors):
+    """Before the work or after it there is nothing to cancel, and nothing to say; what was said before may be warnings."""
+    is_said = "cancelled" in errors or any(": error: " in line for line in errors.splitlines())
+    return code == 0 or (code == -signal.SIGINT and not is_said)
+
+
 def faults(answer, outputs, limit):
     took, worked, code, errors, left = answer
     if worked > limit * os.cpu_count() or took > 6 * limit:
         yield f"gone after {took:.2f} s, {worked:.2f} of them at work"
-    if code == 0 or not errors:  # before the work or after it: nothing to cancel, and nothing to say
+    if is_outside_of_work(code, errors):
         return
     if code != -signal.SIGINT:
         yield f"exit code {code}"
@@ -171,8 +178,8 @@ def faults(answer, outputs, limit):
 
 
 def check_case(program, words, folder, options):
-    """Lines of what is wrong; prints the slowest answer."""
-    wrong, slowest, answered = [], (0.0, 0.0, 0.0), 0
+    """Lines of what is wrong, and how many signals met no work; prints the slowest answer."""
+    wrong, slowest, answered, outside = [], (0.0, 0.0, 0.0), 0, 0
     for moment in options.moments:
         with tempfile.TemporaryDirectory(dir=folder) as out:
             command = [program] + [w.replace("OUT", f"{out}/out") for w in words.split()]
@@ -180,12 +187,13 @@ def check_case(program, words, folder, options):
             if answer is None:
                 break
             answered += 1
+            outside += is_outside_of_work(answer[2], answer[3])
             slowest = max(slowest, (answer[0], answer[1], moment))
             whole = words.startswith("stages")  # writes many files, each of them whole
             outputs = [p.name for p in pathlib.Path(out).rglob("*") if not whole or any(part.startswith(".") for part in p.relative_to(out).parts)]
             wrong += [f"{words} at {moment:g} s: {fault}" for fault in faults(answer, outputs, options.limit)]
     print(f"{slowest[0]:6.2f} s, {slowest[1]:5.2f} at work, at {slowest[2]:4.2f} s, of {answered} signals: {words.replace(str(ROOT) + '/', '')}", flush=True)
-    return wrong
+    return wrong, outside
 
 
 def main():
@@ -201,7 +209,11 @@ def main():
         folder = options.inputs or pathlib.Path(temporary)
         if not (folder / "around.hdr").exists():
             make_inputs(options.program, folder)
-        wrong = [line for words in cases() if options.only in words for line in check_case(options.program, words, folder, options)]
+        found = [check_case(options.program, words, folder, options) for words in cases() if options.only in words]
+    wrong = [line for lines, _ in found for line in lines]
+    outside = sum(count for _, count in found)
+    if outside > MOST_OUTSIDE_OF_WORK:
+        wrong.append(f"{outside} signals were answered by no word: more than can have met no work")
     print("\n".join(wrong))
     sys.exit(1 if wrong else 0)
 
