@@ -34,6 +34,10 @@ real agx_power(const Maps& maps, real display) {
 #include "image/tone.glsl"
 // clang-format on
 
+// as number_of(ToneMapping) of tone_curves.cpp
+static_assert(RL_TONE_NONE == 0 && RL_TONE_REINHARD == 1 && RL_TONE_NEUTRAL == 2 && RL_TONE_ACES == 3 &&
+              RL_TONE_AGX == 4);
+
 }  // namespace
 
 void map_tone(const AgxCurves* curves, int32_t mapping, float gain, const float (&light)[3], float (&mapped)[3]) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The GLSL prelude (3.30 core and ES 3.00): the words of the lighting text that GLSL does not have, with the edge cases of
-// math/wide.h, which is the scalar and the wide C++ prelude. The loader puts #version (and for ES the precision) before it.
+// math/wide.h, which is the scalar and the wide C++ prelude. Exceptions: what min, max and clamp make of NaN is the GPU's choice. The loader puts #version (and for ES the precision) before it.
 #define RL_FN
 #define RL_IN(type) type
 #define RL_INOUT(type) inout type
@@ -18,7 +18,7 @@ vec4 select(bool m, vec4 a, vec4 b) { return m ? a : b; }
 
 float reciprocal(float x) { return 1.0f / x; }
 float copy_sign(float x, float s) { return uintBitsToFloat((floatBitsToUint(x) & 0x7fffffffu) | (floatBitsToUint(s) & 0x80000000u)); }
-float log2_coarse(float x) { return log2(x); }
+float log2_coarse(float x) { return log2(clamp(x, 1.17549435e-38f, 3.40282347e38f)); }
 float safe_sqrt(float x) { return x > 0.0f ? sqrt(x) : 0.0f; }  // 0 for negative x and NaN
 
 // x^y for x > 0; 0 for x <= 0 and NaN, whatever y.

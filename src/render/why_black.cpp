@@ -12,6 +12,7 @@
 #include "render/picture_steps.h"
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
+#include "shading/choices.h"
 
 namespace rakelight {
 namespace {
@@ -40,13 +41,6 @@ bool all_materials(const Scene& scene, const Test& test) {
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i] && !test(scene.materials[i])) return false;
     return !uses_default || test(Material{});
-}
-
-/// The lighting model in force.
-Lighting lighting_of(const Material& m, const RenderSettings& settings) {
-    const Lighting wanted = m.lighting == Lighting::automatic ? settings.lighting : m.lighting;
-    if (wanted != Lighting::automatic) return wanted;
-    return m.model == MaterialModel::metallic_roughness ? Lighting::pbr : Lighting::blinn_phong;
 }
 
 bool is_diffuse_model(Lighting lighting) { return lighting == Lighting::lambert || lighting == Lighting::oren_nayar; }
@@ -143,8 +137,9 @@ std::string why_unlit(const Scene& scene, const PictureRequest& request, const s
     if (sum * math::exp2(request.tone.exposure_ev) < least_visible)
         return "too little of " + all + " reaches it; see intensity and attenuation of lights, --light-intensity, " +
                (has_cut ? "--light-cutoff, " : "") + "--exposure";
-    if (all_materials(scene,
-                      [&](const Material& m) { return has_highlights_at_most(m, lighting_of(m, request.settings)); }))
+    if (all_materials(scene, [&](const Material& m) {
+            return has_highlights_at_most(m, shading::lighting_of(m, request.settings.lighting));
+        }))
         return "its materials have nothing but highlights, and what is seen of it is not lit or mirrors the lights "
                "elsewhere";
     const bool has_spot =
@@ -180,7 +175,7 @@ std::string why_black(const Scene& scene, const PictureRequest& request) {
     const bool has_own_colors = is_unlit(scene, request);
     if (has_own_colors && !is_fog_black) return "it is shown in its own colors, and those are";
     if (all_materials(scene, [&](const Material& m) {
-            const Lighting lighting = lighting_of(m, request.settings);
+            const Lighting lighting = shading::lighting_of(m, request.settings.lighting);
             return has_highlights_at_most(m, lighting) && !has_highlights(m, lighting);
         }))
         return "its materials are black";

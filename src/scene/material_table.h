@@ -49,9 +49,9 @@ struct TextureFactor {
 /// What a texture of a material is read for.
 struct TextureRole {
     TextureRoleNumber number;
-    const char* name;  ///< in reports and JSON; with spaces for '_' in messages
-    const char* key;   ///< of [[material]]
-    const char* help;  ///< of that key
+    const char* name;                    ///< in reports and JSON; with spaces for '_' in messages
+    const char* key;                     ///< of [[material]]
+    const char* help;                    ///< of that key
     std::optional<MaterialModel> model;  ///< whose materials have it; absent: all
     ColorSpace space;
     // exactly one is not null

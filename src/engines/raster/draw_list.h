@@ -29,8 +29,8 @@ struct Draw {
 struct DrawMaterial {
     MaterialView view{};
     std::uint32_t scene_material = none;
-    bool double_sided = false;
-    bool classical = false;  ///< its format says nothing about sides: shown from both (lit_side.h)
+    bool two_sided = false;  ///< shading::is_two_sided()
+    bool classical = false;  ///< its format says nothing about sides (lit_side.h)
 };
 
 struct DrawList {
@@ -49,9 +49,5 @@ struct DrawList {
 
 /// Flattens a valid, posed scene.
 DrawList make_draw_list(Scene scene, TextureCache& textures, Context& context);
-
-/// The lights of a scene about an eye.
-std::vector<lighting::LightParameters> make_lights(const Scene& scene, const std::vector<dmat4>& node_to_world,
-                                                   dvec3 eye);
 
 }  // namespace rakelight::raster

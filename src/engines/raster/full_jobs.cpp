@@ -5,32 +5,15 @@
 #include <cmath>
 
 #include "scene/scene_tools.h"
+#include "shading/choices.h"
 
 namespace rakelight::raster {
 namespace {
 
 void copy(float (&to)[3], vec3 from) { to[0] = from.x, to[1] = from.y, to[2] = from.z; }
 
-ReliefTechnique technique_of(Bump bump) {
-    switch (bump) {
-        case Bump::height:
-            return relief_height;
-        case Bump::parallax:
-            return relief_parallax;
-        case Bump::parallax_limited:
-            return relief_limited;
-        case Bump::steep:
-            return relief_steep;
-        case Bump::occlusion:
-            return relief_occlusion;
-        default:
-            return relief_none;
-    }
-}
-
 bool has_coordinates(const Mesh& mesh, const TextureSlot& slot) {
-    const auto set = std::size_t(slot.texcoord_set);
-    return slot.view && set < mesh.texcoords.size() && !mesh.texcoords[set].empty();
+    return slot.view && shading::has_coordinates(mesh, std::uint32_t(slot.texcoord_set));
 }
 
 /// Steps of a march: what a file says, within what a picture can be waited for.
@@ -50,7 +33,7 @@ void set_scales(const TextureSlot& map, ReliefView& out) {
 
 ReliefView relief_view(const Relief& r, Bump bump, float scale, const TextureSlot& map) {
     ReliefView out{};
-    out.technique = technique_of(bump);
+    out.technique = shading::relief_technique(bump);
     if (out.technique == relief_none) return out;
     out.depth = r.depth * scale;
     out.level = 1 - r.bias;
@@ -66,7 +49,7 @@ ReliefView relief_view(const Relief& r, Bump bump, float scale, const TextureSlo
 
 FogView fog_view(const Fog& fog) {
     FogView out{};
-    out.kind = std::int32_t(fog.kind);
+    out.kind = shading::fog_number(fog.kind);
     copy(out.color, fog.color);
     out.start = fog.start, out.end = fog.end, out.density = fog.density;
     return out;
@@ -83,14 +66,11 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
     const RenderSettings& s = front.settings;
     const Material& m = material_of(front, draw);
     const MaterialView& view = front.list.materials[front.list.draws[draw].material].view;
-    const BumpTerms terms = m.bump_terms == BumpTerms::automatic ? s.bump_terms : m.bump_terms;
     FullJob out{};
-    out.ward_form = std::int32_t(m.ward_form.value_or(s.ward_form));
+    out.ward_form = shading::ward_number(m.ward_form.value_or(s.ward_form));
     out.multiple_scattering = s.multiple_scattering;
     out.viewer_at_infinity = s.viewer_at_infinity;
-    out.bump_terms = terms == BumpTerms::diffuse    ? bump_diffuse
-                     : terms == BumpTerms::specular ? bump_specular
-                                                    : bump_both;
+    out.bump_terms = shading::bump_terms_number(shading::bump_terms_of(m, s.bump_terms));
     out.tangent_space = std::int32_t(s.tangent_space);
     out.has_bumps = bump_of(front, draw) != Bump::none;
     out.normalize_frames = s.normalize_frames;
@@ -112,9 +92,14 @@ bool is_metal_by_lambert(const FrontEnd& front, std::uint32_t draw) {
            m.metallic_roughness.metallic > 0;
 }
 
+/// The plain kernel has Lambert, Phong and Blinn-Phong.
+bool is_beyond_plain(Lighting lighting) {
+    return lighting != Lighting::lambert && lighting != Lighting::phong && lighting != Lighting::blinn_phong;
+}
+
 bool needs_full(const FrontEnd& front, std::uint32_t draw, const FullJob& job) {
-    return lighting_of(front, draw) > Lighting::blinn_phong || is_metal_by_lambert(front, draw) ||
-           job.viewer_at_infinity || job.relief.technique != 0 || job.shadows || job.environment || job.fog.kind != 0 ||
+    return is_beyond_plain(lighting_of(front, draw)) || is_metal_by_lambert(front, draw) || job.viewer_at_infinity ||
+           job.relief.technique != 0 || job.shadows || job.environment || job.fog.kind != 0 ||
            (job.has_bumps && (job.bump_terms != 0 || job.tangent_space != 0 || !job.normalize_frames ||
                               job.green_down || job.centered_normals));
 }
@@ -128,10 +113,7 @@ const Material& material_of(const FrontEnd& front, std::uint32_t draw) {
 }
 
 Lighting lighting_of(const FrontEnd& front, std::uint32_t draw) {
-    const Material& m = material_of(front, draw);
-    const Lighting wanted = m.lighting == Lighting::automatic ? front.settings.lighting : m.lighting;
-    if (wanted != Lighting::automatic) return wanted;
-    return m.model == MaterialModel::metallic_roughness ? Lighting::pbr : Lighting::blinn_phong;
+    return shading::lighting_of(material_of(front, draw), front.settings.lighting);
 }
 
 Bump bump_of(const FrontEnd& front, std::uint32_t draw) {

@@ -5,19 +5,13 @@
 #include <stdint.h>
 
 #include "lighting/albedo_tables.h"
+#include "shading/text_numbers.h"
 
 namespace rakelight::raster {
 struct TextureView;
 
-/// What a draw's height map is read for: RL_RELIEF_... of lighting/relief/relief.glsl.
-enum ReliefTechnique : int32_t {
-    relief_none,
-    relief_height,
-    relief_parallax,
-    relief_limited,
-    relief_steep,
-    relief_occlusion,
-};
+using shading::BumpTermsNumber, shading::bump_both, shading::bump_diffuse, shading::bump_specular;
+using shading::ReliefTechnique, shading::relief_none, shading::relief_height, shading::relief_parallax;
 
 /// How a draw's height map acts.
 struct ReliefView {
@@ -58,12 +52,10 @@ struct EnvironmentView {
 };
 
 struct FogView {
-    int32_t kind;  ///< FogKind
+    int32_t kind;  ///< shading::FogNumber
     float color[3], start, end, density;
 };
 
-/// RL_BUMP_... of lighting/material/directions.glsl.
-enum BumpTermsNumber : int32_t { bump_both, bump_diffuse, bump_specular };
 /// The numbers of TangentSpace.
 enum TangentSpaceNumber : int32_t { space_world, space_pixel, space_vertex, space_transposed };
 
@@ -75,7 +67,7 @@ struct CornerFrame {
 inline constexpr int corner_frame_floats = int(sizeof(CornerFrame) / sizeof(float));
 
 struct FullJob {
-    int32_t ward_form;  ///< WardForm
+    int32_t ward_form;  ///< shading::WardNumber
     int32_t multiple_scattering;
     int32_t viewer_at_infinity;
     int32_t bump_terms;     ///< BumpTermsNumber

@@ -4,6 +4,8 @@
 #include "engines/raster/environment_maps.h"
 #include "engines/raster/full_jobs.h"
 #include "engines/raster/visibility_methods.h"
+#include "shading/choices.h"
+#include "shading/lights.h"
 
 namespace rakelight::raster {
 
@@ -13,15 +15,14 @@ Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSet
     settings_.window = {};
     view_ = view_of(list_, camera, settings_);
     const dvec3 eye = view_.camera_to_world[3].xyz();
-    lights_ = make_lights(list_.scene, list_.node_to_world, eye);
+    lights_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
     shadows_.update(list_, settings_, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights_, context);
 }
 
 bool Inspection::is_culled(std::uint32_t draw, bool is_back) const {
     const DrawMaterial& material = list_.materials[list_.draws[draw].material];
-    const bool two_sided = material.double_sided || material.classical;
-    if (settings_.cull == Cull::automatic) return is_back && !two_sided;
-    return settings_.cull == (is_back ? Cull::back : Cull::front);
+    const shading::CulledSides culled = shading::culled_sides(settings_.cull, material.two_sided);
+    return is_back ? culled.back : culled.front;
 }
 
 static RenderSettings settings_for(RenderSettings settings, Window window, bool with_culled,

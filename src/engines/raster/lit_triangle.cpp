@@ -7,6 +7,7 @@
 #include "engines/raster/full_jobs.h"
 #include "engines/raster/light_points.h"
 #include "math/linear.h"
+#include "shading/choices.h"
 
 namespace rakelight::raster {
 namespace {
@@ -120,9 +121,9 @@ ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParame
     out.material = &view;
     out.lights = lights.data();
     out.light_count = std::int32_t(lights.size());
-    out.reflection_model = std::int32_t(lighting_of(front, draw)) - std::int32_t(Lighting::lambert);
+    out.reflection_model = shading::reflection_model(lighting_of(front, draw));
     const SpecularForm form = specular_form_of(material_of(front, draw), settings.specular_form);
-    out.reflection_form = form == SpecularForm::normalized;
+    out.reflection_form = shading::reflection_form(form);
     if (!front.full.empty() && front.needs_full[draw]) out.full = &front.full[draw];
     out.specular_horizon = settings.specular_horizon;
     out.orthogonalize = settings.orthogonalize;

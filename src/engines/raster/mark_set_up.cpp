@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engines/raster/depth_formats.h"
+#include "shading/choices.h"
 
 namespace rakelight::raster {
 namespace {
@@ -69,10 +70,8 @@ public:
           seen_(is_of_triangles(chunk.source) ? 3 * (chunk.end - chunk.first) : 0),
           to_camera_(view_.world_to_camera * chunk.draw->to_world) {
         const DrawMaterial& material = front.list.materials[chunk.draw->material];
-        const bool two_sided = material.double_sided || material.classical;
-        const Cull cull = front.settings.cull;
-        cull_back_ = cull == Cull::back || (cull == Cull::automatic && !two_sided);
-        cull_front_ = cull == Cull::front;
+        const shading::CulledSides culled = shading::culled_sides(front.settings.cull, material.two_sided);
+        cull_back_ = culled.back, cull_front_ = culled.front;
         front_is_positive_ = (front.settings.front_face == FrontFace::counter_clockwise) != chunk.draw->mirrored;
         const bool is_line = chunk.source == MarkSource::lines || chunk.source == MarkSource::edges;
         shape_ = is_line                                       ? Mark::Shape::line

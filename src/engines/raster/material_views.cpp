@@ -8,6 +8,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "scene/material_table.h"
+#include "shading/choices.h"
 
 namespace rakelight::raster {
 namespace {
@@ -140,7 +141,7 @@ public:
         DrawMaterial out;
         out.view = factors(m);
         out.scene_material = scene_material;
-        out.double_sided = m.double_sided;
+        out.two_sided = shading::is_two_sided(m);
         out.classical = m.model == MaterialModel::classical;
         if (is_drawn)
             for (const TextureRole* const role : roles_of(m)) bind(m, *role, out.view);

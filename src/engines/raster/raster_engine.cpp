@@ -20,6 +20,7 @@
 #include "math/flush_denormals.h"
 #include "math/isa.h"
 #include "math/linear.h"
+#include "shading/lights.h"
 
 namespace rakelight::raster {
 namespace {
@@ -223,7 +224,7 @@ public:
         transform_draws(front, context);
         Binned binned = settings.surfaces ? set_up_and_bin(front, grid, std::move(binned_), context) : nothing(grid);
         const dvec3 eye = view.camera_to_world[3].xyz();
-        std::vector<lighting::LightParameters> lights = make_lights(list_.scene, list_.node_to_world, eye);
+        std::vector<lighting::LightParameters> lights = shading::make_lights(list_.scene, list_.node_to_world, eye);
         shadows_.update(list_, settings, *kernels_, *geometry_kernels_, eye, lights, context);
         front.stats.shadow_maps = shadows_.count();
         front.stats.shadow_bytes = shadows_.bytes();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engines/raster/sample_positions.h"
+#include "shading/choices.h"
 
 namespace rakelight::raster {
 namespace {
@@ -56,9 +57,8 @@ struct Culling {
 
     Culling(const FrontEnd& of, const Draw& draw) {
         const DrawMaterial& material = of.list.materials[draw.material];
-        const bool two_sided = material.double_sided || material.classical;
-        back = of.settings.cull == Cull::back || (of.settings.cull == Cull::automatic && !two_sided);
-        front = of.settings.cull == Cull::front;
+        const shading::CulledSides culled = shading::culled_sides(of.settings.cull, material.two_sided);
+        back = culled.back, front = culled.front;
         // With y down a counter-clockwise triangle has negative area; a mirroring placement turns it round once more.
         front_is_negative = (of.settings.front_face == FrontFace::counter_clockwise) != draw.mirrored;
     }

@@ -1,75 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/view.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "engines/check_settings.h"
 #include "engines/raster/draw_list.h"
-#include "math/functions.h"
 
 namespace rakelight::raster {
-double View::distance_of(double key) const {
-    if (orthographic && key >= 0) return near + (1 - key) * (far - near);
-    return key > 0 ? near / key : std::numeric_limits<double>::infinity();
-}
-
-dvec3 View::place(double x, double y, double key) const {
-    const double distance = distance_of(key), scale = orthographic ? 1 : distance;
-    const dvec2 at = {(2 * x / width - 1) / scale_x, (1 - 2 * y / height) / scale_y};
-    return transform_point(camera_to_world, dvec3{at.x * scale, at.y * scale, -distance});
-}
-
-View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings) {
-    View view;
-    view.camera_to_world = camera_to_world;
-    if (!inverse_affine(camera_to_world, view.world_to_camera))
-        throw Error(ErrorCode::usage, "the camera's placement is singular or not finite");
-    const dvec3 eye = camera_to_world[3].xyz();
-    view.world_to_eye = translation(-eye);
-    view.orthographic = camera.projection == Projection::orthographic;
-    view.width = settings.width;
-    view.height = settings.height;
-    view.near = camera.near;
-    view.far = camera.far;
-    const double aspect = double(settings.width) / double(settings.height);
-    const double half_height = view.orthographic ? camera.half_height : math::tan(camera.vertical_fov_rad * 0.5);
-    view.scale_y = 1.0 / half_height;
-    view.scale_x = view.scale_y / aspect;
-    if (view.orthographic && camera.half_width) view.scale_x = 1.0 / *camera.half_width;
-    if (!view.orthographic && camera.horizontal_fov_rad)
-        view.scale_x = 1.0 / math::tan(*camera.horizontal_fov_rad * 0.5);
-    return view;
-}
-
-void narrow_depths(View& view, const Bounds& drawn) {
-    if (drawn.empty()) return;
-    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p = {corner & 1 ? drawn.high.x : drawn.low.x, corner & 2 ? drawn.high.y : drawn.low.y,
-                         corner & 4 ? drawn.high.z : drawn.low.z};
-        const double distance = -transform_point(view.world_to_camera, p).z;
-        nearest = std::min(nearest, distance);
-        farthest = std::max(farthest, distance);
-    }
-    double near = view.near, far = view.far;
-    if (!view.orthographic) {
-        near = std::max(near, 1e-30 * farthest);  // keys are near / distance: they have to be normal floats
-    } else {
-        const double diagonal = drawn.diagonal();
-        if (!(diagonal > 0) || view.far - view.near <= 256 * diagonal) return;
-        const double margin = 0.5 * diagonal + 1e-6 * std::max(std::fabs(nearest), std::fabs(farthest));
-        near = std::max(near, nearest - margin);
-        far = std::min(far, farthest + margin);
-    }
-    if (near < far) view.near = near, view.far = far;  // else the scene lies outside of them
-}
 
 View view_of(const DrawList& list, const Camera& camera, const RenderSettings& settings) {
     check_settings(settings);
     check_camera(camera, list.scene.nodes.size());
-    View view = make_view(camera, camera_to_world(list.scene, camera, list.node_to_world), settings);
-    if (settings.visibility == Visibility::z_reversed) narrow_depths(view, list.bounds);
+    View view = shading::make_view(camera, camera_to_world(list.scene, camera, list.node_to_world), settings);
+    if (settings.visibility == Visibility::z_reversed) shading::narrow_depths(view, list.bounds);
     return view;
 }
 

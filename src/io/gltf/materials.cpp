@@ -144,7 +144,7 @@ void Materials::read_parameter(const Value& object, const MaterialParameter& p, 
     const char* const name = p.gltf.name;
     if (p.color) {
         vec3& color = target.*p.color;
-        color = color3(document_, object, name, color);
+        color = color3(document_, object, name, MetallicRoughnessParameters{}.*p.color);
         if (p.gltf_range == Range::unit) color = min(color, vec3{1, 1, 1});
         return;
     }

@@ -64,6 +64,12 @@ RL_MAP_FN void set_pbr_albedos(RL_INOUT(MaterialSurface) s, RL_IN(Maps) maps, re
     set_pbr_around(s, albedo, occlusion);
 }
 
+// What a coat leaves of the emission below it; after set_pbr_albedos().
+RL_FN vec3 emission_under_coat(RL_IN(MaterialSurface) s, vec3 emission)
+{
+    return emission * (1.0f - s.coat_reflectance);
+}
+
 // What models other than pbr reflect of the environment: k_d, and k_s, of a textbook lobe by the mapping of classical_f0().
 RL_FN void set_around(RL_INOUT(MaterialSurface) s, real occlusion, RL_IN(Reflection) r)
 {

@@ -74,6 +74,12 @@ RL_FN real occlusion_factor(real strength, vec4 texel)
     return 1.0f + strength * (texel.x - 1.0f);
 }
 
+// An occlusion map darkens ambient light alone.
+RL_FN void apply_occlusion(RL_INOUT(Surface) s, real strength, vec4 texel)
+{
+    s.ambient = s.ambient * occlusion_factor(strength, texel);
+}
+
 RL_FN vec3 emission_of(vec3 factor, vec4 texel)
 {
     return factor * vec3(texel.x, texel.y, texel.z);

@@ -29,11 +29,8 @@ RL_FN Frame bump_frame(vec3 normal, real side, vec3 tangent, real w, int orthogo
 {
     Frame f = even_frame(normal, side);
     f.tangent = orthogonal_tangent(f.normal, tangent);
-    f.map_tangent = f.tangent;
+    f.map_tangent = map_tangent(f.normal, tangent, orthogonalize);
     f.w = w;
-    if (orthogonalize == 0) {
-        f.map_tangent = safe_normalize_or(tangent, f.tangent);
-    }
     if (normalize_both == 0) {
         f.map_normal = normal;
         f.map_tangent = tangent;

@@ -49,6 +49,16 @@ RL_FN vec3 orthogonal_tangent(vec3 n, vec3 t)
     return select(has_direction, unit, safe_normalize(axis - n * dot(n, axis)));
 }
 
+// The tangent that a normal map acts along: perpendicular to the unit normal n, or as it is interpolated, only made unit.
+RL_FN vec3 map_tangent(vec3 n, vec3 t, int orthogonalize)
+{
+    vec3 across = orthogonal_tangent(n, t);
+    if (orthogonalize != 0) {
+        return across;
+    }
+    return safe_normalize_or(t, across);
+}
+
 // The frame's normal: m in (tangent t, bitangent, normal n), bitangent = cross(n, t) * w. Unit; n where the sum vanishes.
 RL_FN vec3 perturb_normal(vec3 n, vec3 t, real w, vec3 m)
 {

@@ -96,7 +96,7 @@ std::vector<float> albedo_texels() {
 
 /// How far `got` is off, as a multiple of what is allowed; infinity for what is not finite.
 double excess(const Operation& operation, float e, float got, float expected) {
-    if (!std::isfinite(got)) return std::numeric_limits<double>::infinity();
+    if (!std::isfinite(got) || !std::isfinite(expected)) return std::numeric_limits<double>::infinity();
     const double allowed = double(operation.absolute) + double(operation.relative(e)) * std::abs(double(expected));
     return std::abs(double(got) - double(expected)) / allowed;
 }

@@ -32,7 +32,7 @@ RL_FN vec3 sample_sky(RL_IN(Maps) maps, vec2 uv, real level)
     return vec3(uv.x, uv.y, maps.height_scale + level * 0.01f);
 }
 
-// A wall at half a shadow map's reach that leans.
+// A surface that leans, before and behind the items. Parallel maps (test_maps(1)) hold minus a distance.
 RL_FN real fetch_nearness(RL_IN(Maps) maps, real column, real row)
 {
     return maps.height_offset + column * 0.003f + row * 0.001f;
@@ -60,14 +60,14 @@ RL_FN vec3 sampled_classical(vec3 l, vec3 ka, vec3 kd, vec3 ks, vec3 p)
     ClassicalLight light;
     light.type = RL_SPOT_LIGHT;
     light.position = l * 3.0f;
-    light.direction = safe_normalize(p - l * 3.0f);
+    light.direction = -l;
     light.ambient = ka;
     light.diffuse = kd;
     light.specular = ks;
     light.constant_term = 1.0f;
     light.linear_term = ka.x;
     light.quadratic_term = ka.y;
-    light.cos_cutoff = -1.0f;
+    light.cos_cutoff = -0.5f;
     light.exponent = ka.z;
     light.has_range = 1;
     light.inverse_range = 0.1f;
@@ -106,10 +106,16 @@ RL_FN Relief any_relief(int technique, vec3 ka, vec3 kd)
     return r;
 }
 
-RL_FN vec3 any_sense(real s, real level)
+RL_FN vec3 sense_of(real s, real level, int holds_depth)
 {
-    HeightSense sense = height_sense(select(s < 0.0f, real(-1.0f), real(1.0f)), level, 1);
+    HeightSense sense = height_sense(select(s < 0.0f, real(-1.0f), real(1.0f)), level, holds_depth);
     return vec3(sense.scale, sense.offset, sense.level);
+}
+
+RL_FN vec3 framed(vec3 n, vec3 p, real s, int orthogonalize, int normalize_both)
+{
+    Frame f = bump_frame(n * 1.5f, s, p, 1.0f, orthogonalize, normalize_both);
+    return f.map_normal + 2.0f * f.map_tangent + 3.0f * f.tangent;
 }
 
 RL_FN vec3 relief_scales(RL_IN(Relief) r, real s, real t)
@@ -139,9 +145,9 @@ RL_FN real shaded_relief(vec3 ka, vec3 kd, vec3 l)
 
 RL_FN vec3 probed(vec3 ka, vec3 kd, vec3 ks)
 {
-    Probes p = probes_of(vec2(ka.x, ka.y) * 0.01f, vec2(kd.x, kd.y) * 0.1f, vec2(512.0f, 256.0f), 1);
-    vec2 place = probe_place(p, vec2(ks.x, ks.y), 0);
-    return vec3(place.x, place.y, p.inverse);
+    Probes p = probes_of(vec2(ka.x, ka.y) * 0.01f, vec2(kd.x, kd.y) * 0.1f, vec2(512.0f, 256.0f), 16);
+    vec2 place = probe_place(p, vec2(ks.x, ks.y), 1);
+    return vec3(place.x, place.y, p.inverse + p.lod);
 }
 
 RL_FN vec3 sloped(vec3 ka, vec3 kd, vec3 ks)
@@ -167,6 +173,26 @@ RL_FN Surface any_base(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real exponent,
     s.diffuse = kd;
     s.specular = ks;
     return s;
+}
+
+// The rest of a light is as sampled_classical() has it.
+RL_FN vec3 sampled_as(int type, vec3 l, vec3 ka, vec3 kd, vec3 ks, vec3 p)
+{
+    ClassicalLight light;
+    light.type = type;
+    light.position = l * 3.0f;
+    light.direction = -l;
+    light.ambient = ka;
+    light.diffuse = kd;
+    light.specular = ks;
+    light.constant_term = 1.0f;
+    light.linear_term = ka.x;
+    light.quadratic_term = ka.y;
+    light.cos_cutoff = 0.0f;
+    light.exponent = 1.0f;
+    light.has_range = 0;
+    light.inverse_range = 0.0f;
+    return arriving(sample_classical(light, p));
 }
 
 RL_FN Reflection any_reflection(int model, int form)
@@ -207,6 +233,21 @@ RL_FN vec3 reflected_classical(vec3 ka, vec3 kd, vec3 ks)
     Surface s;
     set_classical_reflectance(s, ka, ks, 10.0f, kd, vec4(kd.x, kd.y, kd.z, 1.0f));
     return s.ambient + s.specular + vec3(s.exponent);
+}
+
+RL_FN vec3 occluded(vec3 ka, vec3 kd, vec3 ks)
+{
+    Surface s;
+    s.ambient = kd;
+    apply_occlusion(s, ka.x, vec4(ks.x, 0.0f, 0.0f, 1.0f));
+    return s.ambient;
+}
+
+RL_FN vec3 glow(vec3 ka, vec3 kd)
+{
+    MaterialSurface s;
+    s.coat_reflectance = ka.x;
+    return emission_under_coat(s, kd);
 }
 
 RL_FN vec3 lobe_of_classical(vec3 ks, real roughness)
@@ -374,6 +415,47 @@ RL_FN vec3 power_terms(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, real e
     return add_light(ka, any_base(n, v, ka, kd, ks, e, r), light, r);
 }
 
+RL_FN vec3 power_terms_of(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, real e, int model, int form, int horizon, int whole_exponent)
+{
+    Reflection r = any_reflection(model, form);
+    r.horizon = horizon;
+    r.whole_exponent = whole_exponent;
+    LightSample light = make_sample(l, 0.7f, ka, ks, kd);
+    LightTerms terms = light_terms(any_base(n, v, ka, kd, ks, e, r), light, r);
+    // without the step at the horizon, which a rounding moves
+    return terms.ambient + terms.diffuse + terms.specular * lambert_cosine(dot(n, l));
+}
+
+RL_FN MaterialTraits no_traits()
+{
+    MaterialTraits traits;
+    traits.ward_form = RL_WARD_1992;
+    traits.is_anisotropic = 0;
+    traits.has_scattering = 0;
+    traits.has_sheen = 0;
+    traits.has_coat = 0;
+    return traits;
+}
+
+// pbr without layers and with one width.
+RL_FN vec3 even_terms(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p)
+{
+    MaterialSurface s = any_material(n, v, ka, kd, ks, p, RL_PBR);
+    s.alpha_x = s.alpha_y;
+    LightSample light = make_sample(l, 0.7f, ka, ks, kd);
+    LightAlbedo albedo = light_albedo(s, test_maps(), l, no_traits(), RL_PBR);
+    return radiance_of_terms(surface_terms(s, light, 1.0f, albedo, no_traits(), any_reflection(RL_PBR, RL_TEXTBOOK)));
+}
+
+RL_FN vec3 around_model(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, int model)
+{
+    MaterialSurface s;
+    s.base = any_base(n, v, ka, kd, ks, 1.0f, any_reflection(model, RL_TEXTBOOK));
+    s.roughness = 0.5f;
+    set_around(s, 0.7f, any_reflection(model, RL_TEXTBOOK));
+    return s.around_diffuse + s.around_specular + vec3(s.roughness);
+}
+
 RL_FN vec3 model_terms(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, int model)
 {
     MaterialSurface s = any_material(n, v, ka, kd, ks, p, model);
@@ -421,5 +503,19 @@ RL_FN real shadowed(vec3 n, vec3 p, int is_cube, int is_parallel)
     s.texel = 1.0f / 16.0f;
     s.push = 0.5f / 16.0f;
     s.reach = 2.0f;
-    return shadow_factor(test_maps(), s, p, n);
+    Maps maps = test_maps();
+    if (is_parallel != 0) {
+        maps.height_offset = -5.1f;
+    }
+    return shadow_factor(maps, s, p, n);
+}
+
+RL_FN vec3 environment_of_phong(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real e, real s)
+{
+    Reflection r = any_reflection(RL_PHONG, RL_NORMALIZED);
+    MaterialSurface surface;
+    surface.base = any_base(n, v, ka, kd, ks, e, r);
+    surface.diffuse_n = n;
+    set_around(surface, 0.7f, r);
+    return radiance_of_terms(environment_terms(test_maps(), any_environment(ka, kd, ks, s), surface, no_traits(), RL_PHONG));
 }

@@ -4,6 +4,8 @@
 
 #include <bit>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "lighting_items.h"
 #include "math/flush_denormals.h"
@@ -154,13 +156,25 @@ TEST(WideLighting, NothingThatGoesInGivesNaN) {
             for (std::size_t i = 0; i < items.size(); ++i)
                 ASSERT_FALSE(std::isnan(results[c][i])) << "model " << choice.model << " column " << c << " item " << i;
     }
-    for (const char* operation :
-         {"orthogonal_tangent", "perturb_normal", "blinn_phong_lobe_of_vectors", "phong_lobe", "blinn_phong_lobe",
-          "classical_attenuation", "classical_spot", "photometric_attenuation", "photometric_spot"}) {
-        const Results results = run(scalar::kernel, operation, items);
+    const Inputs in = items.inputs();
+    // Directions are unit, and widths bounded: of all rows only those below take what is huge.
+    const auto is_in_range = [&in](std::size_t item) {
+        for (const std::size_t c : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 21u, 22u, 23u})
+            if (!(std::abs(in.column[c][item]) < 1e18f)) return false;
+        return true;
+    };
+    const std::set<std::string> of_any_size = {
+        "orthogonal_tangent",    "perturb_normal", "blinn_phong_lobe_of_vectors", "phong_lobe",      "blinn_phong_lobe",
+        "classical_attenuation", "classical_spot", "photometric_attenuation",     "photometric_spot"};
+    for (int o = 0; o < scalar::kernel.operation_count; ++o) {
+        const std::string name = scalar::kernel.operations[o].name;
+        const Results results = run(scalar::kernel, name, items);
         for (std::size_t c = 0; c < results.width(); ++c)
-            for (std::size_t i = 0; i < items.size(); ++i)
-                ASSERT_FALSE(std::isnan(results[c][i])) << operation << " item " << i;
+            for (std::size_t i = 0; i < items.size(); ++i) {
+                if (!of_any_size.contains(name) && !is_in_range(i)) continue;
+                EXPECT_FALSE(std::isnan(results[c][i])) << name << " item " << i;
+                if (std::isnan(results[c][i])) break;
+            }
     }
 }
 

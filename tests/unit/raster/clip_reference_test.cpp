@@ -50,7 +50,7 @@ View view_of(double near, double far) {
     camera.vertical_fov_rad = radians(90);
     camera.near = near;
     camera.far = far;
-    return make_view(camera, dmat4{}, {.width = 512, .height = 512});
+    return shading::make_view(camera, dmat4{}, {.width = 512, .height = 512});
 }
 
 /// [px] on the screen, about its middle

@@ -17,7 +17,7 @@ View view_of(int width = 640, int height = 480) {
     camera.vertical_fov_rad = radians(90);
     camera.near = 0.5;
     camera.far = 100;
-    return make_view(camera, dmat4{}, {.width = width, .height = height});
+    return shading::make_view(camera, dmat4{}, {.width = width, .height = height});
 }
 
 /// A vertex at camera-space (x, y) at `distance` for the view above (field of view 90 degrees).

@@ -32,7 +32,7 @@ View view_of(Projection projection) {
     camera.half_height = 3;
     camera.near = 0.25;
     camera.far = 50;
-    return make_view(camera, dmat4{}, {.width = 1920, .height = 1080});
+    return shading::make_view(camera, dmat4{}, {.width = 1920, .height = 1080});
 }
 
 /// As camera space: clip x, y and distance are x, y and -z.

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "engines/raster/shadow_maps.h"
+#include "shading/lights.h"
 #include "unit/raster/shadow_scenes.h"
 
 using namespace rakelight;
@@ -80,7 +81,7 @@ TEST(ShadowReuse, MapsAreDrawnOnceForAllCamerasAndAgainForAnotherSizeOrFilter) {
     ShadowMaps maps;
     const auto drawn_for = [&](dvec3 eye, const RenderSettings& s) {
         const std::uint64_t before = maps.drawn();
-        std::vector<lighting::LightParameters> lights = make_lights(list.scene, list.node_to_world, eye);
+        std::vector<lighting::LightParameters> lights = shading::make_lights(list.scene, list.node_to_world, eye);
         maps.update(list, s, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights, context);
         EXPECT_EQ(lights[0].shadow, s.shadows ? 0 : -1);
         return maps.drawn() - before;

@@ -61,8 +61,7 @@ inline ColorTerms finite_terms(const ColorTerms& t) {
 /// 0 where the mesh has none.
 inline vec4 tangent_of(const ShadeJob& job, const Pixels& p) {
     const SignedVector normal = normal_at(p.records, p.b), tangent = tangent_at(p.records, p.b);
-    const vec3 across = lit::orthogonal_tangent(safe_normalize(normal.v), tangent.v);
-    const vec3 t = job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across);
+    const vec3 t = lit::map_tangent(safe_normalize(normal.v), tangent.v, job.orthogonalize);
     const real w = tangent.sign * normal.sign;
     const mask has_tangent = dot(tangent.v, tangent.v) > real(0.0f);
     const real zero(0.0f);

@@ -71,7 +71,7 @@ inline void set_material(const ShadeJob& job, const Pixels& p, const BaseColor& 
     if (is_diffuse) s.base.diffuse = rgb(base.color);  // metals, too: there is no highlight that would show their color
     if (model == RL_OREN_NAYAR) set_slopes(m, s);
     set_layers(m, p, traits_of(job), s);
-    if (!is_pbr(job)) s.base.ambient = s.base.ambient * occlusion_of(m, p);
+    if (!is_pbr(job)) lit::apply_occlusion(s.base, real(m.occlusion_strength), texel_or_white(m.occlusion_map, p));
 }
 
 /// The interpolated frame that the lobe's axes and the coat lie in, without the base's bumps.
@@ -119,7 +119,7 @@ inline vec3 finish_surface(const ShadeJob& job, const Pixels& p, vec3 emission, 
     s.coat_n = traits.has_coat != 0 ? coat_normal(m, p, frame) : frame.n;
     const real occlusion = job.full->has_light_around != 0 ? occlusion_of(m, p) : real(1.0f);
     lit::set_pbr_albedos(s, maps_of(job), occlusion, job.full->has_light_around, traits);
-    return emission * (real(1.0f) - s.coat_reflectance);
+    return lit::emission_under_coat(s, emission);
 }
 
 /// A point of a draw that is lit before there are pixels.

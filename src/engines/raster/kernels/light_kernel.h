@@ -7,6 +7,16 @@
 
 namespace rakelight::raster::RL_ISA {
 
+static_assert(shading::reflects_lambert == RL_LAMBERT && shading::reflects_phong == RL_PHONG &&
+              shading::reflects_blinn_phong == RL_BLINN_PHONG && shading::reflects_oren_nayar == RL_OREN_NAYAR &&
+              shading::reflects_ward == RL_WARD && shading::reflects_pbr == RL_PBR);
+static_assert(shading::form_textbook == RL_TEXTBOOK && shading::form_normalized == RL_NORMALIZED);
+static_assert(shading::ward_1992 == RL_WARD_1992 && shading::ward_duer == RL_WARD_DUER &&
+              shading::ward_bounded == RL_WARD_BOUNDED);
+static_assert(shading::fog_none == RL_NO_FOG && shading::fog_linear == RL_LINEAR_FOG &&
+              shading::fog_exponential == RL_EXPONENTIAL_FOG &&
+              shading::fog_exponential_squared == RL_EXPONENTIAL_SQUARED_FOG);
+
 inline vec3 splat(const float (&v)[3]) { return vec3(real(v[0]), real(v[1]), real(v[2])); }
 
 inline lit::Reflection reflection_of(const ShadeJob& job) {

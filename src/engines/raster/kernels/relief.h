@@ -7,10 +7,11 @@
 
 namespace rakelight::raster::RL_ISA {
 
-static_assert(relief_none == RL_RELIEF_NONE && relief_height == RL_RELIEF_HEIGHT &&
-              relief_parallax == RL_RELIEF_PARALLAX && relief_limited == RL_RELIEF_LIMITED &&
-              relief_steep == RL_RELIEF_STEEP && relief_occlusion == RL_RELIEF_OCCLUSION);
-static_assert(bump_both == RL_BUMP_BOTH && bump_diffuse == RL_BUMP_DIFFUSE && bump_specular == RL_BUMP_SPECULAR);
+static_assert(shading::relief_none == RL_RELIEF_NONE && shading::relief_height == RL_RELIEF_HEIGHT &&
+              shading::relief_parallax == RL_RELIEF_PARALLAX && shading::relief_limited == RL_RELIEF_LIMITED &&
+              shading::relief_steep == RL_RELIEF_STEEP && shading::relief_occlusion == RL_RELIEF_OCCLUSION);
+static_assert(shading::bump_both == RL_BUMP_BOTH && shading::bump_diffuse == RL_BUMP_DIFFUSE &&
+              shading::bump_specular == RL_BUMP_SPECULAR);
 
 /// A job's height map at a vector of pixels.
 struct HeightPlace {

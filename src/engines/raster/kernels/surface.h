@@ -105,8 +105,7 @@ inline void find_normal(const Pixels& p, MappedFrame& f) {
 
 inline void find_tangent(const ShadeJob& job, const Pixels& p, MappedFrame& f) {
     f.tangent = tangent_at(p.records, p.b);
-    const vec3 across = lit::orthogonal_tangent(f.normal.v, f.tangent.v);
-    f.tangent.v = job.orthogonalize != 0 ? across : safe_normalize_or(f.tangent.v, across);
+    f.tangent.v = lit::map_tangent(f.normal.v, f.tangent.v, job.orthogonalize);
 }
 
 /// On the side that is lit.
@@ -156,7 +155,7 @@ inline void set_reflectance(const ShadeJob& job, const Pixels& p, const BaseColo
     } else {
         set_classical(m, p, rgb(base.paint), s);
     }
-    if (m.occlusion_map.view != nullptr) s.ambient = s.ambient * occlusion_of(m, p);
+    if (m.occlusion_map.view != nullptr) lit::apply_occlusion(s, real(m.occlusion_strength), texel(m.occlusion_map, p));
     s.lobe_scale = lit::lobe_scale(s.exponent, reflection_of(job));
 }
 

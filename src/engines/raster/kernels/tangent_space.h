@@ -28,8 +28,7 @@ inline VertexFrames vertex_frames(const ShadeJob& job, const Pixels& p) {
     for (int k = 0; k < 3; ++k) {
         out.position[k] = part_of_corner(a, 3 * k);
         out.n[k] = safe_normalize(part_of_corner(a, 9 + 3 * k));
-        const vec3 t = part_of_corner(a, 18 + 3 * k), across = lit::orthogonal_tangent(out.n[k], t);
-        out.t[k] = job.orthogonalize != 0 ? across : safe_normalize_or(t, across);
+        out.t[k] = lit::map_tangent(out.n[k], part_of_corner(a, 18 + 3 * k), job.orthogonalize);
     }
     return out;
 }

@@ -186,8 +186,7 @@ void trace_normal(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
         return;
     }
     if (job.bump == 0 || m.normal_map.view == nullptr) return;
-    const vec3 across = lit::orthogonal_tangent(n, tangent.v);
-    put(out.tangent, job.orthogonalize != 0 ? across : safe_normalize_or(tangent.v, across));
+    put(out.tangent, lit::map_tangent(n, tangent.v, job.orthogonalize));
     put(out.mapped,
         job.full != nullptr ? map_vector(job, p) : lit::decode_normal(rgb(texel(m.normal_map, p)), m.normal_scale));
 }

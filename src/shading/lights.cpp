@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene lights -> what the lighting equations read: placed about the eye, angles as cosines.
+#include "shading/lights.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <rakelight/light_limits.h>
 
-#include "engines/raster/draw_list.h"
 #include "math/functions.h"
 #include "math/linear.h"
 
-namespace rakelight::raster {
+namespace rakelight::shading {
 namespace {
 
 using lighting::LightKind;
@@ -78,4 +78,4 @@ std::vector<LightParameters> make_lights(const Scene& scene, const std::vector<d
     return lights;
 }
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::shading
