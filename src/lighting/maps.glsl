@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The maps that the lighting text reads, for GLSL: samplers are the program's globals, since a struct that holds one can neither be
 // local nor be chosen per pixel. The C++ kernels have a struct Maps of views with the same functions. Levels are explicit everywhere.
+//
+// What the program binds: heights with linear filters, also where they are magnified; the octahedral environment with its levels mixed,
+// its texels going on across the map's edges as the sphere does; nearness and slopes of one light's shadow map, for one light a pass.
 struct Maps {
     float height_scale;   // height = height_offset + height_scale * texel: HeightSense of relief/relief.glsl
     float height_offset;
