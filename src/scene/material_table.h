@@ -8,28 +8,9 @@
 #include <rakelight/scene.h>
 
 #include "image/convert.h"
+#include "scene/texture_role_numbers.h"
 
 namespace rakelight {
-
-enum TextureRoleNumber : int {
-    role_base_color,
-    role_normal,
-    role_height,
-    role_opacity,
-    role_occlusion,
-    role_emission,
-    role_specular,
-    role_metallic_roughness,
-    role_specular_strength,
-    role_specular_color,
-    role_anisotropy,
-    role_clearcoat,
-    role_clearcoat_roughness,
-    role_clearcoat_normal,
-    role_sheen_color,
-    role_sheen_roughness,
-    texture_role_count
-};
 
 /// Where glTF keeps something: an extension of the material and the name in it; null: nowhere, or where the code of the
 /// loader says.

@@ -86,10 +86,6 @@ const char* word_for(raster::Fate fate) {
     return "";
 }
 
-// The recorder's numbers are those of the table, which sources that are compiled per instruction set may not include.
-static_assert(raster::traced_maps == int(texture_role_count) && raster::traced_emission == int(role_emission) &&
-              raster::traced_metallic_roughness == int(role_metallic_roughness) &&
-              raster::traced_sheen_roughness == int(role_sheen_roughness));
 const char* name_of_map(int map) { return texture_roles()[std::size_t(map)].name; }
 
 std::string picture_of_map(const ExplainedPixel& e, const ShadedLayer& layer, int map) {

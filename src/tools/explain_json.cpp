@@ -56,7 +56,7 @@ Json triangle_json(const ExplainedPixel& e, const CoveringTriangle& t) {
 
 Json maps_json(const ExplainedPixel& e, const ShadedLayer& layer) {
     Json out = Json::array();
-    for (int i = 0; i < raster::traced_maps; ++i) {
+    for (int i = 0; i < texture_role_count; ++i) {
         const raster::TracedTexture& map = layer.trace.map[i];
         if (!map.is_used) continue;
         Json texels = Json::array();

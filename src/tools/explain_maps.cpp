@@ -28,7 +28,7 @@ std::string texels_text(const ShadedLayer& layer) {
     Cells head = {"map", ">level", ">x", ">y", ">weight", ">red", ">green", ">blue", ">alpha"};
     if (has_probes(layer)) head.insert(head.begin() + 1, ">probe");
     TextTable table(head);
-    for (int i = 0; i < raster::traced_maps; ++i) {
+    for (int i = 0; i < texture_role_count; ++i) {
         const raster::TracedTexels& texels = layer.texels[std::size_t(i)];
         for (int k = 0; k < texels.count; ++k) {
             const raster::TracedTexel& t = texels.texel[k];
@@ -45,7 +45,7 @@ std::string texels_text(const ShadedLayer& layer) {
 std::string probes_text(const ShadedLayer& layer) {
     if (!has_probes(layer)) return "";
     TextTable table({"map", ">probes", ">along u", ">along v"});
-    for (int i = 0; i < raster::traced_maps; ++i) {
+    for (int i = 0; i < texture_role_count; ++i) {
         const raster::TracedTexture& m = layer.trace.map[i];
         if (m.is_used) table.add({name_of_map(i), digits(m.probes), digits(m.axis_u), digits(m.axis_v)});
     }
@@ -66,7 +66,7 @@ std::string slopes_text(const ShadedLayer& layer) {
 std::string maps_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     TextTable table(
         {"map", "picture", ">u", ">v", ">level of detail", ">level read", ">red", ">green", ">blue", ">alpha"});
-    for (int i = 0; i < raster::traced_maps; ++i) {
+    for (int i = 0; i < texture_role_count; ++i) {
         const raster::TracedTexture& m = layer.trace.map[i];
         if (!m.is_used) continue;
         Cells cells{name_of_map(i),

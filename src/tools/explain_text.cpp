@@ -84,7 +84,7 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     if (t.has_relief && sets > 1) values.add("1 in the relief", t.relief_texcoord[1]);
     if (t.has_relief && t.relief_height >= 0) values.add("height met", t.relief_height, "as the map has it");
     values.add("normal, interpolated", t.interpolated);
-    if (t.map[raster::traced_normal].is_used) {
+    if (t.map[role_normal].is_used) {
         values.add("tangent", t.tangent, t.handedness < 0 ? "handedness -1" : "handedness +1");
         values.add("normal, decoded texel", t.mapped, "tangent space, not yet unit");
     }

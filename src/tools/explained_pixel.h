@@ -39,7 +39,7 @@ std::string shaded_at_text(const raster::ShadedLayer& layer);
 std::string samples_text(const ExplainedPixel& e);
 Json samples_json(const ExplainedPixel& e);
 
-/// The maps in the order of raster::TracedMap: "base_color", "normal", ...
+/// The maps in the order of TextureRoleNumber: "base_color", "normal", ...
 const char* name_of_map(int map);
 /// The picture that a map of a layer's material reads, or empty.
 std::string picture_of_map(const ExplainedPixel& e, const raster::ShadedLayer& layer, int map);

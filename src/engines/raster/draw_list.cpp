@@ -90,13 +90,13 @@ void drop_coat_normals(DrawList& list) {
     std::map<std::uint32_t, std::uint32_t> without;  // by the material with it
     for (Draw& draw : list.draws) {
         const Mesh& mesh = list.scene.meshes[draw.mesh];
-        const TextureSlot& map = list.materials[draw.material].view.clearcoat_normal_map;
+        const TextureSlot& map = list.materials[draw.material].view.map[role_clearcoat_normal];
         const auto set = std::size_t(map.texcoord_set);
         if (!map.view || (set < mesh.texcoords.size() && !mesh.texcoords[set].empty())) continue;
         const auto [known, is_new] = without.try_emplace(draw.material, std::uint32_t(list.materials.size()));
         if (is_new) {
             DrawMaterial plain = list.materials[draw.material];
-            plain.view.clearcoat_normal_map = {};
+            plain.view.map[role_clearcoat_normal] = {};
             list.materials.push_back(plain);
         }
         draw.material = known->second;

@@ -116,7 +116,7 @@ private:
         std::vector<TracedLight> lights(of_.lights().size());
         PixelTrace pixel;
         std::vector<TracedParts> parts(layer ? lights.size() + 1 : 0);
-        if (layer) layer->texels.resize(traced_maps);
+        if (layer) layer->texels.resize(texture_role_count);
         trace::trace_pixel(&batch, &pixel, lights.data(), layer ? layer->texels.data() : nullptr,
                            layer ? parts.data() : nullptr);
         if (!layer) return pixel;

@@ -75,7 +75,7 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
     out.has_bumps = bump_of(front, draw) != Bump::none;
     out.normalize_frames = s.normalize_frames;
     out.green_down = m.green_down, out.centered_normals = m.centered_normals;
-    out.relief = relief_view(m.relief.value_or(s.relief), bump_of(front, draw), m.height_scale, view.height_map);
+    out.relief = relief_view(m.relief.value_or(s.relief), bump_of(front, draw), m.height_scale, view.map[role_height]);
     out.shadows = effects.shadows;
     const std::optional<Environment>& environment = front.list.scene.environment;
     if (front.list.environment && environment->is_light) out.environment = &front.list.environment_view;
@@ -122,8 +122,8 @@ Bump bump_of(const FrontEnd& front, std::uint32_t draw) {
     const Draw& d = front.list.draws[draw];
     const MaterialView& view = front.list.materials[d.material].view;
     const Mesh& mesh = front.list.scene.meshes[d.mesh];
-    if (reads_heights(wanted) && has_coordinates(mesh, view.height_map)) return wanted;
-    return has_coordinates(mesh, view.normal_map) ? Bump::normal : Bump::none;
+    if (reads_heights(wanted) && has_coordinates(mesh, view.map[role_height])) return wanted;
+    return has_coordinates(mesh, view.map[role_normal]) ? Bump::normal : Bump::none;
 }
 
 void make_full_jobs(FrontEnd& front, const PictureEffects& effects) {

@@ -241,8 +241,9 @@ private:
         for (std::size_t i = 0; i < out_.seen.size(); ++i)
             if (is_lit_here && arrives(i)) out_.seen[i][p] = lights_[i].seen;
         if (!out_.fog.empty()) out_.fog_share[p] = share_through_fog(pixel.trace);
-        if (out_.relief_shift.empty() || !pixel.trace.map[traced_height].is_used) return;
-        const int set = of_.list().materials[of_.list().draws[draw].material].view.height_map.texcoord_set == 0 ? 0 : 1;
+        if (out_.relief_shift.empty() || !pixel.trace.map[role_height].is_used) return;
+        const int set =
+            of_.list().materials[of_.list().draws[draw].material].view.map[role_height].texcoord_set == 0 ? 0 : 1;
         const float(&flat)[2] = pixel.trace.texcoord[set], (&bumped)[2] = pixel.trace.relief_texcoord[set];
         out_.relief_shift[p] = {bumped[0] - flat[0], bumped[1] - flat[1]};
         out_.relief_height[p] = pixel.trace.relief_height;

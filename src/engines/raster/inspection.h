@@ -72,7 +72,7 @@ struct ShadedLayer {
     std::size_t triangle = 0;  ///< into PixelExplanation::triangles
     vec2 place;                ///< [px] from the pixel's center to where it was shaded, y down
     PixelTrace trace{};
-    std::vector<TracedTexels> texels;  ///< [traced_maps]
+    std::vector<TracedTexels> texels;  ///< [texture_role_count]
     std::vector<TracedLight> lights;   ///< as Scene::lights; empty for unlit surfaces and where trace.is_lit_at_corners
     std::vector<TracedParts> parts;    ///< [lights], then those of what comes from all around and of the emission
     std::vector<TracedCorner> corners;  ///< where trace.is_lit_at_corners: the three vertices, or the centroid alone

@@ -8,6 +8,7 @@
 #include "engines/raster/geometry_types.h"
 #include "image/srgb_table.h"
 #include "lighting/light_parameters.h"
+#include "scene/texture_role_numbers.h"
 
 namespace rakelight::raster {
 
@@ -46,23 +47,19 @@ struct MaterialView {
     float dielectric_color[3];  ///< that of the index of refraction times the specular color: may exceed 1
     float specular_strength;    ///< KHR_materials_specular
     float normal_scale, occlusion_strength;
-    float alpha_cutoff;         ///< < 0: no mask
-    int32_t blend;              ///< 0: alpha is 1
-    int32_t shares_footprint;   ///< the normal map is read where the base color map is, texel by texel
-    int32_t uses_texcoords[2];  ///< some map is read by the set
-    int32_t vertex_colors;      ///< 0: no mesh with this material has any, all corners are white
-    TextureSlot base_color_map, normal_map, emission_map, occlusion_map, opacity_map, specular_map,
-        metallic_roughness_map, specular_strength_map, specular_color_map;
+    float alpha_cutoff;                   ///< < 0: no mask
+    int32_t blend;                        ///< 0: alpha is 1
+    int32_t shares_footprint;             ///< the normal map is read where the base color map is, texel by texel
+    int32_t uses_texcoords[2];            ///< some map is read by the set
+    int32_t vertex_colors;                ///< 0: no mesh with this material has any, all corners are white
+    TextureSlot map[texture_role_count];  ///< by TextureRoleNumber; those that only the full kernel reads, too
     // read by the full kernel alone
-    TextureSlot height_map;
     float lobe_roughness;                  ///< of classical materials: that of the GGX or Ward lobe as wide as theirs
     float sigma;                           ///< [rad] Oren-Nayar; < 0: from roughness
     float ward_alpha[2];                   ///< along tangent and bitangent; 0: from roughness and anisotropy
     float anisotropy, anisotropy_axis[2];  ///< KHR_materials_anisotropy: strength, cosine and sine
     float clearcoat, clearcoat_roughness, clearcoat_normal_scale;
     float sheen_color[3], sheen_roughness;
-    TextureSlot anisotropy_map, clearcoat_map, clearcoat_roughness_map, clearcoat_normal_map, sheen_color_map,
-        sheen_roughness_map;
 };
 
 /// What a pixel needs of its triangle. Planes over the screen: change per pixel in x and y, value at the tile's first

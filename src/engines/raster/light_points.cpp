@@ -202,7 +202,7 @@ void remark_maps(const FrontEnd& front, const LightPoints& points, Context& cont
 }  // namespace
 
 float mean_roughness(const MaterialView& m) {
-    const TextureView* const t = m.metallic_roughness_map.view;
+    const TextureView* const t = m.map[role_metallic_roughness].view;
     if (!t) return m.roughness;
     const std::int32_t last = t->levels - 1, width = t->width[last], height = t->height[last];
     float sum = 0;

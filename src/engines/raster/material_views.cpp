@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene materials -> what the kernels read: factors, texture slots, color spaces by role.
 #include <cmath>
-#include <iterator>
 
 #include "engines/raster/draw_list.h"
 #include "engines/raster/normal_map_remarks.h"
@@ -12,25 +11,6 @@
 
 namespace rakelight::raster {
 namespace {
-
-/// The slot of each role of the table.
-constexpr TextureSlot MaterialView::*slots[] = {&MaterialView::base_color_map,
-                                                &MaterialView::normal_map,
-                                                &MaterialView::height_map,
-                                                &MaterialView::opacity_map,
-                                                &MaterialView::occlusion_map,
-                                                &MaterialView::emission_map,
-                                                &MaterialView::specular_map,
-                                                &MaterialView::metallic_roughness_map,
-                                                &MaterialView::specular_strength_map,
-                                                &MaterialView::specular_color_map,
-                                                &MaterialView::anisotropy_map,
-                                                &MaterialView::clearcoat_map,
-                                                &MaterialView::clearcoat_roughness_map,
-                                                &MaterialView::clearcoat_normal_map,
-                                                &MaterialView::sheen_color_map,
-                                                &MaterialView::sheen_roughness_map};
-static_assert(std::size(slots) == texture_role_count);
 
 /// Whether pictures show what the texture is read for.
 bool is_read(const TextureRole& role, const Material& m) {
@@ -145,7 +125,7 @@ public:
         out.classical = m.model == MaterialModel::classical;
         if (is_drawn)
             for (const TextureRole* const role : roles_of(m)) bind(m, *role, out.view);
-        out.view.shares_footprint = share_footprint(out.view.base_color_map, out.view.normal_map);
+        out.view.shares_footprint = share_footprint(out.view.map[role_base_color], out.view.map[role_normal]);
         list_.materials.push_back(out);
     }
 
@@ -168,7 +148,7 @@ private:
         if (role.number == role_normal) remarks_.look_at(m, use, *pixels);
         if (role.number == role_height) remarks_.look_at_heights(m, use, *pixels);
         list_.views.push_back(with_filters(*pixels, list_.scene.textures[use.texture].sampler));
-        view.*slots[role.number] = slot_for(use, list_.views.back());
+        view.map[role.number] = slot_for(use, list_.views.back());
         view.uses_texcoords[use.texcoord_set] = 1;
     }
 

@@ -12,7 +12,7 @@ namespace {
 /// pixel, nor layers.
 bool needs_pixels(const FrontEnd& front, std::uint32_t draw) {
     const MaterialView& m = front.list.materials[front.list.draws[draw].material].view;
-    return front.settings.shadows || m.metallic_roughness_map.view || has_layers(m) ||
+    return front.settings.shadows || m.map[role_metallic_roughness].view || has_layers(m) ||
            bump_of(front, draw) != Bump::none;
 }
 

@@ -137,10 +137,10 @@ TEST(ExplainPixel, TransformedTexturesOfEveryRoleAreReadWhereThePictureReadsThem
         expect_all_explained(scene, s, busy_view(), 5);
         Context context({.threads = 1});
         const raster::Inspection inspection(scene, busy_view(), s, context);
-        int used[raster::traced_maps] = {};
+        int used[texture_role_count] = {};
         for (int pixel = 0; pixel < width * height; pixel += 7)
             for (const raster::ShadedLayer& layer : inspection.explain(pixel % width, pixel / width, context).layers)
-                for (int i = 0; i < raster::traced_maps; ++i) {
+                for (int i = 0; i < texture_role_count; ++i) {
                     const raster::TracedTexture& map = layer.trace.map[i];
                     if (!map.is_used) continue;
                     ++used[i];
@@ -223,7 +223,7 @@ TEST(ExplainPixel, AFilteredValueIsItsTexelsTimesTheirWeights) {
         for (int y = 0; y < height; y += 3)
             for (int x = 0; x < width; x += 3)
                 for (const raster::ShadedLayer& layer : inspection.explain(x, y, context).layers)
-                    for (std::size_t i = 0; i < raster::traced_maps; ++i) {
+                    for (std::size_t i = 0; i < texture_role_count; ++i) {
                         const raster::TracedTexture& map = layer.trace.map[i];
                         const raster::TracedTexels& texels = layer.texels[i];
                         if (map.is_used == 0) continue;

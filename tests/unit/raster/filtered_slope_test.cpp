@@ -173,8 +173,8 @@ TEST(FilteredSlope, ExplainListsTheHeightsThatTheSlopeReadsAndNoOthers) {
         return vec3{h, h, h};
     });
     const raster::ShadedLayer layer = explained(with(map), s, camera);
-    EXPECT_FALSE(layer.trace.map[raster::traced_normal].is_used);
-    const raster::TracedTexels& listed = layer.texels[raster::traced_height];
+    EXPECT_FALSE(layer.trace.map[role_normal].is_used);
+    const raster::TracedTexels& listed = layer.texels[role_height];
     ASSERT_GT(listed.count, 4);
     double sum = 0, weights = 0;
     Pixels others = map, one = map;
@@ -188,7 +188,7 @@ TEST(FilteredSlope, ExplainListsTheHeightsThatTheSlopeReadsAndNoOthers) {
         weights += double(listed.texel[i].weight);
     }
     EXPECT_NEAR(weights, 1, 1e-5);
-    EXPECT_NEAR(sum, double(layer.trace.map[raster::traced_height].value[0]), 1e-5);
+    EXPECT_NEAR(sum, double(layer.trace.map[role_height].value[0]), 1e-5);
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x) {
             auto* const texel = reinterpret_cast<vec3*>((is_listed(x, y) ? one : others).bytes.data()) + y * 16 + x;
@@ -220,7 +220,7 @@ TEST(FilteredSlope, ExplainSaysTheHeightThatTheRayMeetsAndNotTheMeanOfThoseOfIts
             const raster::PixelTrace& t = e.layers[0].trace;
             const float met = at(t.relief_texcoord[0][0]);
             EXPECT_NEAR(t.relief_height, met, 0.01f) << x;  // bisections leave a 32nd of a layer
-            mean_is_off += std::fabs(t.map[raster::traced_height].value[0] - met) > 0.05f;
+            mean_is_off += std::fabs(t.map[role_height].value[0] - met) > 0.05f;
         }
         EXPECT_GT(mean_is_off, 2);
     }
@@ -231,7 +231,7 @@ TEST(FilteredSlope, ExplainSaysTheProbesOfTheSlopeAndOneWhereANormalMapIsLit) {
     s.anisotropy = 16;
     Scene scene = wave(Axis::u, 8, Bump::height);
     const Camera camera = tilted(radians(80.0));
-    const auto height_of = [&] { return explained(scene, s, camera).trace.map[raster::traced_height]; };
+    const auto height_of = [&] { return explained(scene, s, camera).trace.map[role_height]; };
     EXPECT_EQ(height_of().probes, 6);
     EXPECT_NEAR(height_of().level, level_of(pixel_width / std::cos(radians(80.0)) / 6), 0.05);
     s.bump = Bump::occlusion;

@@ -109,7 +109,7 @@ TEST(InspectPixels, ShadowFogAndReliefAreThoseOfThePixel) {
             EXPECT_EQ(looked.data.seen[i][at], arrives ? layer.lights[i].seen : -1) << p;
         }
         if (!layer.is_unlit) dark += layer.lights[0].seen < 0.5f;
-        if (!t.map[raster::traced_height].is_used) continue;
+        if (!t.map[role_height].is_used) continue;
         EXPECT_EQ(looked.data.relief_height[at], t.relief_height);
         EXPECT_EQ(looked.data.relief_shift[at].x, t.relief_texcoord[0][0] - t.texcoord[0][0]);
         moved += looked.data.relief_shift[at].x != 0;

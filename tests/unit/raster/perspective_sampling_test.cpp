@@ -113,7 +113,7 @@ TEST(PerspectiveSampling, TheLevelOfDetailIsThatOfTheDerivatives) {
                 const raster::PixelExplanation pixel = inspection.explain(x, y, context);
                 const OnFloor exact(x, y);
                 ASSERT_EQ(pixel.layers.size(), 1u);
-                const raster::TracedTexture& map = pixel.layers[0].trace.map[raster::traced_base_color];
+                const raster::TracedTexture& map = pixel.layers[0].trace.map[role_base_color];
                 EXPECT_NEAR(double(map.u), exact.u, 2e-5) << x << ", " << y;
                 EXPECT_NEAR(double(map.v), exact.v, 2e-5) << x << ", " << y;
                 const double level = exact.level_of_detail(w, h);
@@ -133,7 +133,7 @@ TEST(PerspectiveSampling, TurningTheTextureLeavesTheLevelAsItIs) {
         for (int y = height / 2 + 6; y < height; y += 11)
             for (int x = 5; x < width; x += 37) {
                 const raster::TracedTexture map =
-                    inspection.explain(x, y, context).layers.at(0).trace.map[raster::traced_base_color];
+                    inspection.explain(x, y, context).layers.at(0).trace.map[role_base_color];
                 EXPECT_NEAR(double(map.level_of_detail), OnFloor(x, y).level_of_detail(256, 256), 2e-3)
                     << turn << ": " << x << ", " << y;
             }

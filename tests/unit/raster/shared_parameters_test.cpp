@@ -331,10 +331,8 @@ TEST(SharedParameters, AreExplainedAsTheyAreDrawn) {
             const std::string what = c.name + ", model " + std::to_string(int(model));
             const MetallicRoughnessParameters& p = scene.materials[0].metallic_roughness;
             const auto is_read = [&](int map) { return trace.map[map].is_used != 0; };
-            EXPECT_EQ(is_read(raster::traced_specular_strength), has_highlight(model) && bool(p.specular_texture))
-                << what;
-            EXPECT_EQ(is_read(raster::traced_specular_color), has_highlight(model) && bool(p.specular_color_texture))
-                << what;
+            EXPECT_EQ(is_read(role_specular_strength), has_highlight(model) && bool(p.specular_texture)) << what;
+            EXPECT_EQ(is_read(role_specular_color), has_highlight(model) && bool(p.specular_color_texture)) << what;
             if (!has_highlight(model)) continue;
             const vec3 k_s = {trace.k_specular[0], trace.k_specular[1], trace.k_specular[2]};
             expect_near(k_s, meaning_of(scene, model).specular, what + ": explained");

@@ -24,7 +24,7 @@ inline lit::MaterialTraits traits_of(const ShadeJob& job) {
 /// KHR_materials_anisotropy: a missing map turns nothing.
 inline vec4 anisotropy_texel(const MaterialView& m, const Pixels& p) {
     const real one(1.0f);
-    return m.anisotropy_map.view != nullptr ? texel(m.anisotropy_map, p) : vec4(one, real(0.5f), one, one);
+    return m.map[role_anisotropy].view != nullptr ? texel(m.map[role_anisotropy], p) : vec4(one, real(0.5f), one, one);
 }
 
 /// Widths of the lobe.
@@ -41,11 +41,11 @@ inline void set_layers(const MaterialView& m, const Pixels& p, const lit::Materi
                        lit::MaterialSurface& s) {
     lit::set_no_layers(s);
     if (traits.has_sheen != 0)
-        lit::set_sheen(s, splat(m.sheen_color), real(m.sheen_roughness), texel_or_white(m.sheen_color_map, p),
-                       texel_or_white(m.sheen_roughness_map, p));
+        lit::set_sheen(s, splat(m.sheen_color), real(m.sheen_roughness), texel_or_white(m.map[role_sheen_color], p),
+                       texel_or_white(m.map[role_sheen_roughness], p));
     if (traits.has_coat != 0)
-        lit::set_coat(s, real(m.clearcoat), real(m.clearcoat_roughness), texel_or_white(m.clearcoat_map, p),
-                      texel_or_white(m.clearcoat_roughness_map, p));
+        lit::set_coat(s, real(m.clearcoat), real(m.clearcoat_roughness), texel_or_white(m.map[role_clearcoat], p),
+                      texel_or_white(m.map[role_clearcoat_roughness], p));
 }
 
 inline void set_slopes(const MaterialView& m, lit::MaterialSurface& s) {
@@ -71,7 +71,8 @@ inline void set_material(const ShadeJob& job, const Pixels& p, const BaseColor& 
     if (is_diffuse) s.base.diffuse = rgb(base.color);  // metals, too: there is no highlight that would show their color
     if (model == RL_OREN_NAYAR) set_slopes(m, s);
     set_layers(m, p, traits_of(job), s);
-    if (!is_pbr(job)) lit::apply_occlusion(s.base, real(m.occlusion_strength), texel_or_white(m.occlusion_map, p));
+    if (!is_pbr(job))
+        lit::apply_occlusion(s.base, real(m.occlusion_strength), texel_or_white(m.map[role_occlusion], p));
 }
 
 /// The interpolated frame that the lobe's axes and the coat lie in, without the base's bumps.
@@ -93,8 +94,8 @@ inline void set_axes(const MaterialView& m, const Pixels& p, const LobeFrame& fr
 }
 
 inline vec3 coat_normal(const MaterialView& m, const Pixels& p, const LobeFrame& frame) {
-    if (m.clearcoat_normal_map.view == nullptr) return frame.n;
-    return lit::coat_normal(frame.n, frame.t, frame.handedness, texel(m.clearcoat_normal_map, p),
+    if (m.map[role_clearcoat_normal].view == nullptr) return frame.n;
+    return lit::coat_normal(frame.n, frame.t, frame.handedness, texel(m.map[role_clearcoat_normal], p),
                             real(m.clearcoat_normal_scale));
 }
 

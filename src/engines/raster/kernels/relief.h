@@ -50,20 +50,20 @@ inline lit::Frame frame_at(const ShadeJob& job, const Pixels& p) {
 
 /// The texture coordinates of the mesh that the height map is read by.
 inline const TexCoords& height_texcoords(const ShadeJob& job, const Pixels& p) {
-    return p.texcoords[job.material->height_map.texcoord_set == 0 ? 0 : 1];
+    return p.texcoords[job.material->map[role_height].texcoord_set == 0 ? 0 : 1];
 }
 
 /// @param c     the map's own coordinates
 /// @param side  +1 on the front, -1 from behind
 inline HeightPlace height_place(const ShadeJob& job, const TexCoords& c, real side) {
-    const TextureView& t = *job.material->height_map.view;
+    const TextureView& t = *job.material->map[role_height].view;
     const lit::HeightSense sense = lit::height_sense(side, real(job.full->relief.level), job.full->relief.holds_depth);
     return {{&t, sense.scale, sense.offset, nullptr, nullptr}, sense.level, level_of_detail(t, c)};
 }
 
 /// Moves the texture coordinates to where the ray meets the relief.
 inline void enter_relief(const ShadeJob& job, Pixels& p, Bumps& bumps) {
-    const TextureSlot& slot = job.material->height_map;
+    const TextureSlot& slot = job.material->map[role_height];
     const int32_t set = slot.texcoord_set == 0 ? 0 : 1;
     TexCoords room;
     const TexCoords& c = transformed(slot, p.texcoords[set], room);
@@ -106,7 +106,8 @@ inline vec3 map_vector(const ShadeJob& job, const Pixels& p) {
 
 /// The normal is that of the heights, not of a normal map.
 inline bool uses_slopes(const ShadeJob& job) {
-    return has_relief(job) && (job.full->relief.technique == relief_height || job.material->normal_map.view == nullptr);
+    return has_relief(job) &&
+           (job.full->relief.technique == relief_height || job.material->map[role_normal].view == nullptr);
 }
 
 inline lit::HeightLevels height_levels(const TextureView& t) {
@@ -132,7 +133,7 @@ inline vec3 slope_vector(const ShadeJob& job, const Pixels& p, const Bumps& bump
     if (p.anisotropy <= 1)
         return lit::relief_normal(relief, lit::slope_at(bumps.place.maps, levels, bumps.point.uv, bumps.place.lod));
     TexCoords room;
-    const TexCoords& c = transformed(job.material->height_map, height_texcoords(job, p), room);
+    const TexCoords& c = transformed(job.material->map[role_height], height_texcoords(job, p), room);
     const lit::Probes probes = slope_probes(bumps.place, c, p.anisotropy);
     return lit::relief_normal(relief, lit::filtered_slope(bumps.place.maps, levels, bumps.point.uv, probes));
 }
@@ -141,7 +142,7 @@ inline vec3 slope_vector(const ShadeJob& job, const Pixels& p, const Bumps& bump
 inline vec3 bumped_normal(const ShadeJob& job, const Pixels& p, const Bumps& bumps) {
     const lit::Frame& f = bumps.frame;
     if (job.bump != 0 && uses_slopes(job)) return lit::sloped_normal(f, slope_vector(job, p, bumps));
-    if (job.bump == 0 || job.material->normal_map.view == nullptr) return f.normal * f.side;
+    if (job.bump == 0 || job.material->map[role_normal].view == nullptr) return f.normal * f.side;
     return lit::mapped_normal(f, map_vector(job, p), job.full->tangent_space == space_world);
 }
 

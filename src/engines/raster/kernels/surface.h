@@ -54,21 +54,22 @@ inline void find_texcoords(const MaterialView& m, Pixels& p) {
     if (m.uses_texcoords[1] != 0) find_texcoords_of<1>(p.records, p.b, p.texcoords[1]);
     p.shares_footprint = m.shares_footprint != 0 && p.anisotropy <= 1;
     if (!p.shares_footprint) return;
-    const TextureView& t = *m.base_color_map.view;
+    const TextureView& t = *m.map[role_base_color].view;
     TexCoords room;
-    const TexCoords& c = transformed(m.base_color_map, p.texcoords[m.base_color_map.texcoord_set == 0 ? 0 : 1], room);
+    const TexCoords& c =
+        transformed(m.map[role_base_color], p.texcoords[m.map[role_base_color].texcoord_set == 0 ? 0 : 1], room);
     find_footprint(t, c, level_of_detail(t, c), t.minify_linear != 0, p.footprint);
 }
 
 /// The normal map's texel, 0..1.
 inline vec3 normal_texel(const MaterialView& m, const Pixels& p) {
-    return rgb(p.shares_footprint ? sample(*m.normal_map.view, p.footprint) : texel(m.normal_map, p));
+    return rgb(p.shares_footprint ? sample(*m.map[role_normal].view, p.footprint) : texel(m.map[role_normal], p));
 }
 
 /// In tangent space, not unit.
 inline vec3 decoded_normal(const MaterialView& m, const Pixels& p) {
     if (p.shares_footprint && m.normal_scale == 1.0f)
-        return lit::decode_twice_normal(rgb(sample(*m.normal_map.view, p.footprint, 2.0f)));
+        return lit::decode_twice_normal(rgb(sample(*m.map[role_normal].view, p.footprint, 2.0f)));
     return lit::decode_normal(normal_texel(m, p), real(m.normal_scale));
 }
 
@@ -81,12 +82,13 @@ struct BaseColor {
     BaseColor base;
     const real one(1.0f);
     base.paint = vec4(one, one, one, one);
-    if (m.base_color_map.view != nullptr)
-        base.paint = p.shares_footprint ? sample(*m.base_color_map.view, p.footprint) : texel(m.base_color_map, p);
+    if (m.map[role_base_color].view != nullptr)
+        base.paint =
+            p.shares_footprint ? sample(*m.map[role_base_color].view, p.footprint) : texel(m.map[role_base_color], p);
     if (m.vertex_colors != 0) base.paint = interpolate_color(p.records, p.b) * base.paint;
     base.color =
         vec4(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2]), real(m.base_color[3])) * base.paint;
-    if (m.opacity_map.view != nullptr) base.color.w = base.color.w * texel(m.opacity_map, p).x;
+    if (m.map[role_opacity].view != nullptr) base.color.w = base.color.w * texel(m.map[role_opacity], p).x;
     return base;
 }
 
@@ -96,7 +98,9 @@ struct MappedFrame {
     vec3 mapped;  ///< of the map, in the frame
 };
 
-inline bool is_normal_mapped(const ShadeJob& job) { return job.bump != 0 && job.material->normal_map.view != nullptr; }
+inline bool is_normal_mapped(const ShadeJob& job) {
+    return job.bump != 0 && job.material->map[role_normal].view != nullptr;
+}
 
 inline void find_normal(const Pixels& p, MappedFrame& f) {
     f.normal = normal_at(p.records, p.b);
@@ -128,19 +132,20 @@ inline vec3 shading_normal(const ShadeJob& job, const Pixels& p) {
 inline lit::MetallicRoughness metallic_roughness_at(const MaterialView& m, const Pixels& p) {
     lit::MetallicRoughness at;
     at.metallic = real(m.metallic), at.roughness = real(m.roughness);
-    lit::apply_metallic_roughness(at, texel_or_white(m.metallic_roughness_map, p));
+    lit::apply_metallic_roughness(at, texel_or_white(m.map[role_metallic_roughness], p));
     lit::apply_specular(at, splat(m.dielectric_color), real(m.specular_strength),
-                        texel_or_white(m.specular_color_map, p), texel_or_white(m.specular_strength_map, p));
+                        texel_or_white(m.map[role_specular_color], p),
+                        texel_or_white(m.map[role_specular_strength], p));
     return at;
 }
 
 inline void set_classical(const MaterialView& m, const Pixels& p, vec3 paint, lit::Surface& s) {
     lit::set_classical_reflectance(s, splat(m.ambient), splat(m.specular), real(m.shininess), paint,
-                                   texel_or_white(m.specular_map, p));
+                                   texel_or_white(m.map[role_specular], p));
 }
 
 inline real occlusion_of(const MaterialView& m, const Pixels& p) {
-    return lit::occlusion_factor(real(m.occlusion_strength), texel_or_white(m.occlusion_map, p));
+    return lit::occlusion_factor(real(m.occlusion_strength), texel_or_white(m.map[role_occlusion], p));
 }
 
 /// What the material reflects at the pixel: all of the surface but its directions. Metallic-roughness as the parameters
@@ -155,13 +160,14 @@ inline void set_reflectance(const ShadeJob& job, const Pixels& p, const BaseColo
     } else {
         set_classical(m, p, rgb(base.paint), s);
     }
-    if (m.occlusion_map.view != nullptr) lit::apply_occlusion(s, real(m.occlusion_strength), texel(m.occlusion_map, p));
+    if (m.map[role_occlusion].view != nullptr)
+        lit::apply_occlusion(s, real(m.occlusion_strength), texel(m.map[role_occlusion], p));
     s.lobe_scale = lit::lobe_scale(s.exponent, reflection_of(job));
 }
 
 /// First term of the sum.
 inline vec3 emission_of(const MaterialView& m, const Pixels& p) {
-    return lit::emission_of(splat(m.emission), texel_or_white(m.emission_map, p));
+    return lit::emission_of(splat(m.emission), texel_or_white(m.map[role_emission], p));
 }
 
 }  // namespace rakelight::raster::RL_ISA

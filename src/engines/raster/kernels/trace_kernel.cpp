@@ -105,7 +105,7 @@ float level_read(const TextureView& t, float lod) {
 void trace_heights(const ShadeJob& job, const FullPixels& f, TracedTexture& out, TracedTexels* texels) {
     const HeightPlace& place = f.bumps.place;
     const vec2 uv = f.bumps.point.uv;
-    const TextureSlot& slot = job.material->height_map;
+    const TextureSlot& slot = job.material->map[role_height];
     const TextureView& t = *slot.view;
     const bool is_slope = uses_slopes(job);
     TexCoords room;
@@ -141,9 +141,9 @@ void trace_heights(const ShadeJob& job, const FullPixels& f, TracedTexture& out,
 /// Whether the job's lighting model reads a map of metallic-roughness materials alone.
 bool reads_of_metallic_roughness(const ShadeJob& job, int map) {
     if (job.material->metallic_roughness == 0) return false;
-    if (map == traced_specular_strength || map == traced_specular_color)
+    if (map == role_specular_strength || map == role_specular_color)
         return job.reflection_model != RL_LAMBERT && job.reflection_model != RL_OREN_NAYAR;
-    if (map == traced_anisotropy && job.reflection_model == RL_WARD) return true;
+    if (map == role_anisotropy && job.reflection_model == RL_WARD) return true;
     return job.full != nullptr && is_pbr(job);
 }
 
@@ -151,22 +151,17 @@ bool reads_of_metallic_roughness(const ShadeJob& job, int map) {
 void trace_maps(const ShadeJob& job, const FullPixels& f, PixelTrace& out, TracedTexels* texels) {
     const Pixels& p = f.p;
     const MaterialView& m = *job.material;
-    const TextureSlot* const slots[traced_maps] = {
-        &m.base_color_map,          &m.normal_map,           &m.height_map,      &m.opacity_map,
-        &m.occlusion_map,           &m.emission_map,         &m.specular_map,    &m.metallic_roughness_map,
-        &m.specular_strength_map,   &m.specular_color_map,   &m.anisotropy_map,  &m.clearcoat_map,
-        &m.clearcoat_roughness_map, &m.clearcoat_normal_map, &m.sheen_color_map, &m.sheen_roughness_map};
     const bool has_heights = job.full != nullptr && has_relief(job);
-    for (int i = 0; i < traced_maps; ++i) {
+    for (int i = 0; i < texture_role_count; ++i) {
         if (texels != nullptr) texels[i].count = 0;
         TracedTexels* const its_texels = texels != nullptr ? &texels[i] : nullptr;
-        if (i == traced_normal && (job.bump == 0 || (has_heights && uses_slopes(job)))) continue;
-        if (i == traced_height && !has_heights) continue;
-        if (i > traced_metallic_roughness && !reads_of_metallic_roughness(job, i)) continue;
-        if (i == traced_height)
+        if (i == role_normal && (job.bump == 0 || (has_heights && uses_slopes(job)))) continue;
+        if (i == role_height && !has_heights) continue;
+        if (i > role_metallic_roughness && !reads_of_metallic_roughness(job, i)) continue;
+        if (i == role_height)
             trace_heights(job, f, out.map[i], its_texels);
         else
-            trace_texture(*slots[i], p, out.map[i], its_texels);
+            trace_texture(m.map[i], p, out.map[i], its_texels);
     }
 }
 
@@ -185,10 +180,10 @@ void trace_normal(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
         put(out.mapped, slope_vector(job, p, f.bumps));
         return;
     }
-    if (job.bump == 0 || m.normal_map.view == nullptr) return;
+    if (job.bump == 0 || m.map[role_normal].view == nullptr) return;
     put(out.tangent, lit::map_tangent(n, tangent.v, job.orthogonalize));
-    put(out.mapped,
-        job.full != nullptr ? map_vector(job, p) : lit::decode_normal(rgb(texel(m.normal_map, p)), m.normal_scale));
+    put(out.mapped, job.full != nullptr ? map_vector(job, p)
+                                        : lit::decode_normal(rgb(texel(m.map[role_normal], p)), m.normal_scale));
 }
 
 void trace_surface(const MaterialView& m, const lit::Surface& s, PixelTrace& out) {
@@ -199,7 +194,7 @@ void trace_surface(const MaterialView& m, const lit::Surface& s, PixelTrace& out
     put(out.k_diffuse, s.diffuse);
     put(out.k_specular, s.specular);
     out.exponent = s.exponent;
-    const TracedTexture& map = out.map[traced_metallic_roughness];
+    const TracedTexture& map = out.map[role_metallic_roughness];
     out.metallic = map.is_used ? m.metallic * map.value[2] : m.metallic;
     out.roughness = map.is_used ? m.roughness * map.value[1] : m.roughness;
 }

@@ -3,6 +3,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "scene/texture_role_numbers.h"
+
 #include "engines/raster/kernel_types.h"
 
 namespace rakelight::raster {
@@ -31,27 +33,6 @@ struct TracedTexture {
         level_of_detail;  ///< log2 of texels a pixel, of a probe where there are several; over 0 the picture is shrunk
     float level;          ///< of the mip chain that was read; a fraction lies between two
     float value[4];       ///< filtered, linear; of slopes: the mean of the heights that they are differences of
-};
-
-/// The maps: TextureRoleNumber of scene/material_table.h.
-enum TracedMap : int32_t {
-    traced_base_color,
-    traced_normal,
-    traced_height,
-    traced_opacity,
-    traced_occlusion,
-    traced_emission,
-    traced_specular,
-    traced_metallic_roughness,
-    traced_specular_strength,
-    traced_specular_color,
-    traced_anisotropy,
-    traced_clearcoat,
-    traced_clearcoat_roughness,
-    traced_clearcoat_normal,
-    traced_sheen_color,
-    traced_sheen_roughness,
-    traced_maps,
 };
 
 /// What a factor of a term is. src/tools/explain_factors.cpp has words for each.
@@ -176,7 +157,7 @@ struct PixelTrace {
     float environment[3][3];                      ///< ambient, diffuse and specular term of the light from all around
     float before_fog[3];                          ///< the sum
     float fog_distance, fog_share, fog_color[3];  ///< [m]; color = before_fog fog_share + fog_color (1 - fog_share)
-    TracedTexture map[traced_maps];
+    TracedTexture map[texture_role_count];
     float color[3], alpha;  ///< the kernel's own result
 };
 
@@ -187,7 +168,7 @@ namespace trace {
 void trace_point(const ShadeJob* job, float roughness, const float (&position)[3], const float (&normal)[3],
                  float (&received)[3][3], TracedLight* lights, TracedParts* parts);
 /// Shades the first pixel of a job as its `shade` does and records how. `lights` takes job->light_count entries; those
-/// of unlit surfaces and of surfaces lit at their corners are left as they are. `texels` takes traced_maps entries, or
+/// of unlit surfaces and of surfaces lit at their corners are left as they are. `texels` takes texture_role_count entries, or
 /// null; `parts` those of each light and after them those of what shines without one, or null. The numbers are those of
 /// the engine's kernels to the bit, which run the same source.
 void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, TracedTexels* texels, TracedParts* parts);
