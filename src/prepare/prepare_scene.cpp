@@ -65,10 +65,6 @@ void note_flat_meshes(const Scene& scene, Report& report) {
     }
 }
 
-bool has_coordinates(const Mesh& mesh, std::uint32_t set) {
-    return set < mesh.texcoords.size() && !mesh.texcoords[set].empty();
-}
-
 bool has_coat_map(const Material& m) {
     const MetallicRoughnessParameters& p = m.metallic_roughness;
     return m.model == MaterialModel::metallic_roughness && p.clearcoat > 0 && p.clearcoat_normal_texture;

@@ -91,4 +91,8 @@ static_assert(std::size(roles) == texture_role_count);
 std::span<const TextureRole, texture_role_count> texture_roles() { return roles; }
 std::span<const MaterialParameter> metallic_roughness_parameters() { return parameters; }
 
+bool has_coordinates(const Mesh& mesh, std::uint32_t texcoord_set) {
+    return texcoord_set < mesh.texcoords.size() && !mesh.texcoords[texcoord_set].empty();
+}
+
 }  // namespace rakelight

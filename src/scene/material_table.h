@@ -55,6 +55,9 @@ struct TextureRole {
 /// By number.
 std::span<const TextureRole, texture_role_count> texture_roles();
 
+/// Whether a mesh has what a texture of this set of texture coordinates is read by.
+bool has_coordinates(const Mesh& mesh, std::uint32_t texcoord_set);
+
 /// A number or a color of metallic-roughness materials. Its default is that of MetallicRoughnessParameters.
 struct MaterialParameter {
     enum class Kind { number, angle, color };  ///< angle: radians; degrees in world files

@@ -90,10 +90,6 @@ FogNumber fog_number(FogKind kind) {
     return fog_none;
 }
 
-bool has_coordinates(const Mesh& mesh, std::uint32_t texcoord_set) {
-    return texcoord_set < mesh.texcoords.size() && !mesh.texcoords[texcoord_set].empty();
-}
-
 bool is_two_sided(const Material& material) {
     return material.double_sided || material.model == MaterialModel::classical;
 }

@@ -19,9 +19,6 @@ ReliefTechnique relief_technique(Bump bump);  ///< relief_none where no height m
 BumpTermsNumber bump_terms_number(BumpTerms terms);
 FogNumber fog_number(FogKind kind);
 
-/// Whether a material's textures have what they are read by on this mesh.
-bool has_coordinates(const Mesh& mesh, std::uint32_t texcoord_set);
-
 /// Formats that say nothing about sides show both, as double-sided materials are.
 bool is_two_sided(const Material& material);
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "math/linear.h"
+#include "scene/material_table.h"
 
 namespace rakelight::raster {
 namespace {
@@ -91,8 +92,7 @@ void drop_coat_normals(DrawList& list) {
     for (Draw& draw : list.draws) {
         const Mesh& mesh = list.scene.meshes[draw.mesh];
         const TextureSlot& map = list.materials[draw.material].view.map[role_clearcoat_normal];
-        const auto set = std::size_t(map.texcoord_set);
-        if (!map.view || (set < mesh.texcoords.size() && !mesh.texcoords[set].empty())) continue;
+        if (!map.view || has_coordinates(mesh, std::uint32_t(map.texcoord_set))) continue;
         const auto [known, is_new] = without.try_emplace(draw.material, std::uint32_t(list.materials.size()));
         if (is_new) {
             DrawMaterial plain = list.materials[draw.material];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/material_table.h"
 #include "scene/scene_tools.h"
 #include "shading/choices.h"
 
@@ -13,7 +14,7 @@ namespace {
 void copy(float (&to)[3], vec3 from) { to[0] = from.x, to[1] = from.y, to[2] = from.z; }
 
 bool has_coordinates(const Mesh& mesh, const TextureSlot& slot) {
-    return slot.view && shading::has_coordinates(mesh, std::uint32_t(slot.texcoord_set));
+    return slot.view && rakelight::has_coordinates(mesh, std::uint32_t(slot.texcoord_set));
 }
 
 /// Steps of a march: what a file says, within what a picture can be waited for.

@@ -36,7 +36,8 @@ std::string whole_text() {
     std::istringstream list(read_source("src/lighting/all.glsl.list"));
     for (std::string name; std::getline(list, name);)
         if (!name.empty() && name[0] != '#') text += read_source("src/lighting/" + name);
-    return text + operations.substr(end_of_maps) + "#define RL_TANGENT orthogonal_tangent(n, p)\n";
+    return text + operations.substr(end_of_maps) + read_source("tests/unit/lighting/material_operations.glsl") +
+           "#define RL_TANGENT orthogonal_tangent(n, p)\n";
 }
 
 /// Of one operation: an item a pixel, six texels an item.

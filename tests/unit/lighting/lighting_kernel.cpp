@@ -12,6 +12,7 @@ using rakelight::lighting::LightParameters;
 
 // clang-format off
 #include "operations.glsl"
+#include "material_operations.glsl"
 // clang-format on
 
 inline real sample_albedo(const Maps&, int table, real x, real y) {
