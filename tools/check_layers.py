@@ -65,7 +65,7 @@ LIBRARIES = {
 }
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
-ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/srgb_table\.h|shading/text_numbers\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
+ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/srgb_table\.h|shading/(text_numbers|material_factors|effect_factors|shadow_factors|light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
                          r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|engines/raster/(kernel_types|geometry_types|clip_planes)\.h|engines/raster/kernels/\w+\.(h|cpp)|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
 ISA_FILES = ["src/engines/raster/kernels", "src/geometry/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
 

@@ -2,6 +2,9 @@
 #include "shading/shading_choice.h"
 
 #include <algorithm>
+#include <atomic>
+
+#include "shading/draw_choices.h"
 
 namespace rakelight::shading {
 
@@ -39,6 +42,38 @@ Shading ShadingChoice::of(std::uint32_t node, std::uint32_t material) const {
     if (rule >= 0) return settings_.shading_rules[std::size_t(rule)].shading;
     if (settings_.own_shading && m && m->shading) return *m->shading;
     return settings_.own_shading && of_node.own ? *of_node.own : settings_.shading;
+}
+
+namespace {
+
+/// Gouraud shading has neither shadows, nor bumps, nor a roughness that changes from pixel to pixel, nor layers.
+bool needs_pixels(const DrawList& list, const Draw& draw, const RenderSettings& settings) {
+    const DrawMaterial& material = list.material(draw);
+    return settings.shadows || material.maps[role_metallic_roughness] || has_layers(material.factors) ||
+           bump_of(list, draw, settings) != Bump::none;
+}
+
+}  // namespace
+
+std::vector<Shading> choose_shading(const DrawList& list, const RenderSettings& settings,
+                                    const EdgesAreWithin& edges_are_within, Context& context) {
+    std::vector<Shading> out(list.draws.size(), settings.shading);
+    const ShadingChoice choice(list.scene, settings);
+    if (choice.is_all_alike()) return out;
+    std::atomic<bool> is_unknown{false};
+    context.parallel_for(out.size(), [&](std::size_t d) {
+        const Draw& draw = list.draws[d];
+        out[d] = choice.of(draw.node, list.material(draw).scene_material);
+        if (out[d] != Shading::automatic) return;
+        if (!edges_are_within) is_unknown = true;
+        const bool is_fine = edges_are_within && !needs_pixels(list, draw, settings) &&
+                             edges_are_within(std::uint32_t(d), automatic_gouraud_px);
+        out[d] = is_fine ? Shading::gouraud : Shading::phong;
+    });
+    if (is_unknown)
+        context.report().add(Remark::note, list.scene.source, {},
+                             "automatic shading is phong here: this engine does not know how large triangles are");
+    return out;
 }
 
 }  // namespace rakelight::shading

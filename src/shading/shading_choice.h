@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // How often lighting is evaluated on each object: by the settings, by rules for objects and materials, by what the scene
-// says of them; where that is `automatic`, the engine decides by the size of its triangles.
+// says of them; where that is `automatic`, by the size of its triangles on the engine's screen.
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include <rakelight/engine.h>
+
+#include "shading/draw_list.h"
 
 namespace rakelight::shading {
 
@@ -31,5 +34,15 @@ private:
     const RenderSettings& settings_;
     std::vector<NodeChoice> nodes_;
 };
+
+/// Whether no edge of a draw's triangles that the whole picture (not only its window) may show is longer than so many
+/// pixels. Null: an engine that cannot say.
+using EdgesAreWithin = std::function<bool(std::uint32_t draw, double pixels)>;
+
+/// [draws] never automatic. Where nothing says how often, small triangles that need no lighting at their pixels are
+/// shaded by Gouraud; an engine that cannot say how long edges are shades by Phong, a note in the report. The same for
+/// any window.
+std::vector<Shading> choose_shading(const DrawList& list, const RenderSettings& settings,
+                                    const EdgesAreWithin& edges_are_within, Context& context);
 
 }  // namespace rakelight::shading

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "engines/check_settings.h"
 #include "math/functions.h"
+#include "shading/draw_list.h"
 
 namespace rakelight::shading {
 double View::distance_of(double key) const {
@@ -16,6 +18,13 @@ dvec3 View::place(double x, double y, double key) const {
     const double distance = distance_of(key), scale = orthographic ? 1 : distance;
     const dvec2 at = {(2 * x / width - 1) / scale_x, (1 - 2 * y / height) / scale_y};
     return transform_point(camera_to_world, dvec3{at.x * scale, at.y * scale, -distance});
+}
+
+PixelRays pixel_rays(const View& view, int first_x, int first_y) {
+    const dvec3 right = view.camera_to_world[0].xyz() / view.scale_x, up = view.camera_to_world[1].xyz() / view.scale_y;
+    const double x = 2 * (first_x + 0.5) / view.width - 1, y = 1 - 2 * (first_y + 0.5) / view.height;
+    const dvec3 forward = view.orthographic ? dvec3{} : -view.camera_to_world[2].xyz();
+    return {right * (2.0 / view.width), up * (-2.0 / view.height), right * x + up * y + forward};
 }
 
 View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings) {
@@ -37,6 +46,14 @@ View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderS
     if (view.orthographic && camera.half_width) view.scale_x = 1.0 / *camera.half_width;
     if (!view.orthographic && camera.horizontal_fov_rad)
         view.scale_x = 1.0 / math::tan(*camera.horizontal_fov_rad * 0.5);
+    return view;
+}
+
+View view_of(const DrawList& list, const Camera& camera, const RenderSettings& settings) {
+    check_settings(settings);
+    check_camera(camera, list.scene.nodes.size());
+    View view = make_view(camera, camera_to_world(list.scene, camera, list.node_to_world), settings);
+    if (settings.visibility == Visibility::z_reversed) narrow_depths(view, list.bounds);
     return view;
 }
 

@@ -35,9 +35,23 @@ struct View {
     dvec3 place(double x, double y, double key) const;
 };
 
+/// Where pixels' rays lead, world axes: change per pixel in x and y, and at the center of a first pixel. Perspective: times
+/// the distance along the view axis it is the position about the eye; parallel: the position where that distance is 0.
+struct PixelRays {
+    dvec3 along_x, along_y, first;
+    /// [px] from the first pixel's center
+    dvec3 at(double x, double y) const { return along_x * x + along_y * y + first; }
+};
+PixelRays pixel_rays(const View& view, int first_x, int first_y);
+
 /// @param camera, settings  that passed their checks (engines/check_settings.h)
 /// @throws Error usage: the placement is singular or not finite
 View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings);
+
+struct DrawList;
+/// What camera and settings are for, both checked. Formats of the textbook's depth keep the camera's own range, which
+/// they are there to show.
+View view_of(const DrawList& list, const Camera& camera, const RenderSettings& settings);
 
 /// Moves near and far in towards the scene where they stand so far apart that float depth keys could not tell its
 /// surfaces apart: near below 1e-30 of the farthest distance in perspective (what lies between is lost), a range above

@@ -99,8 +99,8 @@ std::string picture_of_map(const ExplainedPixel& e, const ShadedLayer& layer, in
 }
 
 const char* material_model(const ExplainedPixel& e, const ShadedLayer& layer) {
-    const raster::MaterialView& view = e.engine->list().materials[draw_of(e, layer).material].view;
-    return view.unlit ? "unlit" : view.metallic_roughness ? "metallic_roughness" : "classical";
+    const shading::MaterialFactors& factors = e.engine->list().material(draw_of(e, layer)).factors;
+    return factors.unlit ? "unlit" : factors.metallic_roughness ? "metallic_roughness" : "classical";
 }
 
 bool has_own_diffuse_normal(const ShadedLayer& layer) {

@@ -81,7 +81,7 @@ void take_numbers(const TileJob& job, std::uint32_t draw, std::size_t count, Til
         static_cast<ChannelArrays&>(s).triangle[std::size_t(s.pixel[i])] =
             s.wanted[std::size_t(s.batch_triangle[i])]->triangle;
     if (!(channels & channel_face_normal)) return;
-    const DrawFrame frame(job.front, draw);
+    const DrawFrame frame = frame_of(job.front, draw);
     std::vector<vec3> normals;
     for (const ScreenTriangle* t : s.wanted) normals.push_back(cast<float>(frame.face(t->triangle).normal));
     for (std::size_t i = 0; i < count; ++i)
@@ -121,7 +121,7 @@ void count_overdraw(const TileJob& job, std::size_t tile, TileScratch& s) {
     const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
     for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1] && !job.is_cancelled(); ++i) {
         const ScreenTriangle& t = *job.binned.items[i];
-        const MaterialView& material = job.front.list.materials[job.front.list.draws[t.draw].material].view;
+        const MaterialView& material = job.front.list.view(t.draw);
         if (material.blend) continue;
         const bool is_masked = mask_cutoff(job.front, t.draw) >= 0;
         std::size_t count = 0;

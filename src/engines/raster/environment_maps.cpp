@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "engines/raster/full_types.h"
-#include "image/decode.h"
 #include "math/functions.h"
+#include "shading/environment.h"
 
 namespace rakelight::raster {
 namespace {
@@ -33,17 +33,15 @@ void pack_mirrored(const std::vector<OctahedralMap>& maps, EnvironmentMaps& to) 
     view.rgba32f = to.mirrored.data();
 }
 
-std::shared_ptr<const EnvironmentMaps> make_maps(const ImageHandle& image, Context& context) {
-    const MipChain chain =
-        make_mip_chain(image ? decode(*image, context) : studio_panorama(), ColorSpace::srgb, context);
+std::shared_ptr<const EnvironmentMaps> pack(const shading::EnvironmentImages& images, const ImageHandle& image,
+                                            Context& context) {
     auto out = std::make_shared<EnvironmentMaps>();
     out->image = image;
-    out->sky = pack_texture(chain, {image, ColorSpace::srgb, Wrap::repeat, Wrap::clamp_to_edge},
+    out->sky = pack_texture(images.sky, {image, ColorSpace::srgb, Wrap::repeat, Wrap::clamp_to_edge},
                             MemoryCharge(context.memory()));
     out->sky_view = with_filters(*out->sky, {.wrap_v = Wrap::clamp_to_edge});
-    const EnvironmentLight light = make_environment_light(chain, context);
-    out->irradiance = light.irradiance;
-    pack_mirrored(light.mirrored, *out);
+    out->irradiance = images.light.irradiance;
+    pack_mirrored(images.light.mirrored, *out);
     return out;
 }
 
@@ -74,23 +72,16 @@ void set_rays(const View& view, int tile_x, int tile_y, SkyJob& out) {
 
 void EnvironmentCache::update(DrawList& list, Context& context) {
     list.environment = nullptr;
-    const std::optional<Environment>& wanted = list.scene.environment;
-    if (!wanted || !(wanted->is_light || wanted->is_background)) return maps_.reset();
-    if (!maps_ || maps_->image != wanted->image) {
+    if (!shading::uses_environment(list.scene)) return maps_.reset();
+    const ImageHandle& image = list.scene.environment->image;
+    if (!maps_ || maps_->image != image) {
         maps_.reset();
-        try {
-            maps_ = make_maps(wanted->image, context);
-        } catch (const Error& error) {
-            context.throw_if_cancelled();
-            const bool is_built_in = !wanted->image;
-            context.report().add(Remark::warning, is_built_in ? list.scene.source : wanted->image->file,
-                                 is_built_in ? "the built-in studio" : wanted->image->name,
-                                 "environment left out: " + error.reason());
-        }
+        const auto keep = [&](const shading::EnvironmentImages& images) { maps_ = pack(images, image, context); };
+        shading::load_environment(list.scene, keep, context);
     }
     if (!maps_) return;
     list.environment = maps_;
-    list.environment_view = view_of(*maps_, *wanted);
+    list.environment_view = view_of(*maps_, *list.scene.environment);
 }
 
 bool has_sky(const DrawList& list) { return list.environment && list.scene.environment->is_background; }

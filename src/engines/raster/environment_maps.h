@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "engines/raster/textures.h"
 #include "engines/raster/tile.h"
 #include "image/environment.h"
 

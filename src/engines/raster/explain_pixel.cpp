@@ -58,9 +58,7 @@ private:
         fill_sky(job_of(open_), 0, scratch_.color, scratch_);
         return scratch_.color[std::size_t((y_ - oy_) * tile_size + x_ - ox_)];
     }
-    const MaterialView& material_of(const CoveringTriangle& t) const {
-        return of_.list().materials[of_.list().draws[t.draw].material].view;
-    }
+    const MaterialView& material_of(const CoveringTriangle& t) const { return of_.list().view(t.draw); }
     vec2 place_of(int sample) const {
         const SamplePosition at = out_.samples[std::size_t(sample)].at;
         return {float(at.x) / 16, float(at.y) / 16};

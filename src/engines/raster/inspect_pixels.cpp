@@ -242,8 +242,7 @@ private:
             if (is_lit_here && arrives(i)) out_.seen[i][p] = lights_[i].seen;
         if (!out_.fog.empty()) out_.fog_share[p] = share_through_fog(pixel.trace);
         if (out_.relief_shift.empty() || !pixel.trace.map[role_height].is_used) return;
-        const int set =
-            of_.list().materials[of_.list().draws[draw].material].view.map[role_height].texcoord_set == 0 ? 0 : 1;
+        const int set = of_.list().view(draw).map[role_height].texcoord_set == 0 ? 0 : 1;
         const float(&flat)[2] = pixel.trace.texcoord[set], (&bumped)[2] = pixel.trace.relief_texcoord[set];
         out_.relief_shift[p] = {bumped[0] - flat[0], bumped[1] - flat[1]};
         out_.relief_height[p] = pixel.trace.relief_height;
@@ -331,7 +330,7 @@ PixelStageData inspect_pixels(const Inspection& of, const Inspection::Geometry& 
     allocate(out, pixels, std::min(max_lights, of.lights().size()));
     allocate_effects(out, pixels, drawn.front, of.lights().size());
     if (std::any_of(of.list().materials.begin(), of.list().materials.end(),
-                    [](const DrawMaterial& m) { return m.view.blend != 0; }))
+                    [](const DrawMaterial& m) { return m.factors.blend != 0; }))
         allocate_layers(out, pixels);
     if (of.settings().samples > 1) allocate_samples(out, pixels);
     context.parallel_for(drawn.grid.count(), [&](std::size_t tile) {

@@ -4,7 +4,7 @@
 #include "engines/raster/environment_maps.h"
 #include "engines/raster/full_jobs.h"
 #include "engines/raster/visibility_methods.h"
-#include "shading/choices.h"
+#include "shading/draw_choices.h"
 #include "shading/lights.h"
 
 namespace rakelight::raster {
@@ -20,8 +20,7 @@ Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSet
 }
 
 bool Inspection::is_culled(std::uint32_t draw, bool is_back) const {
-    const DrawMaterial& material = list_.materials[list_.draws[draw].material];
-    const shading::CulledSides culled = shading::culled_sides(settings_.cull, material.two_sided);
+    const shading::Culling culled = shading::culling_of(list_, list_.draws[draw], settings_);
     return is_back ? culled.back : culled.front;
 }
 

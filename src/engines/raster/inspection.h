@@ -138,7 +138,7 @@ public:
 
 private:
     RenderSettings settings_;
-    TextureCache textures_;
+    shading::TextureCache textures_;
     DrawList list_;
     View view_;
     std::vector<lighting::LightParameters> lights_;

@@ -9,8 +9,12 @@
 #include "image/srgb_table.h"
 #include "lighting/light_parameters.h"
 #include "scene/texture_role_numbers.h"
+#include "shading/light_box.h"
+#include "shading/material_factors.h"
 
 namespace rakelight::raster {
+
+using shading::LightBox;
 
 inline constexpr int batch_padding = 32;   ///< arrays of a batch may be read and written this far past their count
 inline constexpr int max_mip_levels = 16;  ///< 32768 texels a side
@@ -32,34 +36,16 @@ struct TextureView {
 };
 
 /// Use of a texture: view (null: none), coordinate set, and the affine transform of u, v.
-struct TextureSlot {
+struct TextureSlot : shading::UvTransform {
     const TextureView* view;
-    int32_t texcoord_set;          ///< 0 or 1
-    int32_t is_transformed;        ///< 0: the matrix is the identity
-    float uu, uv, vu, vv, u0, v0;  ///< u' = uu u + uv v + u0, v' = vu u + vv v + v0
+    int32_t texcoord_set;    ///< 0 or 1
+    int32_t is_transformed;  ///< 0: the matrix is the identity
 };
 
-struct MaterialView {
-    int32_t unlit, metallic_roughness;  ///< both 0: classical
-    float base_color[4], emission[3], ambient[3], specular[3], shininess;
-    int32_t whole_exponent;  ///< shininess of classical materials where it is a whole number, else 0
-    float metallic, roughness;
-    float dielectric_color[3];  ///< that of the index of refraction times the specular color: may exceed 1
-    float specular_strength;    ///< KHR_materials_specular
-    float normal_scale, occlusion_strength;
-    float alpha_cutoff;                   ///< < 0: no mask
-    int32_t blend;                        ///< 0: alpha is 1
+struct MaterialView : shading::MaterialFactors {
     int32_t shares_footprint;             ///< the normal map is read where the base color map is, texel by texel
     int32_t uses_texcoords[2];            ///< some map is read by the set
-    int32_t vertex_colors;                ///< 0: no mesh with this material has any, all corners are white
     TextureSlot map[texture_role_count];  ///< by TextureRoleNumber; those that only the full kernel reads, too
-    // read by the full kernel alone
-    float lobe_roughness;                  ///< of classical materials: that of the GGX or Ward lobe as wide as theirs
-    float sigma;                           ///< [rad] Oren-Nayar; < 0: from roughness
-    float ward_alpha[2];                   ///< along tangent and bitangent; 0: from roughness and anisotropy
-    float anisotropy, anisotropy_axis[2];  ///< KHR_materials_anisotropy: strength, cosine and sine
-    float clearcoat, clearcoat_roughness, clearcoat_normal_scale;
-    float sheen_color[3], sheen_roughness;
 };
 
 /// What a pixel needs of its triangle. Planes over the screen: change per pixel in x and y, value at the tile's first
@@ -183,11 +169,6 @@ struct ChannelJob {
     const ShadeJob* shade;
     int32_t needs_terms;         ///< one of ambient, diffuse, specular and emission is wanted
     float* out[channel_planes];  ///< [count] each; null: not wanted. Positions are about the eye
-};
-
-/// A box about the eye, world axes.
-struct LightBox {
-    float low[3], high[3];
 };
 
 /// Pixels of a tile that show the environment's picture.

@@ -31,7 +31,7 @@ void clear(FrontEnd& front, LightPoints& points) {
         light.sides = 0;
         light.marks.clear();
         if (!is_lit_at_corners(front, std::uint32_t(d)) || front.clip[d].empty() ||
-            front.list.materials[draw.material].view.unlit)
+            front.list.views[draw.material].unlit)
             continue;
         const std::size_t count = light.per_face ? mesh.triangle_count() : mesh.positions.size();
         front.memory.add(count);
@@ -51,11 +51,11 @@ void mark(const FrontEnd& front, std::uint32_t draw, std::span<const ScreenTrian
     DrawLight& light = points.draws[draw];
     if (light.marks.empty()) return;
     const Mesh& mesh = front.list.scene.meshes[front.list.draws[draw].mesh];
-    const DrawFrame frame(front, draw);
+    const DrawFrame frame = frame_of(front, draw);
     for (const ScreenTriangle* const triangle : triangles) {
         const ScreenTriangle& s = *triangle;
         RL_ASSERT(s.draw == draw, "a run is part of one draw");
-        const auto bit = std::uint8_t(light.per_face ? 1 : 1 << frame.seen_side(s));
+        const auto bit = std::uint8_t(light.per_face ? 1 : 1 << frame.seen_side(s.triangle, s.is_back));
         set_bit(light.sides, bit);
         if (light.per_face) {
             set_bit(light.marks[s.triangle], bit);
@@ -99,7 +99,7 @@ struct Batch {
 };
 
 void gather(const FrontEnd& front, const Task& task, const DrawLight& light, Batch& batch) {
-    const DrawFrame frame(front, task.draw);
+    const DrawFrame frame = frame_of(front, task.draw);
     const std::size_t end = std::min(light.marks.size(), task.first + points_per_task);
     for (std::size_t p = task.first; p < end; ++p) {
         if ((light.marks[p] & (1 << task.side)) == 0) continue;
@@ -168,7 +168,7 @@ std::vector<Task> plan(FrontEnd& front, LightPoints& points) {
 void remark_layers(const FrontEnd& front, const LightPoints& points, Context& context) {
     for (std::uint32_t d = 0; d < front.list.draws.size(); ++d)
         if (points.draws[d].sides != 0 && lighting_of(front, d) == Lighting::pbr &&
-            has_layers(front.list.materials[front.list.draws[d].material].view)) {
+            shading::has_layers(front.list.view(d))) {
             context.report().add(Remark::dropped, front.list.scene.source, {},
                                  "clearcoat, sheen and anisotropy do not act on flat and Gouraud shading");
             return;
@@ -212,10 +212,6 @@ float mean_roughness(const MaterialView& m) {
             sum += t->rgba32f ? t->rgba32f[4 * i + 1] : float(t->rgba8[i] >> 8 & 255u) * (1.0f / 255.0f);
         }
     return m.roughness * (sum / (float(width) * float(height)));
-}
-
-bool has_layers(const MaterialView& m) {
-    return m.anisotropy > 0 || m.clearcoat > 0 || m.sheen_color[0] > 0 || m.sheen_color[1] > 0 || m.sheen_color[2] > 0;
 }
 
 LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,

@@ -7,38 +7,11 @@
 #include <vector>
 
 #include "engines/raster/front_end.h"
-#include "engines/raster/lit_side.h"
+#include "shading/draw_frame.h"
 
 namespace rakelight::raster {
 
-/// Points and normals of one draw about the eye, in world axes.
-class DrawFrame {
-public:
-    DrawFrame(const FrontEnd& front, std::uint32_t draw);
-
-    dvec3 position(std::uint32_t vertex) const;
-    dvec3 normal(std::uint32_t vertex) const;  ///< unit; the mesh must have normals
-
-    struct Face {
-        dvec3 centroid, normal;  ///< unit, towards the viewer
-    };
-    Face face(std::uint32_t triangle) const;
-
-    /// 0: the triangle shows the side of its normals, 1: the other one, whose normals are turned round.
-    int seen_side(const ScreenTriangle& s) const { return side_.is_turned(s) ? 1 : 0; }
-
-private:
-    const std::uint32_t* indices(std::uint32_t triangle) const {
-        return mesh_.indices.data() + 3 * std::size_t(triangle);
-    }
-
-    const View& view_;
-    const Mesh& mesh_;
-    const dmat4& to_eye_;
-    dmat3 to_normal_;
-    double mirror_;
-    LitSide side_;
-};
+using shading::DrawFrame;
 
 /// What a point receives, per unit of k_a, k_d and k_s.
 struct LitPoint {
@@ -88,8 +61,8 @@ std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& poi
 /// Roughness with the mean of its map, as the points have it.
 float mean_roughness(const MaterialView& material);
 
-/// Clearcoat, sheen, an anisotropic highlight: what is not lit at corners.
-bool has_layers(const MaterialView& material);
+/// The frame of a draw of the picture.
+DrawFrame frame_of(const FrontEnd& front, std::uint32_t draw);
 
 /// The part of a kernel's job that a draw's material, the settings and the view say: no pixels.
 ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights, std::uint32_t draw);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points about the eye that lighting is evaluated at, and the light of a triangle's corners as the kernels interpolate
+// The light of a triangle's corners as the kernels interpolate
 // it.
 #include <algorithm>
 #include <cmath>
@@ -22,41 +22,13 @@ void set_deltas(float (&to)[3][3], const float (&a)[3], const float (&b)[3], con
 
 /// Which of a draw's lit sides a triangle shows.
 std::size_t side_of(const FrontEnd& front, const DrawLight& light, const ScreenTriangle& s) {
-    return std::size_t(light.sides == 3 ? DrawFrame(front, s.draw).seen_side(s) : light.sides - 1);
-}
-
-/// Unit vector; +Z for none. The short way for nearly all.
-dvec3 unit_or_forward(dvec3 v) {
-    const double square = dot(v, v);
-    return square > 1e-200 && square < 1e200 ? v * (1 / std::sqrt(square)) : normalize_or(v, dvec3{0, 0, 1});
+    return std::size_t(light.sides == 3 ? frame_of(front, s.draw).seen_side(s.triangle, s.is_back) : light.sides - 1);
 }
 
 }  // namespace
 
-DrawFrame::DrawFrame(const FrontEnd& front, std::uint32_t draw)
-    : view_(front.view),
-      mesh_(front.list.scene.meshes[front.list.draws[draw].mesh]),
-      to_eye_(front.to_eye[draw]),
-      to_normal_(cofactor(upper_left(to_eye_))),
-      mirror_(front.list.draws[draw].mirrored ? -1 : 1),
-      side_(front, draw) {}
-
-dvec3 DrawFrame::position(std::uint32_t vertex) const {
-    return transform_point(to_eye_, cast<double>(mesh_.positions[vertex]));
-}
-
-dvec3 DrawFrame::normal(std::uint32_t vertex) const {
-    return unit_or_forward(to_normal_ * cast<double>(mesh_.normals[vertex]) * mirror_);
-}
-
-DrawFrame::Face DrawFrame::face(std::uint32_t triangle) const {
-    const std::uint32_t* const index = indices(triangle);
-    const dvec3 p[3] = {position(index[0]), position(index[1]), position(index[2])};
-    const dvec3 centroid = (p[0] + p[1] + p[2]) / 3.0;
-    const dvec3 normal = unit_or_forward(cross(p[1] - p[0], p[2] - p[0]));
-    // All of a plane is seen from one side: that of the eye, which is the origin here.
-    const double seen = dot(normal, view_.orthographic ? view_.camera_to_world[2].xyz() : -centroid);
-    return {centroid, seen < 0 ? -normal : normal};
+DrawFrame frame_of(const FrontEnd& front, std::uint32_t draw) {
+    return {front.list, front.list.draws[draw], front.to_eye[draw], front.view, front.settings.front_face};
 }
 
 void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s, ShadeTriangle& shade,
@@ -64,7 +36,7 @@ void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const S
     const DrawLight& light = points.draws[s.draw];
     out = {};
     if (light.per_face && (front.settings.channels & channel_normal)) {
-        const dvec3 n = DrawFrame(front, s.draw).face(s.triangle).normal;
+        const dvec3 n = frame_of(front, s.draw).face(s.triangle).normal;
         shade.facing = 1;
         std::fill_n(&shade.normal[0][0], 9, 0.0f);
         for (std::size_t c = 0; c < 3; ++c) shade.normal[c][0] = float(n[c]);
@@ -91,7 +63,7 @@ void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const S
 std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s) {
     const DrawLight& light = points.draws[s.draw];
     if (light.sides == 0) return {};
-    const DrawFrame frame(front, s.draw);
+    const DrawFrame frame = frame_of(front, s.draw);
     const auto corner = [](std::uint32_t vertex, dvec3 position, dvec3 normal, const LitPoint& received) {
         LitCorner out{.vertex = vertex, .position = {}, .normal = {}, .light = received};
         for (std::size_t c = 0; c < 3; ++c) {
@@ -117,12 +89,13 @@ std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& poi
 ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights, std::uint32_t draw) {
     const RenderSettings& settings = front.settings;
     ShadeJob out{};
-    const MaterialView& view = front.list.materials[front.list.draws[draw].material].view;
+    const MaterialView& view = front.list.view(draw);
     out.material = &view;
     out.lights = lights.data();
     out.light_count = std::int32_t(lights.size());
     out.reflection_model = shading::reflection_model(lighting_of(front, draw));
-    const SpecularForm form = specular_form_of(material_of(front, draw), settings.specular_form);
+    const SpecularForm form = specular_form_of(front.list.scene_material(front.list.material(front.list.draws[draw])),
+                                               settings.specular_form);
     out.reflection_form = shading::reflection_form(form);
     if (!front.full.empty() && front.needs_full[draw]) out.full = &front.full[draw];
     out.specular_horizon = settings.specular_horizon;

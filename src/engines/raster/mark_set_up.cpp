@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "engines/raster/depth_formats.h"
-#include "shading/choices.h"
+#include "shading/draw_choices.h"
 
 namespace rakelight::raster {
 namespace {
@@ -68,11 +68,8 @@ public:
           chunk_(chunk),
           mesh_(front.list.scene.meshes[chunk.draw->mesh]),
           seen_(is_of_triangles(chunk.source) ? 3 * (chunk.end - chunk.first) : 0),
-          to_camera_(view_.world_to_camera * chunk.draw->to_world) {
-        const DrawMaterial& material = front.list.materials[chunk.draw->material];
-        const shading::CulledSides culled = shading::culled_sides(front.settings.cull, material.two_sided);
-        cull_back_ = culled.back, cull_front_ = culled.front;
-        front_is_positive_ = (front.settings.front_face == FrontFace::counter_clockwise) != chunk.draw->mirrored;
+          to_camera_(view_.world_to_camera * chunk.draw->to_world),
+          culling_(shading::culling_of(front.list, *chunk.draw, front.settings)) {
         const bool is_line = chunk.source == MarkSource::lines || chunk.source == MarkSource::edges;
         shape_ = is_line                                       ? Mark::Shape::line
                  : front.settings.points == PointShape::square ? Mark::Shape::square
@@ -108,11 +105,11 @@ private:
 
     /// By the sign of the triangle's area before the division: right also where it passes through the eye plane.
     bool is_culled(const Place (&v)[3]) const {
-        if (!cull_back_ && !cull_front_) return false;
+        if (!culling_.back && !culling_.front) return false;
         const double area = v[0].x * (v[1].y * v[2].w - v[2].y * v[1].w) -
                             v[1].x * (v[0].y * v[2].w - v[2].y * v[0].w) + v[2].x * (v[0].y * v[1].w - v[1].y * v[0].w);
-        const bool is_back = (area > 0) != front_is_positive_;
-        return area == 0 || (is_back ? cull_back_ : cull_front_);
+        const bool is_back = (area > 0) != culling_.front_is_negative;  // y up here
+        return area == 0 || (is_back ? culling_.back : culling_.front);
     }
 
     /// From the vertex of the lower number, whichever of its triangles comes first.
@@ -206,7 +203,7 @@ private:
     const Mesh& mesh_;
     SeenEdges seen_;
     dmat4 to_camera_;
-    bool cull_back_ = false, cull_front_ = false, front_is_positive_ = true;
+    shading::Culling culling_;
     Mark::Shape shape_ = Mark::Shape::line;
     double reach_ = 1;  ///< [px] from the line's middle to the last pixel center that it may cover
 };

@@ -14,9 +14,9 @@ namespace rakelight::raster {
 namespace {
 
 vec4 color_of(const DrawMaterial& m) {
-    const float* const c = m.view.base_color;
-    return {c[0] + m.view.emission[0], c[1] + m.view.emission[1], c[2] + m.view.emission[2],
-            m.view.blend ? c[3] : 1.0f};
+    const float* const c = m.factors.base_color;
+    return {c[0] + m.factors.emission[0], c[1] + m.factors.emission[1], c[2] + m.factors.emission[2],
+            m.factors.blend ? c[3] : 1.0f};
 }
 
 /// What is to be made, cut by numbers of elements; with the colors.

@@ -12,7 +12,6 @@
 #include "engines/raster/environment_maps.h"
 #include "engines/raster/full_jobs.h"
 #include "engines/raster/multisample.h"
-#include "engines/raster/open_surfaces.h"
 #include "engines/raster/shadow_maps.h"
 #include "engines/raster/shadow_texels.h"
 #include "engines/raster/tile.h"
@@ -21,6 +20,7 @@
 #include "math/isa.h"
 #include "math/linear.h"
 #include "shading/lights.h"
+#include "shading/open_surfaces.h"
 
 namespace rakelight::raster {
 namespace {
@@ -150,7 +150,8 @@ void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink&
     scratch.display = display_of(job, job.grid.pixels(tile), scratch, sink);
     const bool is_sampled = job.front.settings.samples > 1;
     if (job.reach)
-        job.reach->in_tile(job.front.view, job.grid.origin_x(tile), job.grid.origin_y(tile), scratch.tile_lights);
+        job.reach->in_square(job.front.view, job.grid.origin_x(tile), job.grid.origin_y(tile), tile_size,
+                             scratch.tile_lights);
     if (is_sampled)
         find_visible_samples(job, tile, scratch);
     else
@@ -236,7 +237,7 @@ public:
         front.stats.times.front_end = clock.lap();
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended = std::any_of(list_.materials.begin(), list_.materials.end(),
-                                             [](const DrawMaterial& m) { return m.view.blend != 0; });
+                                             [](const DrawMaterial& m) { return m.factors.blend != 0; });
         const double waited =
             draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points,
                         sink.takes_srgb8() && !has_sky(list_), (settings.channels & channel_uv1) != 0, &marks, &context,
@@ -244,7 +245,7 @@ public:
                        sink, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;
-        open_surfaces_.remark(front, wanted.cull == Cull::back, context);
+        open_surfaces_.remark(list_, front.culled_by_side, settings.cull, wanted.cull == Cull::back, context);
         shadow_texels.remark(list_.scene, lights, shadows_.data(), context);
         kept_ = front.memory.take();
         clip_store_ = std::move(front.clip_store);
@@ -306,10 +307,10 @@ private:
 
     const Kernels* kernels_;
     const GeometryKernels* geometry_kernels_;
-    TextureCache textures_;
+    shading::TextureCache textures_;
     EnvironmentCache environments_;
     DrawList list_;
-    OpenSurfaces open_surfaces_;
+    shading::OpenSurfaces open_surfaces_;
     ShadowMaps shadows_;
     ScratchPool pool_;
     // Memory of the picture before, used again, and what pays for it.

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engines/raster/sample_positions.h"
-#include "shading/choices.h"
+#include "shading/draw_choices.h"
 
 namespace rakelight::raster {
 namespace {
@@ -51,19 +51,6 @@ bool touches(const ScreenTriangle& s, int tx, int ty) {
     return true;
 }
 
-/// Which sides of a draw are not drawn.
-struct Culling {
-    bool back, front, front_is_negative;
-
-    Culling(const FrontEnd& of, const Draw& draw) {
-        const DrawMaterial& material = of.list.materials[draw.material];
-        const shading::CulledSides culled = shading::culled_sides(of.settings.cull, material.two_sided);
-        back = culled.back, front = culled.front;
-        // With y down a counter-clockwise triangle has negative area; a mirroring placement turns it round once more.
-        front_is_negative = (of.settings.front_face == FrontFace::counter_clockwise) != draw.mirrored;
-    }
-};
-
 class ChunkSetUp {
 public:
     ChunkSetUp(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, RowBlocks& blocks, SetUpScratch& scratch,
@@ -76,7 +63,7 @@ public:
           stats_(stats),
           draw_(front.list.draws[range.draw]),
           mesh_(front.list.scene.meshes[draw_.mesh]),
-          culling_(front, draw_),
+          culling_(shading::culling_of(front.list, draw_, front.settings)),
           volume_(front.view),
           map_(front.view),
           reach_(sample_reach(front.settings.samples)) {}
@@ -245,7 +232,7 @@ private:
     RenderStats& stats_;
     const Draw& draw_;
     const Mesh& mesh_;
-    Culling culling_;
+    shading::Culling culling_;
     ClipVolume volume_;
     ScreenMap map_;
     int reach_;

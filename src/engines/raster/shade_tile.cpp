@@ -145,15 +145,11 @@ void set_background(const TileJob& job, std::size_t tile, bool to_srgb8, TileScr
 }  // namespace
 
 void set_ray(const View& view, int tile_x, int tile_y, float (&ray)[3][3]) {
-    const dvec3 right = view.camera_to_world[0].xyz() / view.scale_x, up = view.camera_to_world[1].xyz() / view.scale_y;
-    const double x = 2 * (tile_x + 0.5) / view.width - 1, y = 1 - 2 * (tile_y + 0.5) / view.height;
-    const dvec3 forward = view.orthographic ? dvec3{} : -view.camera_to_world[2].xyz();
-    const dvec3 along_x = right * (2.0 / view.width), along_y = up * (-2.0 / view.height),
-                at = right * x + up * y + forward;
+    const shading::PixelRays rays = shading::pixel_rays(view, tile_x, tile_y);
     for (std::size_t c = 0; c < 3; ++c) {
-        ray[c][0] = float(along_x[c]);
-        ray[c][1] = float(along_y[c]);
-        ray[c][2] = float(at[c]);
+        ray[c][0] = float(rays.along_x[c]);
+        ray[c][1] = float(rays.along_y[c]);
+        ray[c][2] = float(rays.first[c]);
     }
 }
 
@@ -167,9 +163,8 @@ void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs)
 }
 
 bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs) {
-    return job.has_blended && std::any_of(runs.begin(), runs.end(), [&](const DrawRun& r) {
-               return job.front.list.materials[job.front.list.draws[r.draw].material].view.blend != 0;
-           });
+    return job.has_blended && std::any_of(runs.begin(), runs.end(),
+                                          [&](const DrawRun& r) { return job.front.list.view(r.draw).blend != 0; });
 }
 
 ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y, std::size_t count, TileScratch& s) {
@@ -221,8 +216,7 @@ std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile) 
     std::vector<Layer> layers;
     for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1]; ++i) {
         const ScreenTriangle& t = *job.binned.items[i];
-        if (job.front.list.materials[job.front.list.draws[t.draw].material].view.blend)
-            layers.push_back({blending_place(job.front, t), i});
+        if (job.front.list.view(t.draw).blend) layers.push_back({blending_place(job.front, t), i});
     }
     std::stable_sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.place < b.place; });
     std::vector<std::uint32_t> items;

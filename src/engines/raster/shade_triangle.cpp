@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "engines/raster/full_jobs.h"
-#include "engines/raster/lit_side.h"
 #include "engines/raster/tile.h"
 #include "math/linear.h"
 
@@ -15,27 +14,11 @@ namespace {
 /// What the triangles of a draw have in common.
 struct DrawRecords {
     const FrontEnd& front;
-    const Draw& draw;
     const Mesh& mesh;
-    const DrawMaterial& material;
-    const dmat4& to_eye;
-    LitSide side;
-    dmat3 linear, to_normal;  ///< object -> world axes; for normals the cofactor matrix, mirrored back
-    double
-        mirror;  ///< -1: the placement mirrors; faces that stand in for missing normals turn with clockwise fronts, too
+    shading::DrawFrame frame;
 
-    DrawRecords(const FrontEnd& f, std::uint32_t number)
-        : front(f),
-          draw(f.list.draws[number]),
-          mesh(f.list.scene.meshes[draw.mesh]),
-          material(f.list.materials[draw.material]),
-          to_eye(f.to_eye[number]),
-          side(f, number),
-          linear(upper_left(to_eye)),
-          to_normal(cofactor(linear)),
-          mirror(draw.mirrored != (mesh.normals.empty() && f.settings.front_face == FrontFace::clockwise) ? -1 : 1) {
-        for (std::size_t c = 0; c < 3; ++c) to_normal[c] = to_normal[c] * mirror;
-    }
+    DrawRecords(const FrontEnd& f, std::uint32_t draw)
+        : front(f), mesh(f.list.scene.meshes[f.list.draws[draw].mesh]), frame(frame_of(f, draw)) {}
     const vec2* texcoords(std::size_t set) const {
         return set < mesh.texcoords.size() && !mesh.texcoords[set].empty() ? mesh.texcoords[set].data() : nullptr;
     }
@@ -120,25 +103,14 @@ void make_piece_record(const DrawRecords& d, const ScreenTriangle& s, int tile_x
     set_planes(d, s, index, tile_x, tile_y, out);
     if (d.front.settings.interpolation == AttributeInterpolation::screen && !d.front.view.orthographic)
         flatten_planes(s, tile_x, tile_y, out);
-    dvec3 position[3], normal[3], tangent[3];
-    out.handedness = float(d.mirror);
-    for (std::size_t k = 0; k < 3; ++k) {
-        position[k] = transform_point(d.to_eye, cast<double>(mesh.positions[index[k]]));
-        if (!mesh.normals.empty())
-            normal[k] = normalize_or(d.to_normal * cast<double>(mesh.normals[index[k]]), dvec3{0, 0, 1});
-        if (!mesh.tangents.empty())
-            tangent[k] = normalize_or(d.linear * cast<double>(mesh.tangents[index[k]].xyz()), dvec3{});
-    }
-    if (mesh.normals.empty())
-        std::fill(normal, normal + 3,
-                  normalize_or(cross(position[1] - position[0], position[2] - position[0]) * d.mirror, dvec3{0, 0, 1}));
-    if (!mesh.tangents.empty()) out.handedness *= mesh.tangents[index[0]].w;
-    set_deltas(out.normal, normal);
-    set_deltas(out.tangent, tangent);
+    const shading::DrawFrame::Corners corners = d.frame.corners(s.triangle);
+    out.handedness = corners.handedness;
+    set_deltas(out.normal, corners.normal);
+    set_deltas(out.tangent, corners.tangent);
     set_texcoords(out.texcoord0, out.slope0, d.texcoords(0), index, out);
     set_texcoords(out.texcoord1, out.slope1, d.texcoords(1), index, out);
     set_colors(out.color, mesh, index);
-    out.facing = d.side.is_turned(s) ? -1.0f : 1.0f;
+    out.facing = d.frame.side().is_turned(s.triangle, s.is_back) ? -1.0f : 1.0f;
 }
 
 /// Rows of a matrix as floats, scaled so that none is out of their range: only directions count.
@@ -163,12 +135,12 @@ RecordJob record_job(const DrawRecords& d, std::uint32_t number, bool whole) {
     for (std::size_t set = 0; set < 2; ++set)
         if (const vec2* const uv = d.texcoords(set)) job.texcoords[set] = &uv->x;
     if (!mesh.colors.empty()) job.colors = &mesh.colors[0].x;
-    set_rows(job.to_normal, d.to_normal);
-    set_rows(job.linear, d.linear);
-    job.mirror = float(d.mirror);
-    job.turned = d.side.front_turns();
-    job.against = d.side.against();
-    job.whole = whole || d.material.view.vertex_colors || d.material.view.uses_texcoords[1];
+    set_rows(job.to_normal, d.frame.to_normal());
+    set_rows(job.linear, d.frame.linear());
+    job.mirror = float(d.frame.mirror());
+    job.turned = d.frame.side().front_turns();
+    job.against = d.frame.side().against();
+    job.whole = whole || d.front.list.view(number).vertex_colors || d.front.list.view(number).uses_texcoords[1];
     job.orthographic = d.front.view.orthographic;
     job.affine = is_affine(d.front);
     return job;
@@ -178,24 +150,14 @@ void set3(float (&to)[3], dvec3 v) { to[0] = float(v.x), to[1] = float(v.y), to[
 
 /// The frames that the vertices have in the world, as a vertex stage would see them.
 CornerFrame corner_frame(const DrawRecords& d, const ScreenTriangle& s) {
-    const Mesh& mesh = d.mesh;
+    const shading::DrawFrame::Corners corners = d.frame.corners(s.triangle);
     CornerFrame out{};
-    out.handedness = float(d.mirror);
-    dvec3 position[3];
+    out.handedness = corners.handedness;
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t i = mesh.indices[3 * std::size_t(s.triangle) + k];
-        position[k] = transform_point(d.to_eye, cast<double>(mesh.positions[i]));
-        set3(out.position[k], position[k]);
-        if (!mesh.normals.empty())
-            set3(out.normal[k], normalize_or(d.to_normal * cast<double>(mesh.normals[i]), dvec3{0, 0, 1}));
-        if (mesh.tangents.empty()) continue;
-        set3(out.tangent[k], normalize_or(d.linear * cast<double>(mesh.tangents[i].xyz()), dvec3{}));
-        if (k == 0) out.handedness *= mesh.tangents[i].w;
+        set3(out.position[k], corners.position[k]);
+        set3(out.normal[k], corners.normal[k]);
+        set3(out.tangent[k], corners.tangent[k]);
     }
-    if (!mesh.normals.empty()) return out;
-    const dvec3 face =
-        normalize_or(cross(position[1] - position[0], position[2] - position[0]) * d.mirror, dvec3{0, 0, 1});
-    for (auto& normal : out.normal) set3(normal, face);
     return out;
 }
 

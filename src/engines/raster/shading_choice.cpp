@@ -2,19 +2,10 @@
 // How often lighting is evaluated on each draw: as shading/shading_choice.h says, or by the size of its triangles.
 #include "shading/shading_choice.h"
 
-#include "engines/raster/full_jobs.h"
 #include "engines/raster/light_points.h"
 
 namespace rakelight::raster {
 namespace {
-
-/// Gouraud shading has neither shadows, nor bumps, nor a roughness that changes from pixel to
-/// pixel, nor layers.
-bool needs_pixels(const FrontEnd& front, std::uint32_t draw) {
-    const MaterialView& m = front.list.materials[front.list.draws[draw].material].view;
-    return front.settings.shadows || m.map[role_metallic_roughness].view || has_layers(m) ||
-           bump_of(front, draw) != Bump::none;
-}
 
 /// Whether no edge of a triangle that the whole picture (not only its window) may show is longer than this.
 bool edges_are_within(const FrontEnd& front, std::uint32_t number, double pixels) {
@@ -38,19 +29,10 @@ bool edges_are_within(const FrontEnd& front, std::uint32_t number, double pixels
 }  // namespace
 
 void choose_shading(FrontEnd& front, Context& context) {
-    front.shading.assign(front.list.draws.size(), front.settings.shading);
-    const shading::ShadingChoice choice(front.list.scene, front.settings);
-    if (choice.is_all_alike()) return;
-    context.parallel_for(front.list.draws.size(), [&](std::size_t d) {
-        const Draw& draw = front.list.draws[d];
-        Shading shading = choice.of(draw.node, front.list.materials[draw.material].scene_material);
-        if (shading == Shading::automatic) {
-            const bool is_fine = !front.clip[d].empty() && !needs_pixels(front, std::uint32_t(d)) &&
-                                 edges_are_within(front, std::uint32_t(d), automatic_gouraud_px);
-            shading = is_fine ? Shading::gouraud : Shading::phong;
-        }
-        front.shading[d] = shading;
-    });
+    const auto are_within = [&](std::uint32_t draw, double pixels) {
+        return !front.clip[draw].empty() && edges_are_within(front, draw, pixels);
+    };
+    front.shading = shading::choose_shading(front.list, front.settings, are_within, context);
 }
 
 bool is_lit_at_corners(const FrontEnd& front, std::uint32_t draw) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadow maps (Williams 1978, "Casting Curved Shadows on Curved Surfaces"): what each light sees, drawn by the engine's
-// own front end from the light. Read by kernels/shadow.h.
+// Shadow maps: what each light sees (shading/shadow_cameras.h), drawn by the engine's own front end from the light. Read by kernels/shadow.h.
 #pragma once
 #include <memory>
 #include <span>
@@ -10,20 +9,9 @@
 
 #include "engines/raster/draw_list.h"
 #include "engines/raster/view.h"
+#include "shading/shadow_cameras.h"
 
 namespace rakelight::raster {
-
-/// Axes of a map: x to the right, y up, z the way it looks.
-struct MapAxes {
-    dvec3 x, y, z;
-};
-
-/// What one map sees.
-struct MapCamera {
-    Camera camera;
-    MapAxes axes;
-    dvec3 eye;
-};
 
 /// Whether the shadow maps of these lights go into memory; nothing without shadows.
 /// @throws Error usage: they need more than half of what MemoryBudget grants, or more than the scene leaves of it
@@ -33,8 +21,7 @@ class ShadowMaps {
 public:
     /// Draws the maps of the lights that cast shadows, where the settings ask for them. Opaque surfaces throw shadows
     /// from both their sides, masked ones where their texture is opaque, blended ones none; lines and points none.
-    /// A directional light has one parallel map about all that is drawn; a spot of at most 60 degrees about its axis
-    /// one in perspective; other spots and point lights six. Maps of the call before are kept where they would be the
+    /// Maps of the call before are kept where they would be the
     /// same: they depend on the list and on the settings' size and filter, not on the eye.
     /// @param list    the one of the call before, unless forget() came between
     /// @param eye     what `lights` are about
@@ -60,7 +47,7 @@ private:
     /// The maps of one light.
     struct Maps {
         std::size_t light = 0;
-        std::vector<MapCamera> cameras;
+        std::vector<shading::MapCamera> cameras;
         View view{};  ///< of the last of them
         std::unique_ptr<float[]> nearness;
         std::unique_ptr<std::int32_t[]> slopes;

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 #include <span>
 
 #include "base/huge_pages.h"
-#include "image/decode.h"
 #include "math/color.h"
 
 namespace rakelight::raster {
+using shading::TextureKey;
+
 namespace {
 
 /// sRGB codes -> TextureView::rgba16.
@@ -128,105 +128,13 @@ std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKe
     return data;
 }
 
-namespace {
-
-/// A texture that is not there yet.
-struct Missing {
-    const TextureKey* key;
-    std::shared_ptr<const TextureData>* data;
-    std::optional<Pixels> header{};  ///< what the picture will be, where that is known before it is decoded
-    MemoryCharge charge{};           ///< pays for the data
-    std::string fault{};             ///< why there is no data
-};
-
-template <class Work>
-void try_to(Missing& m, Context& context, const Work& work) {
-    try {
-        work();
-    } catch (const Error& error) {
-        context.throw_if_cancelled();
-        m.fault = error.reason();
-    }
+std::uint64_t SoftTexturePacker::packed_bytes(int width, int height, bool is_float, bool is_srgb) const {
+    return raster::packed_bytes(width, height, is_float, is_srgb);
 }
 
-void measure(Missing& m, Context& context) {
-    const EncodedImage& image = *m.key->image;
-    if (!image.measure) return;
-    try_to(m, context, [&] { m.header = image.measure(image, context); });
-}
-
-/// Charges what will be kept, and asks for what decoding takes beside: what is refused is not decoded.
-void charge(Missing& m, Context& context) {
-    if (!m.header) return;
-    const Pixels& p = *m.header;
-    const bool is_float = p.component != Component::u8;
-    try_to(m, context, [&] {
-        MemoryBudget& memory = context.memory();
-        MemoryCharge kept(memory, packed_bytes(p.width, p.height, is_float, m.key->space == ColorSpace::srgb),
-                          "the texture");
-        memory.check(p.row_bytes() * std::uint64_t(p.height) + mip_chain_bytes(p), "the texture while it is decoded");
-        m.charge = std::move(kept);
-    });
-}
-
-void load(Missing& m, Context& context) {
-    const EncodedImage& image = *m.key->image;
-    m.fault.clear();
-    try_to(m, context, [&] {
-        bool is_tagged_srgb = false;
-        const MipChain chain = [&] {
-            const Pixels pixels = decode_measured(image, context);
-            is_tagged_srgb = pixels.is_tagged_srgb;
-            return make_mip_chain(pixels, m.key->space, context);
-        }();
-        MemoryCharge charge = m.charge.bytes() > 0 ? std::move(m.charge) : MemoryCharge(context.memory());
-        const std::shared_ptr<TextureData> data = pack_texture(chain, *m.key, std::move(charge));
-        data->is_tagged_srgb = is_tagged_srgb;
-        *m.data = data;
-    });
-}
-
-/// Which are left out where memory is short depends on their order, never on threads: what is kept is charged in order,
-/// before anything is decoded, and what decoding takes beside is refused only where it does not fit alone.
-void load_all(std::vector<Missing>& missing, Context& context) {
-    context.parallel_for(missing.size(), [&](std::size_t i) { measure(missing[i], context); });
-    for (Missing& m : missing) charge(m, context);
-    std::vector<Missing*> measured;
-    for (Missing& m : missing)
-        if (m.header && m.fault.empty()) measured.push_back(&m);
-    const std::uint64_t refused = context.memory().refusals();
-    context.parallel_for(measured.size(), [&](std::size_t i) { load(*measured[i], context); });
-    if (context.memory().refusals() != refused)
-        for (Missing* m : measured)
-            if (!m->fault.empty()) load(*m, context);
-    for (Missing* m : measured)
-        if (!m->fault.empty()) m->charge = {};
-    for (Missing& m : missing)
-        if (!m.header && m.fault.empty()) load(m, context);
-}
-
-}  // namespace
-
-void TextureCache::update(const std::vector<TextureKey>& uses, Context& context) {
-    std::map<TextureKey, std::shared_ptr<const TextureData>> kept;
-    std::vector<Missing> missing;  // in the order of use: that of the map is the order of addresses
-    for (const TextureKey& key : uses) {
-        const auto [entry, is_new] = kept.try_emplace(key);
-        const auto known = textures_.find(key);
-        if (known != textures_.end()) entry->second = known->second;
-        if (is_new && !entry->second) missing.push_back({&entry->first, &entry->second});
-    }
-    load_all(missing, context);
-    for (const Missing& m : missing)
-        if (!*m.data)
-            context.report().add(Remark::warning, m.key->image->file, m.key->image->name,
-                                 "texture left out: " + m.fault);
-    textures_ = std::move(kept);
-}
-
-const TextureData* TextureCache::find(const TextureKey& key) const {
-    const auto it = textures_.find(key);
-    return it == textures_.end() ? nullptr : it->second.get();
+std::shared_ptr<const shading::PackedTexture> SoftTexturePacker::pack(const MipChain& chain, const TextureKey& key,
+                                                                      MemoryCharge charge) const {
+    return pack_texture(chain, key, std::move(charge));
 }
 
 TextureView with_filters(const TextureData& data, const Sampler& sampler) {

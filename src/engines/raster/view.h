@@ -6,11 +6,6 @@
 namespace rakelight::raster {
 
 using shading::ClipVertex;
-using shading::View;
-
-struct DrawList;
-/// What camera and settings are for, both checked. Formats of the textbook's depth keep the camera's own range, which
-/// they are there to show.
-View view_of(const DrawList& list, const Camera& camera, const RenderSettings& settings);
+using shading::View, shading::view_of;
 
 }  // namespace rakelight::raster

@@ -124,7 +124,7 @@ public:
 
     /// @param position  of the first triangle in the tile's list
     void draw(std::uint32_t draw, bool has_large, std::span<const ScreenTriangle* const> list, std::int32_t position) {
-        const MaterialView& material = job_.front.list.materials[job_.front.list.draws[draw].material].view;
+        const MaterialView& material = job_.front.list.view(draw);
         if (material.blend) return;
         if (mask_cutoff(job_.front, draw) >= 0) return draw_masked(list, position);
         if (!has_large) return draw_small(list, position);

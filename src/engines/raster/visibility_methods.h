@@ -7,6 +7,7 @@
 
 #include "engines/raster/depth_formats.h"
 #include "engines/raster/tile.h"
+#include "shading/draw_choices.h"
 
 namespace rakelight::raster {
 
@@ -42,7 +43,7 @@ void find_visible_by_method(const TileJob& job, std::size_t tile, TileScratch& s
 
 /// Where a blended triangle stands in the order in which they are laid, least first: far to near; none and back-face: as in the scene.
 inline double blending_place(const FrontEnd& front, const ScreenTriangle& s) {
-    if (has_depth(front.settings.visibility)) return double(s.farthest_key() + s.nearest_key());
+    if (has_depth(front.settings.visibility)) return shading::blending_place(s.farthest_key(), s.nearest_key());
     return -SurfaceOrder(front, s).whole();
 }
 

@@ -76,7 +76,7 @@ TEST(ShadowReuse, ASceneThatWasEditedHasNewMaps) {
 TEST(ShadowReuse, MapsAreDrawnOnceForAllCamerasAndAgainForAnotherSizeOrFilter) {
     using namespace rakelight::raster;
     Context context({.threads = 1});
-    TextureCache textures;
+    shading::TextureCache textures;
     const DrawList list = make_draw_list(ball_on_floor(lamp({2, 5, 1})), textures, context);
     ShadowMaps maps;
     const auto drawn_for = [&](dvec3 eye, const RenderSettings& s) {

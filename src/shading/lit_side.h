@@ -2,9 +2,11 @@
 // Which side of a surface is lit: the one that is seen. Vertex normals belong to one side of their triangle, and are
 // turned round where the other one is seen.
 #pragma once
-#include "engines/raster/front_end.h"
+#include <rakelight/engine.h>
 
-namespace rakelight::raster {
+#include "shading/draw_list.h"
+
+namespace rakelight::shading {
 
 /// On which side the normals of one draw's triangles stand.
 /// - Where the format gives the winding a meaning (glTF): on the front, as RenderSettings::front_face has it.
@@ -13,22 +15,21 @@ namespace rakelight::raster {
 ///   smooth surface: by the winding, unless the piece as a whole is wound against its normals.
 class LitSide {
 public:
-    LitSide(const FrontEnd& front, std::uint32_t number) {
-        const Draw& draw = front.list.draws[number];
-        const bool is_clockwise = front.settings.front_face == FrontFace::clockwise;
-        if (!front.list.materials[draw.material].classical || front.list.scene.meshes[draw.mesh].normals.empty())
-            return;
-        const geometry::NormalSides& sides = front.list.normal_sides[draw.mesh];
+    LitSide(const DrawList& list, const Draw& draw, FrontFace front_face) {
+        if (!list.material(draw).classical || list.scene.meshes[draw.mesh].normals.empty()) return;
+        const geometry::NormalSides& sides = list.normal_sides[draw.mesh];
         if (!sides.against.empty()) against_ = sides.against.data();
-        front_turns_ = is_clockwise != (!against_ && sides.all_against);
+        front_turns_ = (front_face == FrontFace::clockwise) != (!against_ && sides.all_against);
     }
 
     /// Whether a triangle's normals are turned round.
-    bool is_turned(const ScreenTriangle& s) const {
-        return (s.is_back != front_turns_) != (against_ && against_[s.triangle] != 0);
+    /// @param is_back  it is seen from behind
+    bool is_turned(std::uint32_t triangle, bool is_back) const {
+        return (is_back != front_turns_) != (against_ && against_[triangle] != 0);
     }
 
-    // The same for kernels: RecordJob::turned and ::against.
+    // The same for who turns many triangles: normals are turned where the front is seen, and the other way round for
+    // the triangles that say 1; null: none do.
     bool front_turns() const { return front_turns_; }
     const std::int32_t* against() const { return against_; }
 
@@ -37,4 +38,4 @@ private:
     const std::int32_t* against_ = nullptr;
 };
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::shading

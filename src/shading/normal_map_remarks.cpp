@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/normal_map_remarks.h"
+#include "shading/normal_map_remarks.h"
 
 #include <cstdio>
-#include <span>
 
-#include "image/normal_map_check.h"
-
-namespace rakelight::raster {
+namespace rakelight::shading {
 namespace {
 
 std::string said(const NormalMapCheck& c) {
@@ -18,31 +15,25 @@ std::string said(const NormalMapCheck& c) {
     return text;
 }
 
-NormalMapCheck check(const TextureData& data) {
-    const TextureView& t = data.view;
-    const auto begin = std::size_t(t.origin[0]);
-    return check_normal_map(std::span(data.rgba8).subspan(begin), t.width[0], t.height[0], t.stride[0]);
-}
-
 }  // namespace
 
 /// Whether the map is to be looked at.
-bool NormalMapRemarks::begin(const Material& material, const TextureUse& use, const TextureData& data) {
+bool NormalMapRemarks::begin(const Material& material, const TextureUse& use, const LoadedTexture& texture) {
     const EncodedImage& image = *scene_.textures[use.texture].image;
     place_ = !image.place.empty() ? image.place : material.name.empty() ? image.name : material.name;
     is_of_world_ = !image.place.empty();
-    return !data.rgba8.empty() && seen_.insert(&image).second;
+    return texture.check && seen_.insert(&image).second;
 }
 
-void NormalMapRemarks::look_at_heights(const Material& material, const TextureUse& use, const TextureData& data) {
-    if (begin(material, use, data) && check(data).looks_like_normals())
+void NormalMapRemarks::look_at_heights(const Material& material, const TextureUse& use, const LoadedTexture& texture) {
+    if (begin(material, use, texture) && texture.check->looks_like_normals())
         say(Remark::warning, is_of_world_ ? "the height map looks like a normal map; 'normal_texture' takes it as one"
                                           : "the height map looks like a normal map; --texture-normal takes it as one");
 }
 
-void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, const TextureData& data) {
-    if (!begin(material, use, data)) return;
-    const NormalMapCheck check = raster::check(data);
+void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, const LoadedTexture& texture) {
+    if (!begin(material, use, texture)) return;
+    const NormalMapCheck& check = *texture.check;
     if (check.looks_like_heights())
         return say(Remark::warning,
                    is_of_world_ ? "the normal map looks like a height map: it is gray; 'height_texture' takes it as one"
@@ -54,8 +45,8 @@ void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, 
         say(Remark::warning, "the normal map looks green-up; the material takes it for green-down");
     if (check.looks_srgb())
         say(Remark::warning, "the normal map looks sRGB-encoded; it is read as plain numbers, as all normal maps are");
-    else if (data.is_tagged_srgb)
+    else if (texture.is_tagged_srgb)
         say(Remark::warning, "the normal map is tagged sRGB; it is read as plain numbers, as all normal maps are");
 }
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::shading

@@ -3,11 +3,14 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
-#include "engines/raster/front_end.h"
+#include <rakelight/engine.h>
 
-namespace rakelight::raster {
+#include "shading/draw_list.h"
+
+namespace rakelight::shading {
 
 /// Counts boundary edges of objects whose back faces were culled. An object is what stands at one node: all its meshes
 /// together, places welded that are equal but for rounding, so that a body of several materials counts as one. Objects
@@ -22,7 +25,8 @@ public:
     void forget() { boundary_edges_.clear(); }
 
     /// At most one remark on a picture: a warning where culling of back faces was `asked` for, else a note.
-    void remark(const FrontEnd& front, bool asked, Context& context);
+    /// @param is_culled  [draws] not 0: triangles in the window were culled by the side they are seen from; empty: none
+    void remark(const DrawList& list, std::span<const std::uint8_t> is_culled, Cull cull, bool asked, Context& context);
 
 private:
     using Key = std::vector<const void*>;  ///< identities of the blocks of positions and indices, mesh by mesh
@@ -39,4 +43,4 @@ private:
     std::map<Key, std::uint64_t> boundary_edges_;
 };
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::shading

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/open_surfaces.h"
+#include "shading/open_surfaces.h"
 
 #include <algorithm>
 #include <set>
-#include <span>
 #include <string>
 
 #include "geometry/edge_census.h"
 #include "scene/validate_parts.h"
 
-namespace rakelight::raster {
+namespace rakelight::shading {
 namespace {
 
 /// What counting takes, in elements.
@@ -53,9 +52,9 @@ std::uint64_t OpenSurfaces::count(const DrawList& list, Part object, Context& co
     return open_edges(meshes, 0, context) == 0 ? 0 : open_edges(meshes, what_rounding_parts(list, object), context);
 }
 
-void OpenSurfaces::remark(const FrontEnd& front, bool asked, Context& context) {
-    if (front.settings.cull == Cull::none || front.settings.cull == Cull::front) return;
-    const DrawList& list = front.list;
+void OpenSurfaces::remark(const DrawList& list, std::span<const std::uint8_t> is_culled, Cull cull, bool asked,
+                          Context& context) {
+    if (cull == Cull::none || cull == Cull::front) return;
     const std::vector<Draw>& draws = list.draws;
     Context silent(
         {.threads = context.threads(), .parent = &context});  // what welding has to say is no remark on the picture
@@ -63,17 +62,17 @@ void OpenSurfaces::remark(const FrontEnd& front, bool asked, Context& context) {
     const std::uint64_t most = asked ? most_for_warning : most_for_note;
     std::uint64_t looked_at = 0, open = 0, edges = 0;
     std::uint32_t first = none;
-    for (std::size_t d = 0, end = 0; d < front.culled_by_side.size(); d = end) {
+    for (std::size_t d = 0, end = 0; d < is_culled.size(); d = end) {
         Key key;
         std::uint64_t size = 0;
-        bool is_culled = false;
+        bool any_culled = false;
         for (end = d; end < draws.size() && draws[end].node == draws[d].node; ++end) {
             const Mesh& mesh = list.scene.meshes[draws[end].mesh];
             key.insert(key.end(), {mesh.positions.identity(), mesh.indices.identity()});
             size += size_of(mesh);
-            is_culled |= front.culled_by_side[end] != 0;
+            any_culled |= is_culled[end] != 0;
         }
-        if (!is_culled || size > most) continue;
+        if (!any_culled || size > most) continue;
         if (seen.insert(key).second && (looked_at += size) > most) break;
         const auto [known, is_new] = boundary_edges_.try_emplace(std::move(key), 0);
         if (is_new) known->second = count(list, {&draws[d], draws.data() + end}, silent);
@@ -85,4 +84,4 @@ void OpenSurfaces::remark(const FrontEnd& front, bool asked, Context& context) {
                          Place{"node", first, list.scene.nodes[first].name}.text(), message(asked, edges, open - 1));
 }
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::shading

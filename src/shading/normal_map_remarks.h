@@ -5,9 +5,9 @@
 
 #include <rakelight/scene.h>
 
-#include "engines/raster/textures.h"
+#include "shading/texture_cache.h"
 
-namespace rakelight::raster {
+namespace rakelight::shading {
 
 /// Looks once at each normal map of a scene that is prepared (image/normal_map_check.h): warnings of maps that look
 /// green-down (or green-up where the material says down), that look or are tagged sRGB, and of texels that point into
@@ -16,12 +16,12 @@ namespace rakelight::raster {
 class NormalMapRemarks {
 public:
     NormalMapRemarks(const Scene& scene, Report& report) : scene_(scene), report_(report) {}
-    void look_at(const Material& material, const TextureUse& use, const TextureData& data);
+    void look_at(const Material& material, const TextureUse& use, const LoadedTexture& texture);
     /// A height map that is a normal map: files of old formats often name one where a bump map belongs.
-    void look_at_heights(const Material& material, const TextureUse& use, const TextureData& data);
+    void look_at_heights(const Material& material, const TextureUse& use, const LoadedTexture& texture);
 
 private:
-    bool begin(const Material& material, const TextureUse& use, const TextureData& data);
+    bool begin(const Material& material, const TextureUse& use, const LoadedTexture& texture);
     void say(Remark remark, const char* message) { report_.add(remark, scene_.source, place_, message); }
 
     const Scene& scene_;
@@ -31,4 +31,4 @@ private:
     std::set<const EncodedImage*> seen_;
 };
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::shading

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Relief and fog as plain numbers. C headers only: kernels of every instruction set read them.
+#pragma once
+#include <stdint.h>
+
+namespace rakelight::shading {
+
+/// How a draw's height map acts.
+struct ReliefFactors {
+    int32_t technique;  ///< ReliefTechnique
+    float depth;        ///< [widths of the texture] from height 0 to 1
+    float level;        ///< 0..1: the height that lies in the polygon
+    int32_t holds_depth, min_steps, max_steps, refinement_steps, self_shadow, limit_silhouette;
+    float to_uv[2];      ///< change of u and v for one width along the tangent and along the bitangent
+    float to_map[2][2];  ///< rows: the same of the map's own coordinates, behind the slot's transform
+};
+
+struct FogFactors {
+    int32_t kind;  ///< FogNumber
+    float color[3], start, end, density;
+};
+
+}  // namespace rakelight::shading

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shading/materials.h"
+
+#include <cmath>
+
+#include "math/functions.h"
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight::shading {
+namespace {
+
+/// Whether pictures show what the texture is read for.
+bool is_read(const TextureRole& role, const Material& m) {
+    if (role.number == role_opacity) return m.alpha_mode != AlphaMode::opaque;
+    if (m.model == MaterialModel::unlit) return role.number == role_base_color;
+    return role.is_of(m.model) && !role.layer.silences(m);
+}
+
+void copy(float (&to)[3], vec3 from) {
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
+
+/// Roughness of the GGX, Beckmann or Ward lobe that is as wide as Blinn-Phong's of this exponent: alpha^2 = 2 / (n + 2)
+/// (Karis 2013, "Specular BRDF Reference").
+float roughness_of_exponent(float n) { return float(std::sqrt(std::sqrt(2 / (double(n) + 2)))); }
+
+/// What the models of more parameters read.
+void add_layers(const Material& m, MaterialFactors& v) {
+    const MetallicRoughnessParameters& p = m.metallic_roughness;
+    v.lobe_roughness = roughness_of_exponent(v.shininess);
+    v.sigma = m.sigma_rad.value_or(-1);
+    const vec2 alpha = m.ward_alpha.value_or(vec2{0, 0});
+    v.ward_alpha[0] = alpha.x, v.ward_alpha[1] = alpha.y;
+    v.anisotropy = p.anisotropy;
+    v.anisotropy_axis[0] = float(math::cos(double(p.anisotropy_rotation_rad)));
+    v.anisotropy_axis[1] = float(math::sin(double(p.anisotropy_rotation_rad)));
+    v.clearcoat = p.clearcoat, v.clearcoat_roughness = p.clearcoat_roughness;
+    v.clearcoat_normal_scale = p.clearcoat_normal_scale;
+    copy(v.sheen_color, p.sheen_color);
+    v.sheen_roughness = p.sheen_roughness;
+}
+
+}  // namespace
+
+std::vector<const TextureRole*> roles_of(const Material& m) {
+    std::vector<const TextureRole*> roles;
+    for (const TextureRole& role : texture_roles())
+        if (role.in(m) && is_read(role, m)) roles.push_back(&role);
+    return roles;
+}
+
+MaterialFactors material_factors(const Material& m) {
+    MaterialFactors v{};
+    v.unlit = m.model == MaterialModel::unlit;
+    v.metallic_roughness = m.model == MaterialModel::metallic_roughness;
+    const vec4 c = m.base_color;
+    v.base_color[0] = c.x, v.base_color[1] = c.y, v.base_color[2] = c.z, v.base_color[3] = c.w;
+    if (m.model != MaterialModel::unlit) copy(v.emission, m.emission);  // KHR_materials_unlit: the base color alone
+    copy(v.ambient, m.classical.ambient);
+    copy(v.specular, m.classical.specular);
+    v.shininess = m.classical.shininess < 1 ? 1 : m.classical.shininess;
+    if (m.model == MaterialModel::classical && v.shininess <= 1024 && v.shininess == std::floor(v.shininess))
+        v.whole_exponent = std::int32_t(v.shininess);
+    v.metallic = m.metallic_roughness.metallic;
+    v.roughness = m.metallic_roughness.roughness;
+    copy(v.dielectric_color, m.metallic_roughness.specular_color * ior_f0(m.metallic_roughness.ior));
+    v.specular_strength = m.metallic_roughness.specular;
+    v.normal_scale = m.normal_scale;
+    v.occlusion_strength = m.occlusion_strength;
+    v.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : -1;
+    v.blend = m.alpha_mode == AlphaMode::blend;
+    add_layers(m, v);
+    return v;
+}
+
+UvTransform uv_transform(const TextureUse& use) {
+    const double c = math::cos(use.transform.rotation_rad), s = math::sin(use.transform.rotation_rad);
+    const vec2 scale = use.transform.scale, offset = use.transform.offset;
+    return {float(c * scale.x), float(s * scale.y), float(-s * scale.x), float(c * scale.y), offset.x, offset.y};
+}
+
+bool is_identity(const UvTransform& t) {
+    return t.uu == 1 && t.uv == 0 && t.vu == 0 && t.vv == 1 && t.u0 == 0 && t.v0 == 0;
+}
+
+bool has_layers(const MaterialFactors& m) {
+    return m.anisotropy > 0 || m.clearcoat > 0 || m.sheen_color[0] > 0 || m.sheen_color[1] > 0 || m.sheen_color[2] > 0;
+}
+
+}  // namespace rakelight::shading

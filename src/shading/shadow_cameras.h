@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each light sees: the cameras of its shadow maps (Williams 1978, "Casting Curved Shadows on Curved Surfaces").
+#pragma once
+#include <vector>
+
+#include <rakelight/engine.h>
+
+#include "shading/draw_list.h"
+#include "shading/shadow_factors.h"
+#include "shading/view.h"
+
+namespace rakelight::shading {
+
+/// Axes of a map: x to the right, y up, z the way it looks.
+struct MapAxes {
+    dvec3 x, y, z;
+};
+
+/// What one map sees.
+struct MapCamera {
+    Camera camera;
+    MapAxes axes;
+    dvec3 eye;
+};
+
+bool casts_shadow(const Light& light);
+/// A directional light has one parallel map about all that is drawn; a spot of at most 60 degrees about its axis one in
+/// perspective; other spots and point lights six; ambient lights none.
+std::uint64_t shadow_map_count(const Light& light);
+/// False where the scene is so large that the numbers of maps would leave the range of floats.
+bool has_shadow_range(const Bounds& drawn);
+
+/// [shadow_map_count()] in the order of ShadowFactors::faces.
+std::vector<MapCamera> shadow_cameras(const DrawList& list, const Light& light, const RenderSettings& settings);
+
+/// @param first  camera of the light's first map
+/// @param view   of its last one
+/// @param faces  shadow_map_count()
+/// @param eye    that positions are about
+ShadowFactors shadow_factors(const MapCamera& first, const View& view, std::size_t faces,
+                             const RenderSettings& settings, dvec3 eye);
+
+}  // namespace rakelight::shading
