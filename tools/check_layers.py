@@ -27,10 +27,17 @@ BELOW = {
     "engines": ["scene", "geometry"],
     "shading": ["engines", "lighting", "scene", "geometry"],
     "engines/raster": ["shading"],
+    "engines/raster/inspect": ["engines/raster"],
     "engines/opengl": ["shading"],
     "engines/raytrace": ["shading"],
     "render": ["engines/raster", "engines/opengl", "engines/raytrace", "io", "prepare"],
-    "tools": ["render"],
+    "tools": ["render", "engines/raster/inspect"],
+}
+
+# Of an engine's headers what modules above it see, and what these headers may include of the engine themselves.
+DOORS = {
+    "engines/raster": re.compile(r"engines/raster/(raster_engine|geometry/clip|kernels/clip_planes|visibility/(depth_formats|sample_positions)|"
+                                 r"lights/lit_corner|inspect/(inspection|explanation|traced_pixel|inspect_pixels|inspect_samples|inspect_shading))\.h"),
 }
 
 # Public header -> the module that implements it (and whose layer it belongs to).
@@ -66,8 +73,8 @@ LIBRARIES = {
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
 ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/srgb_table\.h|shading/(text_numbers|material_factors|effect_factors|shadow_factors|light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
-                         r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|engines/raster/(kernel_types|geometry_types|clip_planes)\.h|engines/raster/kernels/\w+\.(h|cpp)|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
-ISA_FILES = ["src/engines/raster/kernels", "src/geometry/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
+                         r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
+ISA_FILES = ["src/engines/raster/kernels", "src/engines/raster/inspect/kernels", "src/geometry/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
 
 GLSL_RESERVED = set("active half input output filter common partition smooth flat shared fixed sample patch buffer resource "
                     "precise template this using noise superp cast namespace".split())
@@ -88,7 +95,7 @@ def closure(module):
 def module_of(path):
     """The module of a path below src/, by the longest name in the table."""
     parts = pathlib.PurePath(path).parts
-    for n in (2, 1):
+    for n in (3, 2, 1):
         if "/".join(parts[:n]) in BELOW:
             return "/".join(parts[:n])
     return None
@@ -115,6 +122,14 @@ def check_library(where, module, name, wrong):
             wrong.append(f"{where}: <{name}> may be used by {', '.join(modules)} only")
 
 
+def check_door(where, path, module, name, wrong):
+    for engine, door in DOORS.items():
+        is_above = not module.startswith(engine)
+        is_door = door.fullmatch(str(pathlib.PurePath(*path.parts[1:])))
+        if name.startswith(engine + "/") and (is_above or is_door) and not door.fullmatch(name):
+            wrong.append(f"{where}: \"{name}\" is no door of {engine} (DOORS in tools/check_layers.py)")
+
+
 def check_file(path, wrong):
     text = (ROOT / path).read_text()
     relative = str(path)
@@ -138,6 +153,7 @@ def check_file(path, wrong):
                 wrong.append(f"{where}: \"{name}\" does not exist; includes count from src/")
             elif other and other not in closure(module):
                 wrong.append(f"{where}: {module} may not include \"{name}\"")
+            check_door(where, path, module, name, wrong)
         elif is_public:
             wrong.append(f"{where}: public headers include only public headers, found \"{name}\"")
         if any(relative.startswith(f) for f in ISA_FILES) and not ISA_ALLOWED.fullmatch(name):

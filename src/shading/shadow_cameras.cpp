@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "math/functions.h"
 
@@ -104,6 +105,21 @@ void set_row(float (&to)[4], dvec3 axis, dvec3 from, dvec3 eye) {
 bool casts_shadow(const Light& light) { return light.type != LightType::ambient && light.casts_shadow; }
 
 std::uint64_t shadow_map_count(const Light& light) { return !casts_shadow(light) ? 0 : has_one_map(light) ? 1 : 6; }
+
+void check_shadow_memory(std::span<const Light> lights, const RenderSettings& settings, const MemoryBudget& memory) {
+    if (!settings.shadows) return;
+    std::uint64_t maps = 0;
+    for (const Light& light : lights) maps += shadow_map_count(light);
+    const std::uint64_t side = std::uint64_t(settings.shadow_size), bytes = maps * side * side * shadow_texel_bytes;
+    const std::uint64_t all = memory.limit(), taken = memory.charged();
+    const std::uint64_t limit = std::min(all / 2, all > taken ? all - taken : 0);
+    if (bytes <= limit) return;
+    throw Error(ErrorCode::usage,
+                "--shadow-size " + std::to_string(side) + ": " + std::to_string(maps) + " shadow maps of " +
+                    std::to_string(side) + " x " + std::to_string(side) + " texels need " + std::to_string(bytes) +
+                    " bytes, more than " + std::to_string(limit),
+                {}, "make them smaller, or raise the limit with --max-memory");
+}
 
 bool has_shadow_range(const Bounds& drawn) { return drawn.diagonal() < 1e30; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each light sees: the cameras of its shadow maps (Williams 1978, "Casting Curved Shadows on Curved Surfaces").
 #pragma once
+#include <span>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -29,6 +30,12 @@ bool casts_shadow(const Light& light);
 std::uint64_t shadow_map_count(const Light& light);
 /// False where the scene is so large that the numbers of maps would leave the range of floats.
 bool has_shadow_range(const Bounds& drawn);
+
+/// [bytes] of a map: its nearness as a float, its slopes as two codes of 16 bits.
+inline constexpr std::uint64_t shadow_texel_bytes = 8;
+/// Whether the shadow maps of these lights go into memory; nothing without shadows.
+/// @throws Error usage: they need more than half of what MemoryBudget grants, or more than the scene leaves of it
+void check_shadow_memory(std::span<const Light> lights, const RenderSettings& settings, const MemoryBudget& memory);
 
 /// [shadow_map_count()] in the order of ShadowFactors::faces.
 std::vector<MapCamera> shadow_cameras(const DrawList& list, const Light& light, const RenderSettings& settings);

@@ -4,10 +4,10 @@
 #include <rakelight/world.h>
 
 #include "engines/check_settings.h"
-#include "engines/raster/shadow_maps.h"
 #include "render/picture_steps.h"
 #include "render/report_json.h"
 #include "scene/scene_tools.h"
+#include "shading/shadow_cameras.h"
 #include "tools/texture_uses.h"
 
 namespace rakelight {
@@ -65,7 +65,7 @@ void check_picture(const Scene& scene, const PictureRequest& request, Context& c
     Scene lit;  // without objects, of which there may be millions
     lit.lights = scene.lights, lit.environment = scene.environment;
     lit = with_lights(std::move(lit), request, Camera{});
-    raster::check_shadow_memory(lit.lights, request.settings, context.memory());
+    shading::check_shadow_memory(lit.lights, request.settings, context.memory());
 }
 
 std::string to_text(const std::string& file, const SceneSummary& s) {

@@ -22,7 +22,7 @@ std::vector<std::uint8_t> codes(vec4 color, bool with_alpha, const ToneSettings&
     return out;
 }
 
-const raster::Draw& draw_of(const ExplainedPixel& e, const ShadedLayer& layer) {
+const shading::Draw& draw_of(const ExplainedPixel& e, const ShadedLayer& layer) {
     return e.engine->list().draws[e.pixel.triangles[layer.triangle].draw];
 }
 
@@ -56,8 +56,8 @@ std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel) { return pixel.c
 vec4 color_of(const ExplainedPixel& pixel) { return pixel.pixel.color; }
 
 TriangleNames names_of(const ExplainedPixel& e, const CoveringTriangle& triangle) {
-    const raster::DrawList& list = e.engine->list();
-    const raster::Draw& draw = list.draws[triangle.draw];
+    const shading::DrawList& list = e.engine->list();
+    const shading::Draw& draw = list.draws[triangle.draw];
     TriangleNames names;
     names.node = draw.node;
     names.mesh_index = draw.mesh;
@@ -89,7 +89,7 @@ const char* word_for(raster::Fate fate) {
 const char* name_of_map(int map) { return texture_roles()[std::size_t(map)].name; }
 
 std::string picture_of_map(const ExplainedPixel& e, const ShadedLayer& layer, int map) {
-    const raster::DrawList& list = e.engine->list();
+    const shading::DrawList& list = e.engine->list();
     const std::uint32_t index = list.materials[draw_of(e, layer).material].scene_material;
     if (index == none) return {};
     const TextureUse& use = texture_roles()[std::size_t(map)].in(list.scene.materials[index]);

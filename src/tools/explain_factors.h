@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "engines/raster/kernels/trace_types.h"
+#include "engines/raster/inspect/traced_pixel.h"
 #include "render/report_json.h"
 #include "tools/explain_values.h"
 

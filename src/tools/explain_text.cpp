@@ -75,7 +75,7 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     values.add("barycentrics", t.barycentric, "of the three vertices");
     values.add("position [m]", world_position(e, t.position), "world");
     values.add("from the eye [m]", t.position, "world axes");
-    const raster::DrawList& list = e.engine->list();
+    const shading::DrawList& list = e.engine->list();
     const std::size_t sets =
         list.scene.meshes[list.draws[e.pixel.triangles[layer.triangle].draw].mesh].texcoords.size();
     if (sets > 0) values.add("texture coordinates 0", t.texcoord[0]);

@@ -7,7 +7,7 @@
 
 #include <rakelight/explain.h>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "render/report_json.h"
 
 namespace rakelight {

@@ -5,7 +5,7 @@
 
 #include <rakelight/picture.h>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 
 namespace rakelight {
 

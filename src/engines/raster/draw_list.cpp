@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/draw_list.h"
 
-#include "engines/raster/textures.h"
+#include "engines/raster/textures/textures.h"
 #include "scene/material_table.h"
 
 namespace rakelight::raster {

@@ -5,7 +5,7 @@
 #include <deque>
 #include <memory>
 
-#include "engines/raster/kernel_types.h"
+#include "engines/raster/kernels/kernel_types.h"
 #include "shading/draw_list.h"
 
 namespace rakelight::raster {

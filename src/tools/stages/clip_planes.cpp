@@ -21,20 +21,20 @@ using Polygon = std::vector<Corner>;
 struct CutPlane {
     const char* name;
     bool shows_x;
-    double (*inside_by)(const Corner& c, const raster::View& view);  ///< >= 0: inside
+    double (*inside_by)(const Corner& c, const shading::View& view);  ///< >= 0: inside
 };
 constexpr CutPlane cut_planes[] = {
-    {"near", false, [](const Corner& c, const raster::View& v) { return c.distance - v.near; }},
-    {"far", false, [](const Corner& c, const raster::View& v) { return v.far - c.distance; }},
-    {"left", true, [](const Corner& c, const raster::View&) { return c.w + c.x; }},
-    {"right", true, [](const Corner& c, const raster::View&) { return c.w - c.x; }},
-    {"bottom", false, [](const Corner& c, const raster::View&) { return c.w + c.y; }},
-    {"top", false, [](const Corner& c, const raster::View&) { return c.w - c.y; }},
+    {"near", false, [](const Corner& c, const shading::View& v) { return c.distance - v.near; }},
+    {"far", false, [](const Corner& c, const shading::View& v) { return v.far - c.distance; }},
+    {"left", true, [](const Corner& c, const shading::View&) { return c.w + c.x; }},
+    {"right", true, [](const Corner& c, const shading::View&) { return c.w - c.x; }},
+    {"bottom", false, [](const Corner& c, const shading::View&) { return c.w + c.y; }},
+    {"top", false, [](const Corner& c, const shading::View&) { return c.w - c.y; }},
 };
 constexpr std::size_t planes = std::size(cut_planes);
 
 /// Sutherland & Hodgman 1974. `sign` -1 gives the part that is cut off.
-Polygon cut(const Polygon& in, const CutPlane& plane, const raster::View& view, double sign) {
+Polygon cut(const Polygon& in, const CutPlane& plane, const shading::View& view, double sign) {
     Polygon out;
     for (std::size_t i = 0; i < in.size(); ++i) {
         const Corner &a = in[i], &b = in[(i + 1) % in.size()];
@@ -78,7 +78,7 @@ private:
             for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
                 Polygon triangle;
                 for (std::size_t k = 0; k < 3; ++k) {
-                    const raster::ClipVertex c = vertices.clip(d, mesh.indices[i + k]);
+                    const shading::ClipVertex c = vertices.clip(d, mesh.indices[i + k]);
                     triangle.push_back({double(c.x), double(c.y), double(c.w), double(c.distance)});
                 }
                 const auto finite = [](const Corner& c) {
@@ -144,7 +144,7 @@ private:
     }
 
     static constexpr std::uint64_t drawn_polygons = 50000;
-    const raster::View& view_;
+    const shading::View& view_;
     double nearest_ = 0, farthest_ = 0, widest_ = 0, highest_ = 0;
     std::array<Fit, planes> fits_;
     std::vector<Canvas> canvases_;
@@ -178,7 +178,7 @@ Stage planes_stage(const Sources& of, const Vertices& vertices) {
     Space space{.caption = "Distance to the right, x up: everything lies between the planes (orange).",
                 .only_transformed = true,
                 .place = [&](std::size_t d, std::uint32_t v) {
-                    const raster::ClipVertex c = vertices.clip(d, v);
+                    const shading::ClipVertex c = vertices.clip(d, v);
                     return dvec2{double(c.distance), double(c.x)};
                 }};
     const bool parallel = of.engine.view().orthographic;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engines/raster/geometry/clip.h"
 #include "tools/stages/plot.h"
 
 namespace rakelight::stages {
@@ -19,14 +20,14 @@ Stage clip_stage(const Sources& of, const Vertices& vertices) {
                 "distance along the view axis, a frustum of 90 degrees. Here the engine goes from double to single "
                 "precision. Clipping is done here, because "
                 "behind the eye w is negative, and a division would wrap such points round to the front."};
-    const raster::View& view = of.engine.view();
+    const shading::View& view = of.engine.view();
     const bool parallel = view.orthographic;
     const double far = std::min(view.far, vertices.farthest()), w = parallel ? 1 : view.near;
     Space space{.caption = std::string(parallel ? "Distance" : "w") +
                            " to the right, y up; in orange the planes y = +-w and the near plane.",
                 .only_transformed = true,
                 .place = [&](std::size_t d, std::uint32_t v) {
-                    const raster::ClipVertex c = vertices.clip(d, v);
+                    const shading::ClipVertex c = vertices.clip(d, v);
                     return dvec2{double(c.distance), double(c.y)};
                 }};
     space.behind.push_back({{0, 0}, {far, 0}, axis});
@@ -34,7 +35,7 @@ Stage clip_stage(const Sources& of, const Vertices& vertices) {
     space.before.push_back({{view.near, -w}, {view.near, w}});
     add_plot(s, of, vertices, "clip-space", space);
     add_table(s, vertices, true, {"x", "y", "w", "distance"}, [&](std::size_t d, std::uint32_t v) {
-        const raster::ClipVertex c = vertices.clip(d, v);
+        const shading::ClipVertex c = vertices.clip(d, v);
         return std::vector<double>{double(c.x), double(c.y), double(c.w), double(c.distance)};
     });
     return s;
@@ -68,8 +69,8 @@ EngineClipping clip_all(const Sources& of, const Vertices& vertices, const Visit
         const Mesh& mesh = vertices.mesh(d);
         for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
             const std::uint32_t* index = mesh.indices.data() + 3 * t;
-            const raster::ClipVertex v[3] = {vertices.clip(d, index[0]), vertices.clip(d, index[1]),
-                                             vertices.clip(d, index[2])};
+            const shading::ClipVertex v[3] = {vertices.clip(d, index[0]), vertices.clip(d, index[1]),
+                                              vertices.clip(d, index[2])};
             const unsigned codes[3] = {outcode(v[0], volume), outcode(v[1], volume), outcode(v[2], volume)};
             const unsigned any = codes[0] | codes[1] | codes[2], all = codes[0] & codes[1] & codes[2];
             for (std::size_t p = 0; p < std::size(planes); ++p) {
@@ -80,7 +81,7 @@ EngineClipping clip_all(const Sources& of, const Vertices& vertices, const Visit
                 (any & raster::cutting_planes) == 0)
                 continue;
             ++result.clipped;
-            raster::ClipVertex polygon[raster::max_clipped_vertices];
+            shading::ClipVertex polygon[raster::max_clipped_vertices];
             visit(d, t, polygon, clip_triangle(v, any & raster::cutting_planes, volume, polygon));
         }
     }
@@ -89,12 +90,12 @@ EngineClipping clip_all(const Sources& of, const Vertices& vertices, const Visit
 
 /// The triangles that are not cut, where they lie on the screen.
 void add_screen_plot(Stage& s, const Sources& of, const Vertices& vertices) {
-    const raster::View& view = of.engine.view();
+    const shading::View& view = of.engine.view();
     add_plot(s, of, vertices, "clipped",
              {.only_transformed = true,
               .place =
                   [&](std::size_t d, std::uint32_t v) {
-                      const raster::ClipVertex c = vertices.clip(d, v);
+                      const shading::ClipVertex c = vertices.clip(d, v);
                       const dvec2 p = double(c.distance) < view.near ? dvec2{std::nan(""), 0} : view.screen(c);
                       return dvec2{p.x, -p.y};  // y is down already
                   },
@@ -108,11 +109,11 @@ Stage clipped_stage(const Sources& of, const Vertices& vertices) {
         "are cut to polygons of up to 9 corners before the division (Sutherland and Hodgman). "
         "The sides of the picture only reject what is wholly outside: rasterization leaves out the rest for less than "
         "cutting costs.";
-    const raster::View& view = of.engine.view();
+    const shading::View& view = of.engine.view();
     add_screen_plot(s, of, vertices);
     Canvas& canvas = s.pictures.back().canvas;
     const EngineClipping all = clip_all(
-        of, vertices, [&](std::size_t d, std::size_t t, const raster::ClipVertex* polygon, std::size_t corners) {
+        of, vertices, [&](std::size_t d, std::size_t t, const shading::ClipVertex* polygon, std::size_t corners) {
             for (std::size_t k = 0; k < corners; ++k)
                 canvas.line(view.screen(polygon[k]), view.screen(polygon[(k + 1) % corners]), red);
             if (s.rows.size() >= listed_rows) return;

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "engines/raster/depth_formats.h"
+#include "engines/raster/visibility/depth_formats.h"
 #include "math/functions.h"
 #include "tools/stages/label.h"
 #include "tools/stages/plot.h"
@@ -60,7 +60,7 @@ void label_y(Canvas& canvas, double part, const std::string& text) {
 }
 
 /// The camera's; a far plane without end is shown to ten thousand times near.
-DepthRange shown_range(const raster::View& view) {
+DepthRange shown_range(const shading::View& view) {
     return {view.near, std::isinf(view.far) ? view.near * 1e4 : view.far, view.orthographic};
 }
 

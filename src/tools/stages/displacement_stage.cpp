@@ -61,7 +61,7 @@ Moved moved(const Mesh& fine, const Mesh& flat, const dmat4& to_world) {
 }
 
 /// The mesh that stands where another scene's draw has its own.
-const Mesh& same_place(const Scene& scene, const Scene& of, const raster::Draw& draw) {
+const Mesh& same_place(const Scene& scene, const Scene& of, const shading::Draw& draw) {
     const std::vector<std::uint32_t>& meshes = of.nodes[draw.node].meshes;
     const auto slot = std::find(meshes.begin(), meshes.end(), draw.mesh) - meshes.begin();
     return scene.meshes[scene.nodes[draw.node].meshes[std::size_t(slot)]];
@@ -151,7 +151,7 @@ private:
 
     void compare(const Scene& flat) {
         const Displacement& options = prepare_options(fine_request_).displacement;
-        for (const raster::Draw& draw : of_.engine.list().draws) {
+        for (const shading::Draw& draw : of_.engine.list().draws) {
             const Mesh& fine = scene_.meshes[draw.mesh];
             const Mesh& coarse = same_place(base_.scene, scene_, draw);
             Moved m;

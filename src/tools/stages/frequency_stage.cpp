@@ -2,7 +2,7 @@
 // How often lighting is evaluated: the picture in its own color, lit once a face, once a vertex and once a pixel.
 #include <cmath>
 
-#include "engines/raster/inspect_shading.h"
+#include "engines/raster/inspect/inspect_shading.h"
 #include "math/color.h"
 #include "tools/stages/paint.h"
 

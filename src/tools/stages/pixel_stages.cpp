@@ -21,7 +21,7 @@ Stage culling_stage(const Sources& of) {
                 "What cannot be seen is dropped before any pixel is looked at: objects and triangles wholly outside of "
                 "the picture, triangles without area on the screen, and faces that "
                 "are seen from behind (of closed surfaces, as their material says; --cull chooses)."};
-    const RenderStats& stats = of.drawn.front.stats;
+    const RenderStats& stats = of.drawn.stats();
     s.numbers = {{"triangles in", stats.triangles_in},
                  {of.engine.settings().samples > 1 ? "outside, or no sample in their box"
                                                    : "outside, or no pixel center in their box",
@@ -116,7 +116,7 @@ Stage visibility_stage(const Sources& of) {
             .text =
                 "What is left is one triangle a pixel: only these are shaded, whatever the overdraw. Each triangle, "
                 "and each object, has a color of its own."};
-    const raster::DrawList& list = of.engine.list();
+    const shading::DrawList& list = of.engine.list();
     const std::vector<std::uint32_t>&draw = of.pixels.draw, &triangle = of.pixels.triangle;
     s.pictures.push_back({"triangles", "Visible triangles.", paint(of, [&](std::size_t p) {
                               return draw[p] == none ? backdrop : color_of_number(triangle[p] * 7 + draw[p] * 131);

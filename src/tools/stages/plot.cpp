@@ -70,12 +70,12 @@ Fit fit_all(const Triangles& triangles, const Space& space, int width, int heigh
 Json cell(double v) { return std::isfinite(v) ? Json(v) : Json(v > 0 ? "inf" : v < 0 ? "-inf" : "nan"); }
 
 double Vertices::depth_key(double distance) const {
-    const raster::View& view = of_.engine.view();
+    const shading::View& view = of_.engine.view();
     return view.orthographic ? 1 - (distance - view.near) / (view.far - view.near) : view.near / distance;
 }
 
 dvec3 Vertices::device(std::size_t d, std::uint32_t v) const {
-    const raster::ClipVertex c = clip(d, v);
+    const shading::ClipVertex c = clip(d, v);
     return {double(c.x) / double(c.w), double(c.y) / double(c.w), depth_key(double(c.distance))};
 }
 
@@ -102,7 +102,7 @@ dvec2 oblique(dvec3 p) {
     return {(p.x - p.z) * 0.70710678118654752, p.y * 0.81649658092772603 - (p.x + p.z) * 0.40824829046386302};
 }
 
-std::array<dvec3, 8> frustum(const raster::View& view, double far) {
+std::array<dvec3, 8> frustum(const shading::View& view, double far) {
     std::array<dvec3, 8> corners;
     for (std::size_t i = 0; i < 8; ++i) {
         const double distance = i < 4 ? view.near : far, w = view.orthographic ? 1 : distance;

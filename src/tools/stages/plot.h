@@ -25,9 +25,9 @@ class Vertices {
 public:
     explicit Vertices(const Sources& of) : of_(of) {}
 
-    const std::vector<raster::Draw>& draws() const { return of_.engine.list().draws; }
+    const std::vector<shading::Draw>& draws() const { return of_.engine.list().draws; }
     const Mesh& mesh(std::size_t d) const { return of_.engine.list().scene.meshes[draws()[d].mesh]; }
-    bool is_transformed(std::size_t d) const { return !of_.drawn.front.clip[d].empty(); }
+    bool is_transformed(std::size_t d) const { return !of_.drawn.clip(d).empty(); }
 
     std::string object(std::size_t d) const { return object_title(of_.engine.list().scene, draws()[d].node); }
 
@@ -37,7 +37,7 @@ public:
         return transform_point(of_.engine.view().world_to_camera, world(d, v));
     }
     /// The engine's own; not there for objects that are wholly outside.
-    raster::ClipVertex clip(std::size_t d, std::uint32_t v) const { return of_.drawn.front.clip[d][v]; }
+    shading::ClipVertex clip(std::size_t d, std::uint32_t v) const { return of_.drawn.clip(d)[v]; }
     /// What the engine compares, from a distance [m] along the view axis: greater is nearer.
     double depth_key(double distance) const;
     /// Of what is not behind the near plane: x, y in the square from -1 to 1, and the depth key.
@@ -66,7 +66,7 @@ dvec2 oblique(dvec3 p);
 
 /// The corners of the frustum at the near plane and at a distance [m], in camera space; [0..3] near, [4..7] far, each
 /// round.
-std::array<dvec3, 8> frustum(const raster::View& view, double far);
+std::array<dvec3, 8> frustum(const shading::View& view, double far);
 
 struct PlotLine {
     dvec2 a, b;

@@ -2,15 +2,15 @@
 // Pictures of several samples a pixel: what they cover, how often their pixels are shaded, and their mean.
 #include <algorithm>
 
-#include "engines/raster/inspect_samples.h"
-#include "engines/raster/tile.h"
+#include "engines/raster/inspect/inspect_samples.h"
 #include "tools/stages/paint.h"
 
 namespace rakelight::stages {
 namespace {
 
 constexpr int enlarged_px = 16;  ///< side of the part that is shown enlarged; divides a tile's
-constexpr int cell_px = 48;      ///< one of its pixels: 3 a step of sample_positions()
+static_assert(raster::sample_square % enlarged_px == 0);
+constexpr int cell_px = 48;  ///< one of its pixels: 3 a step of sample_positions()
 
 /// Where samples differ most, so that there is something to see.
 Window liveliest_part(const Sources& of) {

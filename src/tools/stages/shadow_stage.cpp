@@ -14,14 +14,14 @@ constexpr int shown_side = 320;     ///< [px] most of a face of a map
 constexpr Code beside{44, 52, 84};  ///< nothing that is lit: not to be taken for shadow
 
 /// [m] along the map's axis from the light (parallel: about the eye); not finite where nothing is.
-double distance_on_map(const raster::ShadowView& map, std::size_t texel) {
+double distance_on_map(const raster::ShadowMapView& map, std::size_t texel) {
     const double nearness = double(map.nearness[texel]);
     if (map.is_orthographic != 0) return nearness > -1e38 ? -nearness : std::numeric_limits<double>::infinity();
     return nearness > 0 ? 1 / nearness : std::numeric_limits<double>::infinity();
 }
 
 /// The faces of a map side by side, three in a row.
-Picture map_picture(const raster::ShadowView& map, const std::string& number, const std::string& light) {
+Picture map_picture(const raster::ShadowMapView& map, const std::string& number, const std::string& light) {
     const auto size = std::size_t(map.size), faces = std::size_t(map.faces);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t t = 0; t < faces * size * size; ++t)
@@ -65,19 +65,20 @@ Stage shadow_stage(const Sources& of) {
         "of those that nothing covers is how much of the light's diffuse and specular terms it keeps. Faces that look "
         "away from the light have none of it. Height maps with --bump-self-shadow darken the hollows of their relief "
         "here, too. Ambient light has no shadow. Flat and Gouraud shading throw shadows and receive none.";
-    const raster::ShadowView* const maps = of.engine.effects().shadows;
+    const std::vector<raster::ShadowMapView> maps = of.engine.shadow_maps();
     const RenderSettings& settings = of.engine.settings();
     s.numbers = {{"texels a side", settings.shadow_size},
                  {"filter radius [texels]", settings.shadow_filter},
                  {"bias", double(settings.shadow_bias)}};
-    if (maps == nullptr) s.numbers = {{"shadow maps", 0}};
+    if (maps.empty()) s.numbers = {{"shadow maps", 0}};
     s.columns = {"light", "maps", "texels a meter", "lit pixels", "mean share", "in shadow", "in part", "in light"};
     for (std::size_t i = 0; i < of.pixels.seen.size(); ++i) {
         const Light& light = of.engine.list().scene.lights[i];
-        const std::int32_t map = maps != nullptr ? of.engine.lights()[i].shadow : -1;
+        const std::int32_t map = !maps.empty() ? of.engine.lights()[i].shadow : -1;
         const std::string number = std::to_string(i), name = "light " + number_and_name(light, i);
         const std::vector<float>& seen = of.pixels.seen[i];
-        Json row = {name, map >= 0 ? maps[map].faces : 0, map >= 0 ? double(maps[map].texels) : 0.0};
+        Json row = {name, map >= 0 ? maps[std::size_t(map)].faces : 0,
+                    map >= 0 ? double(maps[std::size_t(map)].texels) : 0.0};
         for (const Json& v : seen_cells(seen)) row.push_back(v);
         s.rows.push_back(std::move(row));
         if (light.type == LightType::ambient) continue;
@@ -85,7 +86,7 @@ Stage shadow_stage(const Sources& of) {
             {"shadow-" + number,
              "How much of " + name + " reaches the surface: black nothing, white all; blue: it lights nothing there.",
              paint(of, [&](std::size_t p) { return seen[p] < 0 ? beside : gray(double(seen[p])); })});
-        if (map >= 0) s.pictures.push_back(map_picture(maps[map], number, name));
+        if (map >= 0) s.pictures.push_back(map_picture(maps[std::size_t(map)], number, name));
     }
     s.rows_note =
         "Pixels that the light would reach if nothing stood before them, and the share of it that does; texels a meter "

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engines/raster/inspect_pixels.h"
+#include "engines/raster/inspect/inspect_pixels.h"
 #include "image/tone_curves.h"
 #include "tools/stages/canvas.h"
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <atomic>
 
-#include "engines/raster/channels_tile.h"
-#include "engines/raster/inspect_samples.h"
-#include "engines/raster/multisample.h"
+#include "engines/raster/inspect/open_scene.h"
 #include "engines/raster/raster_engine.h"
+#include "engines/raster/shade/channels_tile.h"
+#include "engines/raster/shade/multisample.h"
 #include "support/thrown_error.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"
@@ -59,8 +59,8 @@ struct OneTile {
         job.context = &run;
     }
     Context preparing{{.threads = 1}}, run{{.threads = 1}};
-    Inspection of;
-    Inspection::Geometry drawn;
+    OpenScene of;
+    OpenGeometry drawn;
     TileJob job;
     TileScratch scratch;
 };

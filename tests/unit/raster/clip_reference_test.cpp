@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "engines/raster/clip.h"
+#include "engines/raster/geometry/clip.h"
 #include "engines/raster/raster_engine.h"
 #include "math/functions.h"
 #include "support/scene_builder.h"

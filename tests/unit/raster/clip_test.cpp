@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/clip.h"
+#include "engines/raster/geometry/clip.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rasterization rules against a slow reference in exact integers.
-#include "engines/raster/coverage.h"
+#include "engines/raster/visibility/coverage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/depth_formats.h"
+#include "engines/raster/visibility/depth_formats.h"
 
 #include <gtest/gtest.h>
 

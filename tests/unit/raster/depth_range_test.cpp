@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "engines/raster/raster_engine.h"
 #include "support/scene_builder.h"
 

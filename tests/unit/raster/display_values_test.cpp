@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "engines/raster/geometry_types.h"
+#include "engines/raster/kernels/geometry_types.h"
 #include "engines/raster/raster_engine.h"
 #include "image/tone.h"
 #include "math/isa.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "math/isa.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"

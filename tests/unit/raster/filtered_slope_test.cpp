@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "unit/raster/relief_scenes.h"
 
 using namespace rakelight;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "engines/raster/coverage.h"
+#include "engines/raster/visibility/coverage.h"
 #include "math/flush_denormals.h"
 #include "math/isa.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the pixel stages leave: the terms of the lights add up to the picture, and the picture is the engine's.
-#include "engines/raster/inspect_pixels.h"
+#include "engines/raster/inspect/inspect_pixels.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 
 #include <cmath>
 
-#include "engines/raster/inspect_samples.h"
-#include "engines/raster/inspect_shading.h"
-#include "engines/raster/multisample.h"
+#include "engines/raster/inspect/inspect_samples.h"
+#include "engines/raster/inspect/inspect_shading.h"
+#include "engines/raster/shade/multisample.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"
 

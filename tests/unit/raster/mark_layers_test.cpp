@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines and points behind, between and before blended surfaces.
-#include "engines/raster/mark_layers.h"
+#include "engines/raster/marks/mark_layers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines and points: what they cover, what hides them, and that they stay on the surfaces they belong to.
-#include "engines/raster/marks.h"
+#include "engines/raster/marks/marks.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "engines/raster/raster_engine.h"
 #include "math/functions.h"
 #include "support/scene_builder.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "math/isa.h"
 #include "unit/raster/relief_scenes.h"
 

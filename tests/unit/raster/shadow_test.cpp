@@ -6,7 +6,7 @@
 
 #include <rakelight/error.h>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "math/isa.h"
 #include "unit/raster/shadow_scenes.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "math/color.h"
 #include "scene/scene_tools.h"
 #include "unit/raster/facing_square.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "engines/raster/inspect_shading.h"
-#include "engines/raster/tile_lights.h"
+#include "engines/raster/inspect/inspect_shading.h"
+#include "engines/raster/lights/tile_lights.h"
 #include "math/isa.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"

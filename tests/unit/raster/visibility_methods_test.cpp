@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Visibility methods where their answers are known: what each gets right, and the failure that each is known for.
-#include "engines/raster/visibility_methods.h"
+#include "engines/raster/visibility/visibility_methods.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "unit/raster/drawn.h"
 
 using namespace rakelight;

@@ -7,7 +7,7 @@
 
 #include <rakelight/explain.h>
 
-#include "engines/raster/inspection.h"
+#include "engines/raster/inspect/inspection.h"
 #include "engines/raster/raster_engine.h"
 #include "scene/scene_tools.h"
 #include "support/shared.h"

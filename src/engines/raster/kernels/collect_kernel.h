@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which pixels of a tile show one draw, and which of its triangles. Per instruction set.
 #pragma once
-#include "engines/raster/kernel_types.h"
+#include "engines/raster/kernels/kernel_types.h"
 #include "math/wide_rows.h"
 
 namespace rakelight::raster::RL_ISA {

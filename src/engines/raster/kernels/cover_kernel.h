@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coverage and depth test of one triangle in one tile, a vector of pixels of a row at a time. Per instruction set.
 #pragma once
-#include "engines/raster/geometry_types.h"
+#include "engines/raster/kernels/geometry_types.h"
 #include "math/wide.h"
 
 namespace rakelight::raster::RL_ISA {

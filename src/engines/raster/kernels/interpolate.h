@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Perspective-correct attributes of a run of pixels, and their analytic screen derivatives. Per instruction set.
 #pragma once
-#include "engines/raster/kernel_types.h"
+#include "engines/raster/kernels/kernel_types.h"
 #include "lighting/lighting.h"
 
 namespace rakelight::raster::RL_ISA {

@@ -2,7 +2,7 @@
 // Coverage and depth test of small triangles in one tile: set up a vector of triangles at a time, then drawn one by
 // one, a block of pixels at a time. Per instruction set.
 #pragma once
-#include "engines/raster/geometry_types.h"
+#include "engines/raster/kernels/geometry_types.h"
 #include "math/wide_blocks.h"
 #include "math/wide_double.h"
 #include "math/wide_rows.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles: culled by side, area, window and pixel centers, a vector of them at a time. Per instruction set.
 #pragma once
-#include "engines/raster/clip_planes.h"
-#include "engines/raster/geometry_types.h"
+#include "engines/raster/kernels/clip_planes.h"
+#include "engines/raster/kernels/geometry_types.h"
 #include "math/wide_rows.h"
 
 namespace rakelight::raster::RL_ISA {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colors of a run of pixels -> arrays of floats or sRGB codes. Per instruction set.
 #pragma once
-#include "engines/raster/kernel_types.h"
+#include "engines/raster/kernels/kernel_types.h"
 #include "math/wide.h"
 
 namespace rakelight::raster::RL_ISA {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Object space -> clip space -> screen, a vector of vertices at a time. Per instruction set.
 #pragma once
-#include "engines/raster/clip_planes.h"
-#include "engines/raster/geometry_types.h"
+#include "engines/raster/kernels/clip_planes.h"
+#include "engines/raster/kernels/geometry_types.h"
 #include "math/wide_double.h"
 #include "math/wide_rows.h"
 

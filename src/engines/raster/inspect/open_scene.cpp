@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/inspect/open_scene.h"
+
+#include "engines/raster/shade/full_jobs.h"
+#include "engines/raster/textures/environment_maps.h"
+#include "engines/raster/visibility/visibility_methods.h"
+#include "shading/draw_choices.h"
+#include "shading/lights.h"
+
+namespace rakelight::raster {
+
+OpenScene::OpenScene(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context)
+    : settings_(settings_for_method(settings)), list_(make_draw_list(scene, textures_, context)) {
+    EnvironmentCache().update(list_, context);
+    settings_.window = {};
+    view_ = view_of(list_, camera, settings_);
+    const dvec3 eye = view_.camera_to_world[3].xyz();
+    lights_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
+    shadows_.update(list_, settings_, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights_, context);
+}
+
+bool OpenScene::is_culled(std::uint32_t draw, bool is_back) const {
+    const shading::Culling culled = shading::culling_of(list_, list_.draws[draw], settings_);
+    return is_back ? culled.back : culled.front;
+}
+
+static RenderSettings settings_for(RenderSettings settings, Window window, bool with_culled,
+                                   std::optional<Shading> shading) {
+    settings.window = window;
+    if (shading) {
+        settings.shading = *shading;
+        settings.shading_rules.clear();
+        settings.own_shading = false;
+    }
+    if (with_culled) settings.cull = Cull::none;
+    return settings;
+}
+
+OpenGeometry::OpenGeometry(const OpenScene& of, Window window, bool with_culled, Context& context,
+                           std::optional<Shading> shading)
+    : settings(settings_for(of.settings(), window, with_culled, shading)),
+      grid(settings.width, settings.height, window),
+      front{.list = of.list(),
+            .view = of.view(),
+            .settings = settings,
+            .kernels = *scalar::geometry_kernels(),
+            .memory = PictureMemory(context.memory())} {
+    transform_draws(front, context);
+    binned = set_up_and_bin(front, grid, {}, context);
+    make_full_jobs(front, of.effects());
+    points = light_points(front, binned, of.lights(), *scalar::kernels(), {}, context);
+    marks = make_marks(front, grid, context);
+}
+
+TileJob tile_job(const OpenScene& of, const OpenGeometry& drawn) {
+    return {drawn.front, drawn.binned, drawn.grid, of.lights(), *scalar::kernels(),
+            true,        drawn.points, false,      true,        &drawn.marks};
+}
+
+}  // namespace rakelight::raster

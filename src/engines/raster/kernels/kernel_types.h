@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plain data between the engine and its kernels. Included by sources that are compiled once per instruction set:
+// C headers only, no functions, so that the linker has nothing to merge.
+#pragma once
+#include <stdint.h>
+
+#include "engines/raster/kernels/full_types.h"
+#include "engines/raster/kernels/geometry_types.h"
+#include "image/srgb_table.h"
+#include "lighting/light_parameters.h"
+#include "scene/texture_role_numbers.h"
+#include "shading/light_box.h"
+#include "shading/material_factors.h"
+
+namespace rakelight::raster {
+
+using shading::LightBox;
+
+inline constexpr int batch_padding = 32;   ///< arrays of a batch may be read and written this far past their count
+inline constexpr int max_mip_levels = 16;  ///< 32768 texels a side
+
+/// One texture as the kernel reads it: all levels in one array, row 0 on top. Around each level stands a border of one
+/// texel that repeats its edges as the wrap modes say, so that a filter's four texels are always neighbors.
+struct TextureView {
+    const uint32_t* rgba8;           ///< linear codes of 8 bits, R in the low byte; or null
+    const uint32_t* rgba16;          ///< linear codes of 15 bits, two words a texel: R | B << 16, G | A << 16; or null
+    const float* rgba32f;            ///< four linear floats a texel; or null
+    int32_t levels;                  ///< 1..max_mip_levels
+    int32_t origin[max_mip_levels];  ///< [texels] place of each level's texel 0, 0
+    int32_t width[max_mip_levels], height[max_mip_levels];            ///< [texels] of each level
+    int32_t stride[max_mip_levels];                                   ///< [texels] from row to row: width + 2
+    float fixed_width[max_mip_levels], fixed_height[max_mip_levels];  ///< [2^-15 texels] of each level
+    int32_t wrap_u, wrap_v;                                           ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
+    int32_t magnify_linear, minify_linear;
+    int32_t mip;  ///< 0 none, 1 nearest, 2 linear
+};
+
+/// Use of a texture: view (null: none), coordinate set, and the affine transform of u, v.
+struct TextureSlot : shading::UvTransform {
+    const TextureView* view;
+    int32_t texcoord_set;    ///< 0 or 1
+    int32_t is_transformed;  ///< 0: the matrix is the identity
+};
+
+struct MaterialView : shading::MaterialFactors {
+    int32_t shares_footprint;             ///< the normal map is read where the base color map is, texel by texel
+    int32_t uses_texcoords[2];            ///< some map is read by the set
+    TextureSlot map[texture_role_count];  ///< by TextureRoleNumber; those that only the full kernel reads, too
+};
+
+/// What a pixel needs of its triangle. Planes over the screen: change per pixel in x and y, value at the tile's first
+/// pixel center. Perspective: those of b1 / w, b2 / w and 1 / w are affine on the screen (Heckbert & Moreton 1991,
+/// "Interpolation for polygon texture mapping and shading"). Attributes: value at corner 0 of the mesh's triangle and
+/// the differences to corners 1 and 2. Floats only: kernels address them by number.
+struct alignas(64) ShadeTriangle {
+    float b1[3], b2[3];     ///< perspective: b1 / w, b2 / w; affine: b1, b2
+    float depth[3];         ///< perspective: 1 / w [1/m]; orthographic: distance along the view axis [m]
+    float texcoord0[2][3];  ///< u, then v: a0, a1 - a0, a2 - a0
+    float slope0[2][2];     ///< change per pixel in x and y of (u - a0) / w, then of v; affine: not divided by w
+    float normal[3][3];     ///< x, y, z likewise, world axes
+    float facing;           ///< -1: the shading normal is to be turned round
+    float tangent[3][3];
+    float handedness;  ///< +1 or -1 of the tangent frame in the world
+    float texcoord1[2][3], slope1[2][2];
+    float color[4][3];
+    float unused[3];
+};
+inline constexpr int shade_triangle_floats = int(sizeof(ShadeTriangle) / sizeof(float));
+
+/// Light that the corners of a triangle receive, each term per unit of its reflectance (k_a, k_d, k_s): what flat and
+/// Gouraud shading interpolate. R, G, B of each: a0, a1 - a0, a2 - a0.
+struct LitTriangle {
+    float ambient[3][3], diffuse[3][3], specular[3][3];
+};
+inline constexpr int lit_triangle_floats = int(sizeof(LitTriangle) / sizeof(float));
+
+/// Triangles of one draw in one tile, whose records are wanted. `row` is read up to batch_padding past its count.
+struct RecordJob {
+    int32_t count;
+    const TriangleRow* const* row;  ///< [count]
+    int32_t tile_x, tile_y;         ///< [px] of the tile's corner
+    const uint32_t* indices;        ///< of the mesh, [3 * triangles]
+    int32_t vertices;
+    const float* clip;                    ///< [vertices] x, y, w, distance
+    const float* positions;               ///< [vertices] of 3
+    const float* normals;                 ///< [vertices] of 3; null: those of the faces
+    const float* tangents;                ///< [vertices] of 4; null: none
+    const float* texcoords[2];            ///< [vertices] of 2; null: none
+    const float* colors;                  ///< [vertices] of 4; null: white
+    float to_normal[3][3], linear[3][3];  ///< rows of the matrices object -> world axes, for normals and for tangents
+    float mirror;                         ///< -1: the placement mirrors (DrawRecords::mirror)
+    int32_t turned;                       ///< 1: normals are turned round where the front is seen, not the back
+    const int32_t* against;               ///< [triangles] 1: the other way round for this one; null: for none
+    int32_t whole;                        ///< 0: texcoord1 and color are not written
+    int32_t affine;                       ///< 1: barycentrics are not divided by w
+    int32_t orthographic;
+    ShadeTriangle* out;  ///< [count + batch_padding]
+};
+
+/// Pixels of one draw in one tile.
+struct ShadeJob {
+    int32_t count;
+    const int32_t* pixel;   ///< [count] y * tile_size + x in the tile
+    const float* offset_x;  ///< [count] [px] from the pixel's center to where it is shaded; null: there
+    const float* offset_y;
+    const int32_t* triangle;  ///< [count] into `triangles`
+    const ShadeTriangle* triangles;
+    const LitTriangle* lit;  ///< beside `triangles`; null: lighting is evaluated at every pixel
+    const MaterialView* material;
+    const lighting::LightParameters* lights;
+    int32_t light_count;
+    int32_t reflection_model;  ///< RL_LAMBERT, RL_PHONG, RL_BLINN_PHONG of lighting/material/surface.glsl: 0, 1, 2
+    int32_t reflection_form;   ///< RL_TEXTBOOK, RL_NORMALIZED: 0, 1
+    int32_t specular_horizon;
+    int32_t bump;           ///< 0: normal maps are ignored
+    int32_t orthogonalize;  ///< 0: tangents are used as they are interpolated, only made unit
+    int32_t anisotropy;     ///< most texture samples along a footprint's longer side, 1..16
+    int32_t unlit;          ///< own color: no lighting
+    int32_t affine;         ///< as in RecordJob
+    int32_t orthographic;
+    float view_direction[3];  ///< towards the viewer, for orthographic views
+    float ray[3][3];          ///< x, y, z of the pixel's ray: change per pixel in x and y, value at the tile's first
+                              ///< pixel center. Perspective: times w it is the position about the eye;
+                              ///< orthographic: the position where the distance is 0
+    float* red;               ///< [count] out, linear, finite
+    float* green;
+    float* blue;
+    float* alpha;
+    uint32_t* srgb8;       ///< out in place of these, at the place of each pixel: sRGB codes, opaque, R in the low
+                           ///< byte. Of the tile's first pixel; or null
+    int64_t srgb8_stride;  ///< [px] from row to row
+    const uint32_t* srgb_table;  ///< SrgbEncoder::table()
+    float* normal_x;             ///< [count] out, shading normal in the world; null: not wanted
+    float* normal_y;
+    float* normal_z;
+    const FullJob* full;  ///< null: the plain kernel, which this job is no more than
+};
+
+/// Points of one material where lighting is evaluated before there are pixels: centroids for flat, vertices for Gouraud shading.
+/// Arrays are read and written up to batch_padding past `count`.
+struct LightJob {
+    int32_t count;
+    const float* position[3];  ///< [count] x, y, z about the eye, world axes
+    const float* normal[3];    ///< [count] unit, on the side that is seen
+    const ShadeJob* shade;     ///< material, lights, model, view; its pixels are not looked at
+    float roughness;           ///< of the material, with the mean of its map; not looked at for classical materials
+    float* ambient[3];         ///< [count] out: R, G, B of each term per unit of its reflectance
+    float* diffuse[3];
+    float* specular[3];
+};
+
+/// Arrays of ChannelJob: the first of each channel's components.
+enum ChannelPlaneNumber : int32_t {
+    plane_position = 0,
+    plane_barycentric = 3,
+    plane_uv = 6,
+    plane_uv1 = 8,
+    plane_tangent = 10,
+    plane_base_color = 14,
+    plane_ambient = 17,
+    plane_diffuse = 20,
+    plane_specular = 23,
+    plane_emission = 26,
+    channel_planes = 29,
+};
+
+/// Data of the pixels of a ShadeJob beside their color.
+struct ChannelJob {
+    const ShadeJob* shade;
+    int32_t needs_terms;         ///< one of ambient, diffuse, specular and emission is wanted
+    float* out[channel_planes];  ///< [count] each; null: not wanted. Positions are about the eye
+};
+
+/// Pixels of a tile that show the environment's picture.
+struct SkyJob {
+    int32_t count;
+    const int32_t* pixel;  ///< [count] as in ShadeJob; read up to batch_padding past it
+    float ray[3][3];       ///< as in ShadeJob; of any length. Orthographic: the same for all
+    float pixel_size;      ///< [length of the middle ray] a pixel's side; orthographic: 0
+    const EnvironmentView* environment;
+    float *red, *green, *blue;  ///< [count + batch_padding] out, linear
+};
+
+/// The functions that exist once per instruction set.
+struct Kernels {
+    int32_t lanes;
+    int32_t (*shade)(const ShadeJob* job);  ///< returns how many components came out not finite: they are 0
+    void (*alpha)(const ShadeJob* job);     ///< only `alpha` is written: for masks
+    void (*light)(const LightJob* job);
+    void (*channels)(const ChannelJob* job);
+    void (*bounds)(const ShadeJob* job, LightBox* box);  ///< of the pixels' positions
+    void (*sky)(const SkyJob* job);
+};
+
+namespace scalar {
+const Kernels* kernels();
+}
+namespace sse2 {
+const Kernels* kernels();
+}
+namespace avx2 {
+const Kernels* kernels();
+}
+namespace avx512x2 {
+const Kernels* kernels();
+}  // namespace avx512x2
+
+}  // namespace rakelight::raster

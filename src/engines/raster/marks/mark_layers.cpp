@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/marks/mark_layers.h"
+
+#include <utility>
+
+#include "engines/raster/shade/blend.h"
+#include "engines/raster/shade/multisample.h"
+
+namespace rakelight::raster {
+
+MarkLayers::MarkLayers(const TileJob& job, std::size_t tile, TileScratch& scratch)
+    : job_(job),
+      s_(scratch),
+      marks_(job, tile, scratch),
+      ox_(job.grid.origin_x(tile)),
+      oy_(job.grid.origin_y(tile)),
+      lists_(tile_pixels) {
+    marks_.for_each_fragment([this](const MarkFragment& f) { take(f); });
+}
+
+MarkLayers::~MarkLayers() { job_.front.memory.remove(charged_); }
+
+void MarkLayers::take(const MarkFragment& f) {
+    if (waiting_.size() == waiting_.capacity()) {
+        const std::size_t room = std::max<std::size_t>(1024, 2 * waiting_.size());
+        job_.front.memory.add(room * sizeof(Waiting));  // the old ones live until they are copied
+        waiting_.reserve(room);
+        job_.front.memory.remove(std::exchange(charged_, room * sizeof(Waiting)));
+    }
+    List& list = lists_[f.pixel];
+    const auto index = std::uint32_t(waiting_.size());
+    (list.last == none ? list.first : waiting_[list.last].next) = index;
+    list.last = index;
+    waiting_.push_back({f, none});
+}
+
+void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count) {
+    lay_behind(t, count, 1, [this](std::size_t p) { return &s_.color[p]; });
+}
+
+void MarkLayers::lay_behind_samples(const ScreenTriangle& t, std::size_t count) {
+    const auto samples = std::size_t(job_.front.settings.samples);
+    lay_behind(t, count, samples,
+               [&](std::size_t p) { return &s_.samples->color[std::size_t(s_.samples->number[p]) * samples]; });
+}
+
+template <class ColorsOf>
+void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count, std::size_t samples,
+                            const ColorsOf& colors_of) {
+    const SurfacePlane plane(t, ox_, oy_);
+    const DepthTolerance tolerance = plane.tolerance();
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto p = std::size_t(s_.pixel[i]);
+        if (lists_[p].first == none) continue;
+        const double key = plane.key(p);
+        lay(p, colors_of(p), samples,
+            [&](const MarkFragment& f) { return double(f.key) + tolerance.of(double(f.key), double(f.reach)) < key; });
+    }
+}
+
+void MarkLayers::lay_rest() {
+    for (std::size_t p = 0; p < tile_pixels; ++p) lay(p, &s_.color[p], 1, [](const MarkFragment&) { return true; });
+    marks_.put_channels();
+}
+
+template <class Chosen>
+void MarkLayers::lay(std::size_t pixel, vec4* to, std::size_t samples, const Chosen& is_chosen) {
+    PendingMark pending;
+    const auto lay_color = [&](vec4 color) {
+        for (std::size_t k = 0; k < samples; ++k) lay_over(color, to[k]);
+        ++s_.marked;
+    };
+    List& list = lists_[pixel];
+    const List before = std::exchange(list, List{});
+    for (std::uint32_t i = before.first; i != none;) {
+        Waiting& w = waiting_[i];
+        const std::uint32_t next = std::exchange(w.next, none);
+        if (is_chosen(w.fragment)) {
+            pending.add(w.fragment, lay_color);
+        } else {
+            (list.last == none ? list.first : waiting_[list.last].next) = i;
+            list.last = i;
+        }
+        i = next;
+    }
+    pending.finish(lay_color);
+}
+
+}  // namespace rakelight::raster

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/marks/tile_marks.h"
+
+#include "engines/channel_arrays.h"
+#include "math/linear.h"
+
+namespace rakelight::raster {
+
+TileMarks::TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch)
+    : job_(job),
+      marks_(*job.marks),
+      s_(scratch),
+      area_(job.grid.pixels(tile)),
+      ox_(job.grid.origin_x(tile)),
+      oy_(job.grid.origin_y(tile)),
+      first_(job.binned.offsets[tile]),
+      items_(marks_.items.begin() + marks_.offsets[tile], marks_.items.begin() + marks_.offsets[tile + 1]),
+      surfaces_(tile_pixels) {
+    if (job.front.settings.channels != 0) shown_.resize(tile_pixels);
+    if (marks_.is_of_one_color) return;
+    const auto depth = [this](std::uint64_t item) { return marks_.at(item).key[0] + marks_.at(item).key[1]; };
+    std::stable_sort(items_.begin(), items_.end(),
+                     [&](std::uint64_t a, std::uint64_t b) { return depth(a) < depth(b); });
+}
+
+/// Between the ends' own colors, as attributes of triangles are: part / w is affine on the screen.
+vec4 TileMarks::mixed_color(const Mark& m, double key, double t) const {
+    const vec4 a = marks_.colors[m.color[0]], b = marks_.colors[m.color[1]];
+    const bool is_flat = job_.front.view.orthographic || !(key > 0);
+    const double ka = is_flat ? 1 : double(m.key[0]), kb = is_flat ? 1 : double(m.key[1]);
+    const double part = (double(m.part[0]) * ka * (1 - t) + double(m.part[1]) * kb * t) / (ka * (1 - t) + kb * t);
+    return a + (b - a) * float(part);
+}
+
+void TileMarks::show(std::uint32_t pixel, std::uint64_t item, const Mark& m, double key, double t) {
+    Shown& shown = shown_[pixel];
+    const bool is_opaque = marks_.colors[m.color[0]].w >= 1 && marks_.colors[m.color[1]].w >= 1;
+    if (is_opaque && float(key) > shown.key) shown = {float(key), float(t), item};
+}
+
+void TileMarks::put_channels() {
+    for (std::size_t p = 0; p < shown_.size(); ++p)
+        if (shown_[p].key >= 0) put(p, shown_[p]);
+}
+
+/// A mark has no triangle, normal or texture coordinates, and is not lit: there stands what stands where nothing is.
+void TileMarks::put(std::size_t pixel, const Shown& shown) {
+    const std::uint32_t channels = job_.front.settings.channels;
+    for_each_channel(
+        [&](std::uint32_t bit, auto& array) {
+            if ((channels & bit) && bit != channel_overdraw) array[pixel] = empty_value(bit, array);
+        },
+        static_cast<ChannelArrays&>(s_));
+    const Draw& draw = *marks_.draws[shown.item >> 32];
+    const Mark& m = marks_.at(shown.item);
+    const vec3 color = color_at(m, double(shown.key), double(shown.t)).xyz();
+    s_.depth[pixel] = shown.key;
+    if (channels & channel_object) s_.object[pixel] = draw.node;
+    if (channels & channel_mesh) s_.mesh[pixel] = draw.mesh;
+    if (channels & channel_material) s_.material[pixel] = job_.front.list.materials[draw.material].scene_material;
+    if (channels & channel_base_color) s_.base_color[pixel] = color;
+    if (channels & channel_emission) s_.emission[pixel] = color;
+    if (!(channels & channel_position)) return;
+    const int x = ox_ + int(pixel) % tile_size, y = oy_ + int(pixel) / tile_size;
+    s_.position[pixel] = cast<float>(job_.front.view.place(x + 0.5, y + 0.5, double(shown.key)));
+}
+
+}  // namespace rakelight::raster

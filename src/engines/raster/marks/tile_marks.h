@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines and points of one tile, pixel by pixel: what they cover and no surface hides, and which of them the data
+// channels hold.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "engines/raster/marks/mark_coverage.h"
+#include "engines/raster/shade/tile.h"
+#include "engines/raster/visibility/coverage.h"
+
+namespace rakelight::raster {
+
+/// How much farther than a surface a mark on it may seem.
+struct DepthTolerance {
+    double slope = 0, range = -1;  ///< of its depth keys, per px; -1: not known yet
+
+    /// The change over `reach` px, at most the surface's whole depth, and what rounding makes.
+    double of(double key, double reach) const { return std::min(range, slope * reach) + 4e-6 * std::fabs(key); }
+};
+
+/// The plane of a surface's depth keys about the tile's first pixel.
+class SurfacePlane {
+public:
+    SurfacePlane() = default;
+    SurfacePlane(const ScreenTriangle& s, int tile_x, int tile_y) { set_depth(s, tile_x, tile_y, c_); }
+
+    /// @param pixel  of the tile
+    double key(std::size_t pixel) const {
+        const std::size_t column = pixel % tile_size, row = pixel / tile_size;
+        const double plane =
+            double(c_.depth_0) + double(c_.depth_x) * double(column) + double(c_.depth_y) * double(row);
+        const double from_below = plane > double(c_.depth_low) ? plane : double(c_.depth_low);  // NaN: the farthest
+        return std::min(from_below, double(c_.depth_high));
+    }
+    DepthTolerance tolerance() const {
+        return {std::fabs(double(c_.depth_x)) + std::fabs(double(c_.depth_y)),
+                double(c_.depth_high) - double(c_.depth_low)};
+    }
+
+private:
+    Coverage c_{};
+};
+
+class TileMarks {
+public:
+    TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch);
+
+    /// Calls take(MarkFragment) for what no opaque surface hides, mark by mark: in the order of the scene, or far to
+    /// near where colors differ.
+    template <class Take>
+    void for_each_fragment(const Take& take) {
+        for (const std::uint64_t item : items_) {
+            if (job_.is_cancelled()) return;
+            const Mark& m = marks_.at(item);
+            const float size =
+                m.shape == Mark::Shape::line ? job_.front.settings.line_width : job_.front.settings.point_size;
+            draw(item, m, MarkShape(m, size), take);
+        }
+    }
+    /// Where the center of a pixel lies in an opaque mark, the channels hold the nearest such mark. After everything
+    /// that compares depths.
+    void put_channels();
+
+private:
+    /// What the channels of a pixel hold.
+    struct Shown {
+        float key = -1;  ///< -1: no mark
+        float t;         ///< along the mark
+        std::uint64_t item;
+    };
+
+    template <class Take>
+    void draw(std::uint64_t item, const Mark& m, const MarkShape& shape, const Take& take) {
+        const bool is_plain = m.color[0] == m.color[1];
+        const auto [top, bottom] = shape.rows(area_);
+        for (int y = top; y <= bottom; ++y) {
+            const auto [left, right] = shape.columns(y, area_);
+            for (int x = left; x <= right; ++x) {
+                const auto p = std::uint32_t((y - oy_) * tile_size + x - ox_);
+                const MarkShape::Near near = shape.nearest(x, y);
+                if (shape.is_out_of_reach(near)) continue;
+                const double key = double(m.key[0]) + (double(m.key[1]) - double(m.key[0])) * near.t;
+                if (is_hidden(p, key, shape.reach())) continue;
+                const double covered = shape.coverage(near);
+                if (!(covered > 1e-6)) continue;
+                if (!shown_.empty() && shape.has_center(near)) show(p, item, m, key, near.t);
+                take(MarkFragment{p, is_plain ? m.color[0] : none, float(key), float(covered), float(shape.reach()),
+                                  color_at(m, key, near.t)});
+            }
+        }
+    }
+
+    bool is_hidden(std::size_t p, double key, double reach) {
+        const double depth = double(s_.depth[p]);
+        if (key >= depth || s_.visible[p] < 0) return false;
+        DepthTolerance& surface = surfaces_[p];
+        if (surface.range < 0)
+            surface = SurfacePlane(*job_.binned.items[first_ + std::uint32_t(s_.visible[p])], ox_, oy_).tolerance();
+        return key + surface.of(key, reach) < depth;
+    }
+
+    vec4 color_at(const Mark& m, double key, double t) const {
+        return m.color[0] == m.color[1] ? marks_.colors[m.color[0]] : mixed_color(m, key, t);
+    }
+    vec4 mixed_color(const Mark& m, double key, double t) const;
+    void show(std::uint32_t pixel, std::uint64_t item, const Mark& m, double key, double t);
+    void put(std::size_t pixel, const Shown& shown);
+
+    const TileJob& job_;
+    const Marks& marks_;
+    TileScratch& s_;
+    Window area_;
+    int ox_, oy_;
+    std::uint32_t first_;
+    std::vector<std::uint64_t> items_;
+    std::vector<Shown> shown_;              ///< [tile_pixels] where channels are asked for
+    std::vector<DepthTolerance> surfaces_;  ///< [tile_pixels] what is seen there, where it was asked for
+};
+
+}  // namespace rakelight::raster

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which draws of a picture need the full kernel, and what it has to know of them.
+#pragma once
+#include "engines/raster/geometry/front_end.h"
+
+namespace rakelight::raster {
+
+/// What is made once for a picture and read by all its draws.
+struct PictureEffects {
+    const ShadowView* shadows = nullptr;  ///< [maps]; null: none
+    bool is_explained = false;            ///< also what adds nothing is found
+};
+
+/// Fills FrontEnd::full and needs_full.
+void make_full_jobs(FrontEnd& front, const PictureEffects& effects);
+
+// What shading/draw_choices.h says of a draw of the picture.
+Lighting lighting_of(const FrontEnd& front, std::uint32_t draw);
+Bump bump_of(const FrontEnd& front, std::uint32_t draw);
+float mask_cutoff(const FrontEnd& front, std::uint32_t draw);
+
+/// Lighting in the tangent space of the vertices: their frames are wanted beside the records.
+bool wants_corner_frames(const FrontEnd& front, std::uint32_t draw);
+
+}  // namespace rakelight::raster

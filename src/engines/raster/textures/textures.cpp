@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raster/textures/textures.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+#include "base/huge_pages.h"
+#include "math/color.h"
+
+namespace rakelight::raster {
+using shading::TextureKey;
+
+namespace {
+
+/// sRGB codes -> TextureView::rgba16.
+void append_linear15(std::uint32_t codes, std::vector<std::uint32_t>& to) {
+    static const std::array<std::uint32_t, 256> color = [] {
+        std::array<std::uint32_t, 256> t{};
+        for (std::size_t i = 0; i < 256; ++i)
+            t[i] = std::uint32_t(linear_from_srgb8(std::uint8_t(i)) * 32767.0f + 0.5f);
+        return t;
+    }();
+    const std::uint32_t alpha = ((codes >> 24) * 32767u * 2 + 255) / 510;
+    to.push_back(color[codes & 255u] | color[codes >> 16 & 255u] << 16);
+    to.push_back(color[codes >> 8 & 255u] | alpha << 16);
+}
+
+/// Place of what stands at i, -1..size: in the border it is the opposite edge's, or the same edge's.
+int wrapped(int i, int size, Wrap wrap) {
+    return wrap == Wrap::repeat ? (i + size) % size : std::clamp(i, 0, size - 1);
+}
+
+/// Appends the texels of a level with its border, row by row.
+template <class Texel, class Append>
+void append_bordered(const std::vector<Texel>& texels, const MipLevel& level, const TextureKey& key,
+                     const Append& append) {
+    for (int y = -1; y <= level.height; ++y) {
+        const Texel* const row =
+            texels.data() + std::size_t(wrapped(y, level.height, key.wrap_v)) * std::size_t(level.width);
+        append(row[wrapped(-1, level.width, key.wrap_u)]);
+        std::for_each(row, row + level.width, append);
+        append(row[wrapped(level.width, level.width, key.wrap_u)]);
+    }
+}
+
+std::size_t bordered_size(int width, int height) { return (std::size_t(width) + 2) * (std::size_t(height) + 2); }
+std::size_t bordered_size(const MipLevel& level) { return bordered_size(level.width, level.height); }
+
+/// What pack_texture() makes of a picture of that size.
+std::uint64_t packed_bytes(int width, int height, bool is_float, bool is_srgb) {
+    std::uint64_t texels = 0;
+    for (std::size_t levels = 0; levels < max_mip_levels; ++levels) {
+        texels += bordered_size(width, height);
+        if (width <= 1 && height <= 1) break;
+        width = std::max(1, width / 2), height = std::max(1, height / 2);
+    }
+    return texels * (is_float ? 4 * sizeof(float) : (is_srgb ? 2 : 1) * sizeof(std::uint32_t));
+}
+
+/// Kernels address texels, and the four floats of one, by int32_t.
+bool fits_texel_index(std::size_t texels, bool is_float) {
+    return texels <= std::size_t(std::numeric_limits<std::int32_t>::max()) / (is_float ? 4 : 1);
+}
+
+void append_level(const MipChain& chain, const MipLevel& level, const TextureKey& key, TextureData& to) {
+    if (chain.is_float)
+        append_bordered(level.rgba32f, level, key, [&](vec4 t) {
+            to.rgba32f.insert(to.rgba32f.end(), {t.x, t.y, t.z, t.w});
+        });
+    else if (chain.is_srgb)
+        append_bordered(level.rgba8, level, key, [&](std::uint32_t t) { append_linear15(t, to.rgba16); });
+    else
+        append_bordered(level.rgba8, level, key, [&](std::uint32_t t) { to.rgba8.push_back(t); });
+}
+
+void reserve(const MipChain& chain, std::size_t texels, TextureData& data) {
+    if (!fits_texel_index(texels, chain.is_float))
+        throw Error(ErrorCode::bad_file, "the picture has too many texels for the soft engine");
+    const auto reserve = [](auto& values, std::size_t count) {
+        values.reserve(count);
+        wish_huge_pages(values.data(), count * sizeof(values[0]));
+    };
+    if (chain.is_float)
+        reserve(data.rgba32f, texels * 4);
+    else if (chain.is_srgb)
+        reserve(data.rgba16, texels * 2);
+    else
+        reserve(data.rgba8, texels);
+}
+
+}  // namespace
+
+std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKey& key, MemoryCharge charge) {
+    if (chain.levels.empty()) throw Error(ErrorCode::bad_file, "the picture has no pixels");
+    const auto& full = chain.levels[0];
+    const std::uint64_t bytes = packed_bytes(full.width, full.height, chain.is_float, chain.is_srgb);
+    if (bytes > charge.bytes()) charge.grow(bytes - charge.bytes(), "the texture");
+    auto data = std::make_shared<TextureData>();
+    data->charge = std::move(charge);
+    TextureView& view = data->view;
+    view = {};
+    view.levels = int(std::min<std::size_t>(chain.levels.size(), max_mip_levels));
+    view.wrap_u = int(key.wrap_u);
+    view.wrap_v = int(key.wrap_v);
+    const std::span levels(chain.levels.data(), std::size_t(view.levels));
+    std::size_t texels = 0;
+    for (const MipLevel& level : levels) texels += bordered_size(level);
+    reserve(chain, texels, *data);
+    std::size_t offset = 0;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        view.width[l] = levels[l].width;
+        view.height[l] = levels[l].height;
+        view.stride[l] = levels[l].width + 2;
+        view.fixed_width[l] = float(levels[l].width) * 32768.0f;
+        view.fixed_height[l] = float(levels[l].height) * 32768.0f;
+        view.origin[l] = std::int32_t(offset) + levels[l].width + 3;
+        offset += bordered_size(levels[l]);
+        append_level(chain, levels[l], key, *data);
+    }
+    if (chain.is_float)
+        view.rgba32f = data->rgba32f.data();
+    else if (chain.is_srgb)
+        view.rgba16 = data->rgba16.data();
+    else
+        view.rgba8 = data->rgba8.data();
+    return data;
+}
+
+std::uint64_t SoftTexturePacker::packed_bytes(int width, int height, bool is_float, bool is_srgb) const {
+    return raster::packed_bytes(width, height, is_float, is_srgb);
+}
+
+std::shared_ptr<const shading::PackedTexture> SoftTexturePacker::pack(const MipChain& chain, const TextureKey& key,
+                                                                      MemoryCharge charge) const {
+    return pack_texture(chain, key, std::move(charge));
+}
+
+TextureView with_filters(const TextureData& data, const Sampler& sampler) {
+    TextureView view = data.view;
+    view.magnify_linear = sampler.magnify == Filter::linear;
+    view.minify_linear = sampler.minify == Filter::linear;
+    view.mip = int(sampler.mip);
+    return view;
+}
+
+}  // namespace rakelight::raster

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures as the kernels read them.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "engines/raster/kernels/kernel_types.h"
+#include "shading/texture_cache.h"
+
+namespace rakelight::raster {
+
+/// All mip levels of one picture in one array.
+struct TextureData final : shading::PackedTexture {
+    std::vector<std::uint32_t> rgba8, rgba16;  ///< data and colors: see TextureView
+    std::vector<float> rgba32f;
+    TextureView view;     ///< without the sampler's filters
+    MemoryCharge charge;  ///< pays for the arrays
+};
+
+/// Into TextureData. Borders hold how the texture wraps.
+class SoftTexturePacker final : public shading::TexturePacker {
+public:
+    std::uint64_t packed_bytes(int width, int height, bool is_float, bool is_srgb) const override;
+    std::shared_ptr<const shading::PackedTexture> pack(const MipChain& chain, const shading::TextureKey& key,
+                                                       MemoryCharge charge) const override;
+};
+
+/// A mip chain as the kernels read it; `key` says how its borders wrap.
+/// @param charge  grows to what the texture takes
+/// @throws Error bad_file: no or too many texels, over the memory budget
+std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const shading::TextureKey& key, MemoryCharge charge);
+
+/// The view of a texture with its sampler's filters filled in.
+TextureView with_filters(const TextureData& data, const Sampler& sampler);
+
+}  // namespace rakelight::raster
