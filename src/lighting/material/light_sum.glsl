@@ -78,11 +78,42 @@ RL_FN LightTerms light_terms(RL_IN(Surface) surface, RL_IN(LightSample) light, R
     return terms;
 }
 
+RL_FN LightTerms no_terms()
+{
+    LightTerms terms;
+    terms.ambient = vec3(0.0f);
+    terms.diffuse = vec3(0.0f);
+    terms.specular = vec3(0.0f);
+    return terms;
+}
+
+RL_FN LightTerms both_terms(RL_IN(LightTerms) a, RL_IN(LightTerms) b)
+{
+    LightTerms terms;
+    terms.ambient = a.ambient + b.ambient;
+    terms.diffuse = a.diffuse + b.diffuse;
+    terms.specular = a.specular + b.specular;
+    return terms;
+}
+
+RL_FN LightTerms dimmed_terms(RL_IN(LightTerms) terms, real share)
+{
+    LightTerms dimmed;
+    dimmed.ambient = terms.ambient * share;
+    dimmed.diffuse = terms.diffuse * share;
+    dimmed.specular = terms.specular * share;
+    return dimmed;
+}
+
+RL_FN vec3 radiance_of_terms(RL_IN(LightTerms) terms)
+{
+    return terms.ambient + terms.diffuse + terms.specular;
+}
+
 // sum + what this light adds: the loop over lights is the caller's and runs in the scene's order.
 RL_FN vec3 add_light(vec3 sum, RL_IN(Surface) surface, RL_IN(LightSample) light, RL_IN(Reflection) reflection)
 {
-    LightTerms terms = light_terms(surface, light, reflection);
-    return sum + (terms.ambient + terms.diffuse + terms.specular);
+    return sum + radiance_of_terms(light_terms(surface, light, reflection));
 }
 
 // Flat and Gouraud shading: what the corners have received per unit of reflectance, times what the pixel reflects.

@@ -41,6 +41,14 @@ RL_FN void set_metallic_lobe(RL_INOUT(MaterialSurface) s, RL_IN(MetallicRoughnes
     }
 }
 
+// Lambert and Oren-Nayar have no highlight that would show a metal's color: they show the base color of all materials.
+RL_FN void show_base_color(RL_INOUT(MaterialSurface) s, vec3 base, int model)
+{
+    if (model == RL_LAMBERT || model == RL_OREN_NAYAR) {
+        s.base.diffuse = base;
+    }
+}
+
 // A lobe as wide along the tangent as along the bitangent, of s.roughness.
 RL_FN void set_even_widths(RL_INOUT(MaterialSurface) s)
 {

@@ -34,3 +34,10 @@ RL_MAP_FN MaterialSurface unit_material(RL_IN(Surface) base, RL_IN(Maps) maps, r
     s.albedo_mean = lobe_mean(maps, roughness);
     return s;
 }
+
+// Of metallic-roughness points: what the dielectric part's mirror takes of the diffuse term.
+RL_FN void set_point_dielectric(RL_INOUT(MaterialSurface) s, vec3 dielectric_color, real strength)
+{
+    s.dielectric_f90 = strength;
+    s.dielectric_f0 = greatest(dielectric_f0(dielectric_color, strength));
+}

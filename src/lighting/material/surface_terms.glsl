@@ -41,14 +41,20 @@ RL_FN LightTerms add_layers(LightTerms below, RL_IN(MaterialSurface) s, RL_IN(Li
     return terms;
 }
 
+// What the dielectric part's mirror leaves for the diffuse term: 1 - F.
+RL_FN real fresnel_rest(RL_IN(MaterialSurface) s, real weight)
+{
+    return 1.0f - (s.dielectric_f0 + (s.dielectric_f90 - s.dielectric_f0) * weight);
+}
+
 // `diffuse`: Lambert's term, without Fresnel's loss.
 RL_FN LightTerms pbr_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light, vec3 diffuse, RL_IN(LightAlbedo) albedo, RL_IN(MaterialTraits) traits)
 {
     LightTerms terms;
     terms.ambient = s.base.ambient * (light.ambient * light.attenuation);
-    vec3 h = safe_normalize_or(light.l + s.base.v, s.base.n);
+    vec3 h = half_vector(light.l, s.base.v, s.base.n);
     real weight = schlick_weight(dot(s.base.v, h));
-    terms.diffuse = diffuse * (1.0f - (s.dielectric_f0 + (s.dielectric_f90 - s.dielectric_f0) * weight));
+    terms.diffuse = diffuse * fresnel_rest(s, weight);
     vec3 brdf = schlick(s.base.specular, s.f90, weight) * pbr_lobe(s, light.l, traits);
     if (traits.has_scattering != 0) {
         brdf = brdf + s.scattering * scattering_brdf(albedo.lobe, s.albedo, s.albedo_mean);

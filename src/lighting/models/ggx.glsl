@@ -66,7 +66,7 @@ RL_FN real smith_visibility(real n_dot_l, real n_dot_v, real stretch_l, real str
 // [1/sr] D V with F = 1; 0 where l or v is below the horizon. 0 < alpha <= 1.
 RL_FN real ggx_brdf(vec3 n, vec3 l, vec3 v, real alpha)
 {
-    vec3 h = safe_normalize_or(l + v, n);
+    vec3 h = half_vector(l, v, n);
     real n_dot_l = dot(n, l);
     real n_dot_v = dot(n, v);
     real shown = smith_visibility(n_dot_l, n_dot_v, ggx_stretch_isotropic(n_dot_l, alpha), ggx_stretch_isotropic(n_dot_v, alpha));
@@ -75,18 +75,24 @@ RL_FN real ggx_brdf(vec3 n, vec3 l, vec3 v, real alpha)
 
 RL_FN real ggx_anisotropic_brdf(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v, real alpha_x, real alpha_y)
 {
-    vec3 h = safe_normalize_or(l + v, n);
+    vec3 h = half_vector(l, v, n);
     real n_dot_l = dot(n, l);
     real n_dot_v = dot(n, v);
     real shown = smith_visibility(n_dot_l, n_dot_v, ggx_stretch(n, t, b, l, alpha_x, alpha_y), ggx_stretch(n, t, b, v, alpha_x, alpha_y));
     return select(min(n_dot_l, n_dot_v) > 0.0f, ggx_distribution(n, t, b, h, alpha_x, alpha_y) * shown, 0.0f);
 }
 
+// The mean loss between the facets, 1 - E_mean, that what two directions lose is divided by.
+RL_FN real scattering_mean(real albedo_mean)
+{
+    return max(1.0f - albedo_mean, 1e-6f);
+}
+
 // What single scattering loses between the facets, Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks":
 // (1 - E(l)) (1 - E(v)) / (pi (1 - E_mean)) [1/sr], E the albedo of D V with F = 1, E_mean its mean weighted by the cosine.
 RL_FN real scattering_brdf(real albedo_l, real albedo_v, real albedo_mean)
 {
-    return RL_INVERSE_PI * (1.0f - albedo_l) * (1.0f - albedo_v) / max(1.0f - albedo_mean, 1e-6f);
+    return RL_INVERSE_PI * (1.0f - albedo_l) * (1.0f - albedo_v) / scattering_mean(albedo_mean);
 }
 
 // Its color: each further bounce is reflected by F_mean = f0 + (f90 - f0) / 21, F_mean^2 E_mean / (1 - F_mean (1 - E_mean)) in all.

@@ -8,3 +8,9 @@ RL_FN real lambert_brdf() { return RL_INVERSE_PI; }
 
 // The cosine of the sum over lights: n.l, 0 below the horizon and for NaN, at most 1 for vectors a rounding too long.
 RL_FN real lambert_cosine(real n_dot_l) { return clamp(n_dot_l, 0.0f, 1.0f); }
+
+// Halfway between the directions to light and viewer; `n` where they are opposite.
+RL_FN vec3 half_vector(vec3 l, vec3 v, vec3 n)
+{
+    return safe_normalize_or(l + v, n);
+}

@@ -33,7 +33,7 @@ RL_FN real sheen_lambda(real cosine, real alpha)
 // [1/sr] per unit of the sheen color; 0 where l or v is below the horizon. 0 < alpha <= 1.
 RL_FN real sheen_brdf(vec3 n, vec3 l, vec3 v, real alpha)
 {
-    vec3 h = safe_normalize_or(l + v, n);
+    vec3 h = half_vector(l, v, n);
     real n_dot_l = clamp(dot(n, l), 1e-4f, 1.0f);
     real n_dot_v = clamp(dot(n, v), 1e-4f, 1.0f);
     real masked = 1.0f + sheen_lambda(n_dot_l, alpha) + sheen_lambda(n_dot_v, alpha);

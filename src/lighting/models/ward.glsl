@@ -31,11 +31,16 @@ RL_FN real ward_divisor(vec3 n, vec3 l, vec3 v, vec3 h, int form)
     return sqrt(product);
 }
 
+// [1/sr] 1 / (4 pi alpha_x alpha_y)
+RL_FN real ward_peak(real alpha_x, real alpha_y)
+{
+    return (0.25f * RL_INVERSE_PI) / (alpha_x * alpha_y);
+}
+
 // [1/sr] per unit of rho_s; 0 where l or v is below the horizon. alphas > 0; n, t, b orthonormal.
 RL_FN real ward_brdf(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v, real alpha_x, real alpha_y, int form)
 {
-    vec3 h = safe_normalize_or(l + v, n);
-    real peak = (0.25f * RL_INVERSE_PI) / (alpha_x * alpha_y);
-    real value = peak * ward_lobe(n, t, b, h, alpha_x, alpha_y) / ward_divisor(n, l, v, h, form);
+    vec3 h = half_vector(l, v, n);
+    real value = ward_peak(alpha_x, alpha_y) * ward_lobe(n, t, b, h, alpha_x, alpha_y) / ward_divisor(n, l, v, h, form);
     return select(min(dot(n, l), dot(n, v)) > 0.0f, value, 0.0f);
 }

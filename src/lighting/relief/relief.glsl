@@ -156,6 +156,18 @@ RL_FN real slope_width(RL_IN(HeightLevels) levels, real level)
     return exp2(level);
 }
 
+// Where slopes are read: as a normal map would be there, along the longer side of the footprint. lod: of a square one.
+RL_FN Probes slope_probes(RL_IN(HeightLevels) levels, vec2 dx, vec2 dy, vec2 size, real lod, int most)
+{
+    int count = most;
+    if (levels.mip == 0) {
+        count = 1;
+    }
+    Probes p = probes_of(dx, dy, size, count);
+    p.lod = select(p.is_stretched, p.lod, lod);
+    return p;
+}
+
 // Change of height per unit of u and of v at one place.
 RL_MAP_FN vec2 slope_at(RL_IN(Maps) maps, RL_IN(HeightLevels) levels, vec2 uv, real lod)
 {

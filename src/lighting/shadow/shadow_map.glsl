@@ -11,6 +11,33 @@
 // a texel, at most RL_STEEPEST_SLOPE.
 #define RL_STEEPEST_SLOPE 8.0f
 
+// Where slopes are kept as whole numbers of 16 bits: (slope + RL_STEEPEST_SLOPE) RL_SLOPE_CODES.
+#define RL_SLOPE_CODES 4095.0f
+
+RL_FN vec2 decode_slopes(vec2 codes)
+{
+    return codes * (1.0f / RL_SLOPE_CODES) - vec2(RL_STEEPEST_SLOPE);
+}
+
+// Normal of a triangle's plane, unit, on the side that is seen, from the plane of 1 / w (parallel views: of the distance) over the
+// screen: dx, dy per pixel, `at` at the first pixel. ray_x, ray_y, ray_first: the pixels' rays likewise. `otherwise` where the plane is
+// seen from its edge.
+RL_FN vec3 plane_normal(vec3 ray_x, vec3 ray_y, vec3 ray_first, real dx, real dy, real at, vec3 otherwise)
+{
+    vec3 across = cross(ray_y, ray_first);
+    real per_volume = reciprocal(dot(ray_x, across));
+    // n . ray = 1 / w at all pixels, so n . position = 1: n points away from the eye.
+    vec3 n = (across * dx + cross(ray_first, ray_x) * dy + cross(ray_x, ray_y) * at) * per_volume;
+    return -safe_normalize_or(n, -otherwise);
+}
+
+// back: to the viewer.
+RL_FN vec3 parallel_plane_normal(vec3 ray_x, vec3 ray_y, vec3 back, real dx, real dy, vec3 otherwise)
+{
+    vec3 n = safe_normalize_or(cross(ray_y - back * dy, ray_x - back * dx), otherwise);
+    return n * select(dot(n, back) < 0.0f, real(-1.0f), real(1.0f));
+}
+
 // One light's map; the same for all lanes.
 struct ShadowMap {
     int size;         // [texels] of a side
@@ -26,6 +53,14 @@ struct ShadowMap {
     real push;        // [m] that surfaces are pushed out (perspective: at a distance of one)
     real reach;       // difference of nearness within which surfaces may meet: 2 RL_STEEPEST_SLOPE (radius + 1) texel
 };
+
+// `bias`: of the half texel that surfaces are pushed out by. What follows from texels and radius.
+RL_FN void set_reach(RL_INOUT(ShadowMap) s, real bias)
+{
+    s.texel = 1.0f / s.texels;
+    s.push = 0.5f * bias / s.texels;
+    s.reach = (2.0f * RL_STEEPEST_SLOPE) * real(float(s.radius + 1)) / s.texels;
+}
 
 // About a point light, the face that a vector from it points at.
 struct CubeFace {

@@ -170,9 +170,7 @@ RL_FN real shadowed(vec3 n, vec3 p, int is_cube, int is_parallel)
     s.ahead = vec3(0.0f, -0.6f, 0.8f);
     s.origin = vec3(0.1f, 0.2f, 5.0f);
     s.texels = 16.0f;
-    s.texel = 1.0f / 16.0f;
-    s.push = 0.5f / 16.0f;
-    s.reach = 2.0f;
+    set_reach(s, 1.0f);
     Maps maps = test_maps();
     if (is_parallel != 0) {
         maps.height_offset = -5.1f;
@@ -188,4 +186,43 @@ RL_FN vec3 environment_of_phong(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real 
     surface.diffuse_n = n;
     set_around(surface, 0.7f, r);
     return radiance_of_terms(environment_terms(test_maps(), any_environment(ka, kd, ks, s), surface, traits_with(RL_WARD_1992, 0), RL_PHONG));
+}
+
+RL_FN LightTerms any_terms(vec3 ka, vec3 kd, vec3 ks)
+{
+    LightTerms terms;
+    terms.ambient = ka;
+    terms.diffuse = kd;
+    terms.specular = ks;
+    return terms;
+}
+
+// Each term by a weight of its own, so that none can stand for another.
+RL_FN vec3 weighed_terms(RL_IN(LightTerms) t)
+{
+    return t.ambient + 2.0f * t.diffuse + 4.0f * t.specular;
+}
+
+RL_FN vec3 shown_base_color(vec3 kd, vec3 ks, int model)
+{
+    MaterialSurface s;
+    s.base.diffuse = ks;
+    show_base_color(s, kd, model);
+    return s.base.diffuse;
+}
+
+RL_FN vec3 dielectric_of_point(vec3 ks, real strength)
+{
+    MaterialSurface s;
+    set_point_dielectric(s, ks, strength);
+    return vec3(s.dielectric_f0, s.dielectric_f90, fresnel_rest(s, 0.25f));
+}
+
+RL_FN vec3 reach_of(vec3 ka, int radius)
+{
+    ShadowMap s;
+    s.texels = 1.0f + ka.x;
+    s.radius = radius;
+    set_reach(s, ka.y);
+    return vec3(s.texel, s.push, s.reach);
 }

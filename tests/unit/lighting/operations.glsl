@@ -45,11 +45,6 @@ RL_FN vec2 fetch_slopes(RL_IN(Maps) maps, real column, real row)
 
 // real sample_albedo(maps, table, x, y): of read_albedos.h and albedo_tables.glsl.
 
-RL_FN vec3 radiance_of_terms(RL_IN(LightTerms) terms)
-{
-    return terms.ambient + terms.diffuse + terms.specular;
-}
-
 RL_FN vec3 arriving(RL_IN(LightSample) light)
 {
     return light.l + (light.ambient + light.diffuse + light.specular) * light.attenuation;
@@ -319,4 +314,19 @@ RL_FN vec3 axes_of(vec3 n, vec3 p, vec3 ka)
     set_lobe_axes(s, p, -1.0f);
     turn_lobe_axes(s, vec2(0.6f, 0.8f), vec4(0.5f + 0.5f * ka.x, 0.5f + 0.5f * ka.y, 1.0f, 1.0f));
     return s.tangent + 2.0f * s.bitangent;
+}
+
+RL_FN HeightLevels levels_of_probes(int mip)
+{
+    HeightLevels levels;
+    levels.texel = vec2(1.0f / 512.0f, 1.0f / 256.0f);
+    levels.last = 9.0f;
+    levels.mip = mip;
+    return levels;
+}
+
+RL_FN vec3 probes_of_slopes(vec3 ka, vec3 kd, real t, int mip)
+{
+    Probes p = slope_probes(levels_of_probes(mip), vec2(ka.x, ka.y) * 0.01f, vec2(kd.x, kd.y) * 0.1f, vec2(512.0f, 256.0f), t, 16);
+    return vec3(p.count, p.lod, p.axis.x);
 }

@@ -8,39 +8,28 @@ namespace rakelight::raster::RL_ISA {
 
 /// The terms whose sum is the color.
 struct ColorTerms {
-    vec3 ambient, diffuse, specular, emission;
+    lit::LightTerms light;
+    vec3 emission;
 };
-
-inline void set_terms(ColorTerms& sum, const lit::LightTerms& t) {
-    sum.ambient = t.ambient, sum.diffuse = t.diffuse, sum.specular = t.specular;
-}
 
 inline ColorTerms color_terms(const ShadeJob& job, const Pixels& p, const BaseColor& base,
                               const lit::Surface& surface) {
-    const vec3 zero(real(0.0f));
-    ColorTerms sum = {zero, zero, zero, emission_of(*job.material, p)};
-    if (job.unlit != 0) {
+    ColorTerms sum = {lit::no_terms(), emission_of(*job.material, p)};
+    if (job.unlit != 0)
         sum.emission = lit::unlit(rgb(base.color), sum.emission);
-    } else if (job.lit != nullptr) {
-        set_terms(sum, lit::corner_terms(surface, interpolate_light(job.lit, p.triangle, p.b)));
-    } else {
-        set_terms(sum, receive(job, surface, p.position));
-    }
+    else if (job.lit != nullptr)
+        sum.light = lit::corner_terms(surface, interpolate_light(job.lit, p.triangle, p.b));
+    else
+        sum.light = receive(job, surface, p.position);
     return sum;
 }
 
 /// The same of the full kernel. Fog dims each term; its own light counts as emission.
 inline ColorTerms full_color_terms(const ShadeJob& job, const FullPixels& f) {
-    const vec3 zero(real(0.0f));
-    ColorTerms sum = {zero, zero, zero, own_radiance(job, f)};
-    each_light(job, f, [&sum](const lit::LightTerms& t) {
-        sum.ambient = sum.ambient + t.ambient;
-        sum.diffuse = sum.diffuse + t.diffuse;
-        sum.specular = sum.specular + t.specular;
-    });
+    ColorTerms sum = {lit::no_terms(), own_radiance(job, f)};
+    each_light(job, f, [&sum](const lit::LightTerms& t) { sum.light = lit::both_terms(sum.light, t); });
     if (job.full->fog.kind == 0) return sum;
-    const real seen = fog_of(job, f.p);
-    return {sum.ambient * seen, sum.diffuse * seen, sum.specular * seen, add_fog(job, f.p, sum.emission)};
+    return {lit::dimmed_terms(sum.light, fog_of(job, f.p)), add_fog(job, f.p, sum.emission)};
 }
 
 /// `v` where `sum` is finite, component by component, else 0: a color that is not finite is shown black, and none of
@@ -52,8 +41,9 @@ inline vec3 where_finite(vec3 sum, vec3 v) {
 }
 
 inline ColorTerms finite_terms(const ColorTerms& t) {
-    const vec3 sum = t.ambient + t.diffuse + t.specular + t.emission;
-    return {where_finite(sum, t.ambient), where_finite(sum, t.diffuse), where_finite(sum, t.specular),
+    const vec3 sum = lit::radiance_of_terms(t.light) + t.emission;
+    return {{where_finite(sum, t.light.ambient), where_finite(sum, t.light.diffuse),
+             where_finite(sum, t.light.specular)},
             where_finite(sum, t.emission)};
 }
 
@@ -98,9 +88,9 @@ inline void put_tangent(const ChannelJob& job, int32_t first, const Pixels& p) {
 
 inline void put_terms(const ChannelJob& job, int32_t first, const ColorTerms& sum) {
     const ColorTerms terms = finite_terms(sum);
-    put3(job, plane_ambient, first, terms.ambient);
-    put3(job, plane_diffuse, first, terms.diffuse);
-    put3(job, plane_specular, first, terms.specular);
+    put3(job, plane_ambient, first, terms.light.ambient);
+    put3(job, plane_diffuse, first, terms.light.diffuse);
+    put3(job, plane_specular, first, terms.light.specular);
     put3(job, plane_emission, first, terms.emission);
 }
 

@@ -57,9 +57,9 @@ void light_full(const LightJob* job) {
     for (int32_t i = 0; i < job->count; i += lanes) {
         const vec3 position = load3(job->position, i);
         const lit::MaterialSurface s = full_point(shade, job->roughness, position, load3(job->normal, i));
-        lit::LightTerms sum = no_light();
+        lit::LightTerms sum = lit::no_terms();
         for (int32_t k = 0; k < shade.light_count; ++k)
-            accumulate(sum, point_terms(shade, s, lit::sample_light(shade.lights[k], position)));
+            sum = lit::both_terms(sum, point_terms(shade, s, lit::sample_light(shade.lights[k], position)));
         store_terms(*job, i, sum);
     }
 }

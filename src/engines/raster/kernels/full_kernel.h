@@ -38,11 +38,9 @@ inline real seen_of(const ShadeJob& job, int32_t i, const FullPixels& f, const l
 /// What light i adds at the pixel.
 inline lit::LightTerms full_light(const ShadeJob& job, int32_t i, const FullPixels& f) {
     const lit::LightSample light = sample_in_frame(job, i, f.p, f.bumps);
-    if (no_lane(light.attenuation > real(0.0f))) return no_light();
+    if (no_lane(light.attenuation > real(0.0f))) return lit::no_terms();
     return material_terms(job, f.surface, light, seen_of(job, i, f, light), traits_of(job));
 }
-
-inline vec3 add_terms(vec3 sum, const lit::LightTerms& t) { return sum + (t.ambient + t.diffuse + t.specular); }
 
 /// Calls add(terms) for all that falls on the surface, in the order of the plain kernel's sum. What comes from all
 /// around is found at the pixels in flat and Gouraud pictures too.
@@ -63,7 +61,7 @@ inline vec3 own_radiance(const ShadeJob& job, const FullPixels& f) {
 
 inline vec3 radiance_before_fog(const ShadeJob& job, const FullPixels& f) {
     vec3 sum = own_radiance(job, f);
-    each_light(job, f, [&](const lit::LightTerms& t) { sum = add_terms(sum, t); });
+    each_light(job, f, [&](const lit::LightTerms& t) { sum = sum + lit::radiance_of_terms(t); });
     return sum;
 }
 

@@ -56,7 +56,6 @@ inline void set_slopes(const MaterialView& m, lit::MaterialSurface& s) {
 inline void set_material(const ShadeJob& job, const Pixels& p, const BaseColor& base, lit::MaterialSurface& s) {
     const MaterialView& m = *job.material;
     const int32_t model = job.reflection_model;
-    const bool is_diffuse = model == RL_LAMBERT || model == RL_OREN_NAYAR;
     if (model == RL_PHONG || model == RL_BLINN_PHONG || (model == RL_LAMBERT && m.metallic_roughness == 0))
         return set_reflectance(job, p, base, s.base);
     s.base.diffuse = rgb(base.color);
@@ -68,7 +67,7 @@ inline void set_material(const ShadeJob& job, const Pixels& p, const BaseColor& 
         lit::set_classical_lobe(s, real(m.lobe_roughness), job.reflection_form);
     }
     set_widths(job, p, s);
-    if (is_diffuse) s.base.diffuse = rgb(base.color);  // metals, too: there is no highlight that would show their color
+    lit::show_base_color(s, rgb(base.color), model);
     if (model == RL_OREN_NAYAR) set_slopes(m, s);
     set_layers(m, p, traits_of(job), s);
     if (!is_pbr(job))
@@ -132,8 +131,7 @@ inline lit::MaterialSurface full_point(const ShadeJob& job, float mean_roughness
         lit::unit_material(base, maps_of(job), roughness, vec2(real(m.ward_alpha[0]), real(m.ward_alpha[1])));
     set_slopes(m, s);
     if (m.metallic_roughness != 0) {
-        s.dielectric_f90 = real(m.specular_strength);
-        s.dielectric_f0 = lit::greatest(lit::dielectric_f0(splat(m.dielectric_color), s.dielectric_f90));
+        lit::set_point_dielectric(s, splat(m.dielectric_color), real(m.specular_strength));
     } else {
         lit::set_classical_dielectric(
             s, lit::classical_f0(splat(m.specular), real(m.lobe_roughness), job.reflection_form));

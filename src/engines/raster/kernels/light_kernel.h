@@ -37,23 +37,11 @@ inline vec3 viewer_of(const ShadeJob& job, vec3 position) {
     return lit::to_viewer(position, splat(job.view_direction), job.orthographic | job.full->viewer_at_infinity);
 }
 
-inline lit::LightTerms no_light() {
-    lit::LightTerms terms;
-    terms.ambient = terms.diffuse = terms.specular = vec3(real(0.0f));
-    return terms;
-}
-
-inline void accumulate(lit::LightTerms& sum, const lit::LightTerms& t) {
-    sum.ambient = sum.ambient + t.ambient;
-    sum.diffuse = sum.diffuse + t.diffuse;
-    sum.specular = sum.specular + t.specular;
-}
-
 inline lit::LightTerms receive(const ShadeJob& job, const lit::Surface& surface, vec3 position) {
-    lit::LightTerms sum = no_light();
+    lit::LightTerms sum = lit::no_terms();
     const lit::Reflection reflection = reflection_of(job);
     for (int32_t i = 0; i < job.light_count; ++i)
-        accumulate(sum, lit::light_terms(surface, lit::sample_light(job.lights[i], position), reflection));
+        sum = lit::both_terms(sum, lit::light_terms(surface, lit::sample_light(job.lights[i], position), reflection));
     return sum;
 }
 

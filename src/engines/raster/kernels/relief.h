@@ -121,9 +121,8 @@ inline lit::HeightLevels height_levels(const TextureView& t) {
 /// Where slopes are read: as texel() would read a normal map there, along the longer side of the footprint.
 inline lit::Probes slope_probes(const HeightPlace& place, const TexCoords& c, int32_t most) {
     const TextureView& t = *place.maps.height;
-    lit::Probes p = probes_of(t, c, t.mip == 0 || t.levels == 1 ? 1 : most);
-    p.lod = select(p.is_stretched, p.lod, place.lod);
-    return p;
+    return lit::slope_probes(height_levels(t), c.dx, c.dy, vec2(real(float(t.width[0])), real(float(t.height[0]))),
+                             place.lod, most);
 }
 
 /// The heights' normal in (tangent, bitangent, normal on the seen side), not unit.

@@ -57,8 +57,8 @@ inline vec3 in_tangent_space(const ShadeJob& job, const Pixels& p, const lit::Fr
 
 inline vec3 viewer_in_tangent_space(const ShadeJob& job, const Pixels& p, const lit::Frame& f, vec3 v) {
     return in_tangent_space(job, p, f, v, [&](vec3 position) {
-        const bool is_fixed = job.orthographic != 0 || job.full->viewer_at_infinity != 0;
-        return is_fixed ? splat(job.view_direction) : vec3(real(0.0f)) - position;
+        return lit::vertex_to_viewer(position, splat(job.view_direction),
+                                     job.orthographic | job.full->viewer_at_infinity);
     });
 }
 
@@ -66,8 +66,8 @@ inline vec3 light_in_tangent_space(const ShadeJob& job, const Pixels& p, const l
     const lighting::LightParameters& light = job.lights[i];
     if (light.kind == lighting::LightKind::ambient) return l;
     return in_tangent_space(job, p, f, l, [&](vec3 position) {
-        return light.kind == lighting::LightKind::directional ? vec3(real(0.0f)) - lit::broadcast3(light.direction)
-                                                              : lit::broadcast3(light.position) - position;
+        return lit::vertex_to_light(position, lit::broadcast3(light.position), lit::broadcast3(light.direction),
+                                    light.kind == lighting::LightKind::directional);
     });
 }
 

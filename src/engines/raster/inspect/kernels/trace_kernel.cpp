@@ -324,7 +324,7 @@ void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
 void trace_full_lobe(const ShadeJob& job, const lit::MaterialSurface& s, const lit::MaterialTraits& traits,
                      const lit::LightSample& light, TracedLight& out) {
     if (job.reflection_model != RL_WARD && !is_pbr(job)) return;
-    const vec3 h = safe_normalize_or(light.l + s.base.v, s.base.n);
+    const vec3 h = lit::half_vector(light.l, s.base.v, s.base.n);
     out.lobe_cosine = dot(s.base.n, h);
     if (is_pbr(job)) {
         out.lobe = lit::pbr_lobe(s, light.l, traits);
@@ -356,7 +356,7 @@ void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* li
                 parts[i]);
         const lit::LightTerms terms = full_light(job, i, f);
         put_terms(terms, lights[i]);
-        sum = add_terms(sum, terms);
+        sum = sum + lit::radiance_of_terms(terms);
         put(lights[i].sum, sum);
     }
 }

@@ -69,7 +69,7 @@ inline void times_light(PartWriter& part, const PartSource& of, Quantity n_dot_l
 }
 
 inline real schlick_weight_of(const PartSource& of) {
-    const vec3 h = safe_normalize_or(of.light.l + of.s.base.v, of.s.base.n);
+    const vec3 h = lit::half_vector(of.light.l, of.s.base.v, of.s.base.n);
     return lit::schlick_weight(dot(of.s.base.v, h));
 }
 
@@ -84,8 +84,7 @@ inline void diffuse_part(const PartSource& of, TracedParts& out) {
         part.times(Quantity::oren_nayar,
                    lit::oren_nayar_factor(s.diffuse_n, of.light.l, s.base.v, s.oren_nayar_a, s.oren_nayar_b));
     if (of.r.model == RL_PBR) {
-        const real weight = schlick_weight_of(of);
-        part.times(Quantity::fresnel_rest, 1.0f - (s.dielectric_f0 + (s.dielectric_f90 - s.dielectric_f0) * weight));
+        part.times(Quantity::fresnel_rest, lit::fresnel_rest(s, schlick_weight_of(of)));
         times_layers(part, of, Layer::sheen);
     }
     times_seen(part, of);
@@ -108,10 +107,10 @@ inline void power_part(const PartSource& of, TracedParts& out) {
 
 inline void ward_part(const PartSource& of, TracedParts& out) {
     const lit::MaterialSurface& s = of.s;
-    const vec3 h = safe_normalize_or(of.light.l + s.base.v, s.base.n);
+    const vec3 h = lit::half_vector(of.light.l, s.base.v, s.base.n);
     PartWriter part(out, Term::specular, Layer::base);
     part.times(Quantity::k_specular, s.base.specular)
-        .times(Quantity::ward_peak, 0.25f * RL_INVERSE_PI / (s.alpha_x * s.alpha_y))
+        .times(Quantity::ward_peak, lit::ward_peak(s.alpha_x, s.alpha_y))
         .times(Quantity::ward_exponential, lit::ward_lobe(s.base.n, s.tangent, s.bitangent, h, s.alpha_x, s.alpha_y))
         .times(Quantity::ward_divided,
                1.0f / lit::ward_divisor(s.base.n, of.light.l, s.base.v, h, of.traits.ward_form));
@@ -122,7 +121,7 @@ inline void ward_part(const PartSource& of, TracedParts& out) {
 
 /// D and V of a lobe with equal widths.
 inline void times_lobe(PartWriter& part, const PartSource& of, vec3 n, real alpha) {
-    const vec3 v = of.s.base.v, l = of.light.l, h = safe_normalize_or(l + v, n);
+    const vec3 v = of.s.base.v, l = of.light.l, h = lit::half_vector(l, v, n);
     const real n_dot_l = dot(n, l), n_dot_v = dot(n, v);
     part.times(Quantity::distribution, lit::ggx_distribution_isotropic(n, h, alpha))
         .times(Quantity::visibility, lit::smith_visibility(n_dot_l, n_dot_v, lit::ggx_stretch_isotropic(n_dot_l, alpha),
@@ -131,7 +130,7 @@ inline void times_lobe(PartWriter& part, const PartSource& of, vec3 n, real alph
 
 inline void times_anisotropic_lobe(PartWriter& part, const PartSource& of) {
     const lit::MaterialSurface& s = of.s;
-    const vec3 n = s.base.n, v = s.base.v, l = of.light.l, h = safe_normalize_or(l + v, n);
+    const vec3 n = s.base.n, v = s.base.v, l = of.light.l, h = lit::half_vector(l, v, n);
     const real stretch_l = lit::ggx_stretch(n, s.tangent, s.bitangent, l, s.alpha_x, s.alpha_y);
     const real stretch_v = lit::ggx_stretch(n, s.tangent, s.bitangent, v, s.alpha_x, s.alpha_y);
     part.times(Quantity::distribution, lit::ggx_distribution(n, s.tangent, s.bitangent, h, s.alpha_x, s.alpha_y))
@@ -156,7 +155,7 @@ inline void pbr_parts(const PartSource& of, TracedParts& out) {
     between.times(Quantity::scattering_color, s.scattering)
         .times(Quantity::scattering_lost_l, 1.0f - of.albedo.lobe)
         .times(Quantity::scattering_lost_v, 1.0f - s.albedo)
-        .times(Quantity::scattering_mean, RL_INVERSE_PI / max(1.0f - s.albedo_mean, 1e-6f));
+        .times(Quantity::scattering_mean, RL_INVERSE_PI / lit::scattering_mean(s.albedo_mean));
     times_light(between, of, Quantity::n_dot_l, s.base.n);
     times_layers(between, of, Layer::sheen);
     times_seen(between, of);
