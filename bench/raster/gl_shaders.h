@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equations of src/lighting for what the measured scene has: point lights, textbook Blinn-Phong that ends at the horizon,
+// A peer written by hand, not the text of src/lighting: its equations for what the measured scene has alone: point lights, textbook Blinn-Phong that ends at the horizon,
 // tangents made perpendicular at every pixel. The eye is at the origin.
 #pragma once
 

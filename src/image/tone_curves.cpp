@@ -47,21 +47,20 @@ const AgxCurves& agx_curves() {
     return curves;
 }
 
-/// RL_TONE_... of tone.glsl.
-std::int32_t number_of(ToneMapping mapping) {
+ToneNumber number_of(ToneMapping mapping) {
     switch (mapping) {
         case ToneMapping::none:
-            return 0;
+            return tone_none;
         case ToneMapping::reinhard:
-            return 1;
+            return tone_reinhard;
         case ToneMapping::neutral:
-            return 2;
+            return tone_neutral;
         case ToneMapping::aces:
-            return 3;
+            return tone_aces;
         case ToneMapping::agx:
-            return 4;
+            return tone_agx;
     }
-    return 0;
+    return tone_none;
 }
 
 float gain_of(double exposure_ev) {

@@ -34,9 +34,9 @@ real agx_power(const Maps& maps, real display) {
 #include "image/tone.glsl"
 // clang-format on
 
-// as number_of(ToneMapping) of tone_curves.cpp
-static_assert(RL_TONE_NONE == 0 && RL_TONE_REINHARD == 1 && RL_TONE_NEUTRAL == 2 && RL_TONE_ACES == 3 &&
-              RL_TONE_AGX == 4);
+static_assert(rakelight::tone_none == RL_TONE_NONE && rakelight::tone_reinhard == RL_TONE_REINHARD &&
+              rakelight::tone_neutral == RL_TONE_NEUTRAL && rakelight::tone_aces == RL_TONE_ACES &&
+              rakelight::tone_agx == RL_TONE_AGX);
 
 }  // namespace
 

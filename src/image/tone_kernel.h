@@ -16,8 +16,11 @@ struct AgxCurves {
     float power[power_pieces + 1];     ///< display value -> light: the power 2.2
 };
 
+/// RL_TONE_... of tone.glsl.
+enum ToneNumber : int32_t { tone_none, tone_reinhard, tone_neutral, tone_aces, tone_agx };
+
 namespace tone::scalar {
-/// @param mapping  RL_TONE_... of tone.glsl
+/// @param mapping  ToneNumber
 /// @param curves   looked at by RL_TONE_AGX alone
 void map_tone(const AgxCurves* curves, int32_t mapping, float gain, const float (&light)[3], float (&mapped)[3]);
 }  // namespace tone::scalar

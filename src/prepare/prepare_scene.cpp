@@ -114,12 +114,9 @@ void warn_of_tangents(const Scene& scene, Bump wanted, Report& report) {
     }
 }
 
-/// Without coordinates: of what it is, not of directions, for which warn_of_tangents() is.
+/// Without coordinates: directions show none, warn_of_tangents() is for them.
 bool shows_one_color(const TextureRole& role, const Material& m) {
-    if (m.model == MaterialModel::unlit) return role.number == role_base_color;
-    const bool is_direction = role.number == role_normal || role.number == role_height ||
-                              role.number == role_anisotropy || role.number == role_clearcoat_normal;
-    return role.is_of(m.model) && role.number != role_opacity && !is_direction;
+    return role.is_shown_by(m) && role.number != role_opacity && !role.is_direction();
 }
 
 /// What warn_of_tangents() is for normal maps.

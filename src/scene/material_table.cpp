@@ -91,6 +91,17 @@ static_assert(std::size(roles) == texture_role_count);
 std::span<const TextureRole, texture_role_count> texture_roles() { return roles; }
 std::span<const MaterialParameter> metallic_roughness_parameters() { return parameters; }
 
+bool TextureRole::is_shown_by(const Material& m) const {
+    if (number == role_opacity) return m.alpha_mode != AlphaMode::opaque;
+    if (m.model == MaterialModel::unlit) return number == role_base_color;
+    return is_of(m.model) && !layer.silences(m);
+}
+
+bool TextureRole::is_direction() const {
+    return number == role_normal || number == role_height || number == role_anisotropy ||
+           number == role_clearcoat_normal;
+}
+
 bool has_coordinates(const Mesh& mesh, std::uint32_t texcoord_set) {
     return texcoord_set < mesh.texcoords.size() && !mesh.texcoords[texcoord_set].empty();
 }

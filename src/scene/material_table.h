@@ -50,6 +50,9 @@ struct TextureRole {
         return general ? m.*general : classical ? m.classical.*classical : m.metallic_roughness.*metallic_roughness;
     }
     bool is_of(MaterialModel which) const { return !model || *model == which; }
+    /// Whether pictures of the material show what the texture is read for.
+    bool is_shown_by(const Material& m) const;
+    bool is_direction() const;  ///< of a surface or a lobe: means nothing without texture coordinates
 };
 
 /// By number.

@@ -6,23 +6,34 @@
 
 namespace rakelight::shading {
 
+/// Numbers of metallic-roughness materials that are handed on as they are, by their names in MetallicRoughnessParameters.
+#define RL_COPIED_PARAMETERS(X) \
+    X(metallic)                 \
+    X(roughness)                \
+    X(anisotropy)               \
+    X(clearcoat)                \
+    X(clearcoat_roughness)      \
+    X(clearcoat_normal_scale)   \
+    X(sheen_roughness)
+
 struct MaterialFactors {
+#define RL_FIELD(name) float name;
+    RL_COPIED_PARAMETERS(RL_FIELD)
+#undef RL_FIELD
     int32_t unlit, metallic_roughness;  ///< both 0: classical
     float base_color[4], emission[3], ambient[3], specular[3], shininess;
-    int32_t whole_exponent;  ///< shininess of classical materials where it is a whole number, else 0
-    float metallic, roughness;
+    int32_t whole_exponent;     ///< shininess of classical materials where it is a whole number, else 0
     float dielectric_color[3];  ///< that of the index of refraction times the specular color: may exceed 1
     float specular_strength;    ///< KHR_materials_specular
     float normal_scale, occlusion_strength;
-    float alpha_cutoff;                    ///< < 0: no mask
-    int32_t blend;                         ///< 0: alpha is 1
-    int32_t vertex_colors;                 ///< 0: no mesh with this material has any, all corners are white
-    float lobe_roughness;                  ///< of classical materials: that of the GGX or Ward lobe as wide as theirs
-    float sigma;                           ///< [rad] Oren-Nayar; < 0: from roughness
-    float ward_alpha[2];                   ///< along tangent and bitangent; 0: from roughness and anisotropy
-    float anisotropy, anisotropy_axis[2];  ///< KHR_materials_anisotropy: strength, cosine and sine
-    float clearcoat, clearcoat_roughness, clearcoat_normal_scale;
-    float sheen_color[3], sheen_roughness;
+    float alpha_cutoff;        ///< < 0: no mask
+    int32_t blend;             ///< 0: alpha is 1
+    int32_t vertex_colors;     ///< 0: no mesh with this material has any, all corners are white
+    float lobe_roughness;      ///< of classical materials: that of the GGX or Ward lobe as wide as theirs
+    float sigma;               ///< [rad] Oren-Nayar; < 0: from roughness
+    float ward_alpha[2];       ///< along tangent and bitangent; 0: from roughness and anisotropy
+    float anisotropy_axis[2];  ///< KHR_materials_anisotropy: cosine and sine
+    float sheen_color[3];
 };
 
 /// KHR_texture_transform as the two rows of an affine matrix: u' = uu u + uv v + u0, v' = vu u + vv v + v0.

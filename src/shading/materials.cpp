@@ -10,13 +10,6 @@
 namespace rakelight::shading {
 namespace {
 
-/// Whether pictures show what the texture is read for.
-bool is_read(const TextureRole& role, const Material& m) {
-    if (role.number == role_opacity) return m.alpha_mode != AlphaMode::opaque;
-    if (m.model == MaterialModel::unlit) return role.number == role_base_color;
-    return role.is_of(m.model) && !role.layer.silences(m);
-}
-
 void copy(float (&to)[3], vec3 from) {
     to[0] = from.x;
     to[1] = from.y;
@@ -30,17 +23,16 @@ float roughness_of_exponent(float n) { return float(std::sqrt(std::sqrt(2 / (dou
 /// What the models of more parameters read.
 void add_layers(const Material& m, MaterialFactors& v) {
     const MetallicRoughnessParameters& p = m.metallic_roughness;
+#define RL_COPY(name) v.name = p.name;
+    RL_COPIED_PARAMETERS(RL_COPY)
+#undef RL_COPY
     v.lobe_roughness = roughness_of_exponent(v.shininess);
     v.sigma = m.sigma_rad.value_or(-1);
     const vec2 alpha = m.ward_alpha.value_or(vec2{0, 0});
     v.ward_alpha[0] = alpha.x, v.ward_alpha[1] = alpha.y;
-    v.anisotropy = p.anisotropy;
     v.anisotropy_axis[0] = float(math::cos(double(p.anisotropy_rotation_rad)));
     v.anisotropy_axis[1] = float(math::sin(double(p.anisotropy_rotation_rad)));
-    v.clearcoat = p.clearcoat, v.clearcoat_roughness = p.clearcoat_roughness;
-    v.clearcoat_normal_scale = p.clearcoat_normal_scale;
     copy(v.sheen_color, p.sheen_color);
-    v.sheen_roughness = p.sheen_roughness;
 }
 
 }  // namespace
@@ -48,7 +40,7 @@ void add_layers(const Material& m, MaterialFactors& v) {
 std::vector<const TextureRole*> roles_of(const Material& m) {
     std::vector<const TextureRole*> roles;
     for (const TextureRole& role : texture_roles())
-        if (role.in(m) && is_read(role, m)) roles.push_back(&role);
+        if (role.in(m) && role.is_shown_by(m)) roles.push_back(&role);
     return roles;
 }
 
@@ -64,8 +56,6 @@ MaterialFactors material_factors(const Material& m) {
     v.shininess = m.classical.shininess < 1 ? 1 : m.classical.shininess;
     if (m.model == MaterialModel::classical && v.shininess <= 1024 && v.shininess == std::floor(v.shininess))
         v.whole_exponent = std::int32_t(v.shininess);
-    v.metallic = m.metallic_roughness.metallic;
-    v.roughness = m.metallic_roughness.roughness;
     copy(v.dielectric_color, m.metallic_roughness.specular_color * ior_f0(m.metallic_roughness.ior));
     v.specular_strength = m.metallic_roughness.specular;
     v.normal_scale = m.normal_scale;

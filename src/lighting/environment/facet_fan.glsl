@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surroundings in a surface that is rougher along t than across it: facets tilted along t alone, each as rough as the surface is
-// across, which is what the prefiltered surroundings hold. Source: Heitz 2018, "Sampling the GGX Distribution of Visible Normals",
+// The environment in a surface that is rougher along t than across it: facets tilted along t alone, each as rough as the surface is
+// across, which is what the prefiltered environment holds. Source: Heitz 2018, "Sampling the GGX Distribution of Visible Normals",
 // for a width of 0 across t. (KHR_materials_anisotropy, section "Image-based lighting", not normative, has one bent normal and
 // asks for further samples along t. These are such, and the normal is not bent: their mean is that of the lobe,
 // tests/unit/lighting/facet_fan_test.cpp.)

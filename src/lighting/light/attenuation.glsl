@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How light thins out. Classical: OpenGL 2.1 specification, section 2.14.1. Photometric: KHR_lights_punctual.
+// Attenuation of light by distance. Classical: OpenGL 2.1 specification, section 2.14.1. Photometric: KHR_lights_punctual.
 
 // [1] 1 / (c + l d + q d^2); the denominator counts as at least 1e-12, so that d = 0 with c = 0 stays finite.
 RL_FN real classical_attenuation(real d, real constant_term, real linear_term, real quadratic_term)

@@ -57,7 +57,7 @@ struct MaterialSurface {
     vec3 coat_n;
     real coat_alpha;
     real coat_reflectance;  // 0..1, towards v
-    vec3 around_diffuse;    // reflectance of even light from all around, times occlusion, layer by layer: for surroundings
+    vec3 around_diffuse;    // reflectance of even light from all around, times occlusion, layer by layer: for the environment
     vec3 around_specular;   // about the mirror direction of base.n, as wide as `roughness`
     vec3 around_sheen;      // wide
     real around_coat;       // about the mirror direction of coat_n

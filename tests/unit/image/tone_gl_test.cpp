@@ -37,33 +37,51 @@ std::vector<float> lights() {
     return out;
 }
 
-void expect_curves(GlFlavour flavour) {
-    std::string why;
-    const std::unique_ptr<GlContext> context = GlContext::make(flavour, why);
-    if (!context) GTEST_SKIP() << why;
-    const std::vector<float> items = lights();
-    context->set_textures({{"items", side, side, items}});
+/// Negative, very bright and very dark ones.
+std::vector<float> odd_lights() {
+    const float odd[] = {-1, -1e-6f, 0, 1e-30f, 1e4f, 1e6f, 1e10f, 0.5f};
+    std::vector<float> out;
+    for (int i = 0; i < side * side; ++i) out.insert(out.end(), {odd[i % 8], odd[i / 8 % 8], odd[i / 64 % 8], 1});
+    return out;
+}
+
+void expect_curves(GlContext& context, const std::vector<float>& items) {
+    context.set_textures({{"items", side, side, items}});
     const std::string text = read_source("math/prelude.glsl") + "struct Maps { float unused; };\n" +
                              read_source("image/agx_curves.glsl") + read_source("image/tone.glsl");
     const ToneMapping mappings[] = {ToneMapping::none, ToneMapping::reinhard, ToneMapping::neutral, ToneMapping::aces,
                                     ToneMapping::agx};
     for (int k = 0; k < 5; ++k) {
         const std::vector<float> got =
-            context->run(text +
-                             "uniform sampler2D items;\nvoid main() {\n    Maps maps;\n"
-                             "    maps.unused = 0.0;\n"
-                             "    vec3 light = texelFetch(items, ivec2(gl_FragCoord.xy), 0).xyz;\n"
-                             "    result = vec4(tone_curve(maps, " +
-                             std::to_string(k) + ", light, 2.0), 1.0);\n}\n",
-                         side, side);
+            context.run(text +
+                            "uniform sampler2D items;\nvoid main() {\n    Maps maps;\n"
+                            "    maps.unused = 0.0;\n"
+                            "    vec3 light = texelFetch(items, ivec2(gl_FragCoord.xy), 0).xyz;\n"
+                            "    result = vec4(tone_curve(maps, " +
+                            std::to_string(k) + ", light, 2.0), 1.0);\n}\n",
+                        side, side);
         const ToneCurve curve({.mapping = mappings[k], .exposure_ev = 1});
         for (std::size_t i = 0; i < got.size(); i += 4) {
             const vec3 expected = curve({items[i], items[i + 1], items[i + 2]});
             for (std::size_t c = 0; c < 3; ++c)
-                ASSERT_NEAR(got[i + c], expected[c], 3e-5 + 3e-5 * expected[c])
-                    << "curve " << k << " light " << items[i];
+                ASSERT_NEAR(got[i + c], expected[c], 3e-5 + 3e-5 * std::abs(expected[c]))
+                    << "curve " << k << " light " << items[i] << " " << items[i + 1] << " " << items[i + 2];
         }
     }
+}
+
+void expect_curves(GlFlavour flavour) {
+    std::string why;
+    const std::unique_ptr<GlContext> context = GlContext::make(flavour, why);
+    if (!context) GTEST_SKIP() << why;
+    expect_curves(*context, lights());
+}
+
+TEST(ToneCurvesOnGpu, WhatIsNoColorIsShownAsToneCurveShowsIt) {
+    std::string why;
+    const std::unique_ptr<GlContext> context = GlContext::make(GlFlavour::core_33, why);
+    if (!context) GTEST_SKIP() << why;
+    expect_curves(*context, odd_lights());
 }
 
 TEST(ToneCurvesOnGpu, GiveTheNumbersOfToneCurveInGlsl330) { expect_curves(GlFlavour::core_33); }

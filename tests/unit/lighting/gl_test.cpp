@@ -17,7 +17,8 @@ namespace {
 using test::GlContext;
 using test::GlFlavour;
 
-constexpr int side = 256;  ///< items: its square
+constexpr int side = 256;                                       ///< items: its square
+constexpr int degenerate_width = 100, degenerate_height = 100;  ///< of degenerate_items()
 
 std::string read_source(const std::string& name) {
     std::ifstream file(test::source_dir() / name);
@@ -59,22 +60,15 @@ std::string main_of(const Operation& operation) {
 Items random_items() {
     Random random;
     Items items;
-    for (int i = 0; i < side * side; ++i) {
-        Item item;
-        item.n = random.direction(), item.l = random.direction(), item.v = random.direction();
-        item.ka = random.color(), item.kd = random.color(), item.ks = random.color();
-        item.p = random.vector(4);
-        item.e = random.unit() < 0.5f ? random.within(1, 10) : random.within(1, 1000);
-        item.s = random.within(-1, 1), item.t = random.within(-1, 1);
-        items.push(item);
-    }
+    for (int i = 0; i < side * side; ++i) items.push(random_item(random));
     return items;
 }
 
-std::vector<float> texels_of(Items& items) {
+/// [height][width] items, 24 floats each.
+std::vector<float> texels_of(Items& items, int width, int height) {
     const Inputs in = items.inputs();
-    std::vector<float> texels(std::size_t(side) * side * 24);
-    for (std::size_t i = 0; i < std::size_t(side) * side; ++i)
+    std::vector<float> texels(std::size_t(width) * std::size_t(height) * 24);
+    for (std::size_t i = 0; i < texels.size() / 24; ++i)
         for (std::size_t c = 0; c < 24; ++c) texels[i * 24 + c] = in.column[c][i];
     return texels;
 }
@@ -125,11 +119,45 @@ void expect_all_rows(GlFlavour flavour) {
     if (!context) GTEST_SKIP() << why;
     std::cout << "drawn by " << context->renderer() << "\n";
     Items items = random_items();
-    const std::vector<float> numbers = texels_of(items), albedos = albedo_texels();
+    const std::vector<float> numbers = texels_of(items, side, side), albedos = albedo_texels();
     context->set_textures({{"items", 6 * side, side, numbers}, {"rl_albedos", 32, 82, albedos}});
     const std::string text = whole_text();
     for (int o = 0; o < scalar::kernel.operation_count; ++o)
         expect_row(*context, text, scalar::kernel.operations[o], items);
+}
+
+/// Directions are unit: no function promises anything of huge ones.
+bool has_huge_vector(const Inputs& in, std::size_t item) {
+    for (std::size_t c = 0; c < 21; ++c)
+        if (std::abs(in.column[c][item]) > 1e10f) return true;
+    return false;
+}
+
+/// Where the scalar flavour gives a number, the GPU gives one, too.
+void expect_no_nan(GlContext& context, const std::string& text, const Operation& operation, Items& items) {
+    const std::vector<float> got = context.run(text + main_of(operation), degenerate_width, degenerate_height);
+    const Results expected = run(scalar::kernel, operation.name, items);
+    const Inputs in = items.inputs();
+    for (std::size_t i = 0; i < got.size() / 4; ++i)
+        for (std::size_t c = 0; c < expected.width() && !has_huge_vector(in, i); ++c)
+            if (std::isnan(got[4 * i + c]) && std::isfinite(expected[c][i])) {
+                ADD_FAILURE() << operation.name << " item " << i << " column " << c << ": scalar " << expected[c][i];
+                return;
+            }
+}
+
+TEST(LightingOnGpu, DegenerateInputGivesNoNaN) {
+    std::string why;
+    const std::unique_ptr<GlContext> context = GlContext::make(GlFlavour::core_33, why);
+    if (!context) GTEST_SKIP() << why;
+    Items items = degenerate_items();
+    ASSERT_EQ(items.size(), std::size_t(degenerate_width) * degenerate_height);
+    const std::vector<float> numbers = texels_of(items, degenerate_width, degenerate_height), albedos = albedo_texels();
+    context->set_textures(
+        {{"items", 6 * degenerate_width, degenerate_height, numbers}, {"rl_albedos", 32, 82, albedos}});
+    const std::string text = whole_text();
+    for (int o = 0; o < scalar::kernel.operation_count; ++o)
+        expect_no_nan(*context, text, scalar::kernel.operations[o], items);
 }
 
 TEST(LightingOnGpu, EveryRowGivesTheNumbersOfTheScalarFlavourInGlsl330) { expect_all_rows(GlFlavour::core_33); }

@@ -123,6 +123,39 @@ private:
     std::mt19937 engine_{4711};
 };
 
+inline Item random_item(Random& random) {
+    Item item;
+    item.n = random.direction(), item.l = random.direction(), item.v = random.direction();
+    item.ka = random.color(), item.kd = random.color(), item.ks = random.color();
+    item.p = random.vector(4);
+    item.e = random.unit() < 0.5f ? random.within(1, 10) : random.within(1, 1000);
+    item.s = random.within(-1, 1), item.t = random.within(-1, 1);
+    return item;
+}
+
+/// 10 000 items with zero, tiny, huge, opposite and equal vectors among the random ones.
+inline Items degenerate_items() {
+    Random random;
+    Items items;
+    const vec3 odd[] = {{0, 0, 0},           {-0.0f, 0, 0}, {1e-30f, 0, 0},
+                        {1e-20f, 1e-20f, 0}, {1e30f, 0, 0}, {3e38f, 3e38f, 3e38f},
+                        {0, 0, 1},           {0, 0, -1},    {1, 0, 0}};
+    const float odd_numbers[] = {0, -0.0f, 1, -1, 1e-40f, 1e30f, 3e38f, 1.0000001f, 0.5f, 1000};
+    for (int i = 0; i < 10000; ++i) {
+        Item item = random_item(random);
+        const auto choose = [&](vec3& x) {
+            if (random.bits() % 2 == 0) x = odd[random.bits() % 9];
+        };
+        choose(item.n), choose(item.l), choose(item.v), choose(item.p);
+        if (random.bits() % 4 == 0) item.l = -item.v;
+        for (float* x : {&item.e, &item.s, &item.t})
+            if (random.bits() % 2 == 0) *x = odd_numbers[random.bits() % 10];
+        if (random.bits() % 2 == 0) item.ka = {0, 0, 0};
+        items.push(item);
+    }
+    return items;
+}
+
 inline std::vector<lighting::LightParameters> one_light_of_each_kind() {
     std::vector<lighting::LightParameters> lights;
     for (const bool is_photometric : {false, true})

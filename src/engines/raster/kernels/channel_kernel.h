@@ -42,9 +42,9 @@ inline vec3 where_finite(vec3 sum, vec3 v) {
 
 inline ColorTerms finite_terms(const ColorTerms& t) {
     const vec3 sum = lit::radiance_of_terms(t.light) + t.emission;
-    return {{where_finite(sum, t.light.ambient), where_finite(sum, t.light.diffuse),
-             where_finite(sum, t.light.specular)},
-            where_finite(sum, t.emission)};
+    return {
+        {where_finite(sum, t.light.ambient), where_finite(sum, t.light.diffuse), where_finite(sum, t.light.specular)},
+        where_finite(sum, t.emission)};
 }
 
 /// Tangent as normal maps use it, and the sign that makes bitangent = cross(normal on the side that is lit, tangent) w.

@@ -59,7 +59,7 @@ struct FullJob {
     ReliefView relief;
     const ShadowView* shadows;           ///< [maps] LightParameters::shadow says which; null: none
     const EnvironmentView* environment;  ///< null: none
-    int32_t has_light_around;            ///< of ambient lights or surroundings; 0: nobody asks what they would give
+    int32_t has_light_around;            ///< of ambient lights or the environment; 0: nobody asks what they would give
     FogView fog;
     lighting::AlbedoTables albedo;
     const CornerFrame* frames;  ///< beside ShadeJob::triangles; null: not wanted

@@ -109,8 +109,8 @@ struct ShadeJob {
     const MaterialView* material;
     const lighting::LightParameters* lights;
     int32_t light_count;
-    int32_t reflection_model;  ///< RL_LAMBERT, RL_PHONG, RL_BLINN_PHONG of lighting/material/surface.glsl: 0, 1, 2
-    int32_t reflection_form;   ///< RL_TEXTBOOK, RL_NORMALIZED: 0, 1
+    int32_t reflection_model;  ///< shading::ReflectionModel
+    int32_t reflection_form;   ///< shading::ReflectionForm
     int32_t specular_horizon;
     int32_t bump;           ///< 0: normal maps are ignored
     int32_t orthogonalize;  ///< 0: tangents are used as they are interpolated, only made unit
