@@ -2,21 +2,42 @@
 // The maps that the lighting text reads, for GLSL: samplers are the program's globals, since a struct that holds one can neither be
 // local nor be chosen per pixel. The C++ kernels have a struct Maps of views with the same functions. Levels are explicit everywhere.
 //
-// What the program binds: heights with linear filters, also where they are magnified; the octahedral environment with its levels mixed,
-// its texels going on across the map's edges as the sphere does; nearness and slopes of one light's shadow map, for one light a pass.
+// What the program binds:
+// - heights in 16 bits or more (filters of 8-bit texels give whole codes), with mip levels mixed and linear filters, also where they are
+//   magnified; wrapped as the texture says;
+// - the octahedral environment as one picture, its levels beside each other, each with a border of one texel that goes on across its
+//   edges as the sphere does (bordered_texel() of image/environment.h): no way to wrap does that, and its levels do not halve; linear
+//   filter, no mip levels; 16-bit floats do, bright suns ending at their greatest number;
+// - the sky repeated along u and ended along v, with mip levels mixed;
+// - nearness (32-bit floats) and slopes (the slopes themselves, change of depth along x and down y per width of a texel) of one light's
+//   shadow map, for one light a pass; faces of a cube below each other.
+#define RL_ENVIRONMENT_LEVELS 8
+
 struct Maps {
     float height_scale;   // height = height_offset + height_scale * texel: HeightSense of relief/relief.glsl
     float height_offset;
 };
 
 uniform sampler2D rl_heights;
-uniform sampler2D rl_environment;      // octahedral, each level prefiltered for a rougher surface
+uniform sampler2D rl_environment;      // each level prefiltered for a rougher surface
+uniform vec3 rl_environment_levels[RL_ENVIRONMENT_LEVELS];  // [texels] x, y of a level's first one behind its border; its size
 uniform sampler2D rl_sky;              // equirectangular
-uniform sampler2D rl_shadow_nearness;  // faces of a cube below each other
-uniform sampler2D rl_shadow_slopes;    // along x, down y
+uniform sampler2D rl_shadow_nearness;
+uniform sampler2D rl_shadow_slopes;
 
 float sample_height(Maps maps, vec2 uv, float level) { return maps.height_offset + maps.height_scale * textureLod(rl_heights, uv, level).x; }
-vec3 sample_environment(Maps maps, vec2 uv, float level) { return textureLod(rl_environment, uv, level).xyz; }
+vec3 environment_level(vec2 uv, int level)
+{
+    vec3 place = rl_environment_levels[level];
+    vec2 size = vec2(textureSize(rl_environment, 0));
+    return textureLod(rl_environment, vec2(place.x + uv.x * place.z, place.y + uv.y * place.z) / size, 0.0).xyz;
+}
+vec3 sample_environment(Maps maps, vec2 uv, float level)
+{
+    float inside = clamp(level, 0.0, float(RL_ENVIRONMENT_LEVELS - 1));
+    int lower = int(inside);
+    return mix(environment_level(uv, lower), environment_level(uv, min(lower + 1, RL_ENVIRONMENT_LEVELS - 1)), inside - float(lower));
+}
 vec3 sample_sky(Maps maps, vec2 uv, float level) { return textureLod(rl_sky, uv, level).xyz; }
 
 float fetch_nearness(Maps maps, float column, float row) { return texelFetch(rl_shadow_nearness, ivec2(int(column), int(row)), 0).x; }

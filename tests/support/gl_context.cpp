@@ -17,6 +17,11 @@ struct GlContext::State {
         GLuint texture;
     };
     std::vector<Bound> textures;
+    struct Vectors {
+        std::string uniform;
+        std::vector<float> numbers;
+    };
+    std::vector<Vectors> vectors;
 
     ~State() {
         if (context != EGL_NO_CONTEXT) {
@@ -125,6 +130,10 @@ void GlContext::set_textures(const std::vector<GlTexture>& textures) {
         state_->textures.push_back({t.sampler, float_texture(t.width, t.height, t.texels.data())});
 }
 
+void GlContext::set_vectors(const std::string& uniform, std::vector<float> numbers) {
+    state_->vectors.push_back({uniform, std::move(numbers)});
+}
+
 std::vector<float> GlContext::run(const std::string& text, int width, int height) {
     const bool is_es = state_->flavour == GlFlavour::es_30;
     const std::string head = is_es ? "#version 300 es\nprecision highp float;\nprecision highp int;\n"
@@ -144,6 +153,8 @@ std::vector<float> GlContext::run(const std::string& text, int width, int height
         glBindTexture(GL_TEXTURE_2D, state_->textures[i].texture);
         glUniform1i(glGetUniformLocation(program, state_->textures[i].sampler.c_str()), GLint(i));
     }
+    for (const auto& [name, numbers] : state_->vectors)
+        glUniform3fv(glGetUniformLocation(program, name.c_str()), GLsizei(numbers.size() / 3), numbers.data());
     glViewport(0, 0, width, height);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     std::vector<float> pixels(std::size_t(width) * std::size_t(height) * 4);

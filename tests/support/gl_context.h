@@ -29,6 +29,8 @@ public:
     std::string renderer() const;
 
     void set_textures(const std::vector<GlTexture>& textures);
+    /// A uniform array of vec3. @param numbers  [3 * length]
+    void set_vectors(const std::string& uniform, std::vector<float> numbers);
 
     /// Four floats for each pixel of a picture: `result` of the fragment shader. `text` stands between the lines of the
     /// version and of `out vec4 result;` and the function main(), which `text` has, too.

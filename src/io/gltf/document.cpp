@@ -8,15 +8,15 @@
 #include <string_view>
 
 #include "io/gltf/container.h"
+#include "scene/material_table.h"
 
 namespace rakelight::io::gltf {
 namespace {
 
-/// Extensions whose data is read. A file that requires another one is refused.
+/// Extensions whose data is read, beside those of the material table. A file that requires another one is refused.
 constexpr std::array supported = std::to_array<std::string_view>(
     {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_texture_webp", "KHR_draco_mesh_compression",
-     "KHR_lights_punctual", "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-     "KHR_materials_ior", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen", "KHR_materials_specular",
+     "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
      "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_meshopt_compression", "KHR_texture_transform"});
 
 /// Extensions that a material falls back from: what it says without them is shown, whether they are required or not.
@@ -31,6 +31,14 @@ constexpr std::array harmless =
 template <class List>
 bool contains(const List& list, std::string_view name) {
     return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+bool is_supported(std::string_view name) {
+    const auto is_its_place = [name](const auto& row) { return row.gltf.extension && row.gltf.extension == name; };
+    const auto roles = texture_roles();
+    const auto parameters = metallic_roughness_parameters();
+    return contains(supported, name) || std::any_of(roles.begin(), roles.end(), is_its_place) ||
+           std::any_of(parameters.begin(), parameters.end(), is_its_place);
 }
 
 }  // namespace
@@ -89,7 +97,7 @@ void Document::check_extensions() {
     const Value required = root_.list("extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
         const std::string name = required.text_at(i);
-        if (!contains(supported, name) && !contains(harmless, name) && !contains(falls_back, name))
+        if (!is_supported(name) && !contains(harmless, name) && !contains(falls_back, name))
             throw Error(ErrorCode::bad_file,
                         "the file requires the glTF extension " + one_line(name, 80) + ", which is not supported");
     }
@@ -97,7 +105,7 @@ void Document::check_extensions() {
     for (std::size_t i = 0; i < used.size(); ++i) {
         const std::string name = used.text_at(i);
         uses_quantization_ = uses_quantization_ || name == "KHR_mesh_quantization";
-        if (contains(supported, name)) continue;
+        if (is_supported(name)) continue;
         if (contains(falls_back, name)) {
             remark(Remark::dropped, {}, name + " falls back: light does not pass through, the surface alone is shown");
             continue;
