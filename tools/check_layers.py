@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks every #include against the tables below: modules include only downwards, a library appears in one module only,
+"""Checks every #include against the tables below: modules, and the rooms of the soft engine, include only downwards, a library appears in one module only,
 public headers name no library, sources that are compiled per instruction set include only what those may, the shared
 lighting text uses no word that GLSL reserves, no hash table takes std::hash, for which a file can choose its names, and tests
 have temporary files in one way. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
@@ -34,9 +34,22 @@ BELOW = {
     "tools": ["render", "engines/raster/inspect"],
 }
 
+# Rooms of the soft engine -> the rooms that each may include; headers in the engine's own folder are for all of them.
+ROOMS = {
+    "kernels": [],
+    "textures": ["kernels"],
+    "geometry": ["kernels"],
+    "visibility": ["geometry", "kernels"],
+    "lights": ["geometry", "kernels"],
+    "marks": ["visibility", "geometry"],
+    "shadows": ["visibility", "geometry", "kernels"],
+    "shade": ["lights", "marks", "textures", "visibility", "geometry", "kernels"],
+    "inspect": ["shade", "shadows", "lights", "marks", "textures", "visibility", "geometry", "kernels"],
+}
+
 # Of an engine's headers what modules above it see, and what these headers may include of the engine themselves.
 DOORS = {
-    "engines/raster": re.compile(r"engines/raster/(raster_engine|geometry/clip|kernels/clip_planes|visibility/(depth_formats|sample_positions)|"
+    "engines/raster": re.compile(r"engines/raster/(raster_engine|geometry/clip|kernels/clip_planes|geometry/sample_positions|visibility/depth_formats|"
                                  r"lights/lit_corner|inspect/(inspection|explanation|traced_pixel|inspect_pixels|inspect_samples|inspect_shading))\.h"),
 }
 
@@ -130,6 +143,17 @@ def check_door(where, path, module, name, wrong):
             wrong.append(f"{where}: \"{name}\" is no door of {engine} (DOORS in tools/check_layers.py)")
 
 
+def check_room(where, path, name, wrong):
+    """Includes between the rooms of the soft engine."""
+    room, other = (re.match(r"(?:src/)?engines/raster/(\w+)/", str(p)) for p in (path, name))
+    if room is None or other is None or room[1] == other[1]:
+        return
+    if room[1] not in ROOMS:
+        wrong.append(f"{where}: the room '{room[1]}' is not in ROOMS (tools/check_layers.py)")
+    elif other[1] not in ROOMS[room[1]]:
+        wrong.append(f"{where}: the room '{room[1]}' may not include \"{name}\" (ROOMS in tools/check_layers.py)")
+
+
 def check_file(path, wrong):
     text = (ROOT / path).read_text()
     relative = str(path)
@@ -154,6 +178,7 @@ def check_file(path, wrong):
             elif other and other not in closure(module):
                 wrong.append(f"{where}: {module} may not include \"{name}\"")
             check_door(where, path, module, name, wrong)
+            check_room(where, path, name, wrong)
         elif is_public:
             wrong.append(f"{where}: public headers include only public headers, found \"{name}\"")
         if any(relative.startswith(f) for f in ISA_FILES) and not ISA_ALLOWED.fullmatch(name):

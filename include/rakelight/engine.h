@@ -252,7 +252,7 @@ public:
     virtual ~Engine() = default;
     virtual std::string name() const = 0;
     /// Of a posed scene, which the engine keeps: who needs it no more moves it in. Textures that cannot be decoded become a
-    /// warning. @throws Error bad_file, see validate()
+    /// warning. @throws Error bad_file, see validate(): the engine keeps what it had; failed: cancelled: it has nothing then
     virtual void prepare(Scene scene, Context& context) = 0;
     /// What was prepared last; empty before.
     virtual const Scene& scene() const = 0;

@@ -65,6 +65,9 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/shadow/shadow_map.glsl"
 // clang-format on
 
+static_assert(int(LightKind::ambient) == RL_AMBIENT_LIGHT && int(LightKind::directional) == RL_DIRECTIONAL_LIGHT &&
+              int(LightKind::point) == RL_POINT_LIGHT && int(LightKind::spot) == RL_SPOT_LIGHT);
+
 /// Three floats for all lanes.
 RL_FN vec3 broadcast3(const float (&a)[3]) { return vec3(broadcast(a[0]), broadcast(a[1]), broadcast(a[2])); }
 

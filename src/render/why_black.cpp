@@ -13,6 +13,7 @@
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
 #include "shading/choices.h"
+#include "shading/lights.h"
 
 namespace rakelight {
 namespace {
@@ -109,7 +110,7 @@ std::vector<Reach> lights_that_are_on(const Scene& scene, double cutoff) {
     const Bounds box = world_bounds(scene);
     std::vector<Reach> list;
     for (const Light& light : scene.lights) {
-        Reach reach = reach_of(light, light.node == none ? light.position : world[light.node][3].xyz(), box);
+        Reach reach = reach_of(light, shading::place_of(light, world).position, box);
         reach.is_cut = is_cut(light, cutoff);
         if (reach.is_on) list.push_back(reach);
     }

@@ -45,7 +45,7 @@ float exponent_of(float roughness) {
 
 float roughness_of(float exponent) {
     const double n = exponent >= 1 ? std::min(double(exponent), max_exponent) : 1.0;
-    return float(std::sqrt(std::sqrt(2 / (n + 2))));
+    return float(roughness_of_exponent(n));
 }
 
 vec3 dielectric_specular(const MetallicRoughnessParameters& p) {
@@ -98,6 +98,8 @@ Material metallic_roughness_from_classical(const Material& m) {
     out.double_sided = true;  // as classical materials are drawn
     return out;
 }
+
+double roughness_of_exponent(double exponent) { return std::sqrt(std::sqrt(2 / (exponent + 2))); }
 
 float ior_f0(float ior) {
     const float ratio = (ior - 1) / (ior + 1);

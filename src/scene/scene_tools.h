@@ -30,6 +30,8 @@ struct Bounds {
     dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
     bool empty() const { return !(low.x <= high.x); }
     dvec3 center() const;
+    /// @param i  0..7: bit 0, 1, 2 choose high x, y, z
+    dvec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
     double diagonal() const;
 };
 
@@ -75,6 +77,10 @@ void name_default_material(Scene& scene);
 /// Named conversions between the two parameter sets of a material. What they lose is said in the functions' .cpp.
 Material classical_from_metallic_roughness(const Material& m);
 Material metallic_roughness_from_classical(const Material& m);
+
+/// Roughness of the GGX, Beckmann or Ward lobe that is as wide as Blinn-Phong's of this exponent >= 0: alpha^2 = 2 / (n + 2)
+/// (Karis 2013, "Specular BRDF Reference").
+double roughness_of_exponent(double exponent);
 
 /// Reflectance at normal incidence that an index of refraction gives: ((ior - 1) / (ior + 1))^2 (KHR_materials_ior; 0
 /// is its case for specular-glossiness and gives 1).

@@ -76,6 +76,22 @@ BumpTermsNumber bump_terms_number(BumpTerms terms) {
     }
 }
 
+TangentSpaceNumber tangent_space_number(TangentSpace space) {
+    switch (space) {
+        case TangentSpace::world:
+            return space_world;
+        case TangentSpace::pixel:
+            return space_pixel;
+        case TangentSpace::vertex:
+            return space_vertex;
+        case TangentSpace::transposed:
+            return space_transposed;
+    }
+    return space_world;
+}
+
+WardForm ward_form_of(const Material& material, WardForm wanted) { return material.ward_form.value_or(wanted); }
+
 FogNumber fog_number(FogKind kind) {
     switch (kind) {
         case FogKind::none:

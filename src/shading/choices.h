@@ -17,7 +17,11 @@ ReflectionForm reflection_form(SpecularForm form);    ///< @param form  not auto
 WardNumber ward_number(WardForm form);
 ReliefTechnique relief_technique(Bump bump);  ///< relief_none where no height map is read
 BumpTermsNumber bump_terms_number(BumpTerms terms);
+TangentSpaceNumber tangent_space_number(TangentSpace space);
 FogNumber fog_number(FogKind kind);
+
+/// The form of Ward's model that a material is lit by: its own, else the picture's.
+WardForm ward_form_of(const Material& material, WardForm wanted);
 
 /// Formats that say nothing about sides show both, as double-sided materials are.
 bool is_two_sided(const Material& material);

@@ -15,6 +15,8 @@ public:
     /// @param to_eye  object -> world axes about the eye. Like list and view it must outlive this
     DrawFrame(const DrawList& list, const Draw& draw, const dmat4& to_eye, const View& view, FrontFace front_face);
 
+    DrawFrame(const DrawList& list, const Draw& draw, dmat4&& to_eye, const View& view, FrontFace front_face) = delete;
+
     dvec3 position(std::uint32_t vertex) const;
     dvec3 normal(std::uint32_t vertex) const;  ///< unit; the mesh must have normals
 

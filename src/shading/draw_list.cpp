@@ -27,10 +27,9 @@ void measure(const Mesh& mesh, vec3& low, vec3& high) {
 }
 
 void extend(Bounds& bounds, const Draw& draw) {
+    const Bounds own{cast<double>(draw.low), cast<double>(draw.high)};
     for (int corner = 0; corner < 8; ++corner) {
-        const vec3 p = {corner & 1 ? draw.high.x : draw.low.x, corner & 2 ? draw.high.y : draw.low.y,
-                        corner & 4 ? draw.high.z : draw.low.z};
-        const dvec3 at = transform_point(draw.to_world, cast<double>(p));
+        const dvec3 at = transform_point(draw.to_world, own.corner(corner));
         bounds.low = min(bounds.low, at);
         bounds.high = max(bounds.high, at);
     }

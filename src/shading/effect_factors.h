@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Relief and fog as plain numbers. C headers only: kernels of every instruction set read them.
+// Relief, environment and fog as plain numbers. C headers only: kernels of every instruction set read them.
 #pragma once
 #include <stdint.h>
 
@@ -13,6 +13,13 @@ struct ReliefFactors {
     int32_t holds_depth, min_steps, max_steps, refinement_steps, self_shadow, limit_silhouette;
     float to_uv[2];      ///< change of u and v for one width along the tangent and along the bitangent
     float to_map[2][2];  ///< rows: the same of the map's own coordinates, behind the slot's transform
+};
+
+/// Light from all around, without its pictures.
+struct EnvironmentFactors {
+    float irradiance[9][3];  ///< spherical harmonics of irradiance / pi, scaled for the polynomial in x, y, z
+    float turn[2];           ///< cosine and sine of the rotation about +Y
+    float intensity;
 };
 
 struct FogFactors {

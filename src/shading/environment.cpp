@@ -2,6 +2,7 @@
 #include "shading/environment.h"
 
 #include "image/decode.h"
+#include "math/functions.h"
 
 namespace rakelight::shading {
 namespace {
@@ -13,21 +14,40 @@ EnvironmentImages images_of(const ImageHandle& image, Context& context) {
     return out;
 }
 
+EnvironmentFactors factors_of(const std::array<vec3, 9>& irradiance, const Environment& environment) {
+    EnvironmentFactors out{};
+    for (std::size_t i = 0; i < 9; ++i)
+        for (std::size_t c = 0; c < 3; ++c) out.irradiance[i][c] = irradiance[i][c];
+    out.turn[0] = float(math::cos(environment.rotation_rad));
+    out.turn[1] = float(math::sin(environment.rotation_rad));
+    out.intensity = environment.intensity;
+    return out;
+}
+
 }  // namespace
 
 bool uses_environment(const Scene& scene) {
     return scene.environment && (scene.environment->is_light || scene.environment->is_background);
 }
 
-void load_environment(const Scene& scene, const std::function<void(const EnvironmentImages&)>& pack, Context& context) {
-    const ImageHandle& image = scene.environment->image;
-    try {
-        pack(images_of(image, context));
-    } catch (const Error& error) {
-        context.throw_if_cancelled();
-        context.report().add(Remark::warning, image ? image->file : scene.source,
-                             image ? image->name : "the built-in studio", "environment left out: " + error.reason());
-    }
+std::optional<UsedEnvironment> EnvironmentCache::update(const Scene& scene, const EnvironmentPacker& packer,
+                                                        Context& context) {
+    const ImageHandle image = uses_environment(scene) ? scene.environment->image : nullptr;
+    if (packed_ && (!uses_environment(scene) || image_ != image)) packed_ = nullptr;
+    if (!uses_environment(scene)) return {};
+    if (!packed_) try {
+            const EnvironmentImages images = images_of(image, context);
+            packed_ = packer.pack(images, image, context);
+            irradiance_ = images.light.irradiance;
+            image_ = image;
+        } catch (const Error& error) {
+            context.throw_if_cancelled();
+            context.report().add(Remark::warning, image ? image->file : scene.source,
+                                 image ? image->name : "the built-in studio",
+                                 "environment left out: " + error.reason());
+            return {};
+        }
+    return UsedEnvironment{packed_, factors_of(irradiance_, *scene.environment)};
 }
 
 }  // namespace rakelight::shading

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene's environment decoded, before an engine packs it as it samples it.
+// A scene's environment: decoded and prefiltered once for a picture of all around, packed by the engine as it samples it,
+// kept while the scene uses it.
 #pragma once
-#include <functional>
+#include <array>
+#include <memory>
+#include <optional>
 
 #include <rakelight/scene.h>
 
 #include "image/environment.h"
+#include "shading/effect_factors.h"
 
 namespace rakelight::shading {
 
@@ -15,11 +19,38 @@ struct EnvironmentImages {
     EnvironmentLight light;
 };
 
-/// Whether a picture shows the environment, or is lit by it.
+/// As an engine samples it.
+struct PackedEnvironment {
+    virtual ~PackedEnvironment() = default;
+};
+
+class EnvironmentPacker {
+public:
+    virtual ~EnvironmentPacker() = default;
+    /// @param image  null: the studio
+    /// @throws Error bad_file: too many texels, over the memory budget
+    virtual std::shared_ptr<const PackedEnvironment> pack(const EnvironmentImages& images, const ImageHandle& image,
+                                                          Context& context) const = 0;
+};
+
+/// Whether pictures show the environment, or are lit by it.
 bool uses_environment(const Scene& scene);
 
-/// Decodes the environment of a scene that uses one and hands it to `pack`. What either of them throws for a picture
-/// becomes a warning in the report.
-void load_environment(const Scene& scene, const std::function<void(const EnvironmentImages&)>& pack, Context& context);
+struct UsedEnvironment {
+    std::shared_ptr<const PackedEnvironment> packed;
+    EnvironmentFactors factors;
+};
+
+class EnvironmentCache {
+public:
+    /// Nothing where the scene uses no environment, or where its picture cannot be decoded or packed: that is a warning
+    /// in the report.
+    std::optional<UsedEnvironment> update(const Scene& scene, const EnvironmentPacker& packer, Context& context);
+
+private:
+    ImageHandle image_;  ///< of what is packed
+    std::shared_ptr<const PackedEnvironment> packed_;
+    std::array<vec3, 9> irradiance_{};
+};
 
 }  // namespace rakelight::shading

@@ -54,20 +54,27 @@ void set_photometric(LightParameters& p, const Light& light) {
 
 }  // namespace
 
+LightPlace place_of(const Light& light, const std::vector<dmat4>& node_to_world) {
+    LightPlace out{light.position, light.direction};
+    if (light.node != none) {
+        const dmat4& m = node_to_world[light.node];
+        out = {m[3].xyz(), -m[2].xyz()};
+    }
+    out.direction = normalize_or(out.direction, {0, 0, -1});
+    return out;
+}
+
+bool casts_shadow(const Light& light) { return light.type != LightType::ambient && light.casts_shadow; }
+
 std::vector<LightParameters> make_lights(const Scene& scene, const std::vector<dmat4>& node_to_world, dvec3 eye) {
     std::vector<LightParameters> lights;
     for (const Light& light : scene.lights) {
-        dvec3 position = light.position, direction = light.direction;
-        if (light.node != none) {
-            const dmat4& m = node_to_world[light.node];
-            position = m[3].xyz();
-            direction = -m[2].xyz();
-        }
+        const LightPlace at = place_of(light, node_to_world);
         LightParameters p;
         p.kind = kind_of(light.type);
-        p.casts_shadow = light.casts_shadow;
-        copy(p.position, cast<float>(position - eye));
-        copy(p.direction, cast<float>(normalize_or(direction, {0, 0, -1})));
+        p.casts_shadow = casts_shadow(light);
+        copy(p.position, cast<float>(at.position - eye));
+        copy(p.direction, cast<float>(at.direction));
         if (std::isfinite(light.range)) p.inverse_range = 1.0f / std::max(light.range, float(least_light_range));
         if (light.units == LightUnits::photometric)
             set_photometric(p, light);

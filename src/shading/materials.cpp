@@ -16,17 +16,13 @@ void copy(float (&to)[3], vec3 from) {
     to[2] = from.z;
 }
 
-/// Roughness of the GGX, Beckmann or Ward lobe that is as wide as Blinn-Phong's of this exponent: alpha^2 = 2 / (n + 2)
-/// (Karis 2013, "Specular BRDF Reference").
-float roughness_of_exponent(float n) { return float(std::sqrt(std::sqrt(2 / (double(n) + 2)))); }
-
 /// What the models of more parameters read.
 void add_layers(const Material& m, MaterialFactors& v) {
     const MetallicRoughnessParameters& p = m.metallic_roughness;
 #define RL_COPY(name) v.name = p.name;
     RL_COPIED_PARAMETERS(RL_COPY)
 #undef RL_COPY
-    v.lobe_roughness = roughness_of_exponent(v.shininess);
+    v.lobe_roughness = float(roughness_of_exponent(double(v.shininess)));
     v.sigma = m.sigma_rad.value_or(-1);
     const vec2 alpha = m.ward_alpha.value_or(vec2{0, 0});
     v.ward_alpha[0] = alpha.x, v.ward_alpha[1] = alpha.y;

@@ -6,7 +6,7 @@
 namespace rakelight::shading {
 namespace {
 
-std::string said(const NormalMapCheck& c) {
+std::string described(const NormalMapCheck& c) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "%llu of %llu texels of the normal map (%.2g %%) point into the surface: blue is below one half",
@@ -38,7 +38,8 @@ void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, 
         return say(Remark::warning,
                    is_of_world_ ? "the normal map looks like a height map: it is gray; 'height_texture' takes it as one"
                                 : "the normal map looks like a height map: it is gray; --height-map takes it as one");
-    if (check.below > 0) say(check.below * 1000 >= check.texels ? Remark::warning : Remark::note, said(check).c_str());
+    if (check.below > 0)
+        say(check.below * 1000 >= check.texels ? Remark::warning : Remark::note, described(check).c_str());
     if (!material.green_down && check.green.is_down())
         say(Remark::warning, "the normal map looks green-down; --normal-map-green down turns it");
     if (material.green_down && check.green.is_up())

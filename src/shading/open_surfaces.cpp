@@ -30,7 +30,7 @@ std::uint64_t open_edges(std::span<const AttributeMesh> meshes, double distance,
 
 }  // namespace
 
-double OpenSurfaces::what_rounding_parts(const DrawList& list, Part object) {
+double OpenSurfaces::weld_tolerance(const DrawList& list, Part object) {
     double distance = 0;
     for (const Draw* draw = object.begin; draw != object.end; ++draw) {
         const vec3 far = max(draw->high, vec3{} - draw->low);
@@ -49,7 +49,7 @@ std::uint64_t OpenSurfaces::count(const DrawList& list, Part object, Context& co
         m.positions = mesh.positions;
         m.indices = mesh.indices;
     }
-    return open_edges(meshes, 0, context) == 0 ? 0 : open_edges(meshes, what_rounding_parts(list, object), context);
+    return open_edges(meshes, 0, context) == 0 ? 0 : open_edges(meshes, weld_tolerance(list, object), context);
 }
 
 void OpenSurfaces::remark(const DrawList& list, std::span<const std::uint8_t> is_culled, Cull cull, bool asked,

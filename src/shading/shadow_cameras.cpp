@@ -7,6 +7,7 @@
 #include <string>
 
 #include "math/functions.h"
+#include "shading/lights.h"
 
 namespace rakelight::shading {
 namespace {
@@ -42,9 +43,7 @@ MapCamera directional_camera(const Bounds& bounds, dvec3 direction, const Render
     const dvec3 middle = (bounds.low + bounds.high) * 0.5;
     double half = 0, depth = 0;
     for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p = {corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
-                         corner & 4 ? bounds.high.z : bounds.low.z};
-        const dvec3 d = p - middle;
+        const dvec3 d = bounds.corner(corner) - middle;
         half = std::max({half, std::fabs(dot(d, out.axes.x)), std::fabs(dot(d, out.axes.y))});
         depth = std::max(depth, std::fabs(dot(d, out.axes.z)));
     }
@@ -71,20 +70,6 @@ MapCamera lamp_camera(const Bounds& bounds, dvec3 position, const MapAxes& axes,
     return out;
 }
 
-/// Where a light stands, in double.
-struct LightPlace {
-    dvec3 position, direction;
-};
-LightPlace place_of(const DrawList& list, const Light& light) {
-    LightPlace out{light.position, light.direction};
-    if (light.node != none) {
-        const dmat4& m = list.node_to_world[light.node];
-        out = {m[3].xyz(), -m[2].xyz()};
-    }
-    out.direction = normalize_or(out.direction, {0, 0, -1});
-    return out;
-}
-
 double half_angle_of(const Light& light) {
     const double angle = light.units == LightUnits::classical ? light.cutoff_rad : light.outer_cone_rad;
     return std::max(angle, radians(0.5));
@@ -101,8 +86,6 @@ void set_row(float (&to)[4], dvec3 axis, dvec3 from, dvec3 eye) {
 }
 
 }  // namespace
-
-bool casts_shadow(const Light& light) { return light.type != LightType::ambient && light.casts_shadow; }
 
 std::uint64_t shadow_map_count(const Light& light) { return !casts_shadow(light) ? 0 : has_one_map(light) ? 1 : 6; }
 
@@ -124,7 +107,7 @@ void check_shadow_memory(std::span<const Light> lights, const RenderSettings& se
 bool has_shadow_range(const Bounds& drawn) { return drawn.diagonal() < 1e30; }
 
 std::vector<MapCamera> shadow_cameras(const DrawList& list, const Light& light, const RenderSettings& settings) {
-    const LightPlace at = place_of(list, light);
+    const LightPlace at = place_of(light, list.node_to_world);
     if (light.type == LightType::directional) return {directional_camera(list.bounds, at.direction, settings)};
     if (has_one_map(light))
         return {lamp_camera(list.bounds, at.position, axes_along(at.direction), half_angle_of(light), settings)};

@@ -7,6 +7,7 @@
 #include <rakelight/engine.h>
 
 #include "shading/draw_list.h"
+#include "shading/lights.h"
 #include "shading/shadow_factors.h"
 #include "shading/view.h"
 
@@ -24,7 +25,6 @@ struct MapCamera {
     dvec3 eye;
 };
 
-bool casts_shadow(const Light& light);
 /// A directional light has one parallel map about all that is drawn; a spot of at most 60 degrees about its axis one in
 /// perspective; other spots and point lights six; ambient lights none.
 std::uint64_t shadow_map_count(const Light& light);

@@ -30,6 +30,8 @@ enum ReliefTechnique : int32_t {
 };
 /// RL_BUMP_... of lighting/material/directions.glsl.
 enum BumpTermsNumber : int32_t { bump_both, bump_diffuse, bump_specular };
+/// The space that lighting of bumps is done in: no number of the text, but of the kernels that choose its functions.
+enum TangentSpaceNumber : int32_t { space_world, space_pixel, space_vertex, space_transposed };
 /// RL_..._FOG of lighting/light/fog.glsl.
 enum FogNumber : int32_t { fog_none, fog_linear, fog_exponential, fog_exponential_squared };
 

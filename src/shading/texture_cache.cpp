@@ -106,6 +106,8 @@ void TextureCache::update(const std::vector<TextureWish>& wishes, const TextureP
             missing.push_back({&entry->first, is_bump[key], &entry->second});
     }
     load_all(missing, packer, context);
+    for (const Missing& m : missing)  // one that was there, and is not to be had again for its check
+        if (const auto known = textures_.find(*m.key); !*m.data && known != textures_.end()) *m.data = known->second;
     for (const Missing& m : missing)
         if (!*m.data)
             context.report().add(Remark::warning, m.key->image->file, m.key->image->name,

@@ -60,7 +60,7 @@ public:
     /// Forgets what is not wished for, decodes what is new. A picture that cannot be decoded becomes a warning in the
     /// report and is left out.
     void update(const std::vector<TextureWish>& wishes, const TexturePacker& packer, Context& context);
-    /// Null when the picture could not be decoded.
+    /// Null when the picture could not be decoded. Valid until the next update().
     const LoadedTexture* find(const TextureKey& key) const;
 
 private:

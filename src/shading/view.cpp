@@ -61,9 +61,7 @@ void narrow_depths(View& view, const Bounds& drawn) {
     if (drawn.empty()) return;
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p = {corner & 1 ? drawn.high.x : drawn.low.x, corner & 2 ? drawn.high.y : drawn.low.y,
-                         corner & 4 ? drawn.high.z : drawn.low.z};
-        const double distance = -transform_point(view.world_to_camera, p).z;
+        const double distance = -transform_point(view.world_to_camera, drawn.corner(corner)).z;
         nearest = std::min(nearest, distance);
         farthest = std::max(farthest, distance);
     }

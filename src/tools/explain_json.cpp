@@ -93,9 +93,10 @@ Json light_json(const Light& light, std::size_t index, int reflection_model, con
                 {"range_window", double(t.range_window)},
                 {"spot", double(t.spot)},
                 {"n_dot_l", double(t.n_dot_l)}};
-    if (reflection_model == 1) out["r_dot_v"] = double(t.lobe_cosine);
-    if (reflection_model == 2 || reflection_model >= 4) out["n_dot_h"] = double(t.lobe_cosine);
-    if (reflection_model == 5) out["fresnel_weight"] = double(t.fresnel_weight);
+    if (reflection_model == shading::reflects_phong) out["r_dot_v"] = double(t.lobe_cosine);
+    if (reflection_model == shading::reflects_blinn_phong || has_microfacets(reflection_model))
+        out["n_dot_h"] = double(t.lobe_cosine);
+    if (reflection_model == shading::reflects_pbr) out["fresnel_weight"] = double(t.fresnel_weight);
     out["lobe"] = double(t.lobe);
     out["specular_factor"] = double(t.specular_factor);
     out["own_color"] = {
@@ -144,9 +145,9 @@ Json surface_json(const ShadedLayer& layer) {
 /// Of the models of more parameters.
 void add_parameters(Json& out, const ShadedLayer& layer) {
     const raster::PixelTrace& t = layer.trace;
-    if (layer.reflection_model == 3) out["oren_nayar"] = list(t.oren_nayar);
-    if (layer.reflection_model >= 4) out["alpha"] = list(t.lobe_alpha);
-    if (layer.reflection_model != 5) return;
+    if (layer.reflection_model == shading::reflects_oren_nayar) out["oren_nayar"] = list(t.oren_nayar);
+    if (has_microfacets(layer.reflection_model)) out["alpha"] = list(t.lobe_alpha);
+    if (layer.reflection_model != shading::reflects_pbr) return;
     out["f90"] = list(t.f90);
     if (t.coat > 0)
         out["clearcoat"] = {
@@ -189,7 +190,8 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
                 {"normal", list(t.normal)},
                 {"diffuse_normal", list(t.diffuse_normal)},
                 {"to_viewer", list(t.view)}};
-    if (layer.ward_form >= 0) out["ward_form"] = ward_form_words[layer.ward_form].name;
+    for (const Word<WardForm>& word : ward_form_words)
+        if (layer.ward_form == word.value) out["ward_form"] = word.name;
     out["surface"] = surface_json(layer);
     add_parameters(out["surface"], layer);
     out["emission"] = list(t.emission);

@@ -9,6 +9,7 @@
 
 #include "engines/raster/inspect/inspection.h"
 #include "render/report_json.h"
+#include "shading/text_numbers.h"
 
 namespace rakelight {
 
@@ -51,6 +52,14 @@ std::string maps_text(const ExplainedPixel& e, const raster::ShadedLayer& layer)
 const char* material_model(const ExplainedPixel& e, const raster::ShadedLayer& layer);
 /// Bumps act on one of both terms: the other has a normal for itself.
 bool has_own_diffuse_normal(const raster::ShadedLayer& layer);
+/// Ward's and GGX: a lobe with widths.
+inline bool has_microfacets(int reflection_model) {
+    return reflection_model == shading::reflects_ward || reflection_model == shading::reflects_pbr;
+}
+/// More than Lambert, Phong and Blinn-Phong.
+inline bool is_beyond_classical(int reflection_model) {
+    return has_microfacets(reflection_model) || reflection_model == shading::reflects_oren_nayar;
+}
 /// "lambert", "phong" or "blinn_phong"
 const char* reflection_model(const raster::ShadedLayer& layer);
 

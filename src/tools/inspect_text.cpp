@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "shading/choices.h"
 #include "tools/camera_extent.h"
 #include "tools/inspect_sections.h"
 #include "tools/object_name.h"
@@ -49,7 +50,7 @@ std::string materials_text(const Inspection& i) {
                        std::string textures;
                        for (const auto& [role, use] : texture_uses(m))
                            textures += (textures.empty() ? "" : ", ") + (role + (" " + std::to_string(use.texture)));
-                       const bool two_sided = m.double_sided || m.model == MaterialModel::classical;
+                       const bool two_sided = shading::is_two_sided(m);
                        const std::uint32_t objects = i.material_objects[n];
                        return std::vector<std::string>{std::to_string(n),
                                                        name_or(m.name, "material", n),

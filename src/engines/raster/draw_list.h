@@ -7,17 +7,17 @@
 
 #include "engines/raster/kernels/kernel_types.h"
 #include "shading/draw_list.h"
+#include "shading/environment.h"
 
 namespace rakelight::raster {
 
-struct EnvironmentMaps;
 using shading::Draw, shading::DrawMaterial;
 
 struct DrawList : shading::DrawList {
-    std::vector<MaterialView> views;                     ///< [materials]
-    std::deque<TextureView> textures;                    ///< what their slots point to
-    std::shared_ptr<const EnvironmentMaps> environment;  ///< null: none; EnvironmentCache
-    EnvironmentView environment_view{};                  ///< of it
+    std::vector<MaterialView> views;                                ///< [materials]
+    std::deque<TextureView> textures;                               ///< what their slots point to
+    std::shared_ptr<const shading::PackedEnvironment> environment;  ///< null: none; textures/environment_maps.h
+    EnvironmentView environment_view{};                             ///< of it
 
     const MaterialView& view(std::uint32_t draw) const { return views[draws[draw].material]; }
 };

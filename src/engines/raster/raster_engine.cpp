@@ -8,13 +8,14 @@
 #include <mutex>
 
 #include "engines/channel_arrays.h"
-#include "engines/raster/lights/shadow_maps.h"
-#include "engines/raster/lights/shadow_texels.h"
+#include "engines/raster/full_jobs.h"
+#include "engines/raster/multisample.h"
 #include "engines/raster/shade/channels_tile.h"
-#include "engines/raster/shade/full_jobs.h"
-#include "engines/raster/shade/multisample.h"
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/shade/sky.h"
+#include "engines/raster/shadows/shadow_maps.h"
+#include "engines/raster/shadows/shadow_texels.h"
 #include "engines/raster/textures/environment_maps.h"
+#include "engines/raster/tile.h"
 #include "engines/raster/visibility/visibility_methods.h"
 #include "math/flush_denormals.h"
 #include "math/isa.h"
@@ -198,11 +199,12 @@ public:
 
     void prepare(Scene scene, Context& context) override {
         validate_changes(scene, list_.scene);
+        list_ = {};  // its textures may go: what fails from here on leaves an empty scene
         // First: maps are not there beside the new scene's textures, nor of lights that a list left half made lacks.
         shadows_.forget();
         open_surfaces_.forget();
         list_ = make_draw_list(std::move(scene), textures_, context);
-        environments_.update(list_, context);
+        set_environment(list_, environments_, context);
     }
 
     const Scene& scene() const override { return list_.scene; }
@@ -308,7 +310,7 @@ private:
     const Kernels* kernels_;
     const GeometryKernels* geometry_kernels_;
     shading::TextureCache textures_;
-    EnvironmentCache environments_;
+    shading::EnvironmentCache environments_;
     DrawList list_;
     shading::OpenSurfaces open_surfaces_;
     ShadowMaps shadows_;

@@ -235,7 +235,7 @@ void MaterialLibrary::set_metallic_roughness(Material& m, const MtlMaterial& sou
     const bool is_packed = rough && metal && rough->file == metal->file;
     p.texture = use(rough, file);
     p.metallic = unit_value(source.metallic.value_or(p.texture && is_packed ? 1 : 0), source.line, remarks);
-    const double from_exponent = source.exponent ? std::sqrt(std::sqrt(2 / (std::max(0.0, *source.exponent) + 2))) : 1;
+    const double from_exponent = source.exponent ? roughness_of_exponent(std::max(0.0, *source.exponent)) : 1;
     p.roughness = unit_value(source.roughness.value_or(p.texture ? 1 : from_exponent), source.line, remarks);
     if (source.ior && *source.ior >= 1) p.ior = float(std::min(*source.ior, 100.0));
     if (source.anisotropy) p.anisotropy = unit_value(*source.anisotropy, source.line, remarks);

@@ -7,9 +7,9 @@
 #include <atomic>
 
 #include "engines/raster/inspect/open_scene.h"
+#include "engines/raster/multisample.h"
 #include "engines/raster/raster_engine.h"
 #include "engines/raster/shade/channels_tile.h"
-#include "engines/raster/shade/multisample.h"
 #include "support/thrown_error.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"

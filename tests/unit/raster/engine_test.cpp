@@ -429,6 +429,27 @@ TEST(SoftEngine, MeshesWithoutNormalsAreLitFromOutsideWhicheverWayFrontsTurn) {
     }
 }
 
+TEST(SoftEngine, APrepareThatFailsLeavesAnEmptySceneAndTheNextOneIsAsEver) {
+    Material painted = matte();
+    painted.base_color_texture.texture = 0;
+    Scene scene = lit_square(painted), other = scene;
+    scene.textures.push_back({.image = picture(rgb_pixels(4, 4, [](int, int) { return std::array{200, 100, 50}; }))});
+    other.textures.push_back({.image = picture(rgb_pixels(4, 4, [](int, int) { return std::array{50, 100, 200}; }))});
+    const Frame reference = render(scene, flat_camera());
+    const auto engine = raster::make_engine();
+    Context context({.threads = 1}), cancelled({.threads = 1});
+    engine->prepare(scene, context);
+    cancelled.cancel();
+    EXPECT_THROW(engine->prepare(other, cancelled), Error);
+    EXPECT_TRUE(engine->scene().meshes.empty());
+    Frame empty, again;
+    engine->render(flat_camera(), small, empty, context);
+    EXPECT_EQ(covered(empty), 0u);
+    engine->prepare(scene, context);
+    engine->render(flat_camera(), small, again, context);
+    EXPECT_TRUE(same_bits(again, reference));
+}
+
 TEST(SoftEngine, APictureOfTheGreatestSizeHasTheBitsOfItsWindow) {
     RenderSettings settings = small;
     settings.width = settings.height = 65536;

@@ -10,7 +10,7 @@
 
 #include "engines/raster/inspect/inspect_samples.h"
 #include "engines/raster/inspect/inspect_shading.h"
-#include "engines/raster/shade/multisample.h"
+#include "engines/raster/multisample.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Multisampled pictures where the number of covered samples is known: edges, thin lines, masks, blended surfaces.
-#include "engines/raster/shade/multisample.h"
+#include "engines/raster/multisample.h"
 
 #include <gtest/gtest.h>
 

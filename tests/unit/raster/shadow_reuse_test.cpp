@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "engines/raster/lights/shadow_maps.h"
+#include "engines/raster/shadows/shadow_maps.h"
 #include "shading/lights.h"
 #include "unit/raster/shadow_scenes.h"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "engines/raster/visibility/sample_positions.h"
+#include "engines/raster/geometry/sample_positions.h"
 #include "shading/draw_choices.h"
 
 namespace rakelight::raster {

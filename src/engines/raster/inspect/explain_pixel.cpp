@@ -4,17 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "engines/raster/blend.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/inspect/explained_triangles.h"
 #include "engines/raster/inspect/kernels/trace_kernel.h"
 #include "engines/raster/inspect/open_scene.h"
-#include "engines/raster/shade/blend.h"
-#include "engines/raster/shade/full_jobs.h"
-#include "engines/raster/shade/multisample.h"
-#include "engines/raster/shade/tile.h"
-#include "engines/raster/textures/environment_maps.h"
+#include "engines/raster/multisample.h"
+#include "engines/raster/shade/sky.h"
+#include "engines/raster/tile.h"
 #include "engines/raster/visibility/coverage.h"
 #include "engines/raster/visibility/visibility_methods.h"
 #include "math/flush_denormals.h"
+#include "shading/choices.h"
 
 namespace rakelight::raster {
 namespace {
@@ -122,7 +123,9 @@ private:
         layer->is_unlit = batch.unlit != 0;
         layer->reflection_model = batch.reflection_model;
         layer->reflection_form = batch.reflection_form;
-        if (batch.reflection_model == 4 && batch.full) layer->ward_form = batch.full->ward_form;
+        if (batch.reflection_model == shading::reflects_ward)
+            layer->ward_form = shading::ward_form_of(
+                of_.list().scene_material(of_.list().material(of_.list().draws[s.draw])), of_.settings().ward_form);
         if (pixel.is_lit_at_corners)
             layer->corners = trace_corners(open_.front, open_.points, s, batch);
         else if (!layer->is_unlit)

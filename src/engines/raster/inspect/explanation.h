@@ -3,13 +3,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/scene.h>
 
+#include "engines/raster/geometry/sample_positions.h"
 #include "engines/raster/inspect/traced_pixel.h"
 #include "engines/raster/lights/lit_corner.h"
-#include "engines/raster/visibility/sample_positions.h"
 
 namespace rakelight::raster {
 
@@ -67,8 +68,8 @@ struct ShadedLayer {
     std::vector<TracedLight> lights;   ///< as Scene::lights; empty for unlit surfaces and where trace.is_lit_at_corners
     std::vector<TracedParts> parts;    ///< [lights], then those of what comes from all around and of the emission
     std::vector<TracedCorner> corners;  ///< where trace.is_lit_at_corners: the three vertices, or the centroid alone
-    int reflection_model = 0, reflection_form = 0;  ///< of ShadeJob
-    int ward_form = -1;                             ///< WardForm where the model is Ward's, else -1
+    int reflection_model = 0, reflection_form = 0;  ///< shading::ReflectionModel and ::ReflectionForm
+    std::optional<WardForm> ward_form;              ///< where the model is Ward's
     bool is_unlit = false, is_blended = false;
     std::vector<LaidSample> samples;  ///< those that show it
 };

@@ -8,7 +8,7 @@
 #include "engines/raster/inspect/note_samples.h"
 #include "engines/raster/inspect/open_scene.h"
 #include "engines/raster/shade/channels_tile.h"
-#include "engines/raster/textures/environment_maps.h"
+#include "engines/raster/shade/sky.h"
 #include "engines/raster/visibility/coverage.h"
 #include "engines/raster/visibility/visibility_methods.h"
 #include "math/flush_denormals.h"

@@ -6,7 +6,7 @@
 
 #include "engines/raster/inspect/note_samples.h"
 #include "engines/raster/inspect/open_scene.h"
-#include "engines/raster/shade/multisample.h"
+#include "engines/raster/multisample.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {

@@ -2,7 +2,7 @@
 #include "engines/raster/inspect/inspect_shading.h"
 
 #include "engines/raster/inspect/open_scene.h"
-#include "engines/raster/shade/multisample.h"
+#include "engines/raster/multisample.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {

@@ -2,7 +2,7 @@
 // The samples of one tile, for inspect_pixels.h.
 #pragma once
 #include "engines/raster/inspect/inspect_pixels.h"
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/tile.h"
 
 namespace rakelight::raster {
 

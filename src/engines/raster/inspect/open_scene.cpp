@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/inspect/open_scene.h"
 
-#include "engines/raster/shade/full_jobs.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/textures/environment_maps.h"
 #include "engines/raster/visibility/visibility_methods.h"
 #include "shading/draw_choices.h"
@@ -11,7 +11,8 @@ namespace rakelight::raster {
 
 OpenScene::OpenScene(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context)
     : settings_(settings_for_method(settings)), list_(make_draw_list(scene, textures_, context)) {
-    EnvironmentCache().update(list_, context);
+    shading::EnvironmentCache environments;
+    set_environment(list_, environments, context);
     settings_.window = {};
     view_ = view_of(list_, camera, settings_);
     const dvec3 eye = view_.camera_to_world[3].xyz();

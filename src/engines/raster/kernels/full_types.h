@@ -14,6 +14,7 @@ struct TextureView;
 
 using shading::BumpTermsNumber, shading::bump_both, shading::bump_diffuse, shading::bump_specular;
 using shading::ReliefTechnique, shading::relief_none, shading::relief_height, shading::relief_parallax;
+using shading::space_world, shading::space_pixel, shading::space_vertex, shading::space_transposed;
 
 using ReliefView = shading::ReliefFactors;
 using FogView = shading::FogFactors;
@@ -28,17 +29,11 @@ struct ShadowView : shading::ShadowFactors {
     const int32_t* slopes;  ///< the same: how steep the surface is, steepest_slope_on_map
 };
 
-/// Light from all around.
-struct EnvironmentView {
+/// Light from all around, with its pictures.
+struct EnvironmentView : shading::EnvironmentFactors {
     const TextureView* specular;  ///< octahedral, each level prefiltered for a rougher surface
-    float irradiance[9][3];       ///< spherical harmonics of irradiance / pi, scaled for the polynomial in x, y, z
-    const TextureView* sky;       ///< the picture itself, equirectangular; null: it is not the background
-    float turn[2];                ///< cosine and sine of the rotation about +Y
-    float intensity;
+    const TextureView* sky;       ///< the picture itself, equirectangular
 };
-
-/// The numbers of TangentSpace.
-enum TangentSpaceNumber : int32_t { space_world, space_pixel, space_vertex, space_transposed };
 
 /// Frames at the corners of a triangle, beside ShadeTriangle: for lighting in the tangent space of the vertices.
 struct CornerFrame {
@@ -53,13 +48,13 @@ struct FullJob {
     int32_t viewer_at_infinity;
     int32_t bump_terms;     ///< BumpTermsNumber
     int32_t has_bumps;      ///< a normal or height map acts
-    int32_t tangent_space;  ///< TangentSpaceNumber
+    int32_t tangent_space;  ///< shading::TangentSpaceNumber
     int32_t normalize_frames;
     int32_t green_down, centered_normals;
     ReliefView relief;
     const ShadowView* shadows;           ///< [maps] LightParameters::shadow says which; null: none
     const EnvironmentView* environment;  ///< null: none
-    int32_t has_light_around;            ///< of ambient lights or the environment; 0: nobody asks what they would give
+    int32_t has_light_around;            ///< of ambient lights or the environment; 0: what they would give is unused
     FogView fog;
     lighting::AlbedoTables albedo;
     const CornerFrame* frames;  ///< beside ShadeJob::triangles; null: not wanted

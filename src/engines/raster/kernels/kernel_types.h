@@ -19,6 +19,10 @@ using shading::LightBox;
 inline constexpr int batch_padding = 32;   ///< arrays of a batch may be read and written this far past their count
 inline constexpr int max_mip_levels = 16;  ///< 32768 texels a side
 
+/// How texture coordinates wrap, and which mip levels are read: the numbers of Wrap and MipFilter (textures/textures.cpp).
+enum WrapNumber : int32_t { wrap_repeat, wrap_mirrored, wrap_clamped };
+enum MipNumber : int32_t { mip_none, mip_nearest, mip_linear };
+
 /// One texture as the kernel reads it: all levels in one array, row 0 on top. Around each level stands a border of one
 /// texel that repeats its edges as the wrap modes say, so that a filter's four texels are always neighbors.
 struct TextureView {
@@ -30,9 +34,9 @@ struct TextureView {
     int32_t width[max_mip_levels], height[max_mip_levels];            ///< [texels] of each level
     int32_t stride[max_mip_levels];                                   ///< [texels] from row to row: width + 2
     float fixed_width[max_mip_levels], fixed_height[max_mip_levels];  ///< [2^-15 texels] of each level
-    int32_t wrap_u, wrap_v;                                           ///< 0 repeat, 1 mirrored repeat, 2 clamp to edge
+    int32_t wrap_u, wrap_v;                                           ///< WrapNumber
     int32_t magnify_linear, minify_linear;
-    int32_t mip;  ///< 0 none, 1 nearest, 2 linear
+    int32_t mip;  ///< MipNumber
 };
 
 /// Use of a texture: view (null: none), coordinate set, and the affine transform of u, v.

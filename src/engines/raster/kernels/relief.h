@@ -114,7 +114,7 @@ inline lit::HeightLevels height_levels(const TextureView& t) {
     lit::HeightLevels levels;
     levels.texel = vec2(real(1.0f / float(t.width[0])), real(1.0f / float(t.height[0])));
     levels.last = real(float(t.levels - 1));
-    levels.mip = t.levels == 1 ? 0 : t.mip;
+    levels.mip = t.levels == 1 ? mip_none : t.mip;
     return levels;
 }
 
@@ -161,7 +161,7 @@ inline lit::LightSample sample_in_frame(const ShadeJob& job, int32_t i, const Pi
 /// 0..1: how much of light i passes the relief.
 inline real relief_shadow(const ShadeJob& job, int32_t i, const Bumps& bumps, const lit::LightSample& light) {
     if (!has_relief(job) || job.full->relief.self_shadow == 0) return real(1.0f);
-    if (!job.lights[i].casts_shadow || job.lights[i].kind == lighting::LightKind::ambient) return real(1.0f);
+    if (!job.lights[i].casts_shadow) return real(1.0f);
     return lit::relief_shadow(bumps.place.maps, relief_of(job.full->relief), bumps.point,
                               lit::seen_in_frame(bumps.frame, light.l), bumps.place.lod);
 }

@@ -44,8 +44,8 @@ inline Level largest_level(const TextureView& t) {
 
 /// Texture coordinate -> 0..1 by the wrap mode; not finite and huge values give something in range.
 inline real wrap_coordinate(real u, int mode) {
-    if (mode == 0) return max(fract(u), real(0.0f));  // only NaN is not in 0..1
-    if (mode == 1) {
+    if (mode == wrap_repeat) return max(fract(u), real(0.0f));  // only NaN is not in 0..1
+    if (mode == wrap_mirrored) {
         const real folded = abs(u - real(2.0f) * floor(u * real(0.5f) + real(0.5f)));  // triangle wave, period 2
         return clamp(folded, real(0.0f), real(1.0f));
     }
@@ -111,14 +111,14 @@ inline void find_footprint(const TextureView& t, const TexCoords& c, real lod, b
     const real u = wrap_coordinate(c.uv.x, t.wrap_u), v = wrap_coordinate(c.uv.y, t.wrap_v);
     f.linear = linear;
     f.has_two_levels = false;
-    if (t.mip == 0 || t.levels == 1 || no_lane(lod > real(0.0f))) {
+    if (t.mip == mip_none || t.levels == 1 || no_lane(lod > real(0.0f))) {
         f.taps[0] = taps_of(largest_level(t), u, v, linear);
         return;
     }
     const real level = clamp(lod, real(0.0f), real(float(t.levels - 1)));
-    const integer lower = to_int(t.mip == 1 ? level + real(0.5f) : level);
+    const integer lower = to_int(t.mip == mip_nearest ? level + real(0.5f) : level);
     f.taps[0] = taps_of(level_at(t, lower), u, v, linear);
-    if (t.mip == 1) return;
+    if (t.mip == mip_nearest) return;
     f.has_two_levels = true;
     f.between = low_in_both_halves(to_int((level - to_real(lower)) * real(float(1 << fraction_bits))));
     f.taps[1] = taps_of(level_at(t, min(lower + integer(1), integer(t.levels - 1))), u, v, linear);
@@ -232,7 +232,7 @@ inline vec4 sample_anisotropic(const TextureSlot& slot, const TexCoords& raw, in
     const TextureView& t = *slot.view;
     TexCoords room;
     const TexCoords& c = transformed(slot, raw, room);
-    if (t.mip == 0 || t.levels == 1) return sample(slot, raw);
+    if (t.mip == mip_none || t.levels == 1) return sample(slot, raw);
     const lit::Probes p = probes_of(t, c, most);
     if (no_lane(p.is_stretched)) return sample(slot, raw);
     vec4 sum = vec4(real(0.0f));

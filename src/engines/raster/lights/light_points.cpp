@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/lights/tile_lights.h"
-#include "engines/raster/shade/full_jobs.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/lights/light_points.h"
-#include "engines/raster/shade/full_jobs.h"
 #include "math/linear.h"
 #include "shading/choices.h"
 

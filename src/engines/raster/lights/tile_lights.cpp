@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/tile.h"
 
 namespace rakelight::raster {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marks over the colors of a tile without blended surfaces.
+#include "engines/raster/blend.h"
 #include "engines/raster/marks/tile_marks.h"
-#include "engines/raster/shade/blend.h"
 
 namespace rakelight::raster {
 

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "engines/raster/shade/blend.h"
-#include "engines/raster/shade/multisample.h"
+#include "engines/raster/blend.h"
+#include "engines/raster/multisample.h"
 
 namespace rakelight::raster {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engines/raster/marks/mark_coverage.h"
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/tile.h"
 #include "engines/raster/visibility/coverage.h"
 
 namespace rakelight::raster {

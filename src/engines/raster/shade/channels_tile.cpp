@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "engines/channel_arrays.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/shade/channels_tile.h"
-#include "engines/raster/shade/full_jobs.h"
 #include "engines/raster/visibility/coverage.h"
 #include "math/linear.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Data channels beyond depth, normal, object and material, which visibility and shading hand out by the way.
 #pragma once
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/tile.h"
 
 namespace rakelight::raster {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Visibility at samples, and shading: whole pixels as without samples, the others fragment by fragment.
-#include "engines/raster/shade/multisample.h"
+#include "engines/raster/multisample.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
 
 #include "engines/raster/shade/channels_tile.h"
-#include "engines/raster/textures/environment_maps.h"
+#include "engines/raster/shade/sky.h"
 #include "image/srgb_encoder.h"
 #include "image/tone.h"
 

@@ -4,9 +4,9 @@
 #include <bit>
 #include <optional>
 
+#include "engines/raster/blend.h"
 #include "engines/raster/marks/mark_layers.h"
-#include "engines/raster/shade/blend.h"
-#include "engines/raster/shade/multisample.h"
+#include "engines/raster/multisample.h"
 #include "engines/raster/visibility/coverage.h"
 #include "image/tone.h"
 

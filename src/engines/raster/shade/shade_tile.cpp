@@ -4,11 +4,11 @@
 #include <cstring>
 #include <utility>
 
+#include "engines/raster/blend.h"
+#include "engines/raster/full_jobs.h"
 #include "engines/raster/marks/mark_layers.h"
-#include "engines/raster/shade/blend.h"
 #include "engines/raster/shade/channels_tile.h"
-#include "engines/raster/shade/full_jobs.h"
-#include "engines/raster/textures/environment_maps.h"
+#include "engines/raster/shade/sky.h"
 #include "engines/raster/visibility/coverage.h"
 #include "engines/raster/visibility/visibility_methods.h"
 #include "image/srgb_encoder.h"

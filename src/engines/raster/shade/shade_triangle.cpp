@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engines/raster/shade/full_jobs.h"
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/full_jobs.h"
+#include "engines/raster/tile.h"
 #include "math/linear.h"
 
 namespace rakelight::raster {

@@ -102,8 +102,8 @@ std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKe
     TextureView& view = data->view;
     view = {};
     view.levels = int(std::min<std::size_t>(chain.levels.size(), max_mip_levels));
-    view.wrap_u = int(key.wrap_u);
-    view.wrap_v = int(key.wrap_v);
+    view.wrap_u = wrap_number(key.wrap_u);
+    view.wrap_v = wrap_number(key.wrap_v);
     const std::span levels(chain.levels.data(), std::size_t(view.levels));
     std::size_t texels = 0;
     for (const MipLevel& level : levels) texels += bordered_size(level);
@@ -137,11 +137,35 @@ std::shared_ptr<const shading::PackedTexture> SoftTexturePacker::pack(const MipC
     return pack_texture(chain, key, std::move(charge));
 }
 
+WrapNumber wrap_number(Wrap wrap) {
+    switch (wrap) {
+        case Wrap::repeat:
+            return wrap_repeat;
+        case Wrap::mirrored_repeat:
+            return wrap_mirrored;
+        case Wrap::clamp_to_edge:
+            return wrap_clamped;
+    }
+    return wrap_repeat;
+}
+
+MipNumber mip_number(MipFilter filter) {
+    switch (filter) {
+        case MipFilter::none:
+            return mip_none;
+        case MipFilter::nearest:
+            return mip_nearest;
+        case MipFilter::linear:
+            return mip_linear;
+    }
+    return mip_none;
+}
+
 TextureView with_filters(const TextureData& data, const Sampler& sampler) {
     TextureView view = data.view;
     view.magnify_linear = sampler.magnify == Filter::linear;
     view.minify_linear = sampler.minify == Filter::linear;
-    view.mip = int(sampler.mip);
+    view.mip = mip_number(sampler.mip);
     return view;
 }
 

@@ -30,6 +30,9 @@ public:
 /// @throws Error bad_file: no or too many texels, over the memory budget
 std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const shading::TextureKey& key, MemoryCharge charge);
 
+WrapNumber wrap_number(Wrap wrap);
+MipNumber mip_number(MipFilter filter);
+
 /// The view of a texture with its sampler's filters filled in.
 TextureView with_filters(const TextureData& data, const Sampler& sampler);
 

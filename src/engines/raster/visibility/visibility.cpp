@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <span>
 
-#include "engines/raster/shade/full_jobs.h"
-#include "engines/raster/shade/multisample.h"
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/full_jobs.h"
+#include "engines/raster/multisample.h"
+#include "engines/raster/tile.h"
 #include "engines/raster/visibility/coverage.h"
 #include "engines/raster/visibility/visibility_methods.h"
 

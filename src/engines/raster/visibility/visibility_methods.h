@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/tile.h"
 #include "engines/raster/visibility/depth_formats.h"
 #include "shading/draw_choices.h"
 

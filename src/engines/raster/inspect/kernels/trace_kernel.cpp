@@ -14,7 +14,9 @@ void put(float (&to)[3], vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 void put(float (&to)[4], vec4 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
 
 /// A texel of the border is one of the opposite edge, or of the same.
-int32_t wrapped(int32_t i, int32_t size, int32_t mode) { return mode == 0 ? (i + size) % size : clamp(i, 0, size - 1); }
+int32_t wrapped(int32_t i, int32_t size, int32_t mode) {
+    return mode == wrap_repeat ? (i + size) % size : clamp(i, 0, size - 1);
+}
 
 void put_texel(const TextureView& t, int32_t texel, int32_t probe, float weight, TracedTexels& out) {
     if (!(weight > 0.0f) || out.count == most_texels) return;
@@ -59,7 +61,7 @@ void trace_texels(const TextureView& t, const Footprint& f, int32_t probe, float
 /// How texel() reads: the probes and their level of detail; one in the middle where none are wanted.
 lit::Probes trace_probes(const TextureView& t, const TexCoords& c, int32_t most, TracedTexture& out) {
     lit::Probes p{};
-    if (most > 1 && t.mip != 0 && t.levels > 1) p = probes_of(t, c, most);
+    if (most > 1 && t.mip != mip_none && t.levels > 1) p = probes_of(t, c, most);
     out.probes = 1;
     out.axis_u = out.axis_v = 0;
     out.level_of_detail = p.is_stretched ? p.lod : level_of_detail(t, c);
@@ -80,9 +82,9 @@ void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out,
     out.v = c.uv.y;
     const lit::Probes probes = trace_probes(t, c, p.anisotropy, out);
     out.level = 0;
-    if (t.mip != 0 && t.levels > 1 && out.level_of_detail > 0.0f) {
+    if (t.mip != mip_none && t.levels > 1 && out.level_of_detail > 0.0f) {
         out.level = clamp(out.level_of_detail, 0.0f, float(t.levels - 1));
-        if (t.mip == 1) out.level = float(to_int(out.level + 0.5f));
+        if (t.mip == mip_nearest) out.level = float(to_int(out.level + 0.5f));
     }
     put(out.value, texel(slot, p));
     if (texels == nullptr) return;
@@ -96,9 +98,9 @@ void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out,
 
 /// The mip level that sample() reads at a level of detail.
 float level_read(const TextureView& t, float lod) {
-    if (t.mip == 0 || t.levels == 1) return 0.0f;
+    if (t.mip == mip_none || t.levels == 1) return 0.0f;
     const float level = clamp(lod, 0.0f, float(t.levels - 1));
-    return t.mip == 1 ? float(to_int(level + 0.5f)) : level;
+    return t.mip == mip_nearest ? float(to_int(level + 0.5f)) : level;
 }
 
 /// How the height map is read where the ray arrives: four heights a probe where the normal is that of its slopes.

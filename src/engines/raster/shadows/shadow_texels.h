@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engines/raster/kernels/full_types.h"
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/tile.h"
 
 namespace rakelight::raster {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/lights/shadow_texels.h"
+#include "engines/raster/shadows/shadow_texels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <string>
 
-#include "engines/raster/shade/multisample.h"
+#include "engines/raster/multisample.h"
 
 namespace rakelight::raster {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/lights/shadow_maps.h"
+#include "engines/raster/shadows/shadow_maps.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engines/raster/shade/tile.h"
+#include "engines/raster/tile.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {

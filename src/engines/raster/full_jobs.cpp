@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/shade/full_jobs.h"
+#include "engines/raster/full_jobs.h"
 
 #include "shading/choices.h"
 #include "shading/draw_choices.h"
@@ -17,11 +17,11 @@ FullJob full_job(const FrontEnd& front, std::uint32_t draw, const PictureEffects
     const RenderSettings& s = front.settings;
     const Material& m = front.list.scene_material(front.list.material(front.list.draws[draw]));
     FullJob out{};
-    out.ward_form = shading::ward_number(m.ward_form.value_or(s.ward_form));
+    out.ward_form = shading::ward_number(shading::ward_form_of(m, s.ward_form));
     out.multiple_scattering = s.multiple_scattering;
     out.viewer_at_infinity = s.viewer_at_infinity;
     out.bump_terms = shading::bump_terms_number(shading::bump_terms_of(m, s.bump_terms));
-    out.tangent_space = std::int32_t(s.tangent_space);
+    out.tangent_space = shading::tangent_space_number(s.tangent_space);
     out.has_bumps = bump_of(front, draw) != Bump::none;
     out.normalize_frames = s.normalize_frames;
     out.green_down = m.green_down, out.centered_normals = m.centered_normals;
@@ -49,9 +49,9 @@ bool is_beyond_plain(Lighting lighting) {
 
 bool needs_full(const FrontEnd& front, std::uint32_t draw, const FullJob& job) {
     return is_beyond_plain(lighting_of(front, draw)) || is_metal_by_lambert(front, draw) || job.viewer_at_infinity ||
-           job.relief.technique != 0 || job.shadows || job.environment || job.fog.kind != 0 ||
-           (job.has_bumps && (job.bump_terms != 0 || job.tangent_space != 0 || !job.normalize_frames ||
-                              job.green_down || job.centered_normals));
+           job.relief.technique != relief_none || job.shadows || job.environment || job.fog.kind != 0 ||
+           (job.has_bumps && (job.bump_terms != bump_both || job.tangent_space != space_world ||
+                              !job.normalize_frames || job.green_down || job.centered_normals));
 }
 
 }  // namespace
@@ -81,8 +81,9 @@ void make_full_jobs(FrontEnd& front, const PictureEffects& effects) {
 }
 
 bool wants_corner_frames(const FrontEnd& front, std::uint32_t draw) {
-    return !front.full.empty() && front.full[draw].tangent_space >= std::int32_t(TangentSpace::vertex) &&
-           front.full[draw].has_bumps;
+    if (front.full.empty() || !front.full[draw].has_bumps) return false;
+    const std::int32_t space = front.full[draw].tangent_space;
+    return space == space_vertex || space == space_transposed;
 }
 
 float mask_cutoff(const FrontEnd& front, std::uint32_t draw) {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engines/raster/shade/tile.h"
-#include "engines/raster/visibility/sample_positions.h"
+#include "engines/raster/geometry/sample_positions.h"
+#include "engines/raster/tile.h"
 
 namespace rakelight::raster {
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The environment behind everything.
+#pragma once
+#include "engines/raster/tile.h"
+
+namespace rakelight::raster {
+
+/// The background of pictures of this list is the environment.
+bool has_sky(const DrawList& list);
+/// The environment's picture at every pixel of a tile. @param color  [tile_pixels]
+void fill_sky(const TileJob& job, std::size_t tile, std::vector<vec4>& color, TileScratch& scratch);
+
+}  // namespace rakelight::raster

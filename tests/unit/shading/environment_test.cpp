@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shading/environment.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "support/scene_builder.h"
+#include "support/shared.h"
+
+namespace rakelight::shading {
+namespace {
+
+class CountingPacker final : public EnvironmentPacker {
+public:
+    std::shared_ptr<const PackedEnvironment> pack(const EnvironmentImages& images, const ImageHandle&,
+                                                  Context&) const override {
+        if (fails) throw Error(ErrorCode::bad_file, "too many texels");
+        ++packed;
+        levels = images.light.mirrored.size();
+        return std::make_shared<PackedEnvironment>();
+    }
+    mutable int packed = 0;
+    mutable std::size_t levels = 0;
+    bool fails = false;
+};
+
+ImageHandle gray(int code) {
+    return test::picture(test::rgb_pixels(8, 4, [code](int, int) { return std::array{code, code, code}; }));
+}
+
+TEST(EnvironmentCache, KeepsWhatIsMadeOfAPictureAndTurnsItAnew) {
+    Context context({.threads = 1});
+    CountingPacker packer;
+    EnvironmentCache cache;
+    Scene scene;
+    EXPECT_FALSE(cache.update(scene, packer, context));
+    scene.environment = Environment{.image = gray(255), .intensity = 0.5f, .rotation_rad = pi / 2};
+    const auto used = cache.update(scene, packer, context);
+    ASSERT_TRUE(used);
+    EXPECT_EQ(packer.levels, std::size_t(environment_levels));
+    EXPECT_NEAR(used->factors.turn[0], 0, 1e-7);
+    EXPECT_FLOAT_EQ(used->factors.turn[1], 1);
+    EXPECT_EQ(used->factors.intensity, 0.5f);
+    EXPECT_NEAR(used->factors.irradiance[0][1], 1, 1e-3) << "white all around gives white";
+    scene.environment->rotation_rad = 0;
+    EXPECT_FLOAT_EQ(cache.update(scene, packer, context)->factors.turn[0], 1);
+    EXPECT_EQ(packer.packed, 1);
+    scene.environment->image = gray(128);
+    EXPECT_TRUE(cache.update(scene, packer, context));
+    EXPECT_EQ(packer.packed, 2);
+    scene.environment->is_light = scene.environment->is_background = false;
+    EXPECT_FALSE(cache.update(scene, packer, context));
+    scene.environment->is_light = true;
+    EXPECT_TRUE(cache.update(scene, packer, context));
+    EXPECT_EQ(packer.packed, 3) << "it was let go while nobody used it";
+}
+
+TEST(EnvironmentCache, WhatCannotBeDecodedOrPackedIsAWarningAndIsLeftOut) {
+    Context context({.threads = 1});
+    CountingPacker packer;
+    EnvironmentCache cache;
+    Scene scene;
+    auto broken = std::make_shared<EncodedImage>();
+    broken->name = "sky.hdr";
+    broken->decode = [](const EncodedImage&, Context&) -> Pixels { throw Error(ErrorCode::bad_file, "cut off"); };
+    scene.environment = Environment{.image = broken};
+    EXPECT_FALSE(cache.update(scene, packer, context));
+    packer.fails = true;
+    scene.environment->image = gray(9);
+    EXPECT_FALSE(cache.update(scene, packer, context));
+    const auto entries = context.report().entries();
+    ASSERT_EQ(entries.size(), 2u);
+    EXPECT_EQ(entries[0].message, "environment left out: cut off");
+    EXPECT_EQ(entries[0].place, "sky.hdr");
+    EXPECT_EQ(entries[1].message, "environment left out: too many texels");
+    packer.fails = false;
+    EXPECT_TRUE(cache.update(scene, packer, context)) << "it is tried anew";
+}
+
+TEST(EnvironmentCache, ACancelledContextIsNoFaultOfThePicture) {
+    Context context({.threads = 1});
+    context.cancel();
+    EnvironmentCache cache;
+    Scene scene;
+    scene.environment = Environment{.image = gray(9)};
+    EXPECT_THROW(cache.update(scene, CountingPacker(), context), Error);
+    EXPECT_TRUE(context.report().entries().empty());
+}
+
+TEST(EnvironmentLevels, OfTheTextForGlslAreAsManyAsAreMade) {
+    std::ifstream file(test::source_dir() / "src/lighting/maps.glsl");
+    std::stringstream text;
+    text << file.rdbuf();
+    EXPECT_NE(text.str().find("#define RL_ENVIRONMENT_LEVELS " + std::to_string(environment_levels) + "\n"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace rakelight::shading

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shading/texture_cache.h"
+
+#include <gtest/gtest.h>
+
+#include "support/scene_builder.h"
+#include "unit/shading/fake_textures.h"
+
+namespace rakelight::shading {
+namespace {
+
+using test::FakePacker;
+using test::FakeTexture;
+using test::picture;
+using test::rgb_pixels;
+
+Pixels bluish(int side) {
+    return rgb_pixels(side, side, [](int, int) { return std::array{128, 128, 255}; });
+}
+
+TextureKey key(const ImageHandle& image, ColorSpace space = ColorSpace::srgb, Wrap wrap = Wrap::repeat) {
+    return {image, space, wrap, wrap};
+}
+
+TEST(TextureCache, APictureIsPackedOnceForEachColorSpaceAndWrappingAndKeptWhileItIsWished) {
+    Context context({.threads = 1});
+    const FakePacker packer;
+    TextureCache cache;
+    const ImageHandle image = picture(bluish(4));
+    const TextureKey color = key(image), data = key(image, ColorSpace::linear),
+                     ended = key(image, ColorSpace::srgb, Wrap::clamp_to_edge);
+    cache.update({{color}, {data}, {color}, {ended}}, packer, context);
+    EXPECT_EQ(packer.packed, 3);
+    EXPECT_TRUE(static_cast<const FakeTexture&>(*cache.find(color)->packed).is_srgb);
+    EXPECT_FALSE(static_cast<const FakeTexture&>(*cache.find(data)->packed).is_srgb);
+    EXPECT_EQ(static_cast<const FakeTexture&>(*cache.find(color)->packed).levels, 3);
+    cache.update({{color}}, packer, context);
+    EXPECT_EQ(packer.packed, 3) << "it was there";
+    EXPECT_EQ(cache.find(data), nullptr) << "nobody wishes for it";
+    cache.update({{data}}, packer, context);
+    EXPECT_EQ(packer.packed, 4);
+}
+
+TEST(TextureCache, BumpsAreCheckedAlsoWhenThePictureWasThereAsData) {
+    Context context({.threads = 1});
+    const FakePacker packer;
+    TextureCache cache;
+    const TextureKey data = key(picture(bluish(4)), ColorSpace::linear);
+    cache.update({{data}}, packer, context);
+    EXPECT_FALSE(cache.find(data)->check);
+    cache.update({{data}, {data, true}}, packer, context);
+    ASSERT_TRUE(cache.find(data)->check);
+    EXPECT_EQ(cache.find(data)->check->texels, 16u);
+    cache.update({{data, true}}, packer, context);
+    EXPECT_EQ(packer.packed, 2) << "it was there with its check";
+}
+
+TEST(TextureCache, WhatCannotBeDecodedIsAWarningAndTheOthersAreThere) {
+    Context context({.threads = 2});
+    const FakePacker packer;
+    TextureCache cache;
+    auto broken = std::make_shared<EncodedImage>();
+    broken->name = "broken.png", broken->file = "model.gltf";
+    broken->decode = [](const EncodedImage&, Context&) -> Pixels { throw Error(ErrorCode::bad_file, "cut off"); };
+    const TextureKey bad = key(broken), good = key(picture(bluish(2)));
+    cache.update({{bad}, {good}}, packer, context);
+    EXPECT_EQ(cache.find(bad), nullptr);
+    EXPECT_NE(cache.find(good), nullptr);
+    const auto entries = context.report().entries();
+    ASSERT_EQ(entries.size(), 1u);
+    EXPECT_EQ(entries[0].message, "texture left out: cut off");
+    EXPECT_EQ(entries[0].place, "broken.png");
+}
+
+}  // namespace
+}  // namespace rakelight::shading
