@@ -5,10 +5,20 @@
 
 namespace rakelight {
 
+namespace {
+
+/// In `inspect`, whose names stay: KHR_materials_specular's strength had the name of the classical color there from the
+/// beginning.
+const char* inspected_name(const TextureRole& role) {
+    return role.number == role_specular_strength ? "specular" : role.name;
+}
+
+}  // namespace
+
 std::vector<std::pair<const char*, TextureUse>> texture_uses(const Material& m) {
     std::vector<std::pair<const char*, TextureUse>> uses;
     for (const TextureRole& role : texture_roles())
-        if (role.is_of(m.model)) uses.emplace_back(role.name, role.in(m));
+        if (role.is_of(m.model)) uses.emplace_back(inspected_name(role), role.in(m));
     std::erase_if(uses, [](const auto& use) { return !use.second; });
     return uses;
 }

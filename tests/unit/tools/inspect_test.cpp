@@ -11,6 +11,7 @@
 
 #include "support/shared.h"
 #include "tools/text_table.h"
+#include "tools/texture_uses.h"
 #include "unit/render/test_scene.h"
 
 namespace rakelight {
@@ -171,6 +172,17 @@ TEST(Inspect, TextAndJsonSurviveHostileNames) {
     EXPECT_TRUE(json["rows"][0]["cameras"][0]["far"].is_null());
     EXPECT_EQ(json["rows"][0]["borders"][0]["positions"], 2);
     EXPECT_EQ(json["rows"][1]["error"]["code"], "not_found");
+}
+
+TEST(Inspect, NamesOfTexturesStayTheSame) {
+    Material m;
+    m.model = MaterialModel::metallic_roughness;
+    m.base_color_texture = m.normal_texture = m.metallic_roughness.texture = m.metallic_roughness.specular_texture =
+        m.metallic_roughness.specular_color_texture = {.texture = 0};
+    std::vector<std::string> names;
+    for (const auto& [name, use] : texture_uses(m)) names.emplace_back(name);
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"base_color", "normal", "metallic_roughness", "specular", "specular_color"}));
 }
 
 TEST(TextTable, LinesUpColumnsAndCutsBlanksAtTheEnd) {
