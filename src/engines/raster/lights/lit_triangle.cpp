@@ -22,7 +22,9 @@ void set_deltas(float (&to)[3][3], const float (&a)[3], const float (&b)[3], con
 
 /// Which of a draw's lit sides a triangle shows.
 std::size_t side_of(const FrontEnd& front, const DrawLight& light, const ScreenTriangle& s) {
-    return std::size_t(light.sides == 3 ? frame_of(front, s.draw).seen_side(s.triangle, s.is_back) : light.sides - 1);
+    if (light.sides != 3) return std::size_t(light.sides - 1);
+    const shading::LitSide side(front.list, front.list.draws[s.draw], front.settings.front_face);
+    return side.is_turned(s.triangle, s.is_back) ? 1 : 0;
 }
 
 }  // namespace
