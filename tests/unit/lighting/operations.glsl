@@ -50,10 +50,11 @@ RL_FN vec3 arriving(RL_IN(LightSample) light)
     return light.l + (light.ambient + light.diffuse + light.specular) * light.attenuation;
 }
 
-RL_FN vec3 sampled_classical(vec3 l, vec3 ka, vec3 kd, vec3 ks, vec3 p)
+// Its cone, exponent and range are the caller's.
+RL_FN ClassicalLight any_classical(int type, vec3 l, vec3 ka, vec3 kd, vec3 ks)
 {
     ClassicalLight light;
-    light.type = RL_SPOT_LIGHT;
+    light.type = type;
     light.position = l * 3.0f;
     light.direction = -l;
     light.ambient = ka;
@@ -62,6 +63,12 @@ RL_FN vec3 sampled_classical(vec3 l, vec3 ka, vec3 kd, vec3 ks, vec3 p)
     light.constant_term = 1.0f;
     light.linear_term = ka.x;
     light.quadratic_term = ka.y;
+    return light;
+}
+
+RL_FN vec3 sampled_classical(vec3 l, vec3 ka, vec3 kd, vec3 ks, vec3 p)
+{
+    ClassicalLight light = any_classical(RL_SPOT_LIGHT, l, ka, kd, ks);
     light.cos_cutoff = -0.5f;
     light.exponent = ka.z;
     light.has_range = 1;
@@ -173,16 +180,7 @@ RL_FN Surface any_base(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, real exponent,
 // The rest of a light is as sampled_classical() has it.
 RL_FN vec3 sampled_as(int type, vec3 l, vec3 ka, vec3 kd, vec3 ks, vec3 p)
 {
-    ClassicalLight light;
-    light.type = type;
-    light.position = l * 3.0f;
-    light.direction = -l;
-    light.ambient = ka;
-    light.diffuse = kd;
-    light.specular = ks;
-    light.constant_term = 1.0f;
-    light.linear_term = ka.x;
-    light.quadratic_term = ka.y;
+    ClassicalLight light = any_classical(type, l, ka, kd, ks);
     light.cos_cutoff = 0.0f;
     light.exponent = 1.0f;
     light.has_range = 0;
