@@ -26,10 +26,11 @@ BELOW = {
     "io": ["scene"],
     "engines": ["scene", "geometry"],
     "shading": ["engines", "lighting", "scene", "geometry"],
-    "engines/raster": ["shading"],
+    "cpu_shading": ["shading"],
+    "engines/raster": ["cpu_shading"],
     "engines/raster/inspect": ["engines/raster"],
     "engines/opengl": ["shading"],
-    "engines/raytrace": ["shading"],
+    "engines/raytrace": ["cpu_shading"],
     "render": ["engines/raster", "engines/opengl", "engines/raytrace", "io", "prepare"],
     "tools": ["render", "engines/raster/inspect"],
 }
@@ -37,14 +38,13 @@ BELOW = {
 # Rooms of the soft engine -> the rooms that each may include; headers in the engine's own folder are for all of them.
 ROOMS = {
     "kernels": [],
-    "textures": ["kernels"],
     "geometry": ["kernels"],
     "visibility": ["geometry", "kernels"],
     "lights": ["geometry", "kernels"],
     "marks": ["visibility", "geometry"],
     "shadows": ["visibility", "geometry", "kernels"],
-    "shade": ["lights", "marks", "textures", "visibility", "geometry", "kernels"],
-    "inspect": ["shade", "shadows", "lights", "marks", "textures", "visibility", "geometry", "kernels"],
+    "shade": ["lights", "marks", "visibility", "geometry", "kernels"],
+    "inspect": ["shade", "shadows", "lights", "marks", "visibility", "geometry", "kernels"],
 }
 
 # Of an engine's headers what modules above it see, and what these headers may include of the engine themselves.
@@ -86,8 +86,8 @@ LIBRARIES = {
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
 ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/srgb_table\.h|shading/(text_numbers|material_factors|effect_factors|shadow_factors|light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
-                         r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
-ISA_FILES = ["src/engines/raster/kernels", "src/engines/raster/inspect/kernels", "src/geometry/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
+                         r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|cpu_shading/(kernels/\w+|texture_view|material_job)\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
+ISA_FILES = ["src/cpu_shading/kernels", "src/engines/raster/kernels", "src/engines/raster/inspect/kernels", "src/geometry/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
 
 GLSL_RESERVED = set("active half input output filter common partition smooth flat shared fixed sample patch buffer resource "
                     "precise template this using noise superp cast namespace".split())

@@ -7,6 +7,13 @@
 
 namespace rakelight::lighting::RL_ISA {
 
+/// Two neighbors of a row, mixed.
+inline real mixed_neighbors(const float* table, integer first, real right) {
+    integer a, b;
+    gather_pairs(reinterpret_cast<const uint32_t*>(table), first, a, b);
+    return mix(real_from_bits(a), real_from_bits(b), right);
+}
+
 /// Four neighbors of a table. @param x, y  0..1 across all columns and rows
 inline real table_value(const float* table, real x, real y, int32_t rows) {
     const real column = clamp(x, real(0.0f), real(1.0f)) * real(float(albedo_columns - 1));
@@ -14,17 +21,14 @@ inline real table_value(const float* table, real x, real y, int32_t rows) {
     const integer c = min(to_int(column), integer(albedo_columns - 2)), r = min(to_int(row), integer(rows - 2));
     const integer first = r * integer(albedo_columns) + c;
     const real right = column - to_real(c), down = row - to_real(r);
-    const float* const below = table + albedo_columns;
-    const real upper = mix(gather(table, first), gather(table + 1, first), right);
-    const real lower = mix(gather(below, first), gather(below + 1, first), right);
-    return mix(upper, lower, down);
+    return mix(mixed_neighbors(table, first, right), mixed_neighbors(table + albedo_columns, first, right), down);
 }
 
 /// Of a table of one row.
 inline real row_value(const float* table, real x, int32_t columns) {
     const real column = clamp(x, real(0.0f), real(1.0f)) * real(float(columns - 1));
     const integer c = min(to_int(column), integer(columns - 2));
-    return mix(gather(table, c), gather(table + 1, c), column - to_real(c));
+    return mixed_neighbors(table, c, column - to_real(c));
 }
 
 /// @param table  RL_ALBEDO_...

@@ -163,7 +163,7 @@ inline void gather_pairs(const uint32_t* base, integer i, integer& first, intege
     half::gather_pairs(base, i.b, first.b, second.b);
 }
 /// Numbers 2 index to 2 index + 3.
-inline void gather_quads(const uint32_t* base, integer i, integer (&out)[4]) {
+[[gnu::always_inline]] inline void gather_quads(const uint32_t* base, integer i, integer (&out)[4]) {
     half::integer a[4], b[4];
     half::gather_quads(base, i.a, a);
     half::gather_quads(base, i.b, b);

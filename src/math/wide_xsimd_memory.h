@@ -101,22 +101,14 @@ inline integer look_up(const int32_t* table, integer index) {
 #endif
 }
 
-#if defined(RL_ISA_avx512)
-/// Two numbers that follow one another, `scale` bytes an index.
-template <int scale>
-inline void gather_pairs_of(const uint32_t* base, integer index, integer& first, integer& second) {
-    const __m512i low = _mm512_i32gather_epi64(_mm512_castsi512_si256(index.v), base, scale);
-    const __m512i high = _mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.v, 1), base, scale);
-    const __m512i even = (lane_indices() << 1).v;
-    first = integer(IntegerBatch(_mm512_permutex2var_epi32(low, even, high)));
-    second = integer(IntegerBatch(_mm512_permutex2var_epi32(low, _mm512_or_si512(even, _mm512_set1_epi32(1)), high)));
-}
-#endif
-
 /// Numbers index and index + 1.
 inline void gather_pairs(const uint32_t* base, integer index, integer& first, integer& second) {
 #if defined(RL_ISA_avx512)
-    gather_pairs_of<4>(base, index, first, second);
+    const __m512i low = _mm512_i32gather_epi64(_mm512_castsi512_si256(index.v), base, 4);
+    const __m512i high = _mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.v, 1), base, 4);
+    const __m512i even = (lane_indices() << 1).v;
+    first = integer(IntegerBatch(_mm512_permutex2var_epi32(low, even, high)));
+    second = integer(IntegerBatch(_mm512_permutex2var_epi32(low, _mm512_or_si512(even, _mm512_set1_epi32(1)), high)));
 #elif defined(RL_ISA_avx2)
     const auto gathered = [base](__m128i i) {
         return _mm256_castsi256_ps(_mm256_i32gather_epi64(reinterpret_cast<const long long*>(base), i, 4));
@@ -137,18 +129,21 @@ inline void gather_pairs(const uint32_t* base, integer index, integer& first, in
 }
 
 /// Numbers 2 index to 2 index + 3.
-inline void gather_quads(const uint32_t* base, integer index, integer (&out)[4]) {
-#if defined(RL_ISA_avx512)
-    gather_pairs_of<8>(base, index, out[0], out[1]);
-    gather_pairs_of<8>(base + 2, index, out[2], out[3]);
-#else
-    // One load a lane, then lanes and numbers change places. Row k holds the numbers of lanes k and 4 + k.
+[[gnu::always_inline]] inline void gather_quads(const uint32_t* base, integer index, integer (&out)[4]) {
+    // One load a lane, then lanes and numbers change places: gathers take longer, on processors that have them, too. Row k
+    // holds the numbers of lanes k, 4 + k, ...
     int32_t i[lanes];
     store(i, index);
     const auto quad = [&](int k) {
         return _mm_loadu_si128(reinterpret_cast<const __m128i*>(base + 2 * int64_t(i[k])));
     };
-#if defined(RL_ISA_avx2)
+#if defined(RL_ISA_avx512)
+    const auto row = [&](int k) {
+        const __m512i two = _mm512_inserti32x4(_mm512_castsi128_si512(quad(k)), quad(4 + k), 1);
+        return _mm512_inserti32x4(_mm512_inserti32x4(two, quad(8 + k), 2), quad(12 + k), 3);
+    };
+#define RL_UNPACK(which, a, b) _mm512_unpack##which(a, b)
+#elif defined(RL_ISA_avx2)
     const auto row = [&](int k) { return _mm256_inserti128_si256(_mm256_castsi128_si256(quad(k)), quad(4 + k), 1); };
 #define RL_UNPACK(which, a, b) _mm256_unpack##which(a, b)
 #else
@@ -163,7 +158,6 @@ inline void gather_quads(const uint32_t* base, integer index, integer (&out)[4])
     out[2] = integer(IntegerBatch(RL_UNPACK(lo_epi64, high01, high23)));
     out[3] = integer(IntegerBatch(RL_UNPACK(hi_epi64, high01, high23)));
 #undef RL_UNPACK
-#endif
 }
 
 }  // namespace rakelight::wide::RL_WIDE_PART

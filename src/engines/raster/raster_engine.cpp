@@ -8,13 +8,12 @@
 #include <mutex>
 
 #include "engines/channel_arrays.h"
-#include "engines/raster/full_jobs.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/shade/channels_tile.h"
 #include "engines/raster/shade/sky.h"
 #include "engines/raster/shadows/shadow_maps.h"
 #include "engines/raster/shadows/shadow_texels.h"
-#include "engines/raster/textures/environment_maps.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility/visibility_methods.h"
 #include "math/flush_denormals.h"
@@ -204,7 +203,7 @@ public:
         shadows_.forget();
         open_surfaces_.forget();
         list_ = make_draw_list(std::move(scene), textures_, context);
-        set_environment(list_, environments_, context);
+        cpu_shading::set_environment(list_.scene, environments_, list_.views, context);
     }
 
     const Scene& scene() const override { return list_.scene; }
@@ -233,7 +232,7 @@ public:
         front.stats.shadow_bytes = shadows_.bytes();
         ShadowTexels shadow_texels(grid);
         const LightReach reach(lights);
-        make_full_jobs(front, {.shadows = shadows_.data()});
+        make_material_jobs(front, {.shadows = shadows_.data()});
         LightPoints points = light_points(front, binned, lights, *kernels_, std::move(points_), context);
         const Marks marks = make_marks(front, grid, context);
         front.stats.times.front_end = clock.lap();
@@ -241,14 +240,15 @@ public:
         const bool has_blended = std::any_of(list_.materials.begin(), list_.materials.end(),
                                              [](const DrawMaterial& m) { return m.factors.blend != 0; });
         const double waited =
-            draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points,
-                        sink.takes_srgb8() && !has_sky(list_), (settings.channels & channel_uv1) != 0, &marks, &context,
+            draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8(),
+                        (settings.channels & channel_uv1) != 0, &marks, &context,
                         reach.is_worth_it() ? &reach : nullptr, shadows_.data() ? &shadow_texels : nullptr},
                        sink, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;
         open_surfaces_.remark(list_, front.culled_by_side, settings.cull, wanted.cull == Cull::back, context);
         shadow_texels.remark(list_.scene, lights, shadows_.data(), context);
+        front.memory.remove(front.jobs.size() * sizeof(MaterialJob));  // of this picture alone
         kept_ = front.memory.take();
         clip_store_ = std::move(front.clip_store);
         screen_store_ = std::move(front.screen_store);

@@ -63,7 +63,6 @@ public:
     std::vector<ShadeTriangle> triangles;
     std::vector<LitTriangle> lit;          ///< beside `triangles` in flat and Gouraud pictures
     std::vector<CornerFrame> frames;       ///< beside `triangles` where lighting is in the vertices' tangent space
-    FullJob full;                          ///< of the batch, where it has frames
     std::vector<const TriangleRow*> rows;  ///< of the records that are made, padded
     std::vector<std::int32_t> record;      ///< [list] position in the list -> in `triangles`, -1: not wanted
     std::vector<std::int32_t> shown = batch<std::int32_t>();    ///< position in the list that each pixel shows
@@ -121,7 +120,7 @@ std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile);
 /// `wanted`: what the first `count` of `shown` are, each once; `batch_triangle`: which of them.
 void find_wanted(const TileJob& job, std::size_t tile, std::size_t count, TileScratch& scratch);
 /// Display values come from the kernel, to their places.
-void want_srgb8(const TileScratch& scratch, ShadeJob& job);
+DisplayPixels display_pixels(const TileScratch& scratch);
 /// Those of a linear color.
 std::uint32_t display_value(vec4 color);
 /// `color` as display values.

@@ -47,7 +47,7 @@ RL_MAP_FN vec3 mirrored_by_coat(RL_IN(Maps) maps, RL_IN(Environment) e, RL_IN(Ma
 RL_MAP_FN LightTerms environment_terms(RL_IN(Maps) maps, RL_IN(Environment) e, RL_IN(MaterialSurface) s, RL_IN(MaterialTraits) traits, int model)
 {
     LightTerms terms;
-    terms.ambient = s.around_diffuse * irradiance(e, s.diffuse_n);
+    terms.ambient = s.around_diffuse * irradiance(e, diffuse_normal(s, traits));
     terms.diffuse = vec3(0.0f);
     terms.specular = s.around_specular * glossy(maps, e, s, traits, model);
     if (traits.has_sheen != 0) {

@@ -72,6 +72,7 @@ struct MaterialTraits {
     int has_scattering;
     int has_sheen;
     int has_coat;
+    int has_two_normals;  // bumps act on one of the terms alone: diffuse_n is not base.n
 };
 
 // Albedos towards the light, of tables: of D V with F = 1, and of sheen_brdf.

@@ -41,6 +41,15 @@ RL_FN LightTerms add_layers(LightTerms below, RL_IN(MaterialSurface) s, RL_IN(Li
     return terms;
 }
 
+// The normal of the diffuse term.
+RL_FN vec3 diffuse_normal(RL_IN(MaterialSurface) s, RL_IN(MaterialTraits) traits)
+{
+    if (traits.has_two_normals != 0) {
+        return s.diffuse_n;
+    }
+    return s.base.n;
+}
+
 // What the dielectric part's mirror leaves for the diffuse term: 1 - F.
 RL_FN real fresnel_rest(RL_IN(MaterialSurface) s, real weight)
 {
@@ -52,8 +61,7 @@ RL_FN LightTerms pbr_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light, v
 {
     LightTerms terms;
     terms.ambient = s.base.ambient * (light.ambient * light.attenuation);
-    vec3 h = half_vector(light.l, s.base.v, s.base.n);
-    real weight = schlick_weight(dot(s.base.v, h));
+    real weight = schlick_weight_between(light.l, s.base.v);
     terms.diffuse = diffuse * fresnel_rest(s, weight);
     vec3 brdf = schlick(s.base.specular, s.f90, weight) * pbr_lobe(s, light.l, traits);
     if (traits.has_scattering != 0) {
@@ -67,7 +75,8 @@ RL_FN LightTerms pbr_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light, v
 RL_FN LightTerms surface_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light, real seen, RL_IN(LightAlbedo) albedo, RL_IN(MaterialTraits) traits, RL_IN(Reflection) r)
 {
     LightTerms terms;
-    vec3 lambert = s.base.diffuse * (light.diffuse * (lambert_cosine(dot(s.diffuse_n, light.l)) * light.attenuation));
+    vec3 n = diffuse_normal(s, traits);
+    vec3 lambert = s.base.diffuse * (light.diffuse * (lambert_cosine(dot(n, light.l)) * light.attenuation));
     if (r.model <= RL_BLINN_PHONG) {
         terms = light_terms(s.base, light, r);
         terms.diffuse = lambert;
@@ -78,7 +87,7 @@ RL_FN LightTerms surface_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) ligh
         terms.specular = vec3(0.0f);
     }
     if (r.model == RL_OREN_NAYAR) {
-        terms.diffuse = lambert * oren_nayar_factor(s.diffuse_n, light.l, s.base.v, s.oren_nayar_a, s.oren_nayar_b);
+        terms.diffuse = lambert * oren_nayar_factor(n, light.l, s.base.v, s.oren_nayar_a, s.oren_nayar_b);
     }
     if (r.model == RL_WARD) {
         terms.specular = ward_term(s, light, traits);

@@ -11,6 +11,13 @@ RL_FN real schlick_weight(real c)
     return squared * squared * x;
 }
 
+// The same of the directions l and v: |l + v| = 2 v.h.
+RL_FN real schlick_weight_between(vec3 l, vec3 v)
+{
+    vec3 sum = l + v;
+    return schlick_weight(0.5f * sqrt(dot(sum, sum)));
+}
+
 // f0 of what is no metal (KHR_materials_specular). `color`: that of the index of refraction (KHR_materials_ior) times
 // specularColorFactor and its texture, may exceed 1; `strength`: specularFactor times its texture, f90 too.
 RL_FN vec3 dielectric_f0(vec3 color, real strength)
@@ -63,14 +70,21 @@ RL_FN real smith_visibility(real n_dot_l, real n_dot_v, real stretch_l, real str
     return 0.5f / max(n_dot_l * stretch_v + n_dot_v * stretch_l, 1e-9f);
 }
 
-// [1/sr] D V with F = 1; 0 where l or v is below the horizon. 0 < alpha <= 1.
+// [1/sr] D V with F = 1; 0 where l or v is below the horizon. 1e-3 <= alpha <= 1. ggx_distribution_isotropic() times
+// smith_visibility() with one division and no unit halfway direction: with s = l + v,
+// D = alpha^2 |s|^4 / (pi (|n x s|^2 + alpha^2 (n.s)^2)^2).
 RL_FN real ggx_brdf(vec3 n, vec3 l, vec3 v, real alpha)
 {
-    vec3 h = half_vector(l, v, n);
+    vec3 sum = l + v;
+    vec3 across = cross(n, sum);
+    real along = alpha * dot(n, sum);
+    real spread = dot(across, across) + along * along;
     real n_dot_l = dot(n, l);
     real n_dot_v = dot(n, v);
-    real shown = smith_visibility(n_dot_l, n_dot_v, ggx_stretch_isotropic(n_dot_l, alpha), ggx_stretch_isotropic(n_dot_v, alpha));
-    return select(min(n_dot_l, n_dot_v) > 0.0f, ggx_distribution_isotropic(n, h, alpha) * shown, 0.0f);
+    real masked = n_dot_l * ggx_stretch_isotropic(n_dot_v, alpha) + n_dot_v * ggx_stretch_isotropic(n_dot_l, alpha);
+    real peak = alpha * min(dot(sum, sum), 4.0f);
+    real value = (0.5f * RL_INVERSE_PI) * peak * peak / (max(spread * spread, 1e-26f) * max(masked, 1e-9f));
+    return select(min(n_dot_l, n_dot_v) > 0.0f, value, 0.0f);
 }
 
 RL_FN real ggx_anisotropic_brdf(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v, real alpha_x, real alpha_y)

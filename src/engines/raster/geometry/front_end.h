@@ -12,8 +12,7 @@
 
 #include "engines/raster/draw_list.h"
 #include "engines/raster/geometry/clip.h"
-#include "engines/raster/kernels/full_types.h"
-#include "engines/raster/kernels/geometry_types.h"
+#include "engines/raster/kernels/kernel_types.h"
 
 namespace rakelight::raster {
 
@@ -105,8 +104,8 @@ struct FrontEnd {
     std::vector<Shading> shading;        ///< [draws] never automatic; choose_shading()
     /// [draws] not 0: triangles whose box has pixel centers of the window were culled by the side they are seen from
     std::vector<std::uint8_t> culled_by_side;
-    std::vector<FullJob> full;             ///< [draws]; empty: all are plain
-    std::vector<std::uint8_t> needs_full;  ///< [draws] not 0: the plain kernel is not enough; make_full_jobs()
+    std::vector<MaterialJob> jobs;        ///< [draws] without lights; make_material_jobs()
+    const ShadowView* shadows = nullptr;  ///< [maps]; null: none
 };
 
 /// Whether attributes are linear on the screen.

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "engines/raster/blend.h"
-#include "engines/raster/full_jobs.h"
 #include "engines/raster/inspect/explained_triangles.h"
 #include "engines/raster/inspect/kernels/trace_kernel.h"
 #include "engines/raster/inspect/open_scene.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/shade/sky.h"
 #include "engines/raster/tile.h"

@@ -37,23 +37,23 @@ void allocate(PixelStageData& d, std::size_t pixels, std::size_t lights) {
 }
 
 bool any_job(const FrontEnd& front, const auto& holds) {
-    return std::any_of(front.full.begin(), front.full.end(), holds);
+    return std::any_of(front.jobs.begin(), front.jobs.end(), holds);
 }
 
 /// What only some pictures have.
 void allocate_effects(PixelStageData& d, std::size_t pixels, const FrontEnd& front, std::size_t all_lights) {
     if (d.lights.size() < all_lights) d.other_lights.assign(pixels, {});
-    if (any_job(front, [](const FullJob& job) { return job.environment != nullptr; })) {
+    if (any_job(front, [](const MaterialJob& job) { return job.environment != nullptr; })) {
         d.around_diffuse.assign(pixels, {});
         d.around_specular.assign(pixels, {});
     }
-    if (any_job(front, [](const FullJob& job) { return job.fog.kind != 0; })) {
+    if (any_job(front, [](const MaterialJob& job) { return job.fog.kind != 0; })) {
         d.fog.assign(pixels, {});
         d.fog_share.assign(pixels, 1);
     }
-    if (any_job(front, [](const FullJob& job) { return job.shadows || job.relief.self_shadow; }))
+    if (any_job(front, [&front](const MaterialJob& job) { return front.shadows || job.relief.self_shadow; }))
         d.seen.assign(d.lights.size(), std::vector<float>(pixels, -1));
-    if (any_job(front, [](const FullJob& job) { return job.relief.technique >= relief_parallax; })) {
+    if (any_job(front, [](const MaterialJob& job) { return job.relief.technique >= shading::relief_parallax; })) {
         d.relief_shift.assign(pixels, {});
         d.relief_height.assign(pixels, -1);
     }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/inspect/open_scene.h"
 
-#include "engines/raster/full_jobs.h"
-#include "engines/raster/textures/environment_maps.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/visibility/visibility_methods.h"
 #include "shading/draw_choices.h"
 #include "shading/lights.h"
@@ -12,7 +11,7 @@ namespace rakelight::raster {
 OpenScene::OpenScene(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context)
     : settings_(settings_for_method(settings)), list_(make_draw_list(scene, textures_, context)) {
     shading::EnvironmentCache environments;
-    set_environment(list_, environments, context);
+    cpu_shading::set_environment(list_.scene, environments, list_.views, context);
     settings_.window = {};
     view_ = view_of(list_, camera, settings_);
     const dvec3 eye = view_.camera_to_world[3].xyz();
@@ -48,7 +47,7 @@ OpenGeometry::OpenGeometry(const OpenScene& of, Window window, bool with_culled,
             .memory = PictureMemory(context.memory())} {
     transform_draws(front, context);
     binned = set_up_and_bin(front, grid, {}, context);
-    make_full_jobs(front, of.effects());
+    make_material_jobs(front, of.effects());
     points = light_points(front, binned, of.lights(), *scalar::kernels(), {}, context);
     marks = make_marks(front, grid, context);
 }

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "engines/raster/full_jobs.h"
 #include "engines/raster/geometry/front_end.h"
 #include "engines/raster/inspect/explanation.h"
 #include "engines/raster/lights/light_points.h"
 #include "engines/raster/marks/marks.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/shadows/shadow_maps.h"
 #include "engines/raster/tile.h"
 

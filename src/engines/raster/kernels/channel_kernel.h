@@ -2,7 +2,7 @@
 // Data channels of a run of pixels, from the same functions as their color. Runs only where somebody asked. Per
 // instruction set.
 #pragma once
-#include "engines/raster/kernels/full_kernel.h"
+#include "engines/raster/kernels/whole_pixels.h"
 
 namespace rakelight::raster::RL_ISA {
 
@@ -12,24 +12,14 @@ struct ColorTerms {
     vec3 emission;
 };
 
-inline ColorTerms color_terms(const ShadeJob& job, const Pixels& p, const BaseColor& base,
-                              const lit::Surface& surface) {
-    ColorTerms sum = {lit::no_terms(), emission_of(*job.material, p)};
-    if (job.unlit != 0)
-        sum.emission = lit::unlit(rgb(base.color), sum.emission);
-    else if (job.lit != nullptr)
-        sum.light = lit::corner_terms(surface, interpolate_light(job.lit, p.triangle, p.b));
-    else
-        sum.light = receive(job, surface, p.position);
-    return sum;
-}
-
-/// The same of the full kernel. Fog dims each term; its own light counts as emission.
-inline ColorTerms full_color_terms(const ShadeJob& job, const FullPixels& f) {
-    ColorTerms sum = {lit::no_terms(), own_radiance(job, f)};
-    each_light(job, f, [&sum](const lit::LightTerms& t) { sum.light = lit::both_terms(sum.light, t); });
-    if (job.full->fog.kind == 0) return sum;
-    return {lit::dimmed_terms(sum.light, fog_of(job, f.p)), add_fog(job, f.p, sum.emission)};
+/// Fog dims each term; its own light counts as emission.
+inline ColorTerms color_terms(const WholePixels& p) {
+    ColorTerms sum = {lit::no_terms(), cpu::own_radiance(p.material, p.state())};
+    cpu::add_light(p.material, p.source, p.b, p.seen(),
+                   [&sum](int32_t, const lit::LightTerms& t) { sum.light = lit::both_terms(sum.light, t); });
+    if (!p.material.has_fog()) return sum;
+    const real share = cpu::fog_at(p.material.of, p.point().position);
+    return {lit::dimmed_terms(sum.light, share), cpu::behind_fog(p.material, p.point().position, sum.emission)};
 }
 
 /// `v` where `sum` is finite, component by component, else 0: a color that is not finite is shown black, and none of
@@ -66,8 +56,8 @@ inline void put3(const ChannelJob& job, int32_t plane, int32_t first, vec3 v) {
     store(job.out[plane + 2] + first, v.z);
 }
 
-inline void put_places(const ChannelJob& job, int32_t first, const Pixels& p) {
-    put3(job, plane_position, first, p.position);
+inline void put_places(const ChannelJob& job, int32_t first, const Pixels& p, vec3 position) {
+    put3(job, plane_position, first, position);
     put3(job, plane_barycentric, first, vec3(real(1.0f) - p.b.b1 - p.b.b2, p.b.b1, p.b.b2));
     for (int32_t set = 0; set < 2; ++set) {
         const int32_t plane = plane_uv + 2 * set;
@@ -94,43 +84,21 @@ inline void put_terms(const ChannelJob& job, int32_t first, const ColorTerms& su
     put3(job, plane_emission, first, terms.emission);
 }
 
-inline void put_own_color(const ChannelJob& job, int32_t first, const BaseColor& base) {
-    const vec3 own = rgb(base.color);
+inline void put_colors(const ChannelJob& job, int32_t first) {
+    const WholePixels p(*job.shade, first);
+    const vec3 own = rgb(p.state().base.color);
     put3(job, plane_base_color, first, where_finite(own, own));
-}
-
-inline void put_full_colors(const ChannelJob& job, int32_t first) {
-    FullPixels f;
-    find_full(*job.shade, first, f);
-    put_own_color(job, first, f.base);
-    if (job.needs_terms != 0) put_terms(job, first, full_color_terms(*job.shade, f));
-}
-
-inline void put_colors(const ChannelJob& job, int32_t first, Pixels& p) {
-    const ShadeJob& shade = *job.shade;
-    find_texcoords(*shade.material, p);
-    const BaseColor base = base_color(*shade.material, p);
-    put_own_color(job, first, base);
-    if (job.needs_terms == 0) return;
-    lit::Surface surface;
-    set_reflectance(shade, p, base, surface);
-    surface.n = shading_normal(shade, p);
-    surface.v = to_viewer(shade, p.position);
-    put_terms(job, first, color_terms(shade, p, base, surface));
+    if (job.needs_terms != 0) put_terms(job, first, color_terms(p));
 }
 
 inline void find_channels(const ChannelJob& job) {
     const bool needs_color = job.out[plane_base_color] != nullptr || job.needs_terms != 0;
     for (int32_t i = 0; i < job.shade->count; i += lanes) {
         Pixels p;
-        p.find(*job.shade, i);
-        put_places(job, i, p);
+        const vec3 position = p.find(*job.shade, i);
+        put_places(job, i, p, position);
         put_tangent(job, i, p);
-        if (!needs_color) continue;
-        if (job.shade->full != nullptr)
-            put_full_colors(job, i);
-        else
-            put_colors(job, i, p);
+        if (needs_color) put_colors(job, i);
     }
 }
 

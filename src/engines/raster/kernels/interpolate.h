@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Perspective-correct attributes of a run of pixels, and their analytic screen derivatives. Per instruction set.
 #pragma once
+#include "cpu_shading/kernels/shading_point.h"
 #include "engines/raster/kernels/kernel_types.h"
-#include "lighting/lighting.h"
 
 namespace rakelight::raster::RL_ISA {
 RL_USE_WIDE;
 namespace lit = rakelight::lighting::RL_ISA;
+using cpu_shading::RL_ISA::SignedVector, cpu_shading::RL_ISA::TexCoords;
 namespace part = rakelight::wide::RL_WIDE_PART;
 using rakelight::wide::RL_ISA::part_of;
 
@@ -118,11 +119,6 @@ inline vec3 interpolate3(const Records& r, const Barycentrics& b, size_t member_
 }
 
 /// A vector, and the sign that follows it in the record.
-struct SignedVector {
-    vec3 v;
-    real sign;
-};
-
 inline SignedVector interpolate_signed(const Records& r, const Barycentrics& b, size_t member_offset) {
     SignedVector to;
     r.each<10>(member_offset, [&](int p, const part::real(&a)[10]) {
@@ -149,11 +145,6 @@ inline vec4 interpolate_color(const Records& r, const Barycentrics& b) {
     interpolate(r, b, offsetof(ShadeTriangle, color), v);
     return vec4(v[0], v[1], v[2], v[3]);
 }
-
-/// Texture coordinates with their change from pixel to pixel.
-struct TexCoords {
-    vec2 uv, dx, dy;
-};
 
 template <int set>
 inline void find_texcoords_of(const Records& r, const Barycentrics& b, TexCoords& to) {

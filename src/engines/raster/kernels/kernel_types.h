@@ -4,53 +4,19 @@
 #pragma once
 #include <stdint.h>
 
-#include "engines/raster/kernels/full_types.h"
+#include "cpu_shading/material_job.h"
 #include "engines/raster/kernels/geometry_types.h"
 #include "image/srgb_table.h"
-#include "lighting/light_parameters.h"
-#include "scene/texture_role_numbers.h"
 #include "shading/light_box.h"
-#include "shading/material_factors.h"
+#include "shading/shadow_factors.h"
 
 namespace rakelight::raster {
 
+using cpu_shading::MaterialJob;
+using cpu_shading::TextureView, cpu_shading::TextureSlot, cpu_shading::MaterialView, cpu_shading::EnvironmentView;
 using shading::LightBox;
 
-inline constexpr int batch_padding = 32;   ///< arrays of a batch may be read and written this far past their count
-inline constexpr int max_mip_levels = 16;  ///< 32768 texels a side
-
-/// How texture coordinates wrap, and which mip levels are read: the numbers of Wrap and MipFilter (textures/textures.cpp).
-enum WrapNumber : int32_t { wrap_repeat, wrap_mirrored, wrap_clamped };
-enum MipNumber : int32_t { mip_none, mip_nearest, mip_linear };
-
-/// One texture as the kernel reads it: all levels in one array, row 0 on top. Around each level stands a border of one
-/// texel that repeats its edges as the wrap modes say, so that a filter's four texels are always neighbors.
-struct TextureView {
-    const uint32_t* rgba8;           ///< linear codes of 8 bits, R in the low byte; or null
-    const uint32_t* rgba16;          ///< linear codes of 15 bits, two words a texel: R | B << 16, G | A << 16; or null
-    const float* rgba32f;            ///< four linear floats a texel; or null
-    int32_t levels;                  ///< 1..max_mip_levels
-    int32_t origin[max_mip_levels];  ///< [texels] place of each level's texel 0, 0
-    int32_t width[max_mip_levels], height[max_mip_levels];            ///< [texels] of each level
-    int32_t stride[max_mip_levels];                                   ///< [texels] from row to row: width + 2
-    float fixed_width[max_mip_levels], fixed_height[max_mip_levels];  ///< [2^-15 texels] of each level
-    int32_t wrap_u, wrap_v;                                           ///< WrapNumber
-    int32_t magnify_linear, minify_linear;
-    int32_t mip;  ///< MipNumber
-};
-
-/// Use of a texture: view (null: none), coordinate set, and the affine transform of u, v.
-struct TextureSlot : shading::UvTransform {
-    const TextureView* view;
-    int32_t texcoord_set;    ///< 0 or 1
-    int32_t is_transformed;  ///< 0: the matrix is the identity
-};
-
-struct MaterialView : shading::MaterialFactors {
-    int32_t shares_footprint;             ///< the normal map is read where the base color map is, texel by texel
-    int32_t uses_texcoords[2];            ///< some map is read by the set
-    TextureSlot map[texture_role_count];  ///< by TextureRoleNumber; those that only the full kernel reads, too
-};
+inline constexpr int batch_padding = 32;  ///< arrays of a batch may be read and written this far past their count
 
 /// What a pixel needs of its triangle. Planes over the screen: change per pixel in x and y, value at the tile's first
 /// pixel center. Perspective: those of b1 / w, b2 / w and 1 / w are affine on the screen (Heckbert & Moreton 1991,
@@ -101,43 +67,57 @@ struct RecordJob {
     ShadeTriangle* out;  ///< [count + batch_padding]
 };
 
+/// Frames at the corners of a triangle, beside ShadeTriangle: for lighting in the tangent space of the vertices.
+struct CornerFrame {
+    float position[3][3], normal[3][3], tangent[3][3];  ///< [corner][x, y, z], about the eye, world axes
+    float handedness;
+};
+inline constexpr int corner_frame_floats = int(sizeof(CornerFrame) / sizeof(float));
+
+/// Change of depth along x (low 16 bits) and down y (high ones) of a map per width of a texel, as
+/// (slope + steepest_slope_on_map) * slope_codes.
+inline constexpr float steepest_slope_on_map = 8, slope_codes = 4095;
+
+/// One light's shadow map with its texels.
+struct ShadowView : shading::ShadowFactors {
+    const float* nearness;  ///< [faces][size * size]
+    const int32_t* slopes;  ///< the same: how steep the surface is, steepest_slope_on_map
+};
+
+/// Where display values go, each to the place of its pixel: sRGB codes, opaque, R in the low byte.
+struct DisplayPixels {
+    uint32_t* srgb8;        ///< of the tile's first pixel; null: not wanted
+    int64_t stride;         ///< [px] from row to row
+    const uint32_t* table;  ///< SrgbEncoder::table()
+};
+
+/// Which kernel shades a draw: each is the same source compiled for some of all materials (cpu_shading/kernels/job.h).
+enum KernelNumber : int32_t { kernel_classical, kernel_pbr, kernel_pbr_environment, kernel_every };
+
 /// Pixels of one draw in one tile.
-struct ShadeJob {
+struct ShadeJob : MaterialJob {
+    int32_t kernel;  ///< KernelNumber; what it leaves out the job does not ask for
     int32_t count;
     const int32_t* pixel;   ///< [count] y * tile_size + x in the tile
     const float* offset_x;  ///< [count] [px] from the pixel's center to where it is shaded; null: there
     const float* offset_y;
     const int32_t* triangle;  ///< [count] into `triangles`
     const ShadeTriangle* triangles;
-    const LitTriangle* lit;  ///< beside `triangles`; null: lighting is evaluated at every pixel
-    const MaterialView* material;
-    const lighting::LightParameters* lights;
-    int32_t light_count;
-    int32_t reflection_model;  ///< shading::ReflectionModel
-    int32_t reflection_form;   ///< shading::ReflectionForm
-    int32_t specular_horizon;
-    int32_t bump;           ///< 0: normal maps are ignored
-    int32_t orthogonalize;  ///< 0: tangents are used as they are interpolated, only made unit
-    int32_t anisotropy;     ///< most texture samples along a footprint's longer side, 1..16
-    int32_t unlit;          ///< own color: no lighting
-    int32_t affine;         ///< as in RecordJob
-    int32_t orthographic;
-    float view_direction[3];  ///< towards the viewer, for orthographic views
-    float ray[3][3];          ///< x, y, z of the pixel's ray: change per pixel in x and y, value at the tile's first
-                              ///< pixel center. Perspective: times w it is the position about the eye;
-                              ///< orthographic: the position where the distance is 0
-    float* red;               ///< [count] out, linear, finite
+    const LitTriangle* lit;     ///< beside `triangles`; null: lighting is evaluated at every pixel
+    const CornerFrame* frames;  ///< beside `triangles`; null: not wanted
+    const ShadowView* shadows;  ///< [maps] LightParameters::shadow says which; null: none
+    int32_t affine;             ///< as in RecordJob
+    float ray[3][3];            ///< x, y, z of the pixel's ray: change per pixel in x and y, value at the tile's first
+                                ///< pixel center. Perspective: times w it is the position about the eye;
+                                ///< orthographic: the position where the distance is 0
+    float* red;                 ///< [count] out, linear, finite
     float* green;
     float* blue;
     float* alpha;
-    uint32_t* srgb8;       ///< out in place of these, at the place of each pixel: sRGB codes, opaque, R in the low
-                           ///< byte. Of the tile's first pixel; or null
-    int64_t srgb8_stride;  ///< [px] from row to row
-    const uint32_t* srgb_table;  ///< SrgbEncoder::table()
-    float* normal_x;             ///< [count] out, shading normal in the world; null: not wanted
+    DisplayPixels display;  ///< out in place of these
+    float* normal_x;        ///< [count] out, shading normal in the world; null: not wanted
     float* normal_y;
     float* normal_z;
-    const FullJob* full;  ///< null: the plain kernel, which this job is no more than
 };
 
 /// Points of one material where lighting is evaluated before there are pixels: centroids for flat, vertices for Gouraud shading.
@@ -146,9 +126,9 @@ struct LightJob {
     int32_t count;
     const float* position[3];  ///< [count] x, y, z about the eye, world axes
     const float* normal[3];    ///< [count] unit, on the side that is seen
-    const ShadeJob* shade;     ///< material, lights, model, view; its pixels are not looked at
-    float roughness;           ///< of the material, with the mean of its map; not looked at for classical materials
-    float* ambient[3];         ///< [count] out: R, G, B of each term per unit of its reflectance
+    const MaterialJob* material;
+    float roughness;    ///< of the material, with the mean of its map; not looked at for classical materials
+    float* ambient[3];  ///< [count] out: R, G, B of each term per unit of its reflectance
     float* diffuse[3];
     float* specular[3];
 };
@@ -183,6 +163,7 @@ struct SkyJob {
     float pixel_size;      ///< [length of the middle ray] a pixel's side; orthographic: 0
     const EnvironmentView* environment;
     float *red, *green, *blue;  ///< [count + batch_padding] out, linear
+    DisplayPixels display;      ///< out in place of these
 };
 
 /// The functions that exist once per instruction set.

@@ -2,7 +2,7 @@
 // Shadow maps: the plane of a pixel's triangle and the texels of a map, given to the lighting text
 // (lighting/shadow/shadow_map.glsl). Per instruction set.
 #pragma once
-#include "engines/raster/kernels/surface.h"
+#include "engines/raster/kernels/pixels.h"
 
 namespace rakelight::raster::RL_ISA {
 
@@ -52,12 +52,12 @@ inline lit::ShadowMap shadow_map_of(const ShadowView& s) {
 }
 
 /// 0..1: how much of light i arrives.
-inline real shadow_factor(const ShadeJob& job, int32_t i, const Pixels& p) {
+inline real shadow_factor(const ShadeJob& job, int32_t i, const Pixels& p, vec3 position) {
     const int32_t map = job.lights[i].shadow;
-    if (job.full->shadows == nullptr || map < 0) return real(1.0f);
-    const ShadowView& s = job.full->shadows[map];
-    return lit::shadow_factor(ShadowTexels{&s}, shadow_map_of(s), p.position,
-                              plane_normal_at(job, p, to_viewer(job, p.position)));
+    if (job.shadows == nullptr || map < 0) return real(1.0f);
+    const ShadowView& s = job.shadows[map];
+    const vec3 to_viewer = lit::to_viewer(position, splat(job.view_direction), job.orthographic);
+    return lit::shadow_factor(ShadowTexels{&s}, shadow_map_of(s), position, plane_normal_at(job, p, to_viewer));
 }
 
 }  // namespace rakelight::raster::RL_ISA

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "engines/raster/full_jobs.h"
 #include "engines/raster/lights/tile_lights.h"
+#include "engines/raster/material_jobs.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {
@@ -31,7 +31,7 @@ void clear(FrontEnd& front, LightPoints& points) {
         light.sides = 0;
         light.marks.clear();
         if (!is_lit_at_corners(front, std::uint32_t(d)) || front.clip[d].empty() ||
-            front.list.views[draw.material].unlit)
+            front.list.views.materials[draw.material].unlit)
             continue;
         const std::size_t count = light.per_face ? mesh.triangle_count() : mesh.positions.size();
         front.memory.add(count);
@@ -113,11 +113,11 @@ void gather(const FrontEnd& front, const Task& task, const DrawLight& light, Bat
     }
 }
 
-void run_kernel(const ShadeJob& shade, const Kernels& kernels, Batch& batch) {
+void run_kernel(const MaterialJob& shade, const Kernels& kernels, Batch& batch) {
     batch.pad();
     LightJob job{};
     job.count = std::int32_t(batch.count);
-    job.shade = &shade;
+    job.material = &shade;
     job.roughness = mean_roughness(*shade.material);
     for (std::size_t c = 0; c < 3; ++c) {
         job.position[c] = batch.position[c].data();

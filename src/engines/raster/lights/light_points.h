@@ -54,7 +54,4 @@ float mean_roughness(const MaterialView& material);
 /// The frame of a draw of the picture.
 DrawFrame frame_of(const FrontEnd& front, std::uint32_t draw);
 
-/// The part of a kernel's job that a draw's material, the settings and the view say: no pixels.
-ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights, std::uint32_t draw);
-
 }  // namespace rakelight::raster

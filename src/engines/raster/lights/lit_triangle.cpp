@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engines/raster/full_jobs.h"
 #include "engines/raster/lights/light_points.h"
 #include "math/linear.h"
-#include "shading/choices.h"
 
 namespace rakelight::raster {
 namespace {
@@ -85,30 +83,6 @@ std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& poi
     for (std::size_t k = 0; k < 3; ++k)
         out.push_back(corner(index[k], frame.position(index[k]), frame.normal(index[k]) * (side == 0 ? 1.0 : -1.0),
                              light.side[side][index[k]]));
-    return out;
-}
-
-ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights, std::uint32_t draw) {
-    const RenderSettings& settings = front.settings;
-    ShadeJob out{};
-    const MaterialView& view = front.list.view(draw);
-    out.material = &view;
-    out.lights = lights.data();
-    out.light_count = std::int32_t(lights.size());
-    out.reflection_model = shading::reflection_model(lighting_of(front, draw));
-    const SpecularForm form = specular_form_of(front.list.scene_material(front.list.material(front.list.draws[draw])),
-                                               settings.specular_form);
-    out.reflection_form = shading::reflection_form(form);
-    if (!front.full.empty() && front.needs_full[draw]) out.full = &front.full[draw];
-    out.specular_horizon = settings.specular_horizon;
-    out.orthogonalize = settings.orthogonalize;
-    out.anisotropy = settings.anisotropy;
-    out.bump = bump_of(front, draw) != Bump::none && !is_lit_at_corners(front, draw);
-    out.unlit = view.unlit || front.shading[draw] == Shading::unlit;
-    out.orthographic = front.view.orthographic;
-    out.affine = is_affine(front);
-    const dvec3 back = front.view.camera_to_world[2].xyz();
-    out.view_direction[0] = float(back.x), out.view_direction[1] = float(back.y), out.view_direction[2] = float(back.z);
     return out;
 }
 

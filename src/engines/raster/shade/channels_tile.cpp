@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engines/channel_arrays.h"
-#include "engines/raster/full_jobs.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/shade/channels_tile.h"
 #include "engines/raster/visibility/coverage.h"
 #include "math/linear.h"

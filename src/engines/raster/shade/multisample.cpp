@@ -51,11 +51,12 @@ public:
           is_direct_(job.to_srgb8 && !has_marks(job, tile)) {}
 
     void shade() {
-        fill_background();
         std::vector<DrawRun> runs;
         find_runs(job_, tile_, runs);
         m_.blends = has_blended(job_, runs);
         split(m_.blends || runs.size() > most_passes);
+        fill_background();
+        for (std::size_t n = 0; n < m_.open_pixels.size(); ++n) open(n, std::size_t(m_.open_pixels[n]));
         sort_fragments();
         s_.record.assign(job_.binned.offsets[tile_ + 1] - job_.binned.offsets[tile_], -1);
         for (const DrawRun& run : runs) shade_draw(run);
@@ -64,14 +65,18 @@ public:
 private:
     void fill_background() {
         const vec4 background = job_.front.settings.background;
-        if (has_sky(job_.front.list)) return fill_sky(job_, tile_, s_.color, s_);
+        if (has_sky(job_.front.list)) {
+            if (is_direct_) put_sky(job_, tile_, m_.whole.data(), s_);
+            if (!is_direct_ || !m_.open_pixels.empty()) fill_sky(job_, tile_, s_.color, s_);
+            return;
+        }
         if (!is_direct_) return std::fill(s_.color.begin(), s_.color.end(), background);
         const std::uint32_t value = display_value(background);
         for (std::size_t y = 0; y < tile_size; ++y)
             std::fill_n(s_.display.first + y * s_.display.stride, tile_size, value);
     }
 
-    /// Which pixels are one triangle's (or the background's), and the fragments of the others.
+    /// Which pixels are one triangle's, or the background's.
     void split(bool open_all) {
         std::uint32_t differs[tile_pixels] = {};
         const std::int32_t* const first = m_.visible.data();
@@ -91,9 +96,9 @@ private:
         s_.covered += covered;
         s_.samples_covered += covered * samples_;
         m_.color.resize(std::max(m_.color.size(), m_.open_pixels.size() * samples_));
-        for (std::size_t n = 0; n < m_.open_pixels.size(); ++n) open(n, std::size_t(m_.open_pixels[n]));
     }
 
+    /// The fragments of a pixel that is not.
     void open(std::size_t number, std::size_t p) {
         m_.number[p] = std::int32_t(number);
         std::uint32_t left = (1u << samples_) - 1;
@@ -163,7 +168,7 @@ private:
 
     void shade_whole(std::uint32_t draw, std::size_t count) {
         ShadeJob batch = batch_of(draw, count);
-        if (is_direct_) want_srgb8(s_, batch);
+        if (is_direct_) batch.display = display_pixels(s_);
         s_.not_finite += std::uint64_t(shade_with_lists(job_.kernels, job_.reach, batch, s_));
         for (std::size_t i = 0; i < count && !is_direct_; ++i)
             s_.color[std::size_t(s_.pixel[i])] = {s_.red[i], s_.green[i], s_.blue[i], 1.0f};

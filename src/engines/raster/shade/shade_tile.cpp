@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "engines/raster/blend.h"
-#include "engines/raster/full_jobs.h"
 #include "engines/raster/marks/mark_layers.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/shade/channels_tile.h"
 #include "engines/raster/shade/sky.h"
 #include "engines/raster/visibility/coverage.h"
@@ -28,10 +28,8 @@ void find_wanted(const TileJob& job, std::size_t tile, std::size_t count, TileSc
     }
 }
 
-void want_srgb8(const TileScratch& s, ShadeJob& job) {
-    job.srgb8 = s.display.first;
-    job.srgb8_stride = std::int64_t(s.display.stride);
-    job.srgb_table = SrgbEncoder::instance().table();
+DisplayPixels display_pixels(const TileScratch& s) {
+    return {s.display.first, std::int64_t(s.display.stride), SrgbEncoder::instance().table()};
 }
 
 std::uint32_t display_value(vec4 color) {
@@ -69,7 +67,7 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
     const bool with_normal = (job.front.settings.channels & channel_normal) != 0;
     if (with_normal)
         batch.normal_x = s.normal_x.data(), batch.normal_y = s.normal_y.data(), batch.normal_z = s.normal_z.data();
-    if (to_srgb8) want_srgb8(s, batch);
+    if (to_srgb8) batch.display = display_pixels(s);
     s.not_finite += std::uint64_t(shade_with_lists(job.kernels, job.reach, batch, s));
     s.shaded += count;
     if (is_lit_at_pixels(batch)) s.lit_pixels += count;
@@ -122,14 +120,13 @@ void shade_sorted(const TileJob& job, std::size_t tile, const std::vector<DrawRu
     }
 }
 
-bool shows_background(const TileScratch& s) {
-    return std::any_of(s.visible.begin(), s.visible.end(), [](std::int32_t position) { return position < 0; });
-}
-
 void set_background(const TileJob& job, std::size_t tile, bool to_srgb8, TileScratch& s) {
     const RenderSettings& settings = job.front.settings;
     if (has_sky(job.front.list)) {
-        if (shows_background(s)) fill_sky(job, tile, s.color, s);
+        if (to_srgb8)
+            put_sky(job, tile, s.visible.data(), s);
+        else
+            fill_sky(job, tile, s.color, s);
     } else if (to_srgb8) {
         job.front.kernels.fill_empty(s.visible.data(), display_value(settings.background), s.display.first,
                                      std::int64_t(s.display.stride));
@@ -179,11 +176,7 @@ ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y
     out.triangle = s.batch_triangle.data();
     out.triangles = s.triangles.data();
     if (is_lit_at_corners(job.front, draw)) out.lit = s.lit.data();
-    if (out.full && wants_corner_frames(job.front, draw)) {
-        s.full = *out.full;
-        s.full.frames = s.frames.data();
-        out.full = &s.full;
-    }
+    if (wants_corner_frames(job.front, draw)) out.frames = s.frames.data();
     out.red = s.red.data();
     out.green = s.green.data();
     out.blue = s.blue.data();

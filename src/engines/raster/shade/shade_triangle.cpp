@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engines/raster/full_jobs.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/tile.h"
 #include "math/linear.h"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/tile.h"
 #include "math/flush_denormals.h"
 
@@ -99,6 +100,7 @@ void draw_map(const DrawList& list, const shading::MapCamera& from, const Render
     transform_draws(front, context);
     const Binned binned = set_up_and_bin(front, grid, {}, context);
     front.shading.assign(list.draws.size(), Shading::phong);
+    make_material_jobs(front, {});
     const std::vector<LightParameters> no_lights;
     const LightPoints no_points;
     const TileJob job{front, binned, grid, no_lights, kernels, false, no_points};

@@ -8,6 +8,7 @@
 #include <rakelight/engine.h>
 
 #include "engines/raster/draw_list.h"
+#include "engines/raster/kernels/kernel_types.h"
 #include "shading/shadow_cameras.h"
 #include "shading/view.h"
 

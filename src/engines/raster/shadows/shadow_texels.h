@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engines/raster/kernels/full_types.h"
+#include "engines/raster/kernels/kernel_types.h"
 #include "engines/raster/tile.h"
 
 namespace rakelight::raster {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "engines/raster/full_jobs.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility/coverage.h"

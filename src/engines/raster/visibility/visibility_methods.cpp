@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "engines/raster/full_jobs.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility/coverage.h"
 
@@ -26,7 +26,7 @@ public:
 
     void add(const ScreenTriangle& t, std::int32_t position) {
         const std::uint32_t material = job_.front.list.draws[t.draw].material;
-        const MaterialView& view = job_.front.list.views[material];
+        const MaterialView& view = job_.front.list.views.materials[material];
         if (view.blend) return;
         const float cutoff = mask_cutoff(job_.front, t.draw);
         if (cutoff >= 0) return add_masked(t, position, cutoff);

@@ -1,196 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shading kernel once more, in scalar words in a namespace of its own (RL_ISA is `trace`), with a recorder: the functions
 // are those of the kernel because they are its text.
-#include "engines/raster/kernels/full_kernel.cpp"
-#include "engines/raster/kernels/shade_kernel.cpp"
-
 #include "engines/raster/inspect/kernels/trace_kernel.h"
+
+#include "cpu_shading/kernels/light_points.h"
+#include "engines/raster/inspect/kernels/trace_maps.h"
 #include "engines/raster/inspect/kernels/trace_parts.h"
 
 namespace rakelight::raster::RL_ISA {
 namespace {
 
-void put(float (&to)[3], vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
-void put(float (&to)[4], vec4 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
-
-/// A texel of the border is one of the opposite edge, or of the same.
-int32_t wrapped(int32_t i, int32_t size, int32_t mode) {
-    return mode == wrap_repeat ? (i + size) % size : clamp(i, 0, size - 1);
-}
-
-void put_texel(const TextureView& t, int32_t texel, int32_t probe, float weight, TracedTexels& out) {
-    if (!(weight > 0.0f) || out.count == most_texels) return;
-    TracedTexel& to = out.texel[out.count];
-    to.probe = probe;
-    to.level = 0;
-    const auto begin = [&t](int32_t level) { return t.origin[level] - t.width[level] - 3; };  // of its border
-    while (to.level + 1 < t.levels && texel >= begin(to.level + 1)) ++to.level;
-    const int32_t place = texel - begin(to.level), stride = t.width[to.level] + 2;
-    to.x = wrapped(place % stride - 1, t.width[to.level], t.wrap_u);
-    to.y = wrapped(place / stride - 1, t.height[to.level], t.wrap_v);
-    for (int32_t i = 0; i < out.count; ++i) {
-        TracedTexel& known = out.texel[i];
-        if (known.probe != probe || known.level != to.level || known.x != to.x || known.y != to.y) continue;
-        known.weight += weight;
-        return;
-    }
-    ++out.count;
-    to.weight = weight;
-    Footprint alone{};
-    alone.taps[0].texel = texel;
-    put(to.value, sample(t, alone));
-}
-
-float weight_of(int32_t fixed) { return float(fixed & 0xffff) / float(1 << fraction_bits); }
-
-void trace_taps(const TextureView& t, const Taps& taps, bool linear, int32_t probe, float weight, TracedTexels& out) {
-    if (!linear) return put_texel(t, taps.texel, probe, weight, out);
-    const float right = weight_of(taps.along_x), lower = weight_of(taps.along_y);
-    for (int32_t k = 0; k < 4; ++k)
-        put_texel(t, taps.texel + k % 2 + k / 2 * taps.stride, probe,
-                  weight * (k % 2 == 0 ? 1.0f - right : right) * (k / 2 == 0 ? 1.0f - lower : lower), out);
-}
-
-/// The texels of a footprint.
-void trace_texels(const TextureView& t, const Footprint& f, int32_t probe, float weight, TracedTexels& out) {
-    const float second = f.has_two_levels ? weight_of(f.between) : 0.0f;
-    trace_taps(t, f.taps[0], f.linear, probe, weight * (1.0f - second), out);
-    if (f.has_two_levels) trace_taps(t, f.taps[1], f.linear, probe, weight * second, out);
-}
-
-/// How texel() reads: the probes and their level of detail; one in the middle where none are wanted.
-lit::Probes trace_probes(const TextureView& t, const TexCoords& c, int32_t most, TracedTexture& out) {
-    lit::Probes p{};
-    if (most > 1 && t.mip != mip_none && t.levels > 1) p = probes_of(t, c, most);
-    out.probes = 1;
-    out.axis_u = out.axis_v = 0;
-    out.level_of_detail = p.is_stretched ? p.lod : level_of_detail(t, c);
-    if (!p.is_stretched) return p;
-    out.probes = to_int(p.count);
-    out.axis_u = p.axis.x, out.axis_v = p.axis.y;
-    return p;
-}
-
-/// What texel() reads where: its coordinates, probes and levels.
-void trace_texture(const TextureSlot& slot, const Pixels& p, TracedTexture& out, TracedTexels* texels) {
-    if (slot.view == nullptr) return;
-    const TextureView& t = *slot.view;
-    TexCoords room;
-    const TexCoords& c = transformed(slot, p.texcoords[slot.texcoord_set == 0 ? 0 : 1], room);
-    out.is_used = 1;
-    out.u = c.uv.x;
-    out.v = c.uv.y;
-    const lit::Probes probes = trace_probes(t, c, p.anisotropy, out);
-    out.level = 0;
-    if (t.mip != mip_none && t.levels > 1 && out.level_of_detail > 0.0f) {
-        out.level = clamp(out.level_of_detail, 0.0f, float(t.levels - 1));
-        if (t.mip == mip_nearest) out.level = float(to_int(out.level + 0.5f));
-    }
-    put(out.value, texel(slot, p));
-    if (texels == nullptr) return;
-    const bool linear = (out.probes > 1 || out.level_of_detail > 0.0f ? t.minify_linear : t.magnify_linear) != 0;
-    for (int32_t i = 0; i < out.probes; ++i) {
-        TexCoords at = c;
-        if (out.probes > 1) at.uv = lit::probe_place(probes, c.uv, i);
-        trace_texels(t, footprint_of(t, at, out.level_of_detail, linear), i, 1.0f / float(out.probes), *texels);
-    }
-}
-
-/// The mip level that sample() reads at a level of detail.
-float level_read(const TextureView& t, float lod) {
-    if (t.mip == mip_none || t.levels == 1) return 0.0f;
-    const float level = clamp(lod, 0.0f, float(t.levels - 1));
-    return t.mip == mip_nearest ? float(to_int(level + 0.5f)) : level;
-}
-
-/// How the height map is read where the ray arrives: four heights a probe where the normal is that of its slopes.
-void trace_heights(const ShadeJob& job, const FullPixels& f, TracedTexture& out, TracedTexels* texels) {
-    const HeightPlace& place = f.bumps.place;
-    const vec2 uv = f.bumps.point.uv;
-    const TextureSlot& slot = job.material->map[role_height];
-    const TextureView& t = *slot.view;
-    const bool is_slope = uses_slopes(job);
-    TexCoords room;
-    TexCoords at = transformed(slot, f.p.texcoords[slot.texcoord_set == 0 ? 0 : 1], room);
-    lit::Probes probes{};
-    probes.count = probes.inverse = 1.0f, probes.lod = place.lod;
-    if (is_slope && f.p.anisotropy > 1) probes = slope_probes(place, at, f.p.anisotropy);
-    const lit::HeightLevels levels = height_levels(t);
-    const real level = is_slope ? lit::slope_level(levels, probes.lod) : probes.lod;
-    const real half = is_slope ? 0.5f * lit::slope_width(levels, level) : 0.0f;
-    const vec2 ways[4] = {vec2(half / float(t.width[0]), 0.0f), vec2(-half / float(t.width[0]), 0.0f),
-                          vec2(0.0f, half / float(t.height[0])), vec2(0.0f, -half / float(t.height[0]))};
-    out.is_used = 1;
-    out.u = uv.x, out.v = uv.y;
-    out.probes = to_int(probes.count);
-    out.axis_u = out.axis_v = 0;
-    if (out.probes > 1) out.axis_u = probes.axis.x, out.axis_v = probes.axis.y;
-    out.level_of_detail = probes.lod;
-    out.level = level_read(t, level);
-    const int32_t heights = is_slope ? 4 : 1;
-    const real share = 1.0f / float(heights * out.probes);
-    vec4 sum(0.0f);
-    for (int32_t i = 0; i < out.probes; ++i)
-        for (int32_t k = 0; k < heights; ++k) {
-            at.uv = (out.probes > 1 ? lit::probe_place(probes, uv, i) : uv) + ways[k];
-            const Footprint footprint = footprint_of(t, at, level, true);
-            sum = sum + sample(t, footprint) * share;
-            if (texels != nullptr) trace_texels(t, footprint, i, share, *texels);
-        }
-    put(out.value, sum);
-}
+using EveryJob = cpu::Job<cpu::EveryMaterial>;
 
 /// Whether the job's lighting model reads a map of metallic-roughness materials alone.
-bool reads_of_metallic_roughness(const ShadeJob& job, int map) {
-    if (job.material->metallic_roughness == 0) return false;
+bool reads_of_metallic_roughness(const EveryJob& job, int map) {
+    if (job.material().metallic_roughness == 0) return false;
     if (map == role_specular_strength || map == role_specular_color)
-        return job.reflection_model != RL_LAMBERT && job.reflection_model != RL_OREN_NAYAR;
-    if (map == role_anisotropy && job.reflection_model == RL_WARD) return true;
-    return job.full != nullptr && is_pbr(job);
+        return job.model() != RL_LAMBERT && job.model() != RL_OREN_NAYAR;
+    if (map == role_anisotropy && job.model() == RL_WARD) return true;
+    return job.is_pbr();
 }
 
 /// The normal map where it acts: not where lighting is not evaluated at pixels, nor with bumps off.
-void trace_maps(const ShadeJob& job, const FullPixels& f, PixelTrace& out, TracedTexels* texels) {
-    const Pixels& p = f.p;
-    const MaterialView& m = *job.material;
-    const bool has_heights = job.full != nullptr && has_relief(job);
+void trace_maps(const WholePixels& p, PixelTrace& out, TracedTexels* texels) {
+    const EveryJob& job = p.material;
     for (int i = 0; i < texture_role_count; ++i) {
         if (texels != nullptr) texels[i].count = 0;
         TracedTexels* const its_texels = texels != nullptr ? &texels[i] : nullptr;
-        if (i == role_normal && (job.bump == 0 || (has_heights && uses_slopes(job)))) continue;
-        if (i == role_height && !has_heights) continue;
+        if (i == role_normal && (job.of.bump == 0 || cpu::uses_slopes(job))) continue;
+        if (i == role_height && !job.has_relief()) continue;
         if (i > role_metallic_roughness && !reads_of_metallic_roughness(job, i)) continue;
         if (i == role_height)
-            trace_heights(job, f, out.map[i], its_texels);
+            trace_heights(p, out.map[i], its_texels);
         else
-            trace_texture(m.map[i], p, out.map[i], its_texels);
+            trace_texture(job, i, p.point(), out.map[i], its_texels);
     }
 }
 
-void trace_normal(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
-    const Pixels& p = f.p;
-    const MaterialView& m = *job.material;
-    const SignedVector normal = normal_at(p.records, p.b), tangent = tangent_at(p.records, p.b);
+void trace_normal(const WholePixels& p, PixelTrace& out) {
+    const EveryJob& job = p.material;
+    const SignedVector &normal = p.point().normal, &tangent = p.point().tangent;
     const vec3 n = safe_normalize(normal.v);
     put(out.interpolated, n);
     put(out.mapped, vec3(0.0f, 0.0f, 1.0f));
     out.handedness = tangent.sign;
     out.facing = normal.sign;
-    out.is_of_slopes = job.full != nullptr && uses_slopes(job);
+    out.is_of_slopes = cpu::uses_slopes(job);
     if (out.is_of_slopes) {
-        put(out.tangent, f.bumps.frame.tangent);
-        put(out.mapped, slope_vector(job, p, f.bumps));
+        put(out.tangent, p.state().bumps.frame.tangent);
+        put(out.mapped, cpu::slope_vector(job.of, p.point(), p.state().bumps));
         return;
     }
-    if (job.bump == 0 || m.map[role_normal].view == nullptr) return;
-    put(out.tangent, lit::map_tangent(n, tangent.v, job.orthogonalize));
-    put(out.mapped, job.full != nullptr ? map_vector(job, p)
-                                        : lit::decode_normal(rgb(texel(m.map[role_normal], p)), m.normal_scale));
+    if (job.normal_map() == nullptr) return;
+    put(out.tangent, lit::map_tangent(n, tangent.v, job.of.orthogonalize));
+    put(out.mapped, cpu::map_vector(job, p.point()));
 }
 
 void trace_surface(const MaterialView& m, const lit::Surface& s, PixelTrace& out) {
     put(out.normal, s.n);
-    put(out.diffuse_normal, s.n);
     put(out.view, s.v);
     put(out.k_ambient, s.ambient);
     put(out.k_diffuse, s.diffuse);
@@ -236,13 +103,11 @@ void put_terms(const lit::LightTerms& terms, TracedLight& out) {
     put(out.specular, terms.specular);
 }
 
-/// One light at a surface point; not its place in the sum.
-lit::LightTerms trace_light(const ShadeJob& job, int32_t i, vec3 position, const lit::Surface& surface,
-                            const lit::LightSample& sample, TracedLight& out) {
-    const lit::Reflection reflection = reflection_of(job);
-    const lit::LightTerms terms = lit::light_terms(surface, sample, reflection);
-    trace_reach(job.lights[i], position, out);
-    trace_lobe(surface, sample, reflection, out);
+/// One light at a surface point, but for its terms.
+void trace_light(const EveryJob& job, int32_t i, vec3 position, const lit::Surface& surface,
+                 const lit::LightSample& sample, TracedLight& out) {
+    trace_reach(job.of.lights[i], position, out);
+    trace_lobe(surface, sample, job.reflection(), out);
     put(out.to_light, sample.l);
     put(out.own_ambient, sample.ambient);
     put(out.own_diffuse, sample.diffuse);
@@ -250,40 +115,15 @@ lit::LightTerms trace_light(const ShadeJob& job, int32_t i, vec3 position, const
     put(out.ambient_color, sample.ambient * sample.attenuation);
     put(out.diffuse_color, sample.diffuse * sample.attenuation);
     put(out.specular_color, sample.specular * sample.attenuation);
-    put_terms(terms, out);
     out.seen = 1;
-    return terms;
-}
-
-/// The factors of what the plain kernel's models give; `parts` may be null.
-void trace_plain_parts(const ShadeJob& job, const lit::Surface& surface, const lit::LightSample& light,
-                       TracedParts* parts) {
-    if (parts == nullptr) return;
-    lit::MaterialSurface s;
-    s.base = surface;
-    s.diffuse_n = surface.n;
-    const lit::MaterialTraits none = {};
-    const lit::Reflection reflection = reflection_of(job);
-    trace_parts({s, light, none, reflection, {}, 1.0f}, *parts);
-}
-
-void trace_lights(const ShadeJob& job, const Pixels& p, const lit::Surface& surface, vec3 sum, TracedLight* lights,
-                  TracedParts* parts) {
-    for (int32_t i = 0; i < job.light_count; ++i) {
-        const lit::LightSample sample = lit::sample_light(job.lights[i], p.position);
-        trace_light(job, i, p.position, surface, sample, lights[i]);
-        trace_plain_parts(job, surface, sample, parts == nullptr ? nullptr : parts + i);
-        sum = lit::add_light(sum, surface, sample, reflection_of(job));
-        put(lights[i].sum, sum);
-    }
 }
 
 /// What the models of more parameters are made of.
-void trace_parameters(const ShadeJob& job, const lit::MaterialSurface& s, PixelTrace& out) {
-    if (job.reflection_model == RL_OREN_NAYAR) out.oren_nayar[0] = s.oren_nayar_a, out.oren_nayar[1] = s.oren_nayar_b;
-    if (job.reflection_model == RL_WARD || is_pbr(job)) out.lobe_alpha[0] = s.alpha_x, out.lobe_alpha[1] = s.alpha_y;
-    if (!is_pbr(job)) return;
-    const lit::MaterialTraits traits = traits_of(job);
+void trace_parameters(const EveryJob& job, const lit::MaterialSurface& s, PixelTrace& out) {
+    if (job.model() == RL_OREN_NAYAR) out.oren_nayar[0] = s.oren_nayar_a, out.oren_nayar[1] = s.oren_nayar_b;
+    if (job.model() == RL_WARD || job.is_pbr()) out.lobe_alpha[0] = s.alpha_x, out.lobe_alpha[1] = s.alpha_y;
+    if (!job.is_pbr()) return;
+    const lit::MaterialTraits traits = job.traits();
     put(out.f90, s.f90);
     if (traits.has_coat != 0) {
         out.coat = s.coat_reflectance, out.coat_alpha = s.coat_alpha;
@@ -294,41 +134,44 @@ void trace_parameters(const ShadeJob& job, const lit::MaterialSurface& s, PixelT
     out.sheen_alpha = s.sheen_alpha;
 }
 
-/// What the full kernel has beside the plain one.
-void trace_full(const ShadeJob& job, const FullPixels& f, PixelTrace& out) {
-    put(out.diffuse_normal, f.surface.diffuse_n);
-    trace_parameters(job, f.surface, out);
+void trace_relief(const WholePixels& p, PixelTrace& out) {
+    const EveryJob& job = p.material;
     for (int set = 0; set < 2; ++set) {
-        const bool is_read = job.material->uses_texcoords[set] != 0;  // else it is not found
-        const vec2 uv = f.p.texcoords[set].uv;
+        const bool is_read = job.material().uses_texcoords[set] != 0;  // else it is not found
+        const vec2 uv = p.point().texcoords[set].uv;
         out.relief_texcoord[set][0] = is_read ? uv.x : out.texcoord[set][0];
         out.relief_texcoord[set][1] = is_read ? uv.y : out.texcoord[set][1];
     }
-    out.has_relief = job.full->relief.technique != 0;
+    out.has_relief = job.of.relief.technique != 0;
     out.relief_height = -1;
-    const Maps& maps = f.bumps.place.maps;
-    if (has_relief(job) && job.full->relief.technique >= relief_parallax)
-        out.relief_height = (f.bumps.point.height - maps.height_offset) * maps.height_scale;
-    out.has_fog = job.full->fog.kind != 0;
-    out.has_environment = job.full->environment != nullptr && job.unlit == 0;
-    put(out.before_fog, radiance_before_fog(job, f));
-    out.fog_distance = lit::fog_distance(f.p.position, splat(job.view_direction), job.orthographic);
-    out.fog_share = fog_of(job, f.p);
-    put(out.fog_color, splat(job.full->fog.color));
+    const cpu::Maps& maps = p.state().bumps.place.maps;
+    if (job.has_relief() && job.of.relief.technique >= cpu_shading::relief_parallax)
+        out.relief_height = (p.state().bumps.point.height - maps.height_offset) * maps.height_scale;
+}
+
+/// Environment and fog.
+void trace_surroundings(const WholePixels& p, vec3 before_fog, PixelTrace& out) {
+    const EveryJob& job = p.material;
+    out.has_fog = job.of.fog.kind != 0;
+    out.has_environment = job.of.environment != nullptr && job.of.unlit == 0;
+    put(out.before_fog, before_fog);
+    out.fog_distance = lit::fog_distance(p.point().position, splat(job.of.view_direction), job.of.orthographic);
+    out.fog_share = cpu::fog_at(job.of, p.point().position);
+    put(out.fog_color, splat(job.of.fog.color));
     if (!out.has_environment) return;
-    const lit::LightTerms terms = environment_terms(job, f.surface);
+    const lit::LightTerms terms = cpu::environment_terms(job, p.state().surface);
     put(out.environment[0], terms.ambient);
     put(out.environment[1], terms.diffuse);
     put(out.environment[2], terms.specular);
 }
 
 /// Ward's and GGX's lobe.
-void trace_full_lobe(const ShadeJob& job, const lit::MaterialSurface& s, const lit::MaterialTraits& traits,
+void trace_wide_lobe(const EveryJob& job, const lit::MaterialSurface& s, const lit::MaterialTraits& traits,
                      const lit::LightSample& light, TracedLight& out) {
-    if (job.reflection_model != RL_WARD && !is_pbr(job)) return;
+    if (job.model() != RL_WARD && !job.is_pbr()) return;
     const vec3 h = lit::half_vector(light.l, s.base.v, s.base.n);
     out.lobe_cosine = dot(s.base.n, h);
-    if (is_pbr(job)) {
+    if (job.is_pbr()) {
         out.lobe = lit::pbr_lobe(s, light.l, traits);
         out.fresnel_weight = lit::schlick_weight(dot(s.base.v, h));
     } else {
@@ -338,52 +181,50 @@ void trace_full_lobe(const ShadeJob& job, const lit::MaterialSurface& s, const l
     out.specular_factor = out.lobe * (RL_PI * lit::lambert_cosine(out.n_dot_l));
 }
 
-lit::LightAlbedo albedo_of(const ShadeJob& job, const lit::MaterialSurface& s, const lit::LightSample& light,
-                           const lit::MaterialTraits& traits) {
-    return lit::light_albedo(s, maps_of(job), light.l, traits, job.reflection_model);
+/// The factors of one light's terms.
+void trace_factors(const EveryJob& job, const lit::MaterialSurface& s, const lit::MaterialTraits& traits,
+                   const lit::LightSample& light, real seen, TracedParts* parts) {
+    if (parts == nullptr) return;
+    const lit::LightAlbedo albedo = lit::light_albedo(s, cpu::maps_of(job.of), light.l, traits, job.model());
+    trace_parts({s, light, traits, job.reflection(), albedo, seen}, *parts);
 }
 
-void trace_full_lights(const ShadeJob& job, const FullPixels& f, TracedLight* lights, TracedParts* parts) {
-    vec3 sum = f.emission;
-    const lit::MaterialTraits traits = traits_of(job);
-    const lit::Reflection reflection = reflection_of(job);
-    for (int32_t i = 0; i < job.light_count; ++i) {
-        const lit::LightSample sample = sample_in_frame(job, i, f.p, f.bumps);
-        trace_light(job, i, f.p.position, f.surface.base, sample, lights[i]);
-        trace_full_lobe(job, f.surface, traits, sample, lights[i]);
-        lights[i].seen = seen_of(job, i, f, sample);
-        if (parts != nullptr)
-            trace_parts(
-                {f.surface, sample, traits, reflection, albedo_of(job, f.surface, sample, traits), lights[i].seen},
-                parts[i]);
-        const lit::LightTerms terms = full_light(job, i, f);
+void trace_lights(const WholePixels& p, TracedLight* lights, TracedParts* parts) {
+    const EveryJob& job = p.material;
+    const lit::MaterialSurface& s = p.state().surface;
+    const lit::MaterialTraits traits = job.traits();
+    for (int32_t i = 0; i < job.of.light_count; ++i) {
+        const lit::LightSample sample = cpu::sample_light_at(job, p.source, p.state(), 0, i);
+        trace_light(job, i, p.point().position, s.base, sample, lights[i]);
+        trace_wide_lobe(job, s, traits, sample, lights[i]);
+        lights[i].seen = cpu::seen_of(job, p.state(), 0, i, sample, p.seen());
+        trace_factors(job, s, traits, sample, lights[i].seen, parts == nullptr ? nullptr : parts + i);
+        put_terms(lit::no_terms(), lights[i]);
+    }
+    vec3 sum = p.state().emission;
+    int32_t done = 0;
+    const auto put_sums = [&](int32_t end) {
+        for (; done < end; ++done) put(lights[done].sum, sum);
+    };
+    cpu::for_each_light(job, p.source, p.b, p.seen(), [&](int32_t, int32_t i, const lit::LightTerms& terms) {
+        put_sums(i);
         put_terms(terms, lights[i]);
         sum = sum + lit::radiance_of_terms(terms);
-        put(lights[i].sum, sum);
-    }
+    });
+    put_sums(job.of.light_count);
 }
 
-void trace_received(const ShadeJob& job, const Pixels& p, PixelTrace& out) {
-    const lit::LightTerms light = interpolate_light(job.lit, p.triangle, p.b);
+void trace_received(const WholePixels& p, PixelTrace& out) {
+    const lit::LightTerms light = p.source.corner_light(0);
     put(out.received[0], light.ambient);
     put(out.received[1], light.diffuse);
     put(out.received[2], light.specular);
 }
 
-/// What find_full() finds, by the plain kernel's functions.
-void find_plain(const ShadeJob& job, FullPixels& f) {
-    f.p.find(job, 0);
-    find_texcoords(*job.material, f.p);
-    f.base = base_color(*job.material, f.p);
-    set_reflectance(job, f.p, f.base, f.surface.base);
-    f.surface.base.n = shading_normal(job, f.p);
-    f.surface.base.v = to_viewer(job, f.p.position);
-    f.emission = emission_of(*job.material, f.p);
-}
-
-void trace_place(const Pixels& p, PixelTrace& out) {
+void trace_place(const WholePixels& whole, PixelTrace& out) {
+    const Pixels& p = whole.pixels();
     out.barycentric[0] = 1.0f - p.b.b1 - p.b.b2, out.barycentric[1] = p.b.b1, out.barycentric[2] = p.b.b2;
-    put(out.position, p.position);
+    put(out.position, whole.point().position);
     for (int set = 0; set < 2; ++set) {
         TexCoords c;
         find_texcoords(p.records, p.b, set, c);
@@ -391,83 +232,53 @@ void trace_place(const Pixels& p, PixelTrace& out) {
     }
 }
 
-/// As the engine's own kernel has it.
-vec3 color_of(const ShadeJob& job) {
-    if (job.full != nullptr) {
-        FullPixels f;
-        find_full(job, 0, f);
-        return full_radiance(job, f);
-    }
-    Block b;
-    b.count = 1;
-    find_surfaces(job, 0, b);
-    light_surfaces(job, b);
-    return b.radiance[0];
-}
-
-/// One light at a point that is lit before there are pixels.
-lit::LightTerms trace_full_point(const ShadeJob& job, const lit::MaterialSurface& s, const lit::LightSample& light,
-                                 TracedLight& out, TracedParts& parts) {
-    const lit::MaterialTraits traits = point_traits(job);
-    const lit::Reflection reflection = reflection_of(job);
-    const lit::LightTerms terms = point_terms(job, s, light);
-    trace_full_lobe(job, s, traits, light, out);
-    trace_parts({s, light, traits, reflection, albedo_of(job, s, light, traits), 1.0f}, parts);
-    put_terms(terms, out);
-    return terms;
-}
-
 }  // namespace
 
 void trace_point(const ShadeJob* job, float roughness, const float (&position)[3], const float (&normal)[3],
                  float (&received)[3][3], TracedLight* lights, TracedParts* parts) {
+    const EveryJob every{*job};
     const vec3 at = splat(position);
-    const lit::Surface surface = point_surface(*job, roughness, splat(normal), to_viewer(*job, at));
-    vec3 sum[3] = {vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f)};
+    const lit::MaterialSurface s = cpu::surface_of_point(every, roughness, at, splat(normal));
+    const lit::MaterialTraits traits = cpu::point_traits(every);
     for (int32_t i = 0; i < job->light_count; ++i) {
         const lit::LightSample sample = lit::sample_light(job->lights[i], at);
-        lit::LightTerms terms = trace_light(*job, i, at, surface, sample, lights[i]);
-        if (job->full != nullptr)
-            terms = trace_full_point(*job, full_point(*job, roughness, at, splat(normal)), sample, lights[i], parts[i]);
-        else
-            trace_plain_parts(*job, surface, sample, parts + i);
-        sum[0] = sum[0] + terms.ambient;
-        sum[1] = sum[1] + terms.diffuse;
-        sum[2] = sum[2] + terms.specular;
+        trace_light(every, i, at, s.base, sample, lights[i]);
+        trace_wide_lobe(every, s, traits, sample, lights[i]);
+        trace_factors(every, s, traits, sample, 1.0f, parts + i);
+        put_terms(cpu::terms_of_point(every, s, sample), lights[i]);
     }
-    for (int k = 0; k < 3; ++k) put(received[k], sum[k]);
+    const lit::LightTerms sum = cpu::light_of_point(every, roughness, at, splat(normal));
+    put(received[0], sum.ambient);
+    put(received[1], sum.diffuse);
+    put(received[2], sum.specular);
 }
 
 void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, TracedTexels* texels,
                  TracedParts* parts) {
     PixelTrace& out = *pixel;
     out = PixelTrace{};
-    FullPixels f;
-    if (job->full != nullptr)
-        find_full(*job, 0, f);
-    else
-        find_plain(*job, f);
-    const Pixels& p = f.p;
+    WholePixels p(*job, 0);
+    const lit::MaterialSurface& s = p.state().surface;
     trace_place(p, out);
-    trace_maps(*job, f, out, texels);
-    put(out.vertex_color, interpolate_color(p.records, p.b));
-    put(out.paint, f.base.paint);
-    put(out.base_color, f.base.color);
-    trace_normal(*job, f, out);
-    trace_surface(*job->material, f.surface.base, out);
-    put(out.emission, f.emission);
-    if (job->full != nullptr) trace_full(*job, f, out);
+    trace_maps(p, out, texels);
+    put(out.vertex_color, p.source.color(0));
+    put(out.paint, p.state().base.paint);
+    put(out.base_color, p.state().base.color);
+    trace_normal(p, out);
+    trace_surface(*job->material, s.base, out);
+    put(out.diffuse_normal, s.diffuse_n);
+    trace_parameters(p.material, s, out);
+    put(out.emission, p.state().emission);
+    trace_relief(p, out);
     out.is_lit_at_corners = job->unlit == 0 && job->lit != nullptr;
-    if (out.is_lit_at_corners) trace_received(*job, p, out);
-    if (job->unlit == 0 && job->lit == nullptr) {
-        if (job->full != nullptr)
-            trace_full_lights(*job, f, lights, parts);
-        else
-            trace_lights(*job, p, f.surface.base, f.emission, lights, parts);
-    }
-    if (parts != nullptr && job->full != nullptr) trace_parts_around(*job, f, parts[job->light_count]);
-    put(out.color, color_of(*job));
-    out.alpha = job->full != nullptr ? shown_alpha(*job, f.bumps, f.base.color.w) : f.base.color.w;
+    if (out.is_lit_at_corners) trace_received(p, out);
+    if (job->unlit == 0 && job->lit == nullptr) trace_lights(p, lights, parts);
+    if (parts != nullptr) trace_parts_around(p, parts[job->light_count]);
+    vec3 radiance[1];
+    cpu::find_radiance(p.material, p.source, p.b, p.seen(), radiance);
+    trace_surroundings(p, radiance[0], out);
+    put(out.color, cpu::behind_fog(p.material, p.point().position, radiance[0]));
+    out.alpha = cpu::shown_alpha(p.material, p.state().bumps, p.state().base.color.w);
 }
 
 }  // namespace rakelight::raster::RL_ISA

@@ -4,7 +4,7 @@
 // tests/unit/raster/explain_parts_test.cpp holds them to.
 #pragma once
 #include "engines/raster/inspect/kernels/trace_kernel.h"
-#include "engines/raster/kernels/full_kernel.h"
+#include "engines/raster/kernels/whole_pixels.h"
 
 namespace rakelight::raster::RL_ISA {
 
@@ -196,22 +196,23 @@ inline void trace_parts(const PartSource& of, TracedParts& out) {
 }
 
 /// What comes from all around, as environment_terms() forms it, and the emission under a coat.
-inline void trace_parts_around(const ShadeJob& job, const FullPixels& f, TracedParts& out) {
-    const lit::MaterialSurface& s = f.surface;
-    const lit::MaterialTraits traits = traits_of(job);
+inline void trace_parts_around(const WholePixels& p, TracedParts& out) {
+    const auto& job = p.material;
+    const lit::MaterialSurface& s = p.state().surface;
+    const lit::MaterialTraits traits = job.traits();
     if (traits.has_coat != 0)
         PartWriter(out, Term::emission, Layer::base)
-            .times(Quantity::own_emission, emission_of(*job.material, f.p))
+            .times(Quantity::own_emission, cpu::emission_of(job, p.point()))
             .times(Quantity::coat_rest, 1.0f - s.coat_reflectance);
-    if (job.full->environment == nullptr || job.unlit != 0) return;
-    const Maps maps = maps_of(job);
-    const lit::Environment e = environment_of(*job.full->environment);
+    if (job.environment() == nullptr || job.of.unlit != 0) return;
+    const cpu::Maps maps = cpu::maps_of(job.of);
+    const lit::Environment e = cpu::environment_of(*job.environment());
     PartWriter(out, Term::ambient, Layer::base)
         .times(Quantity::around_diffuse, s.around_diffuse)
-        .times(Quantity::mean_light, lit::irradiance(e, s.diffuse_n));
+        .times(Quantity::mean_light, lit::irradiance(e, lit::diffuse_normal(s, traits)));
     PartWriter(out, Term::specular, Layer::base)
         .times(Quantity::around_specular, s.around_specular)
-        .times(Quantity::mirrored, lit::glossy(maps, e, s, traits, job.reflection_model));
+        .times(Quantity::mirrored, lit::glossy(maps, e, s, traits, job.model()));
     if (traits.has_sheen != 0)
         PartWriter(out, Term::specular, Layer::sheen)
             .times(Quantity::around_sheen, s.around_sheen)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which draws of a picture need the full kernel, and what it has to know of them.
+// What the draws of a picture are shaded by, and which kernel can.
 #pragma once
 #include "engines/raster/geometry/front_end.h"
 
@@ -11,8 +11,11 @@ struct PictureEffects {
     bool is_explained = false;            ///< also what adds nothing is found
 };
 
-/// Fills FrontEnd::full and needs_full.
-void make_full_jobs(FrontEnd& front, const PictureEffects& effects);
+/// Fills FrontEnd::jobs and shadows.
+void make_material_jobs(FrontEnd& front, const PictureEffects& effects);
+
+/// The part of a kernel's job that a draw's material, the settings and the view say: no pixels.
+ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights, std::uint32_t draw);
 
 // What shading/draw_choices.h says of a draw of the picture.
 Lighting lighting_of(const FrontEnd& front, std::uint32_t draw);

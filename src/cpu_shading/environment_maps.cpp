@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/textures/environment_maps.h"
+#include "cpu_shading/environment_maps.h"
 
 #include <algorithm>
 
-#include "engines/raster/kernels/full_types.h"
+#include "cpu_shading/material_views.h"
 
-namespace rakelight::raster {
+namespace rakelight::cpu_shading {
 namespace {
 
 /// All levels with their borders, which go on across the map's edges as the sphere does.
@@ -33,9 +33,9 @@ void pack_mirrored(const std::vector<OctahedralMap>& maps, EnvironmentMaps& to) 
 
 }  // namespace
 
-std::shared_ptr<const shading::PackedEnvironment> SoftEnvironmentPacker::pack(const shading::EnvironmentImages& images,
-                                                                              const ImageHandle& image,
-                                                                              Context& context) const {
+std::shared_ptr<const shading::PackedEnvironment> CpuEnvironmentPacker::pack(const shading::EnvironmentImages& images,
+                                                                             const ImageHandle& image,
+                                                                             Context& context) const {
     auto out = std::make_shared<EnvironmentMaps>();
     out->sky = pack_texture(images.sky, {image, ColorSpace::srgb, Wrap::repeat, Wrap::clamp_to_edge},
                             MemoryCharge(context.memory()));
@@ -44,15 +44,15 @@ std::shared_ptr<const shading::PackedEnvironment> SoftEnvironmentPacker::pack(co
     return out;
 }
 
-void set_environment(DrawList& list, shading::EnvironmentCache& cache, Context& context) {
-    const std::optional<shading::UsedEnvironment> used = cache.update(list.scene, SoftEnvironmentPacker(), context);
-    list.environment = nullptr;
+void set_environment(const Scene& scene, shading::EnvironmentCache& cache, MaterialViews& views, Context& context) {
+    const std::optional<shading::UsedEnvironment> used = cache.update(scene, CpuEnvironmentPacker(), context);
+    views.environment = nullptr;
     if (!used) return;
-    list.environment = used->packed;
+    views.environment = used->packed;
     const auto& maps = static_cast<const EnvironmentMaps&>(*used->packed);
-    static_cast<shading::EnvironmentFactors&>(list.environment_view) = used->factors;
-    list.environment_view.specular = &maps.mirrored_view;
-    list.environment_view.sky = &maps.sky_view;
+    static_cast<shading::EnvironmentFactors&>(views.environment_view) = used->factors;
+    views.environment_view.specular = &maps.mirrored_view;
+    views.environment_view.sky = &maps.sky_view;
 }
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::cpu_shading

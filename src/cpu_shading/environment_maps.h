@@ -4,11 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "engines/raster/draw_list.h"
-#include "engines/raster/textures/textures.h"
+#include "cpu_shading/textures.h"
 #include "shading/environment.h"
 
-namespace rakelight::raster {
+namespace rakelight::cpu_shading {
 
 /// What is made of the picture alone. Not to be copied: views point into it.
 struct EnvironmentMaps final : shading::PackedEnvironment {
@@ -21,13 +20,10 @@ struct EnvironmentMaps final : shading::PackedEnvironment {
     TextureView sky_view, mirrored_view;
 };
 
-class SoftEnvironmentPacker final : public shading::EnvironmentPacker {
+class CpuEnvironmentPacker final : public shading::EnvironmentPacker {
 public:
     std::shared_ptr<const shading::PackedEnvironment> pack(const shading::EnvironmentImages& images,
                                                            const ImageHandle& image, Context& context) const override;
 };
 
-/// The scene's environment for the list's pictures.
-void set_environment(DrawList& list, shading::EnvironmentCache& cache, Context& context);
-
-}  // namespace rakelight::raster
+}  // namespace rakelight::cpu_shading

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/textures/textures.h"
+#include "cpu_shading/textures.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "base/huge_pages.h"
 #include "math/color.h"
 
-namespace rakelight::raster {
+namespace rakelight::cpu_shading {
 using shading::TextureKey;
 
 namespace {
@@ -128,12 +128,12 @@ std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKe
     return data;
 }
 
-std::uint64_t SoftTexturePacker::packed_bytes(int width, int height, bool is_float, bool is_srgb) const {
-    return raster::packed_bytes(width, height, is_float, is_srgb);
+std::uint64_t CpuTexturePacker::packed_bytes(int width, int height, bool is_float, bool is_srgb) const {
+    return cpu_shading::packed_bytes(width, height, is_float, is_srgb);
 }
 
-std::shared_ptr<const shading::PackedTexture> SoftTexturePacker::pack(const MipChain& chain, const TextureKey& key,
-                                                                      MemoryCharge charge) const {
+std::shared_ptr<const shading::PackedTexture> CpuTexturePacker::pack(const MipChain& chain, const TextureKey& key,
+                                                                     MemoryCharge charge) const {
     return pack_texture(chain, key, std::move(charge));
 }
 
@@ -169,4 +169,4 @@ TextureView with_filters(const TextureData& data, const Sampler& sampler) {
     return view;
 }
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::cpu_shading

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The maps of a job as the lighting text reads them (lighting/maps.glsl is the same for GLSL). Per instruction set.
 #pragma once
-#include "engines/raster/kernels/surface.h"
+#include "cpu_shading/kernels/sample.h"
 #include "lighting/read_albedos.h"
 
-namespace rakelight::raster::RL_ISA {
+namespace rakelight::cpu_shading::RL_ISA {
 
 struct Maps {
     const TextureView* height;
@@ -14,9 +14,7 @@ struct Maps {
 };
 
 /// Those of a job, without its heights.
-inline Maps maps_of(const ShadeJob& job) {
-    return {nullptr, real(0.0f), real(0.0f), job.full->environment, &job.full->albedo};
-}
+inline Maps maps_of(const MaterialJob& job) { return {nullptr, real(0.0f), real(0.0f), job.environment, &job.albedo}; }
 
 /// Inline, so that channels which nobody reads cost nothing.
 [[gnu::always_inline]] inline vec4 sample_level(const TextureView& t, vec2 uv, real level) {
@@ -30,7 +28,10 @@ inline Maps maps_of(const ShadeJob& job) {
 inline real sample_height(const Maps& maps, vec2 uv, real level) {
     TexCoords at;
     at.uv = uv;
-    return maps.height_offset + maps.height_scale * sample(*maps.height, footprint_of(*maps.height, at, level, true)).x;
+    const Footprint f = footprint_of(*maps.height, at, level, true);
+    const real height =
+        maps.height->rgba32f != nullptr ? filtered(FloatHeights{maps.height->rgba32f}, f) : sample(*maps.height, f).x;
+    return maps.height_offset + maps.height_scale * height;
 }
 
 inline vec3 sample_environment(const Maps& maps, vec2 uv, real level) {
@@ -45,4 +46,4 @@ inline real sample_albedo(const Maps& maps, int table, real x, real y) {
     return lit::read_albedo(*maps.tables, table, x, y);
 }
 
-}  // namespace rakelight::raster::RL_ISA
+}  // namespace rakelight::cpu_shading::RL_ISA

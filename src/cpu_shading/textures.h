@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "engines/raster/kernels/kernel_types.h"
+#include "cpu_shading/texture_view.h"
 #include "shading/texture_cache.h"
 
-namespace rakelight::raster {
+namespace rakelight::cpu_shading {
 
 /// All mip levels of one picture in one array.
 struct TextureData final : shading::PackedTexture {
@@ -18,7 +18,7 @@ struct TextureData final : shading::PackedTexture {
 };
 
 /// Into TextureData. Borders hold how the texture wraps.
-class SoftTexturePacker final : public shading::TexturePacker {
+class CpuTexturePacker final : public shading::TexturePacker {
 public:
     std::uint64_t packed_bytes(int width, int height, bool is_float, bool is_srgb) const override;
     std::shared_ptr<const shading::PackedTexture> pack(const MipChain& chain, const shading::TextureKey& key,
@@ -36,4 +36,4 @@ MipNumber mip_number(MipFilter filter);
 /// The view of a texture with its sampler's filters filled in.
 TextureView with_filters(const TextureData& data, const Sampler& sampler);
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::cpu_shading

@@ -4,9 +4,9 @@
 // texels once. Texels are linear before they are filtered: 8-bit data and 15-bit colors two channels a lane, floats one
 // by one. Two texels of a row are read at once. Per instruction set.
 #pragma once
-#include "engines/raster/kernels/interpolate.h"
+#include "cpu_shading/kernels/texcoords.h"
 
-namespace rakelight::raster::RL_ISA {
+namespace rakelight::cpu_shading::RL_ISA {
 
 inline constexpr int fraction_bits = 15;  ///< of a texel: its weight in a filter
 
@@ -139,19 +139,21 @@ inline integer mix16(integer a, integer b, integer weight) { return add16(a, sca
 inline Texels mix(const Texels& a, const Texels& b, integer weight) {
     return {mix16(a.red_blue, b.red_blue, weight), mix16(a.green_alpha, b.green_alpha, weight)};
 }
-inline vec4 mix(const vec4& a, const vec4& b, integer weight) {
-    return a + (b - a) * (to_real(weight & integer(0xffff)) * real(1.0f / float(1 << fraction_bits)));
+inline real fraction(integer weight) {
+    return to_real(weight & integer(0xffff)) * real(1.0f / float(1 << fraction_bits));
 }
+inline real mix(real a, real b, integer weight) { return a + (b - a) * fraction(weight); }
+inline vec4 mix(const vec4& a, const vec4& b, integer weight) { return a + (b - a) * fraction(weight); }
 
 /// Reads linear 15-bit colors; `mixed` reads a texel and its right neighbor.
 struct ColorTexels {
     const uint32_t* base;
-    Texels at(integer texel) const {
+    [[gnu::always_inline]] Texels at(integer texel) const {
         integer words[4];
         gather_quads(base, texel, words);
         return {words[0], words[1]};
     }
-    Texels mixed(integer texel, integer weight) const {
+    [[gnu::always_inline]] Texels mixed(integer texel, integer weight) const {
         integer words[4];
         gather_quads(base, texel, words);
         return mix(Texels{words[0], words[1]}, Texels{words[2], words[3]}, weight);
@@ -165,8 +167,8 @@ struct DataTexels {
         const integer codes(0x7f807f80);
         return {(rgba << 7) & codes, shift_right_logical(rgba, 1) & codes};
     }
-    Texels at(integer texel) const { return unpack(gather_i(base, texel)); }
-    Texels mixed(integer texel, integer weight) const {
+    [[gnu::always_inline]] Texels at(integer texel) const { return unpack(gather_i(base, texel)); }
+    [[gnu::always_inline]] Texels mixed(integer texel, integer weight) const {
         integer left, right;
         gather_pairs(base, texel, left, right);
         return mix(unpack(left), unpack(right), weight);
@@ -175,16 +177,27 @@ struct DataTexels {
 
 struct FloatTexels {
     const float* base;
-    vec4 at(integer texel) const {
-        const integer i = texel << 2;
-        return vec4(gather(base, i), gather(base + 1, i), gather(base + 2, i), gather(base + 3, i));
+    [[gnu::always_inline]] vec4 at(integer texel) const {
+        integer words[4];
+        gather_quads(reinterpret_cast<const uint32_t*>(base), texel << 1, words);
+        return vec4(real_from_bits(words[0]), real_from_bits(words[1]), real_from_bits(words[2]),
+                    real_from_bits(words[3]));
     }
-    vec4 mixed(integer texel, integer weight) const { return mix(at(texel), at(texel + integer(1)), weight); }
+    [[gnu::always_inline]] vec4 mixed(integer texel, integer weight) const {
+        return mix(at(texel), at(texel + integer(1)), weight);
+    }
 };
 
-/// A level, of any kind of texel.
+/// The first channel alone.
+struct FloatHeights {
+    const float* base;
+    real at(integer texel) const { return gather(base, texel << 2); }
+    real mixed(integer texel, integer weight) const { return mix(at(texel), at(texel + integer(1)), weight); }
+};
+
+/// A level, of any kind of texel. A call: code that many steps share stays in the processor's cache.
 template <class Reader>
-inline auto filtered_level(const Reader& read, const Taps& taps, bool linear) {
+[[gnu::noinline]] inline auto filtered_level(const Reader& read, const Taps& taps, bool linear) {
     if (!linear) return read.at(taps.texel);
     const auto upper = read.mixed(taps.texel, taps.along_x);
     const auto lower = read.mixed(taps.texel + taps.stride, taps.along_x);
@@ -200,9 +213,14 @@ inline Texels filtered_codes(const TextureView& t, const Footprint& f) {
     return t.rgba16 != nullptr ? filtered(ColorTexels{t.rgba16}, f) : filtered(DataTexels{t.rgba8}, f);
 }
 
+/// Formats of texels that a kernel reads: 8 and 15 bits a channel, or floats too.
+enum class TexelFormats { codes, every };
+
 /// 0..1 but for floats, times a power of two. Inline, so that channels which nobody reads cost nothing.
+template <TexelFormats formats = TexelFormats::every>
 [[gnu::always_inline]] inline vec4 sample(const TextureView& t, const Footprint& f, float times = 1.0f) {
-    if (t.rgba32f != nullptr) return filtered(FloatTexels{t.rgba32f}, f) * real(times);
+    if (formats == TexelFormats::every && t.rgba32f != nullptr)
+        return filtered(FloatTexels{t.rgba32f}, f) * real(times);
     const Texels texels = filtered_codes(t, f);
     const real scale(times * (t.rgba16 != nullptr ? 1.0f / 32767.0f : 1.0f / (255.0f * 128.0f)));
     const integer low(0xffff);
@@ -212,15 +230,16 @@ inline Texels filtered_codes(const TextureView& t, const Footprint& f) {
 }
 
 /// A slot's texture.
+template <TexelFormats formats>
 inline vec4 sample(const TextureSlot& slot, const TexCoords& raw) {
     const TextureView& t = *slot.view;
     TexCoords room;
     const TexCoords& c = transformed(slot, raw, room);
     const real lod = level_of_detail(t, c);
-    const vec4 result = sample(t, footprint_of(t, c, lod, t.minify_linear != 0));
+    const vec4 result = sample<formats>(t, footprint_of(t, c, lod, t.minify_linear != 0));
     const mask is_minified = lod > real(0.0f);
     if (t.magnify_linear == t.minify_linear || all_lanes(is_minified)) return result;
-    return select(is_minified, result, sample(t, footprint_of(t, c, real(0.0f), t.magnify_linear != 0)));
+    return select(is_minified, result, sample<formats>(t, footprint_of(t, c, real(0.0f), t.magnify_linear != 0)));
 }
 
 inline lit::Probes probes_of(const TextureView& t, const TexCoords& c, int32_t most) {
@@ -228,21 +247,22 @@ inline lit::Probes probes_of(const TextureView& t, const TexCoords& c, int32_t m
 }
 
 /// A slot's texture by up to `most` probes.
+template <TexelFormats formats>
 inline vec4 sample_anisotropic(const TextureSlot& slot, const TexCoords& raw, int32_t most) {
     const TextureView& t = *slot.view;
     TexCoords room;
     const TexCoords& c = transformed(slot, raw, room);
-    if (t.mip == mip_none || t.levels == 1) return sample(slot, raw);
+    if (t.mip == mip_none || t.levels == 1) return sample<formats>(slot, raw);
     const lit::Probes p = probes_of(t, c, most);
-    if (no_lane(p.is_stretched)) return sample(slot, raw);
+    if (no_lane(p.is_stretched)) return sample<formats>(slot, raw);
     vec4 sum = vec4(real(0.0f));
     for (int32_t i = 0; any_lane(real(float(i)) < p.count); ++i) {
         TexCoords at = c;
         at.uv = lit::probe_place(p, c.uv, i);
-        const vec4 probe = sample(t, footprint_of(t, at, p.lod, t.minify_linear != 0));
+        const vec4 probe = sample<formats>(t, footprint_of(t, at, p.lod, t.minify_linear != 0));
         sum = sum + select(real(float(i)) < p.count, probe, vec4(real(0.0f)));
     }
-    return select(p.is_stretched, sum * p.inverse, sample(slot, raw));
+    return select(p.is_stretched, sum * p.inverse, sample<formats>(slot, raw));
 }
 
-}  // namespace rakelight::raster::RL_ISA
+}  // namespace rakelight::cpu_shading::RL_ISA

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The job that points of a draw are shaded by (material_job.h): what material, settings and view say.
+#pragma once
+#include <rakelight/engine.h>
+
+#include "cpu_shading/material_views.h"
+#include "shading/draw_list.h"
+#include "shading/view.h"
+
+namespace rakelight::cpu_shading {
+
+/// Without lights; `unlit` and `bump` are for lighting at every pixel.
+/// @param is_explained  also what adds nothing is found
+MaterialJob make_material_job(const shading::DrawList& list, const MaterialViews& views, const shading::Draw& draw,
+                              const RenderSettings& settings, const shading::View& view, bool is_explained);
+
+}  // namespace rakelight::cpu_shading
