@@ -24,6 +24,7 @@ BELOW = {
     "prepare": ["scene", "geometry"],
     "lighting": ["math"],
     "io": ["scene"],
+    "world": ["engines", "io", "prepare"],
     "engines": ["scene", "geometry"],
     "shading": ["engines", "lighting", "scene", "geometry"],
     "cpu_shading": ["shading"],
@@ -31,7 +32,7 @@ BELOW = {
     "engines/raster/inspect": ["engines/raster"],
     "engines/opengl": ["shading"],
     "engines/raytrace": ["cpu_shading"],
-    "render": ["engines/raster", "engines/opengl", "engines/raytrace", "io", "prepare"],
+    "render": ["engines/raster", "engines/opengl", "engines/raytrace", "world"],
     "tools": ["render", "engines/raster/inspect"],
 }
 
@@ -56,13 +57,13 @@ DOORS = {
 # Public header -> the module that implements it (and whose layer it belongs to).
 PUBLIC = {
     "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base",
-    "vector": "math",
+    "vector": "math", "linear": "math",
     "block": "image", "image": "image",
     "attributes": "geometry",
-    "scene": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "unfinished_outputs": "io",
+    "scene": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "unfinished_outputs": "io",
     "prepare": "prepare",
-    "engine": "engines",
-    "render": "render",
+    "engine": "engines", "values": "world", "request": "world",
+    "render": "render", "session": "render",
     "picture": "render", "version": "render",
     "check_scene": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
 }

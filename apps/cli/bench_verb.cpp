@@ -30,7 +30,7 @@ int count(const char* option, std::string word, int low, int high) {
 void add_rows(const std::string& words, SmoothBenchOptions& o) {
     for (std::size_t first = 0; first <= words.size();) {
         const std::size_t last = std::min(words.find(',', first), words.size());
-        const int row = word<int>("--with", words.substr(first, last - first),
+        const int row = word<int>("with", words.substr(first, last - first),
                                   {{"crease", 1}, {"tolerance", 2}, {"order", 4}, {"plan", 8}, {"all", 15}});
         o.crease |= (row & 1) != 0;
         o.tolerance |= (row & 2) != 0;
@@ -56,45 +56,42 @@ void apply_smooth(const BenchWords& w, SmoothBenchOptions& o) {
     refuse("smooth", {{"a scene", w.scene},
                       {"--lights", w.lights},
                       {"--engine", w.engines},
-                      {"--resolution", w.resolution},
                       {"--frames", w.frames},
-                      {"--samples", w.samples},
-                      {"--shading", w.shading},
                       {"--output", w.output},
                       {"--export", w.export_file}});
-    if (const char* const option = first_given(w.surface))
-        throw Error(ErrorCode::usage, std::string(option) + " is not for bench smooth");
-    o.triangles =
-        w.triangles.empty() ? 1'000'000 : std::uint64_t(count("--triangles", w.triangles, 100, 1'000'000'000));
+    for (const WorldValue& value : values_of(w.render))
+        if (value.key != "weight" && value.key != "crease-angle")
+            throw Error(ErrorCode::usage, "--" + value.key + " is not for bench smooth");
+    o.triangles = w.triangles.empty() ? 1'000'000 : std::uint64_t(count("triangles", w.triangles, 100, 1'000'000'000));
     o.objects = w.objects.empty() ? std::uint32_t(std::min<std::uint64_t>(o.objects, o.triangles / 32))
-                                  : std::uint32_t(count("--objects", w.objects, 1, 100'000));
-    if (!w.order.empty()) o.shuffled = word<bool>("--order", w.order, {{"coherent", false}, {"shuffled", true}});
-    if (!w.weight.empty())
-        o.weight = word<CornerWeight>("--weight", w.weight,
+                                  : std::uint32_t(count("objects", w.objects, 1, 100'000));
+    if (!w.order.empty()) o.shuffled = word<bool>("order", w.order, {{"coherent", false}, {"shuffled", true}});
+    if (!w.render.weight.empty())
+        o.weight = word<CornerWeight>("weight", w.render.weight,
                                       {{"uniform", CornerWeight::uniform},
                                        {"area", CornerWeight::area},
                                        {"angle", CornerWeight::angle},
                                        {"angle-area", CornerWeight::angle_area}});
-    if (!w.crease_angle.empty()) o.crease_angle_rad = radians(number("--crease-angle", w.crease_angle));
-    if (!w.tolerance.empty()) o.weld_distance = number("--tolerance", w.tolerance);
-    if (!w.repetitions.empty()) o.repetitions = std::uint32_t(count("--repetitions", w.repetitions, 1, 1000));
+    const std::string& crease = w.crease.empty() ? w.render.crease_angle : w.crease;
+    if (!crease.empty()) o.crease_angle_rad = radians(number("crease-angle", crease));
+    if (!w.tolerance.empty()) o.weld_distance = number("tolerance", w.tolerance);
+    if (!w.repetitions.empty()) o.repetitions = std::uint32_t(count("repetitions", w.repetitions, 1, 1000));
     if (!w.with.empty()) add_rows(w.with, o);
     o.brute_force = w.brute_force;
 }
 
 std::vector<std::string> arguments_of_pictures(const BenchWords& w) {
     std::vector<std::string> arguments;
-    for (const auto& [option, word] :
-         {std::pair("--resolution", &w.resolution), {"--samples", &w.samples}, {"--shading", &w.shading}})
-        if (!word->empty()) arguments.push_back(std::string(option) + "=" + *word);
-    add_arguments(w.surface, arguments);
+    for (const WorldValue& value : values_of(w.render)) {
+        const bool is_flag = find_render_key(value.key)->kind == RenderKey::Kind::flag;
+        for (const std::string& word : value.words) arguments.push_back("--" + value.key + (is_flag ? "" : "=" + word));
+    }
     return arguments;
 }
 
 void apply_render(const BenchWords& w, RenderBenchOptions& o) {
     refuse("render", {{"--order", w.order},
-                      {"--weight", w.weight},
-                      {"--crease-angle", w.crease_angle},
+                      {"--crease", w.crease},
                       {"--tolerance", w.tolerance},
                       {"--repetitions", w.repetitions},
                       {"--with", w.with}});
@@ -107,25 +104,21 @@ void apply_render(const BenchWords& w, RenderBenchOptions& o) {
     o.scene = w.scene;
     o.output = w.output;
     o.export_file = w.export_file;
-    if (!w.triangles.empty()) o.triangles = std::uint64_t(count("--triangles", w.triangles, 100, 100'000'000));
+    if (!w.triangles.empty()) o.triangles = std::uint64_t(count("triangles", w.triangles, 100, 100'000'000));
     o.objects = w.objects.empty() ? std::uint32_t(std::min<std::uint64_t>(o.objects, o.triangles / 20))
-                                  : std::uint32_t(count("--objects", w.objects, 1, 100'000));
+                                  : std::uint32_t(count("objects", w.objects, 1, 100'000));
     std::vector<std::uint32_t> lights;
     for (const std::string_view number : split(w.lights, ','))
-        if (!w.lights.empty()) lights.push_back(std::uint32_t(count("--lights", std::string(number), 0, 10'000)));
+        if (!w.lights.empty()) lights.push_back(std::uint32_t(count("lights", std::string(number), 0, 10'000)));
     if (!lights.empty()) o.lights = lights.front(), o.other_lights.assign(lights.begin() + 1, lights.end());
-    if (!w.frames.empty()) o.frames = std::uint32_t(count("--frames", w.frames, 1, 10'000));
+    if (!w.frames.empty()) o.frames = std::uint32_t(count("frames", w.frames, 1, 10'000));
     if (!w.engines.empty()) {
         o.engines.clear();
         for (const std::string_view name : split(w.engines, ',')) o.engines.emplace_back(name);
     }
-    if (!w.resolution.empty()) {
-        const std::vector<int> size = integers("--resolution", w.resolution, 2);
-        o.settings.width = size[0], o.settings.height = size[1];
-    }
-    if (!w.samples.empty()) o.settings.samples = word<int>("--samples", w.samples, {{"1", 1}, {"4", 4}, {"8", 8}});
-    if (!w.shading.empty()) o.settings.shading = word("--shading", w.shading, shading_words);
-    apply(w.surface, o.settings);
+    o.picture.settings = o.settings;  // in full HD
+    read_render_keys(values_of(w.render), o.picture);
+    o.settings = o.picture.settings;
 }
 
 }  // namespace
@@ -136,6 +129,14 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     const auto add = [&](const char* group, const char* name, std::string& word, const char* type, const char* help) {
         app.add_option(name, word, help)->type_name(type)->group(group);
     };
+    add_render_options(app, w.render);  // of pictures; what is about files is left out, or says something else here
+    for (const char* name : {"--output", "--engine", "--window", "--channels", "--channel-files", "--exr-colors"})
+        app.remove_option(app.get_option(name));
+    app.get_option("--resolution")->description("Size of the picture in pixels, also WxH (default 1920,1080)");
+    app.get_option("--weight")
+        ->description(
+            "How a triangle pulls on a normal: angle (default of render), uniform (default of smooth), area, "
+            "angle-area");
     app.add_option("WHAT", w.what, "What to measure: smooth (normals and tangents) or render (pictures)")
         ->type_name("")
         ->required();
@@ -147,8 +148,7 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
     add("Measurement", "--objects", w.objects, "N",
         "Objects that it has (default: smooth 16, render 100; fewer where triangles are few)");
     add(smooth, "--order", w.order, "ORDER", "coherent (default) or shuffled triangles and vertices");
-    add(smooth, "--weight", w.weight, "HOW", "uniform (default), area, angle, angle-area");
-    add(smooth, "--crease-angle,--crease", w.crease_angle, "DEG", "Edges bent more than this stay sharp (default 180)");
+    add(smooth, "--crease", w.crease, "DEG", "Edges bent more than this stay sharp (default 180); as --crease-angle");
     add(smooth, "--tolerance", w.tolerance, "X", "Weld within X edge lengths, up to 0.25 (default 0: exact)");
     add(smooth, "--repetitions", w.repetitions, "N", "Counted runs of each row (default 10)");
     add(smooth, "--with", w.with, "ROWS",
@@ -160,15 +160,11 @@ void add_bench_options(CLI::App& app, BenchWords& w) {
         "Point lights of the scene that is made, 0 to 8 (default 2), or up to 10000 small ones; 8,1000: both");
     add(render, "--engine", w.engines, "NAMES",
         "Engines, separated by commas; their pictures are interleaved (default soft)");
-    add(render, "--resolution", w.resolution, "W,H", "Size of the picture in pixels (default 1920,1080)");
     add(render, "--frames", w.frames, "N",
         "Counted pictures of each engine, after one that is not counted (default 15)");
-    add(render, "--samples", w.samples, "N", "Samples a pixel: 1 (default), 4 or 8");
-    add(render, "--shading", w.shading, "HOW", "phong (default), gouraud, flat, unlit or auto");
     add(render, "-o,--output", w.output, "FILE", "Also write the picture of the first engine");
     add(render, "--export", w.export_file, "FILE",
         "Also write the scene as .glb, for other programs to be measured with");
-    add_surface_options(app, w.surface, "Surfaces: bench render");
 }
 
 void apply(const BenchWords& w, BenchRequest& request) {

@@ -6,7 +6,7 @@
 
 #include <rakelight/bench.h>
 
-#include "surface_options.h"
+#include "render_options.h"
 
 namespace CLI {
 class App;
@@ -19,11 +19,11 @@ struct Options;
 struct BenchWords {
     std::string what, scene, triangles, objects;
     // bench smooth
-    std::string order, weight, crease_angle, tolerance, repetitions, with;
+    std::string order, crease, tolerance, repetitions, with;
     bool brute_force = false;
     // bench render
-    std::string lights, engines, resolution, frames, samples, shading, output, export_file;
-    SurfaceWords surface;
+    std::string lights, engines, frames, output, export_file;
+    RenderWords render;  ///< those of pictures; bench smooth has weight and crease angle of them
 };
 
 void add_bench_options(CLI::App& app, BenchWords& words);

@@ -68,10 +68,20 @@ double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock:
 
 }  // namespace
 
-void print_error(const Error& error) { print_line("error", "\033[31m", error.what()); }
+std::string text_of(const Error& error) {
+    std::string text = error.what();
+    if (error.setting().empty()) return text;
+    if (const std::size_t at = text.find(one_line(error.setting(), 60) + ": "); at != text.npos) text.insert(at, "--");
+    for (const std::string& other : error.related())  // named as settings are: 'camera-index'
+        for (std::size_t at; (at = text.find("'" + other + "'")) != text.npos;)
+            text.replace(at, other.size() + 2, "--" + other);
+    return text;
+}
+
+void print_error(const Error& error) { print_line("error", "\033[31m", text_of(error)); }
 
 std::string error_line(const Error& error) {
-    return (isatty(STDERR_FILENO) ? wipe_line : "") + line_of("error", "\033[31m", error.what());
+    return (isatty(STDERR_FILENO) ? wipe_line : "") + line_of("error", "\033[31m", text_of(error));
 }
 
 void print_remarks(const Report& report, Loudness loudness) {

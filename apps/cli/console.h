@@ -16,6 +16,9 @@ namespace rakelight::cli {
 
 enum class Loudness { quiet, normal, verbose };
 
+/// What an error says; settings are called by their options: "--crease-angle: ...".
+std::string text_of(const Error& error);
+
 /// The line of print_error(), with what wipes a progress line on a terminal: for who may not call print_error().
 std::string error_line(const Error& error);
 

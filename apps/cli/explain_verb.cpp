@@ -25,15 +25,15 @@ void add_explain_options(CLI::App& app, ExplainWords& w) {
 }
 
 void apply(const ExplainWords& words, ExplainRequest& request, PictureRequest& picture) {
-    const std::vector<int> pixel = integers("--pixel", words.pixel, 2);
+    const std::vector<int> pixel = integers("pixel", words.pixel, 2);
     request.x = pixel[0];
     request.y = pixel[1];
     const RenderSettings& s = picture.settings;
     if (request.x < 0 || request.y < 0 || request.x >= s.width || request.y >= s.height)
-        throw Error(ErrorCode::usage,
-                    "--pixel: the picture has " + std::to_string(s.width) + " x " + std::to_string(s.height) +
-                        " pixels, counted from 0",
-                    {}, "--resolution says how many");
+        throw wrong(
+            "pixel",
+            "the picture has " + std::to_string(s.width) + " x " + std::to_string(s.height) + " pixels, counted from 0",
+            "--resolution says how many");
 }
 
 int run_explain(const Options& options) {

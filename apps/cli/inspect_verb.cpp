@@ -61,9 +61,9 @@ void apply_limits(const InspectWords& w, InspectRequest& request) {
     if (w.no_borders && !w.max_seam.empty())
         throw Error(ErrorCode::usage, "--no-borders and --max-seam exclude each other");
     if (w.no_borders) limits.max_seam_deg.reset();
-    if (!w.max_seam.empty()) limits.max_seam_deg = number("--max-seam", w.max_seam);
+    if (!w.max_seam.empty()) limits.max_seam_deg = number("max-seam", w.max_seam);
     if (limits.max_seam_deg && !(*limits.max_seam_deg >= 0 && *limits.max_seam_deg <= 180))
-        throw Error(ErrorCode::usage, "--max-seam: must be 0 to 180 degrees");
+        throw wrong("max-seam", "must be 0 to 180 degrees");
     request.check = limits;
 }
 
@@ -104,8 +104,8 @@ void apply(const InspectWords& w, InspectRequest& request, PictureRequest& pictu
     request.options.seam_lines = !w.heat_map.empty();
     request.options.prepare = picture.prepare;
     if (!w.weld_distance.empty()) {
-        request.options.weld_distance = number("--weld-distance", w.weld_distance);
-        if (!(request.options.weld_distance >= 0)) throw Error(ErrorCode::usage, "--weld-distance: must be 0 or more");
+        request.options.weld_distance = number("weld-distance", w.weld_distance);
+        if (!(request.options.weld_distance >= 0)) throw wrong("weld-distance", "must be 0 or more");
     }
     apply_limits(w, request);
     if (w.heat_map.empty()) {
@@ -117,7 +117,7 @@ void apply(const InspectWords& w, InspectRequest& request, PictureRequest& pictu
     if (w.no_borders) throw Error(ErrorCode::usage, "--no-borders and --heatmap exclude each other");
     constexpr std::int64_t most_pixels = 1 << 26;  // it is kept whole, 28 bytes a pixel
     if (std::int64_t(picture.settings.width) * picture.settings.height > most_pixels)
-        throw Error(ErrorCode::usage, "--resolution: a heat map has at most 64 million pixels");
+        throw wrong("resolution", "a heat map has at most 64 million pixels");
 }
 
 int run_inspect(const Options& options) {

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include <rakelight/world.h>
+
 #include "switches.h"
 
 namespace rakelight::cli {
@@ -27,6 +29,13 @@ void add_table(CLI::App& app, std::span<const OptionEntry<Words>> table, Words& 
                                         : app.add_option(entry.name, word, entry.help);
         option->type_name(entry.type)->group(group ? group : entry.group);
     }
+}
+
+/// What was given, by keys of [render], which the options' names are.
+template <class Words>
+void add_values(std::span<const OptionEntry<Words>> table, const Words& words, std::vector<WorldValue>& values) {
+    for (const OptionEntry<Words>& entry : table)
+        if (!(words.*entry.word).empty()) values.push_back({.key = entry.name + 2, .words = {words.*entry.word}});
 }
 
 /// The first of the options that was given; null: none.

@@ -215,8 +215,8 @@ Options finish(Options options, const CommonWords& common) {
     if (common.quiet && common.verbose) throw Error(ErrorCode::usage, "--quiet and --verbose exclude each other");
     options.json = common.json;
     options.loudness = common.quiet ? Loudness::quiet : common.verbose ? Loudness::verbose : Loudness::normal;
-    if (!common.threads.empty()) options.threads = integer("--threads", common.threads, 1, 1024);
-    if (!common.max_memory.empty()) options.max_memory = byte_size("--max-memory", common.max_memory);
+    if (!common.threads.empty()) options.threads = integer("threads", common.threads, 1, 1024);
+    if (!common.max_memory.empty()) options.max_memory = byte_size("max-memory", common.max_memory);
     options.picture.load.allow_outside = common.allow_outside;
     return options;
 }

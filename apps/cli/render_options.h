@@ -18,7 +18,7 @@ namespace rakelight::cli {
 
 /// The words as given; empty where not given.
 struct RenderWords {
-    std::string output, engine = "soft", resolution, window, background, channels, channel_files, exr_colors;
+    std::string output, engine, resolution, window, background, channels, channel_files, exr_colors;
     std::vector<std::string> shading;
     SurfaceWords surface;
     SceneWords scene;
@@ -43,6 +43,9 @@ void add_normal_options(CLI::App& app, const char* which, RenderWords& words);
 
 /// The part that says where the camera stands.
 void add_view_options(CLI::App& app, const char* group, RenderWords& words);
+
+/// What was given, by keys of [render].
+std::vector<WorldValue> values_of(const RenderWords& words);
 
 /// @throws Error usage
 void apply(const RenderWords& words, PictureRequest& request);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_options.h"
 
-#include <algorithm>
-
 #include "option_table.h"
-#include "values.h"
 
 namespace rakelight::cli {
 namespace {
@@ -42,54 +39,6 @@ constexpr OptionEntry<W> table[] = {
     {output, "--exposure", &W::exposure, "EV", "Light is multiplied by 2^EV first, -30 to 30 (default 0)"},
 };
 
-void apply_materials(const W& w, MaterialOverrides& m) {
-    m.base_color = w.texture_base_color;
-    m.normal = w.texture_normal;
-    m.height = w.height_map;
-    if (!w.normal_scale.empty()) m.normal_scale = number("--normal-scale", w.normal_scale, -100, 100);
-    if (!w.normal_map_green.empty()) m.green_down = word("--normal-map-green", w.normal_map_green, green_words);
-    if (!w.normal_map_zero.empty()) m.centered_normals = word("--normal-map-zero", w.normal_map_zero, zero_words);
-    if (!w.color.empty()) m.color = display_color("--color", w.color).xyz();
-    if (!w.opacity.empty()) m.opacity = number("--opacity", w.opacity, 0, 1);
-    if (!w.roughness.empty()) m.roughness = number("--roughness", w.roughness, 0, 1);
-    if (!w.metallic.empty()) m.metallic = number("--metallic", w.metallic, 0, 1);
-}
-
-void apply_keys(const W& w, MaterialOverrides& m) {
-    try {
-        m.values = material_values(w.material_keys);
-    } catch (const Error& error) {
-        throw Error(error.code(), "--material: " + error.reason(), {}, error.advice());
-    }
-}
-
-void apply_lights(const W& w, PictureRequest& request) {
-    if (!w.light_intensity.empty())
-        request.light_intensity = number("--light-intensity", w.light_intensity, 0, 1'000'000);
-    if (!w.light_cutoff.empty()) request.light_cutoff = number("--light-cutoff", w.light_cutoff, 0, 1);
-    if (w.lights.empty()) return;
-    if (w.lights.size() == 1 && w.lights[0] == "default") {
-        request.default_lights = true;
-        return;
-    }
-    if (std::find(w.lights.begin(), w.lights.end(), "default") != w.lights.end())
-        throw Error(ErrorCode::usage, "--light default stands alone");
-    request.lights.emplace();
-    for (const std::string& text : w.lights) request.lights->push_back(light("--light", text));
-}
-
-void apply_surroundings(const W& w, PictureRequest& request) {
-    if (!w.fog.empty()) request.fog = fog("--fog", w.fog);
-    request.hdri_file = w.hdri_file;
-    if (!w.hdri_ambient.empty()) request.hdri_ambient = switched("--hdri-ambient", w.hdri_ambient);
-    if (!w.hdri_skybox.empty()) request.hdri_skybox = switched("--hdri-skybox", w.hdri_skybox);
-    if (!w.hdri_intensity.empty()) request.hdri_intensity = number("--hdri-intensity", w.hdri_intensity, 0, 1e6);
-    if (!w.hdri_rotation.empty())
-        request.hdri_rotation_rad = radians(number("--hdri-rotation", w.hdri_rotation, -360, 360));
-    if (!w.tone_mapping.empty()) request.tone.mapping = word("--tone-mapping", w.tone_mapping, tone_mapping_words);
-    if (!w.exposure.empty()) request.tone.exposure_ev = number("--exposure", w.exposure, -30, 30);
-}
-
 }  // namespace
 
 void add_scene_options(CLI::App& app, SceneWords& words) {
@@ -107,11 +56,10 @@ void add_scene_options(CLI::App& app, SceneWords& words) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void apply(const SceneWords& words, PictureRequest& request) {
-    apply_materials(words, request.materials);
-    apply_keys(words, request.materials);
-    apply_lights(words, request);
-    apply_surroundings(words, request);
+void add_values(const SceneWords& words, std::vector<WorldValue>& values) {
+    add_values<W>(table, words, values);
+    if (!words.lights.empty()) values.push_back({.key = "light", .words = words.lights});
+    if (!words.material_keys.empty()) values.push_back({.key = "material", .words = words.material_keys});
 }
 
 }  // namespace rakelight::cli

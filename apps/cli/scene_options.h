@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/picture.h>
+#include <rakelight/world.h>
 
 namespace CLI {
 class App;
@@ -24,7 +24,7 @@ struct SceneWords {
 /// Declares the options with their help. `words` must live until the command line is read.
 void add_scene_options(CLI::App& app, SceneWords& words);
 
-/// @throws Error usage
-void apply(const SceneWords& words, PictureRequest& request);
+/// What was given, by keys of [render].
+void add_values(const SceneWords& words, std::vector<WorldValue>& values);
 
 }  // namespace rakelight::cli

@@ -41,25 +41,25 @@ void add_smooth_options(CLI::App& app, SmoothWords& w) {
 void apply(const SmoothWords& w, SmoothFileOptions& options) {
     AttributeOptions& a = options.attributes;
     if (!w.scope.empty())
-        a.scope = word<Scope>("--scope", w.scope,
-                              {{"model", Scope::model}, {"object", Scope::object}, {"face", Scope::face}});
+        a.scope =
+            word<Scope>("scope", w.scope, {{"model", Scope::model}, {"object", Scope::object}, {"face", Scope::face}});
     if (!w.weight.empty())
-        a.weight = word<CornerWeight>("--weight", w.weight,
+        a.weight = word<CornerWeight>("weight", w.weight,
                                       {{"angle", CornerWeight::angle},
                                        {"uniform", CornerWeight::uniform},
                                        {"area", CornerWeight::area},
                                        {"angle-area", CornerWeight::angle_area}});
     if (!w.tangents.empty())
         options.tangents = word<TangentChoice>(
-            "--tangents", w.tangents,
+            "tangents", w.tangents,
             {{"auto", TangentChoice::automatic}, {"always", TangentChoice::always}, {"never", TangentChoice::never}});
     if (!w.weld_distance.empty()) {
-        a.weld_distance = number("--weld-distance", w.weld_distance);
-        if (!(a.weld_distance >= 0)) throw Error(ErrorCode::usage, "--weld-distance: must be 0 or more");
+        a.weld_distance = number("weld-distance", w.weld_distance);
+        if (!(a.weld_distance >= 0)) throw wrong("weld-distance", "must be 0 or more");
     }
     if (!w.crease_angle.empty()) {
-        const double angle = number("--crease-angle", w.crease_angle);
-        if (!(angle >= 0 && angle <= 180)) throw Error(ErrorCode::usage, "--crease-angle: must be 0 to 180 degrees");
+        const double angle = number("crease-angle", w.crease_angle);
+        if (!(angle >= 0 && angle <= 180)) throw wrong("crease-angle", "must be 0 to 180 degrees");
         a.crease_angle_rad = angle == 180 ? pi : radians(angle);
     }
     options.keep_instances = w.keep_instances;

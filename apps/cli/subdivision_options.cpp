@@ -2,7 +2,6 @@
 #include "subdivision_options.h"
 
 #include "option_table.h"
-#include "values.h"
 
 namespace rakelight::cli {
 namespace {
@@ -33,21 +32,9 @@ void add_subdivision_options(CLI::App& app, SubdivisionWords& words) {
     add_table<W>(app, how, words);
 }
 
-void apply(const SubdivisionWords& w, Subdivision& s) {
-    if (!w.edge.empty()) {
-        s.edge = number("--subdivide-edge", w.edge, 1e-6, 1e6);
-        s.level = 8;
-    }
-    if (!w.level.empty()) s.level = integer("--subdivide", w.level, 0, 8);
-    if (!w.scheme.empty()) s.scheme = word("--subdivide-scheme", w.scheme, subdivision_scheme_words);
-    if (!w.crease.empty()) s.crease_angle_rad = radians(number("--subdivide-crease", w.crease, 0, 180));
-    if (!w.sharpness.empty()) s.sharpness = number("--subdivide-sharpness", w.sharpness, 0, 10);
-    if (!w.boundary.empty()) s.round_corners = word("--subdivide-boundary", w.boundary, subdivision_boundary_words);
-    if (!w.uv.empty()) s.uv = word("--subdivide-uv", w.uv, subdivision_uv_words);
-    const char* const idle = first_given<W>(how, w);
-    if (idle && w.level.empty() && w.edge.empty())
-        throw Error(ErrorCode::usage, std::string(idle) + " says how to subdivide, but nothing is to be subdivided", {},
-                    "add --subdivide 3");
+void add_values(const SubdivisionWords& words, std::vector<WorldValue>& values) {
+    add_values<W>(which, words, values);
+    add_values<W>(how, words, values);
 }
 
 }  // namespace rakelight::cli

@@ -2,8 +2,9 @@
 // Options about subdivision surfaces.
 #pragma once
 #include <string>
+#include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/world.h>
 
 namespace CLI {
 class App;
@@ -19,7 +20,7 @@ struct SubdivisionWords {
 /// Declares the options with their help. `words` must live until the command line is read.
 void add_subdivision_options(CLI::App& app, SubdivisionWords& words);
 
-/// @throws Error usage
-void apply(const SubdivisionWords& words, Subdivision& subdivision);
+/// What was given, by keys of [render].
+void add_values(const SubdivisionWords& words, std::vector<WorldValue>& values);
 
 }  // namespace rakelight::cli

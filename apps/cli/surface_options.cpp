@@ -2,7 +2,6 @@
 #include "surface_options.h"
 
 #include "option_table.h"
-#include "values.h"
 
 namespace rakelight::cli {
 namespace {
@@ -42,51 +41,6 @@ constexpr OptionEntry<W> table[] = {
     {shadow, "--shadow-filter", &W::shadow_filter, "N", "Radius of the filter in texels, 0 to 4 (default 1)"},
 };
 
-void apply_models(const W& w, RenderSettings& s) {
-    if (!w.lighting.empty()) s.lighting = word("--lighting", w.lighting, lighting_words);
-    if (!w.specular.empty()) s.specular_form = word("--specular", w.specular, specular_form_words);
-    if (!w.specular_horizon.empty()) s.specular_horizon = switched("--specular-horizon", w.specular_horizon);
-    if (!w.ward_form.empty()) s.ward_form = word("--ward-form", w.ward_form, ward_form_words);
-    if (!w.multiple_scattering.empty())
-        s.multiple_scattering = switched("--multiple-scattering", w.multiple_scattering);
-    if (!w.viewer_infinity.empty()) s.viewer_at_infinity = switched("--viewer-infinity", w.viewer_infinity);
-}
-
-void apply_relief(const W& w, Relief& r) {
-    if (!w.depth.empty()) r.depth = float(number("--bump-depth", w.depth, 0, 10));
-    if (!w.bias.empty()) r.bias = float(number("--bump-bias", w.bias, 0, 1));
-    if (!w.polarity.empty()) r.holds_depth = word("--bump-polarity", w.polarity, polarity_words);
-    if (!w.steps.empty()) {
-        const std::vector<int> steps = integers("--bump-steps", w.steps, 2);
-        if (steps[0] < 1 || steps[1] < steps[0] || steps[1] > 1024)
-            throw Error(ErrorCode::usage, "--bump-steps: must be 1 to 1024, the first not more than the second");
-        r.min_steps = steps[0], r.max_steps = steps[1];
-    }
-    if (!w.refinement.empty()) r.refinement_steps = integer("--bump-refinement", w.refinement, 0, 32);
-    if (!w.self_shadow.empty()) r.self_shadow = switched("--bump-self-shadow", w.self_shadow);
-    if (!w.silhouette.empty()) r.limit_silhouette = switched("--bump-silhouette", w.silhouette);
-}
-
-void apply_bumps(const W& w, RenderSettings& s) {
-    if (!w.bump.empty()) s.bump = word("--bump", w.bump, bump_words);
-    if (!w.bump_terms.empty()) s.bump_terms = word("--bump-terms", w.bump_terms, bump_terms_words);
-    apply_relief(w, s.relief);
-    if (!w.tangent_space.empty())
-        s.tangent_space = word<TangentSpace>("--tangent-space", w.tangent_space,
-                                             {{"world", TangentSpace::world},
-                                              {"pixel", TangentSpace::pixel},
-                                              {"vertex", TangentSpace::vertex},
-                                              {"transposed", TangentSpace::transposed}});
-    if (!w.normalize_frames.empty()) s.normalize_frames = switched("--normalize-frames", w.normalize_frames);
-}
-
-void apply_shadows(const W& w, RenderSettings& s) {
-    if (!w.shadows.empty()) s.shadows = switched("--shadows", w.shadows);
-    if (!w.shadow_size.empty()) s.shadow_size = integer("--shadow-size", w.shadow_size, 16, 8192);
-    if (!w.shadow_bias.empty()) s.shadow_bias = float(number("--shadow-bias", w.shadow_bias, 0, 100));
-    if (!w.shadow_filter.empty()) s.shadow_filter = integer("--shadow-filter", w.shadow_filter, 0, 4);
-}
-
 }  // namespace
 
 void add_surface_options(CLI::App& app, SurfaceWords& words, const char* group) {
@@ -100,10 +54,6 @@ void add_arguments(const SurfaceWords& words, std::vector<std::string>& argument
         if (!(words.*entry.word).empty()) arguments.push_back(std::string(entry.name) + "=" + words.*entry.word);
 }
 
-void apply(const SurfaceWords& words, RenderSettings& settings) {
-    apply_models(words, settings);
-    apply_bumps(words, settings);
-    apply_shadows(words, settings);
-}
+void add_values(const SurfaceWords& words, std::vector<WorldValue>& values) { add_values<W>(table, words, values); }
 
 }  // namespace rakelight::cli

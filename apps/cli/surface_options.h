@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options about how surfaces answer light: lighting models, bumps, shadows. All go to RenderSettings.
+// Options about how surfaces answer light: lighting models, bumps, shadows. All are keys of [render].
 #pragma once
 #include <string>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/world.h>
 
 namespace CLI {
 class App;
@@ -30,7 +30,7 @@ const char* first_given(const SurfaceWords& words);
 /// Those that were given as arguments of a command line.
 void add_arguments(const SurfaceWords& words, std::vector<std::string>& arguments);
 
-/// @throws Error usage
-void apply(const SurfaceWords& words, RenderSettings& settings);
+/// What was given, by keys of [render].
+void add_values(const SurfaceWords& words, std::vector<WorldValue>& values);
 
 }  // namespace rakelight::cli

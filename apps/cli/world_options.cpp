@@ -115,40 +115,48 @@ std::vector<std::string> add_world_options(CLI::App& verb, const CLI::App& rende
     return overridden;
 }
 
-/// Whether a text names an option, and not only one that begins like it.
-static bool names_option(std::string_view text, const std::string& option) {
-    for (std::size_t at = 0; (at = text.find(option, at)) != text.npos; at += option.size()) {
-        const char next = at + option.size() < text.size() ? text[at + option.size()] : ' ';
-        const bool goes_on = next == '-' || (next >= 'a' && next <= 'z') || (next >= '0' && next <= '9');
-        if (!goes_on) return true;
-    }
-    return false;
+/// The settings that an error is about: the first word of the one, then the others.
+static std::vector<std::string> settings_of(const Error& error) {
+    std::vector<std::string> all = error.related();
+    if (!error.setting().empty()) all.insert(all.begin(), error.setting().substr(0, error.setting().find(' ')));
+    return all;
+}
+
+static bool is_given(std::span<const std::string> arguments, const std::string& setting) {
+    return std::any_of(arguments.begin(), arguments.end(),
+                       [&](const std::string& word) { return word.substr(0, word.find('=')) == "--" + setting; });
+}
+
+static const WorldValue* value_of(const WorldOptions& world, const std::string& setting) {
+    const auto found = std::ranges::find(world.render, setting, &WorldValue::key);
+    return found == world.render.end() ? nullptr : &*found;
 }
 
 /// An option of the command line that does not go with one of the world: names both.
 static std::optional<Error> disagreement(const Error& error, const WorldOptions& world,
                                          std::span<const std::string> arguments) {
     std::string given, of_world;
-    for (const std::string& word : arguments)
-        if (word.starts_with("--") && names_option(error.reason(), word.substr(0, word.find('='))))
-            given = word.substr(0, word.find('='));
-    for (const WorldValue& value : world.render)
-        if ("--" + value.key != given && names_option(error.reason(), "--" + value.key))
-            of_world = "'" + value.key + "' is of " + one_line(world.path, 80) + ", " + to_text(value.place);
+    for (const std::string& setting : settings_of(error)) {
+        const WorldValue* const value = value_of(world, setting);
+        if (is_given(arguments, setting))
+            given = "--" + setting;
+        else if (value)
+            of_world = "'" + setting + "' is of " + one_line(world.path, 80) + ", " + to_text(value->place);
+    }
     if (given.empty() || of_world.empty()) return {};
-    return Error(ErrorCode::usage, error.reason(), {}, of_world + ", " + given + " of the command line");
+    return Error(ErrorCode::usage, error.reason(), {}, of_world + ", " + given + " of the command line")
+        .about(error.setting(), error.related());
 }
 
-/// The error at the option of the world that its words begin with; none where the command line gave that one.
+/// The error at the option of the world that it is about; none where the command line gave that one.
 static std::optional<Error> placed(const Error& error, const WorldOptions& world,
                                    std::span<const std::string> arguments) {
-    for (const WorldValue& value : world.render) {
-        const std::string option = "--" + value.key;
-        if (!error.reason().starts_with(option + ":") && !error.reason().starts_with(option + " ")) continue;
-        if (std::any_of(arguments.begin(), arguments.end(),
-                        [&](const std::string& word) { return word.substr(0, word.find('=')) == option; }))
-            return {};
-        return Error(ErrorCode::bad_file, error.reason(), to_text(value.place), error.advice()).with_file(world.path);
+    for (const std::string& setting : settings_of(error)) {
+        const WorldValue* const value = value_of(world, setting);
+        if (!value || is_given(arguments, setting)) continue;
+        return Error(ErrorCode::bad_file, error.reason(), to_text(value->place), error.advice())
+            .about(error.setting(), error.related())
+            .with_file(world.path);
     }
     return {};
 }
@@ -162,6 +170,7 @@ Error with_place(const Error& error, const WorldOptions& world, std::span<const 
     if (const auto one = placed(error, world, arguments)) return *one;
     return error.file().empty() ? Error(error.code() == ErrorCode::usage ? ErrorCode::bad_file : error.code(),
                                         error.reason(), error.place(), error.advice())
+                                      .about(error.setting())
                                       .with_file(world.path)
                                 : error;
 }

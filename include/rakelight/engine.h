@@ -245,17 +245,34 @@ struct RenderStats {
     StageTimes times;                                 ///< never the same twice
 };
 
+/// What an engine can do beyond colors, once a pixel, of filled triangles. What is asked for and not there is refused by
+/// Session::render(), never left out in silence.
+struct EngineAbilities {
+    std::uint32_t channels = 0;         ///< Channel bits
+    std::vector<int> samples = {1};     ///< RenderSettings::samples
+    bool visibility_methods = false;    ///< all of Visibility, not its default alone
+    bool screen_interpolation = false;  ///< AttributeInterpolation::screen
+    bool lines_and_points = false;      ///< edges, points, and the scene's own
+    bool shadows = false;               ///< RenderSettings::shadows
+    bool progressive = false;           ///< delivers passes: Sink::end_pass() comes more than once
+};
+
 /// One way of making pictures. prepare() takes a scene up (again after an edit: only new blocks cost), render() draws it
 /// any number of times. Not reentrant; different engines are independent.
 class Engine {
 public:
     virtual ~Engine() = default;
     virtual std::string name() const = 0;
+    virtual EngineAbilities abilities() const = 0;
     /// Of a posed scene, which the engine keeps: who needs it no more moves it in. Textures that cannot be decoded become a
     /// warning. @throws Error bad_file, see validate(): the engine keeps what it had; failed: cancelled: it has nothing then
     virtual void prepare(Scene scene, Context& context) = 0;
     /// What was prepared last; empty before.
     virtual const Scene& scene() const = 0;
+    /// Other lights for the prepared scene: costs what the lights do, not what the scene does.
+    /// @throws Error bad_file: a light that no scene can have; the engine keeps those it had
+    virtual void set_lights(std::vector<Light> lights) = 0;
+    /// @param settings  within abilities()
     /// @throws Error usage: impossible settings or camera; failed: cancelled.
     virtual RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) = 0;
 };

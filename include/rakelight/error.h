@@ -3,6 +3,7 @@
 #pragma once
 #include <exception>
 #include <string>
+#include <vector>
 
 namespace rakelight {
 
@@ -18,7 +19,7 @@ enum class ErrorCode {
 /// Exit code of the program for an error, 1 to 5.
 int exit_code(ErrorCode code) noexcept;
 
-/// Bad input or environment. `what()` is one printable line: "FILE: PLACE: REASON; ADVICE", absent parts left out,
+/// Bad input or environment. `what()` is one printable line: "FILE: PLACE: SETTING: REASON; ADVICE", absent parts left out,
 /// control characters replaced, at most 600 bytes. Never thrown for programming mistakes (those assert).
 class Error : public std::exception {
 public:
@@ -32,15 +33,25 @@ public:
     const std::string& place() const noexcept { return place_; }
     const std::string& file() const noexcept { return file_; }
     const std::string& advice() const noexcept { return advice_; }
+    /// The setting that it is about, by its key in [render] of world files: "crease-angle"; empty: none. A part of it may
+    /// follow: "light color".
+    const std::string& setting() const noexcept { return setting_; }
+    /// Other settings that are part of it, or that help.
+    const std::vector<std::string>& related() const noexcept { return related_; }
     const char* what() const noexcept override { return text_.c_str(); }
 
     /// The same error with the file's name added on the way out; a name that is already there stays.
     Error with_file(const std::string& file) const;
+    /// The same error with where it is in the file.
+    Error at(const std::string& place) const;
+    /// The same error about a setting, in place of another one that it was about.
+    Error about(const std::string& setting, std::vector<std::string> related = {}) const;
 
 private:
     void compose();
     ErrorCode code_;
-    std::string reason_, place_, advice_, file_, text_;
+    std::string reason_, place_, advice_, file_, setting_, text_;
+    std::vector<std::string> related_;
 };
 
 /// Text made safe for one line of a terminal: control characters and invalid UTF-8 become '?', cut to `max_bytes` with "...".

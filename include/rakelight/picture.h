@@ -11,31 +11,9 @@
 #include <rakelight/engine.h>
 #include <rakelight/prepare.h>
 #include <rakelight/render.h>
-
-#include <rakelight/world.h>
+#include <rakelight/request.h>
 
 namespace rakelight {
-
-/// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
-/// and where the file has none a camera fitted to the model's bounding box.
-struct ViewRequest {
-    std::string side;    ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default", or empty
-    std::string camera;  ///< number (from 0) or name of a camera of the file, or empty
-    std::optional<dvec3> position;           ///< [m] world
-    std::optional<dvec3> focal_point;        ///< [m] world; what the camera looks at
-    std::optional<dvec3> up;                 ///< any length; default +Y; the default view turns along
-    std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
-    /// 0..pi, both exclusive. Alone: pixels stay square, the vertical one follows. With the vertical one: pixels are as wide as both say.
-    std::optional<double> horizontal_fov_rad;
-    /// [m] more than 0, near < far: nothing nearer, nothing farther is drawn. Absent: the camera's own, or about the
-    /// model where the camera is fitted or placed.
-    std::optional<double> near, far;
-    bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
-
-    bool is_placed() const {
-        return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic;
-    }
-};
 
 /// The camera for a picture of `aspect` = width / height: placed in the world, no node, no aspect of its own (a camera
 /// of the file that wants another aspect is widened until all it wants to show is in the picture), near and far about
@@ -44,74 +22,15 @@ struct ViewRequest {
 /// @throws Error usage: no such side or camera, impossible angle or position; bad_file "nothing to draw".
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
 
-/// What takes the place of all materials' own; texture pictures lie on the first texture coordinate set.
-struct MaterialOverrides {
-    std::string base_color, normal, height;  ///< picture files, as the caller names them; empty: the model's own
-    std::optional<double> normal_scale;      ///< of all normal maps
-    std::optional<bool> green_down;          ///< Material::green_down
-    std::optional<bool> centered_normals;    ///< Material::centered_normals
-    std::optional<vec3> color;               ///< linear; the factor that base color textures are multiplied by
-    std::optional<double> opacity;           ///< 0..1, the factor of alpha; below 1 surfaces are blended
-    /// 0..1, factors of metallic-roughness materials; classical ones are converted to such first.
-    std::optional<double> roughness, metallic;
-    /// Keys of [[material]] in world files, of material_values(); pictures as the caller names them. They act before
-    /// all above but the pictures.
-    std::vector<WorldValue> values;
-
-    bool operator==(const MaterialOverrides&) const = default;
-};
-
 /// The scene with its materials so changed; meshes without a material get one.
 /// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
 Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
-
-/// How data channels are written, as bits.
-enum ChannelFiles : std::uint32_t {
-    channel_files_exr = 1u << 0,  ///< a file each, NAME.depth.exr: 32-bit floats in Y, R G, R G B or R G B A; numbers
-                                  ///< as floats (exact up to 2^24), -1 where nothing is
-    channel_files_layers = 1u << 1,  ///< all in one: layers depth.Z, normal.X ... beside R, G, B of the .exr output,
-                                     ///< else of NAME.channels.exr; numbers as UINT
-    channel_files_png = 1u << 2,     ///< a picture for the eye each, NAME.depth.png
-};
-
-/// The Channel bits of "depth", "face-normal", ..., of "lighting" or of "all". @throws Error usage
-std::uint32_t channels_by_name(std::string_view name);
 
 /// What the ends of the gray and color scales of PNG channels mean: the model's bounding box, whatever of it is in the
 /// picture, so that windows fit together.
 struct ViewRange {
     double depth_low = 0, depth_high = 0;  ///< [m] along the view axis, cut to the camera's near and far
     dvec3 low, high;                       ///< [m] world
-};
-
-/// One picture to be made.
-struct PictureRequest {
-    std::string input;   ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
-    std::string output;  ///< ending .png, .jpg, .webp (sRGB, 8 bit), .exr or .hdr (linear)
-    std::string engine = "soft";
-    LoadOptions load;
-    MaterialOverrides materials;
-    PrepareOptions prepare;
-    ViewRequest view;
-    std::optional<std::vector<Light>>
-        lights;  ///< replace all lights; else the file's, else, where no environment lights the scene, the default rig
-    bool default_lights = false;  ///< the default rig although the file has lights; `lights` goes first
-    double light_intensity = 1;   ///< >= 0; multiplies every light
-    /// [radiance of a white Lambert surface that faces the light] 0..1: point and spot lights without a range get one
-    /// where less than this is left of them; no surface loses more of a light than this. 0: none does.
-    double light_cutoff = 0;
-    std::optional<Fog> fog;  ///< in place of the scene's
-    ToneSettings tone;       ///< of 8-bit pictures; EXR and HDR stay linear
-    std::string hdri_file;   ///< equirectangular picture, takes the place of the scene's environment; empty: none
-    /// Whether the environment (without a file: the scene's, else the built-in studio) gives light, and whether it is
-    /// the background; absent: as the scene says, else not.
-    std::optional<bool> hdri_ambient, hdri_skybox;
-    std::optional<double> hdri_intensity;     ///< >= 0; of the environment, in place of the scene's
-    std::optional<double> hdri_rotation_rad;  ///< about +Y, likewise
-    RenderSettings settings;  ///< channels go into files by `channel_files`; a window makes the picture as large as the
-                              ///< window; alpha is written when background.w < 1
-    std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits
-    bool half_colors = false;  ///< colors in EXR files, those of channels too, as 16-bit halves; data stays at 32 bits
 };
 
 /// What was made of one PictureRequest.

@@ -18,6 +18,7 @@ struct Displacement {
     Relief relief;       ///< depth, bias and polarity for materials that have none of their own
     double edge = 0;     ///< [m] in the world: longer edges of triangles are cut; 0: a 250th of the model's diagonal
     std::uint64_t most_triangles = 4'000'000;  ///< of the displaced meshes; cutting stops before, with a warning
+    bool operator==(const Displacement&) const = default;
 };
 
 struct PrepareOptions {
@@ -42,6 +43,7 @@ struct PrepareOptions {
     Bump bump = Bump::automatic;  ///< of materials that name no technique: which maps act, and so must have a place
     Subdivision subdivision;      ///< of meshes that say nothing of their own; before displacement
     Displacement displacement;
+    bool operator==(const PrepareOptions&) const = default;
 };
 
 /// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height

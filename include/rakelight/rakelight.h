@@ -14,11 +14,14 @@
 #include <rakelight/image.h>
 #include <rakelight/inspect.h>
 #include <rakelight/light_limits.h>
+#include <rakelight/linear.h>
 #include <rakelight/picture.h>
 #include <rakelight/prepare.h>
 #include <rakelight/render.h>
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
+#include <rakelight/scene_queries.h>
+#include <rakelight/session.h>
 #include <rakelight/smooth_file.h>
 #include <rakelight/stages.h>
 #include <rakelight/unfinished_outputs.h>

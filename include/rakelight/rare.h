@@ -21,6 +21,9 @@ public:
         return *this;
     }
     ~Rare() = default;
+    bool operator==(const Rare& other) const {
+        return value_ && other.value_ ? *value_ == *other.value_ : !value_ && !other.value_;
+    }
 
     explicit operator bool() const noexcept { return bool(value_); }
     T& operator*() { return *value_; }

@@ -7,16 +7,10 @@
 
 #include <rakelight/attributes.h>
 #include <rakelight/engine.h>
+#include <rakelight/request.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
-
-struct LoadOptions {
-    bool allow_outside = false;  ///< references may leave the model's own folder tree
-    /// Options in [render] of a world file whose place others have taken, such as "camera-index": what they name need
-    /// not be there.
-    std::vector<std::string> overridden;
-};
 
 /// Loads a model file or one of builtin:teapot, sphere, cylinder, cone, torus, plane, with what shape_of_words() takes
 /// behind it. What was changed, guessed or dropped goes to context.report().

@@ -41,6 +41,7 @@ struct Texture {
     std::string name;
     ImageHandle image;  ///< never null in a validated scene
     Sampler sampler;
+    bool operator==(const Texture&) const = default;
 };
 
 /// uv' = offset + rotate(rotation) * (scale * uv), as KHR_texture_transform (v down, rotation counter-clockwise as seen
@@ -57,6 +58,7 @@ struct TextureUse {
     std::uint32_t texcoord_set = 0;
     TextureTransform transform;
     explicit operator bool() const { return texture != none; }
+    bool operator==(const TextureUse&) const = default;
 };
 
 enum class MaterialModel : std::uint8_t { classical, metallic_roughness, unlit };
@@ -104,6 +106,7 @@ struct ClassicalParameters {
     /// k_s is a share of the light, as the reflectance of a metallic-roughness material is: SpecularForm::automatic is
     /// the normalized form then, else the textbook's, whose k_s says how bright the highlight's center is.
     bool is_normalized = false;
+    bool operator==(const ClassicalParameters&) const = default;
 };
 
 /// glTF 2.0 metallic-roughness, with the extensions that are kept as data.
@@ -122,6 +125,7 @@ struct MetallicRoughnessParameters {
     vec3 sheen_color{0, 0, 0};  ///< KHR_materials_sheen, linear
     float sheen_roughness = 0;
     TextureUse sheen_color_texture, sheen_roughness_texture;
+    bool operator==(const MetallicRoughnessParameters&) const = default;
 };
 
 /// How often lighting is evaluated. Automatic: Gouraud for a mesh none of whose triangles has an edge longer than
@@ -159,6 +163,7 @@ struct Material {
         ward_alpha;                 ///< Ward: widths along tangent and bitangent; absent: from roughness and anisotropy
     ClassicalParameters classical;  ///< meaningful when model is classical
     MetallicRoughnessParameters metallic_roughness;  ///< meaningful when model is metallic_roughness
+    bool operator==(const Material&) const = default;
 };
 
 // --- meshes --------------------------------------------------------------------------------------------------------------
@@ -189,11 +194,13 @@ struct Subdivision {
 struct JointInfluence {
     std::array<std::uint16_t, 4> joints{};  ///< into Skin::joints
     std::array<float, 4> weights{};         ///< sum to 1, or all 0
+    bool operator==(const JointInfluence&) const = default;
 };
 
 struct MorphTarget {
     std::string name;
     Block<vec3> positions, normals, tangents;  ///< [V] offsets; each may be empty
+    bool operator==(const MorphTarget&) const = default;
 };
 
 /// Whose normals count. `automatic`: the file's where it has them; else flat for formats that say so (glTF); else
@@ -238,6 +245,7 @@ struct Mesh {
     std::uint32_t material = none;                              ///< into Scene::materials; none: the default material
     std::uint32_t source_mesh = none, source_primitive = none;  ///< where the file has it (glTF mesh and primitive)
     std::uint64_t triangle_count() const { return topology == Topology::triangles ? indices.size() / 3 : 0; }
+    bool operator==(const Mesh&) const = default;
 };
 
 // --- placement -----------------------------------------------------------------------------------------------------------
@@ -248,6 +256,7 @@ struct Transform {
     dquat rotation;
     dvec3 scale{1, 1, 1};
     Rare<dmat4> matrix;  ///< when set, it alone counts
+    bool operator==(const Transform&) const = default;
 };
 
 struct Node {
@@ -259,12 +268,14 @@ struct Node {
     std::vector<float> morph_weights;
     std::uint32_t source_node = none;  ///< index in the file (glTF)
     std::optional<Shading> shading;    ///< of it and of all that hangs from it; absent: as its parent
+    bool operator==(const Node&) const = default;
 };
 
 struct Skin {
     std::string name;
     std::vector<std::uint32_t> joints;  ///< nodes
     std::vector<dmat4> inverse_bind;    ///< [joints]
+    bool operator==(const Skin&) const = default;
 };
 
 enum class AnimationPath : std::uint8_t { translation, rotation, scale, morph_weights };
@@ -276,11 +287,13 @@ struct AnimationChannel {
     Interpolation interpolation = Interpolation::linear;
     Block<float> times;   ///< [K] seconds, ascending
     Block<float> values;  ///< [K * width], times 3 for cubic splines (in-tangent, value, out-tangent)
+    bool operator==(const AnimationChannel&) const = default;
 };
 
 struct Animation {
     std::string name;
     std::vector<AnimationChannel> channels;
+    bool operator==(const Animation&) const = default;
 };
 
 // --- lights and cameras --------------------------------------------------------------------------------------------------
@@ -309,6 +322,7 @@ struct Light {
     float range = std::numeric_limits<float>::infinity();
     float inner_cone_rad = 0, outer_cone_rad = float(pi / 4);  ///< photometric spot
     bool casts_shadow = true;                                  ///< where the picture has shadows
+    bool operator==(const Light&) const = default;
 };
 
 /// Fog between the eye and the surface: factor f = (end - d) / (end - start), e^(-density d) or e^(-(density d)^2) of
@@ -319,6 +333,7 @@ struct Fog {
     vec3 color{0.5f, 0.5f, 0.5f};  ///< linear
     float start = 0, end = 100;    ///< [m] linear
     float density = 0.05f;         ///< [1/m] of the others
+    bool operator==(const Fog&) const = default;
 };
 
 /// Light from all around, from an equirectangular picture (row 0 is up, its middle column lies along -Z).
@@ -327,6 +342,7 @@ struct Environment {
     float intensity = 1;      ///< multiplies the picture: 1 on a white Lambert surface gives the picture's own radiance
     double rotation_rad = 0;  ///< about +Y
     bool is_light = true, is_background = true;
+    bool operator==(const Environment&) const = default;
 };
 
 enum class Projection : std::uint8_t { perspective, orthographic };
@@ -345,6 +361,7 @@ struct Camera {
     double half_height = 1;            ///< orthographic: half the visible height [m]
     std::optional<double> half_width;  ///< orthographic: half the visible width [m]; absent: square pixels
     double near = 0.1, far = 1000;     ///< 0 < near < far (orthographic: near may be <= 0); far may be infinity
+    bool operator==(const Camera&) const = default;
 };
 
 // --- scene ---------------------------------------------------------------------------------------------------------------

@@ -129,4 +129,35 @@ WorldPrimitive shape_of_words(std::string_view words);
 /// The JSON schema of world files (draft 2020-12), for editors that check TOML: data/world.schema.json.
 std::string world_schema();
 
+struct PictureRequest;
+
+/// A key of [render], which is an option of the program too, and what it sets.
+struct RenderKey {
+    enum class Kind : std::uint8_t {
+        value,
+        file,      ///< a file's name
+        flag,      ///< true or false
+        switched,  ///< a flag that a program's option may turn off
+        list,      ///< any number of values, in their order
+    };
+    const char* name;  ///< "crease-angle"
+    Kind kind;
+    /// @param words  one, or of a list as many as there are; flags: "on", "off". @throws Error usage about the key
+    void (*read)(PictureRequest& to, std::span<const std::string> words);
+    /// Words that read() makes the field of again; empty: it is as by default.
+    std::vector<std::string> (*write)(const PictureRequest& of);
+};
+
+/// All, in the order in which they are read.
+std::span<const RenderKey> render_keys();
+/// Null: there is none of that name.
+const RenderKey* find_render_key(std::string_view name);
+
+/// Sets what the values say, each key once, and checks what only several of them together can get wrong. Files are taken as
+/// they are named. @throws Error usage about the key: an unknown one, a wrong value, or keys that exclude each other
+void read_render_keys(std::span<const WorldValue> values, PictureRequest& to);
+
+/// What read_render_keys() makes the same request of: the keys whose fields are not as by default.
+std::vector<WorldValue> written_render_keys(const PictureRequest& of);
+
 }  // namespace rakelight

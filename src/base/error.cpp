@@ -62,10 +62,26 @@ Error Error::with_file(const std::string& file) const {
     return copy;
 }
 
+Error Error::at(const std::string& place) const {
+    Error copy = *this;
+    copy.place_ = place;
+    copy.compose();
+    return copy;
+}
+
+Error Error::about(const std::string& setting, std::vector<std::string> related) const {
+    Error copy = *this;
+    copy.setting_ = setting;
+    copy.related_ = std::move(related);
+    copy.compose();
+    return copy;
+}
+
 void Error::compose() {
     text_.clear();
     if (!file_.empty()) text_ += one_line(file_, 300) + ": ";
     if (!place_.empty()) text_ += one_line(place_, 120) + ": ";
+    if (!setting_.empty()) text_ += one_line(setting_, 60) + ": ";
     text_ += one_line(reason_, 300);
     if (!advice_.empty()) text_ += "; " + one_line(advice_, 160);
     text_ = one_line(text_, 600);

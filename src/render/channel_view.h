@@ -6,7 +6,7 @@
 
 #include <rakelight/picture.h>
 
-#include "render/channel_info.h"
+#include "world/channel_info.h"
 
 namespace rakelight {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "engines/raster/raster_engine.h"
+#include "world/channel_info.h"
 
 namespace rakelight {
 
@@ -19,6 +20,25 @@ void check_engine_name(const std::string& name) {
     std::string list;
     for (const std::string& n : names) list += (list.empty() ? "" : ", ") + n;
     throw Error(ErrorCode::usage, "engine '" + one_line(name, 40) + "' is not built in", {}, "this build has: " + list);
+}
+
+void check_abilities(const Engine& engine, const RenderSettings& s) {
+    const EngineAbilities can = engine.abilities();
+    const auto require = [&engine](bool can_do, const std::string& what) {
+        if (!can_do) throw Error(ErrorCode::usage, "engine " + one_line(engine.name(), 40) + " cannot " + what);
+    };
+    for (const ChannelInfo& channel : all_channels())
+        require((s.channels & channel.channel & ~can.channels) == 0,
+                std::string("give the data channel ") + channel.word);
+    require(std::ranges::find(can.samples, s.samples) != can.samples.end(),
+            "take " + std::to_string(s.samples) + " samples a pixel");
+    require(can.visibility_methods || s.visibility == Visibility::z_reversed,
+            "remove hidden surfaces by another method than its own");
+    require(can.screen_interpolation || s.interpolation == AttributeInterpolation::perspective,
+            "interpolate attributes on the screen");
+    require(can.lines_and_points || (s.surfaces && !s.edges && s.points == PointShape::none),
+            "draw edges and vertices");
+    require(can.shadows || !s.shadows, "draw shadows");
 }
 
 std::unique_ptr<Engine> make_engine(const std::string& name) {

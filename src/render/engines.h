@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/engine.h>
+
 namespace rakelight {
 
 /// Names for make_engine(), the default first.
@@ -15,5 +17,8 @@ std::string engine_isa(const std::string& name);
 
 /// @throws Error usage: the name is not one of engine_names()
 void check_engine_name(const std::string& name);
+
+/// @throws Error usage: the settings ask for what the engine cannot do
+void check_abilities(const Engine& engine, const RenderSettings& settings);
 
 }  // namespace rakelight

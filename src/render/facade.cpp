@@ -3,47 +3,14 @@
 #include <algorithm>
 
 #include <rakelight/picture.h>
+#include <rakelight/session.h>
 
 #include "engines/check_settings.h"
-#include "math/linear.h"
 #include "prepare/prepare.h"
-#include "render/drawable.h"
-#include "render/height_maps.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
-#include "render/view.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight {
-namespace {
-
-double aspect_of(const RenderSettings& s) { return double(s.width) / double(s.height); }
-
-/// The camera placed in the world, so that an engine needs no node for it.
-Camera in_world(const Scene& scene, Camera camera, double aspect) {
-    camera.to_world = camera_to_world(scene, camera, world_matrices(scene));
-    camera.node = none;
-    return adapt_to_aspect(std::move(camera), aspect);
-}
-
-/// @param scene, camera  valid, the camera placed in the world
-Frame draw(Scene scene, const Camera& camera, const RenderSettings& settings, Context& context) {
-    check_drawable(scene);
-    if (scene.lights.empty() && !is_lit_by_environment(scene)) scene.lights = default_lights(camera.to_world);
-    const std::unique_ptr<Engine> engine = make_engine("soft");
-    const PrepareOptions prepare{
-        .clockwise_fronts = settings.front_face == FrontFace::clockwise,
-        .bump = settings.bump,
-        .displacement = {.is_on = settings.bump == Bump::displacement, .relief = settings.relief}};
-    scene = with_height_maps(std::move(scene), settings, context);
-    engine->prepare(valid::prepare_scene(std::move(scene), prepare, context), context);
-    Frame frame;
-    engine->render(camera, settings, frame, context);
-    return frame;
-}
-
-}  // namespace
-
 Scene smooth(const Scene& scene, const AttributeOptions& options, Context& context) {
     validate(scene);
     return smooth_scene(scene, {.attributes = options, .only_missing = false}, context);
@@ -51,19 +18,17 @@ Scene smooth(const Scene& scene, const AttributeOptions& options, Context& conte
 
 Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context) {
     check_settings(settings);
-    validate(scene);
-    check_camera(camera, scene.nodes.size(), CameraUse::in_scene);
-    return valid::render(scene, camera, settings, context);
-}
-
-Frame valid::render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context) {
-    return draw(scene, in_world(scene, camera, aspect_of(settings)), settings, context);
+    Session session;
+    session.set(scene);
+    Frame frame;
+    session.render(camera, settings, frame, context);
+    return frame;
 }
 
 Frame render(const Scene& scene, const RenderSettings& settings, Context& context) {
     check_settings(settings);
-    validate(scene);
-    return draw(scene, valid::choose_camera(scene, {}, aspect_of(settings), context), settings, context);
+    const double aspect = double(settings.width) / double(settings.height);
+    return render(scene, choose_camera(scene, {}, aspect, context), settings, context);
 }
 
 void save(const Frame& frame, const std::string& path, const ToneSettings& tone) {

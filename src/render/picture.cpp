@@ -6,12 +6,11 @@
 
 #include "engines/check_settings.h"
 #include "math/linear.h"
-#include "prepare/prepare.h"
 #include "render/drawable.h"
 #include "render/engines.h"
-#include "render/height_maps.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
+#include "render/prepared_scene.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
 #include "render/view.h"
@@ -49,30 +48,24 @@ std::string said(const ViewRange& r) {
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
     if (request.lights)
         scene.lights = *request.lights;
-    else if (request.default_lights || (scene.lights.empty() && !is_lit_by_environment(scene)))
+    else if (request.default_lights)
         scene.lights = default_lights(camera.to_world);
+    else
+        scene.lights = lights_of(scene, camera);
     if (request.light_intensity != 1)
         for (Light& light : scene.lights) strengthen(light, float(request.light_intensity));
     if (request.fog) scene.fog = *request.fog;
     return scene;
 }
 
-PrepareOptions prepare_options(const PictureRequest& request) {
-    PrepareOptions prepare = request.prepare;
-    prepare.all_tangents |= (request.settings.channels & channel_tangent) != 0;
-    prepare.clockwise_fronts |= request.settings.front_face == FrontFace::clockwise;
-    prepare.bump = request.settings.bump;
-    prepare.displacement.is_on |= request.settings.bump == Bump::displacement;
-    prepare.displacement.relief = request.settings.relief;
-    return prepare;
-}
-
 Scene scene_of_request(const PictureRequest& request, Context& context) {
     check_settings(request.settings);
-    Scene scene = load(request.input, request.load, context);
+    return as_asked(load(request.input, request.load, context), request, context);
+}
+
+Scene as_asked(Scene scene, const PictureRequest& request, Context& context) {
     if (!(request.materials == MaterialOverrides{}))
         scene = valid::override_materials(std::move(scene), request.materials, context);
-    scene = with_height_maps(std::move(scene), request.settings, context);
     return with_environment(std::move(scene), request, context);
 }
 
@@ -86,14 +79,14 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
     if (request.light_cutoff > 0)
         context.report().add(Remark::note, scene.source, "",
                              said(cut_lights(scene.lights, request.light_cutoff), request.light_cutoff));
-    return {valid::prepare_scene(std::move(scene), prepare_options(request), context), camera};
+    return {make_prepared(std::move(scene), request.prepare, request.settings, context), camera};
 }
 
 Window whole_window(const RenderSettings& s) {
     return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
 }
 
-void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result,
+void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
                    Context& context) {
     const RenderSettings& settings = request.settings;
     const Window window = whole_window(settings);
@@ -110,7 +103,7 @@ void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& r
     ExtremePixels extremes;
     sink.count_in(&extremes);
     Stopwatch drawing;
-    result.stats = engine.render(camera, settings, sink, context);
+    result.stats = session.render(camera, settings, sink, context);
     result.render_ms += drawing.lap_ms() - written_ms;
     result.write_ms += written_ms;
     context.throw_if_cancelled();
@@ -123,7 +116,7 @@ void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& r
     result.channel_files = files.channel_names();
 }
 
-PictureResult draw_picture(const PictureRequest& request, Engine& engine, Context& context) {
+PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context) {
     PictureResult result{.file = request.input, .output = request.output};
     Stopwatch watch;
     context.progress("load", 0);
@@ -132,29 +125,28 @@ PictureResult draw_picture(const PictureRequest& request, Engine& engine, Contex
 
     context.progress("prepare", 0);
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);
-    engine.prepare(std::move(ready), context);
-    const Scene& scene = engine.scene();
-    result.view_range = view_range(scene, camera);
-    result.triangles = triangle_count(scene);
-    result.objects = count_objects(scene);
+    result.view_range = view_range(ready->scene, camera);
+    result.triangles = triangle_count(ready->scene);
+    result.objects = count_objects(ready->scene);
+    session.set(std::move(ready));
     result.prepare_ms = watch.lap_ms();
 
     context.progress("render", 0);
-    draw_to_files(engine, camera, request, result, context);
+    draw_to_files(session, camera, request, result, context);
     if (request.settings.channels && (request.channel_files & channel_files_png))
         context.report().add(Remark::note, request.input, "", said(result.view_range));
     if (result.stats.pixels_shaded + result.stats.pixels_marked == 0)  // blended surfaces cover nothing, but are seen
         context.report().add(Remark::warning, request.input, "", "no pixel of the picture shows the model");
-    remark_extremes(scene, request, result, context.report());
+    remark_extremes(session.engine().scene(), request, result, context.report());
     return result;
 }
 
 PictureResult render_picture(const PictureRequest& request, Context& context) {
     check_request(request);
     try {
-        const std::unique_ptr<Engine> engine = make_engine(request.engine);
-        PictureResult result = draw_picture(request, *engine, context);
-        result.engine = engine->name();
+        Session session(request.engine);
+        PictureResult result = draw_picture(request, session, context);
+        result.engine = session.engine().name();
         result.isa = engine_isa(request.engine);
         result.threads = context.threads();
         return result;

@@ -8,7 +8,7 @@
 #include "base/assert.h"
 #include "base/huge_pages.h"
 #include "engines/channel_arrays.h"
-#include "render/channel_info.h"
+#include "world/channel_info.h"
 
 namespace rakelight {
 namespace {

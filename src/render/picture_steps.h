@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps of render_picture(), for it and for tests that bring an engine of their own.
+// The steps of render_picture(), for it and for tests that bring a session of their own.
 #pragma once
 #include <rakelight/picture.h>
+#include <rakelight/session.h>
 
 namespace rakelight {
 
@@ -22,15 +23,15 @@ bool is_lit_by_environment(const Scene& scene);
 /// The scene with the lights that the picture is lit by, and the fog.
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
 
-/// What is made ready, with what the settings ask for.
-PrepareOptions prepare_options(const PictureRequest& request);
-
-/// The model of a request as it is asked for: its materials, height maps and surroundings.
+/// The model of a request as it is asked for: its materials and surroundings.
 Scene scene_of_request(const PictureRequest& request, Context& context);
 
-/// What an engine takes.
+/// A scene with the materials and surroundings that a request asks for.
+Scene as_asked(Scene scene, const PictureRequest& request, Context& context);
+
+/// What a picture is drawn of.
 struct ReadyScene {
-    Scene scene;
+    std::shared_ptr<const PreparedScene> prepared;
     Camera camera;
 };
 /// Chooses the camera, sets the lights and prepares. @param scene  of scene_of_request()
@@ -40,11 +41,11 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
 /// Warns of rules for shading that fit nothing in the scene.
 void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, Report& report);
 
-/// Draws what a prepared engine holds and writes the files, in bands.
-void draw_to_files(Engine& engine, const Camera& camera, const PictureRequest& request, PictureResult& result,
+/// Draws what a session holds and writes the files, in bands.
+void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
                    Context& context);
 
 /// Everything but the choice of the engine and the checks.
-PictureResult draw_picture(const PictureRequest& request, Engine& engine, Context& context);
+PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context);
 
 }  // namespace rakelight

@@ -11,8 +11,6 @@ namespace rakelight {
 namespace valid {
 /// @param aspect  a number > 0
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
-/// @param camera  in the scene, as check_camera() takes it there
-Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context);
 }  // namespace valid
 
 /// False when the box lies wholly on the outer side of one plane of the camera's frustum: nothing of it can be seen.

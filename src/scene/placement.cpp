@@ -89,4 +89,9 @@ dmat4 camera_to_world(const Scene&, const Camera& camera, const std::vector<dmat
     return {{{x.x, x.y, x.z, 0}, {y.x, y.y, y.z, 0}, {z.x, z.y, z.z, 0}, {eye.x, eye.y, eye.z, 1}}};
 }
 
+Bounds bounds(const Scene& scene) {
+    validate(scene);
+    return world_bounds(scene);
+}
+
 }  // namespace rakelight

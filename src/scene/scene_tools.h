@@ -8,12 +8,16 @@
 
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
+#include <rakelight/scene_queries.h>
 #include <rakelight/validate.h>
 
 namespace rakelight {
 
 /// validate(), but for index blocks that `known`, a scene that passed it, has in its mesh of the same number.
 void validate_changes(const Scene& scene, const Scene& known);
+
+/// What validate() says of a scene's lights. @param nodes  of the scene
+void validate_lights(const std::vector<Light>& lights, std::size_t nodes);
 
 /// What is wrong with the numbers of a camera, whatever its node, for people; null: nothing. Engines need more than a
 /// scene: a finite far of a parallel projection, and a vertical field of view beside a horizontal one.
@@ -25,15 +29,6 @@ const char* fault_of(const Relief& relief);
 
 /// Matrices node -> world, [nodes]. A single pass, since parents come first.
 std::vector<dmat4> world_matrices(const Scene& scene);
-
-struct Bounds {
-    dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-    bool empty() const { return !(low.x <= high.x); }
-    dvec3 center() const;
-    /// @param i  0..7: bit 0, 1, 2 choose high x, y, z
-    dvec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
-    double diagonal() const;
-};
 
 /// Axis-aligned box of all drawn vertices of all objects, in the world; vertices that are not finite are left out.
 /// Empty when nothing is drawn.
@@ -56,10 +51,6 @@ Camera default_camera(const Bounds& bounds, double aspect, const FitWishes& wish
 /// "top" (+Y), "bottom", "isometric"; or "default".
 /// @throws Error usage for another name.
 Camera view_camera(const Bounds& bounds, double aspect, const std::string& side, const FitWishes& wishes = {});
-
-/// The default light rig, fixed to the camera's frame so that what is looked at is lit: ambient 0.12, a key light (0.68) from
-/// above left and a fill (0.2) from the right, both directional and white, classical units: a white surface stays just below 1.
-std::vector<Light> default_lights(const dmat4& camera_to_world);
 
 /// camera -> world of a camera of this scene, whether placed by a node or by itself; scale is taken out.
 dmat4 camera_to_world(const Scene& scene, const Camera& camera, const std::vector<dmat4>& world);

@@ -90,10 +90,9 @@ void check_texture(const Scene& scene, std::size_t i) {
     place.enumerator("filter", s.mip, MipFilter::linear);
 }
 
-void check_light(const Scene& scene, std::size_t i) {
-    const Light& light = scene.lights[i];
+void check_light(const Light& light, std::size_t i, std::size_t nodes) {
     const Place place{"light", i, light.name};
-    place.index_or_none("node", light.node, scene.nodes.size());
+    place.index_or_none("node", light.node, nodes);
     place.enumerator("type", light.type, LightType::spot);
     place.enumerator("kind of units", light.units, LightUnits::photometric);
     place.finite("the position", light.position);
@@ -175,7 +174,7 @@ void validate(const Scene& scene, const Scene* known) {
         joints_needed[i] = check_mesh(scene, i, known && i < known->meshes.size() ? &known->meshes[i] : nullptr);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
     for (std::size_t i = 0; i < scene.textures.size(); ++i) check_texture(scene, i);
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) check_light(scene, i);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) check_light(scene.lights[i], i, scene.nodes.size());
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) check_camera(scene, i);
     check_surroundings(scene);
     for (std::size_t i = 0; i < scene.skins.size(); ++i) check_skin(scene, i);
@@ -185,6 +184,10 @@ void validate(const Scene& scene, const Scene* known) {
 }
 
 }  // namespace
+
+void validate_lights(const std::vector<Light>& lights, std::size_t nodes) {
+    for (std::size_t i = 0; i < lights.size(); ++i) check_light(lights[i], i, nodes);
+}
 
 void validate(const Scene& scene) { validate(scene, nullptr); }
 

@@ -98,10 +98,10 @@ void check_shadow_memory(std::span<const Light> lights, const RenderSettings& se
     const std::uint64_t limit = std::min(all / 2, all > taken ? all - taken : 0);
     if (bytes <= limit) return;
     throw Error(ErrorCode::usage,
-                "--shadow-size " + std::to_string(side) + ": " + std::to_string(maps) + " shadow maps of " +
-                    std::to_string(side) + " x " + std::to_string(side) + " texels need " + std::to_string(bytes) +
-                    " bytes, more than " + std::to_string(limit),
-                {}, "make them smaller, or raise the limit with --max-memory");
+                std::to_string(maps) + " shadow maps of " + std::to_string(side) + " x " + std::to_string(side) +
+                    " texels need " + std::to_string(bytes) + " bytes, more than " + std::to_string(limit),
+                {}, "make them smaller, or raise 'max-memory'")
+        .about("shadow-size", {"max-memory"});
 }
 
 bool has_shadow_range(const Bounds& drawn) { return drawn.diagonal() < 1e30; }

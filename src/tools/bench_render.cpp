@@ -8,10 +8,10 @@
 #include <rakelight/picture.h>
 
 #include "engines/check_settings.h"
-#include "prepare/prepare.h"
 #include "render/engines.h"
 #include "render/picture_sink.h"
 #include "render/picture_steps.h"
+#include "render/prepared_scene.h"
 #include "render/stopwatch.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
@@ -105,22 +105,33 @@ public:
 
 private:
     void take_built_in() {
-        scene_ = make_bench_scene(options_.triangles, options_.objects, options_.lights, context_);
-        settings_.cull = Cull::back;  // all of it is closed; of classical materials both sides are drawn else
-        if (!options_.export_file.empty()) export_bench_scene(scene_, options_.export_file, context_);
-        camera_ = valid::choose_camera(scene_, {}, double(settings_.width) / double(settings_.height), context_);
-        scene_ = valid::prepare_scene(scene_, {}, context_);
+        Scene made = make_bench_scene(options_.triangles, options_.objects, options_.lights, context_);
+        if (!options_.export_file.empty()) export_bench_scene(made, options_.export_file, context_);
+        PictureRequest request = request_of(made.source);
+        if (options_.lights == 0 && !request.lights) request.lights.emplace();  // none, no default ones
+        // All of it is closed; of classical materials both sides are drawn else.
+        if (settings_.cull == Cull::automatic) settings_.cull = Cull::back;
+        take(as_asked(std::move(made), request, context_), request);
     }
 
     void take_file() {
-        PictureRequest request = options_.picture;
-        request.input = options_.scene;
-        request.load = options_.load;
-        request.settings = settings_;
+        const PictureRequest request = request_of(options_.scene);
         Scene loaded = scene_of_request(request, context_);
         if (!options_.export_file.empty()) export_bench_scene(loaded, options_.export_file, context_);
-        ReadyScene ready = ready_scene(std::move(loaded), request, context_);
-        scene_ = std::move(ready.scene);
+        take(std::move(loaded), request);
+    }
+
+    PictureRequest request_of(const std::string& input) const {
+        PictureRequest request = options_.picture;
+        request.input = input;
+        request.load = options_.load;
+        request.settings = settings_;
+        return request;
+    }
+
+    void take(Scene scene, const PictureRequest& request) {
+        const ReadyScene ready = ready_scene(std::move(scene), request, context_);
+        scene_ = ready.prepared->scene;
         camera_ = ready.camera;
     }
 
@@ -154,7 +165,9 @@ private:
         request.settings = settings_;
         request.tone = options_.picture.tone;
         PictureResult result;
-        draw_to_files(*measured_.front().engine, camera_, request, result, context_);
+        Session session(measured_.front().row.engine);
+        session.set(std::make_shared<PreparedScene>(PreparedScene{scene_, {}}));
+        draw_to_files(session, camera_, request, result, context_);
     }
 
     RenderBenchReport about_the_scene() const {

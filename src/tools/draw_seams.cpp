@@ -197,7 +197,7 @@ Frame draw_seams(const Scene& scene, const Inspection& inspection, const Inspect
     const Camera camera = valid::choose_camera(gray, view, aspect, context);
     RenderSettings with_depth = settings;
     with_depth.channels |= channel_depth;
-    Frame frame = valid::render(gray, camera, with_depth, context);
+    Frame frame = render(gray, camera, with_depth, context);
     SeamPainter(frame, camera).paint(inspection.seam_lines);
     return frame;
 }

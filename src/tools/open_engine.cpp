@@ -16,8 +16,9 @@ Scene load_for_engine(const PictureRequest& request, Context& context) {
 
 std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, const PictureRequest& request, Context& context) {
     context.progress("prepare", 0);
-    const auto [scene, camera] = ready_scene(std::move(loaded), request, context);
-    return std::make_unique<const raster::Inspection>(scene, camera, request.settings, context);
+    const ReadyScene ready = ready_scene(std::move(loaded), request, context);
+    return std::make_unique<const raster::Inspection>(scene_of(*ready.prepared), ready.camera, request.settings,
+                                                      context);
 }
 
 std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& request, Context& context) {

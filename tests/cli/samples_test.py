@@ -54,7 +54,7 @@ class Samples(program.Case):
         self.check_refused(run, 4, "w.scene.toml: line 4, column 1: --samples: '3' is not one of 1, 4, 8\n")
         (self.folder / "w.scene.toml").unlink()
         run = self.run_program("render", "builtin:teapot", "-o", "out.png", "--samples", "4", "--visibility", "painter")
-        self.check_refused(run, 2, "--samples 4", "z-reversed")
+        self.check_refused(run, 2, "--samples: 4 samples need --visibility", "z-reversed")
         self.check_refused(self.run_program("explain", "builtin:teapot", "--pixel", "3,3", "--samples", "5"), 2, "--samples")
         self.check_refused(self.run_program("stages", "builtin:teapot", "-o", "out", "--samples", "5"), 2, "--samples")
         for n in ("0", "17", "2.5", "some", ""):

@@ -196,6 +196,15 @@ public:
 
     std::string name() const override { return "soft"; }
 
+    EngineAbilities abilities() const override {
+        return {.channels = channels_all,
+                .samples = {1, 4, 8},
+                .visibility_methods = true,
+                .screen_interpolation = true,
+                .lines_and_points = true,
+                .shadows = true};
+    }
+
     void prepare(Scene scene, Context& context) override {
         validate_changes(scene, list_.scene);
         list_ = {};  // its textures may go: what fails from here on leaves an empty scene
@@ -207,6 +216,13 @@ public:
     }
 
     const Scene& scene() const override { return list_.scene; }
+
+    void set_lights(std::vector<Light> lights) override {
+        validate_lights(lights, list_.scene.nodes.size());
+        if (lights == list_.scene.lights) return;
+        list_.scene.lights = std::move(lights);
+        shadows_.forget();
+    }
 
     RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {
         const RenderSettings settings = settings_for_method(wanted);

@@ -11,6 +11,7 @@
 #include "prepare/displace.h"
 #include "prepare/displace_parts.h"
 #include "render/picture_steps.h"
+#include "render/prepared_scene.h"
 #include "scene/scene_tools.h"
 #include "tools/object_title.h"
 #include "tools/stages/paint.h"
@@ -125,7 +126,7 @@ public:
           base_(without_relief(loaded, base_request_, false, quiet_)) {
         PictureRequest flat = request;
         context.throw_if_cancelled();
-        compare(without_relief(loaded, flat, true, quiet_).scene);
+        compare(scene_of(*without_relief(loaded, flat, true, quiet_).prepared));
     }
 
     Stage make() {
@@ -150,10 +151,10 @@ private:
     }
 
     void compare(const Scene& flat) {
-        const Displacement& options = prepare_options(fine_request_).displacement;
+        const Displacement& options = options_for(fine_request_.prepare, fine_request_.settings).displacement;
         for (const shading::Draw& draw : of_.engine.list().draws) {
             const Mesh& fine = scene_.meshes[draw.mesh];
-            const Mesh& coarse = same_place(base_.scene, scene_, draw);
+            const Mesh& coarse = same_place(scene_of(*base_.prepared), scene_, draw);
             Moved m;
             if (displaced_material(scene_, fine, options))
                 m = moved(fine, same_place(flat, scene_, draw), draw.to_world);
@@ -198,7 +199,7 @@ private:
         base.edges = before_ < height.size() / 100;
         stage_.pictures.push_back({"displacement-base",
                                    base.edges ? "The base mesh, with its triangles." : "The base mesh.",
-                                   drawn(of_, base_.scene, base_.camera, base, quiet_)});
+                                   drawn(of_, scene_of(*base_.prepared), base_.camera, base, quiet_)});
         stage_.pictures.push_back(
             {"displacement",
              "Cut and moved: " + std::to_string(after_) + " triangles in place of " + std::to_string(before_) + ".",
@@ -209,7 +210,7 @@ private:
                                   std::to_string(part.x + part.width / 2) + ", " +
                                   std::to_string(part.y + part.height / 2);
         stage_.pictures.push_back({"displacement-base-enlarged", "The triangles of the base, " + where + ".",
-                                   close_up(base_.scene, base_request_.settings, part, times)});
+                                   close_up(scene_of(*base_.prepared), base_request_.settings, part, times)});
         stage_.pictures.push_back({"displacement-enlarged", "Those that it was cut into, at the same place.",
                                    close_up(scene_, fine_request_.settings, part, times)});
         stage_.pictures.push_back({"displacement-heights", heights_caption(), paint(of_, [&](std::size_t p) {
@@ -265,7 +266,7 @@ private:
 }  // namespace
 
 bool has_displacement(const Sources& of, const PictureRequest& request) {
-    return wants_displacement(of.engine.list().scene, prepare_options(request).displacement);
+    return wants_displacement(of.engine.list().scene, options_for(request.prepare, request.settings).displacement);
 }
 
 Stage displacement_stage(const Sources& of, const Scene& loaded, const PictureRequest& request, Context& context) {

@@ -12,7 +12,9 @@ namespace rakelight::test {
 class FakeEngine final : public Engine {
 public:
     std::string name() const override { return "fake"; }
-    void prepare(Scene scene, Context&) override { prepared = std::move(scene); }
+    EngineAbilities abilities() const override { return can; }
+    void set_lights(std::vector<Light> lights) override { prepared.lights = std::move(lights), ++lights_set; }
+    void prepare(Scene scene, Context&) override { prepared = std::move(scene), ++times_prepared; }
     const Scene& scene() const override { return prepared; }
 
     RenderStats render(const Camera& c, const RenderSettings& s, Sink& sink, Context& context) override {
@@ -46,6 +48,13 @@ public:
     static float depth_at(int x, int y) { return float(x) + float(y) * 0.001f; }
 
     Scene prepared;
+    EngineAbilities can{.channels = channels_all,
+                        .samples = {1, 4, 8},
+                        .visibility_methods = true,
+                        .screen_interpolation = true,
+                        .lines_and_points = true,
+                        .shadows = true};
+    int times_prepared = 0, lights_set = 0;
     Camera camera;
     std::vector<Window> windows;
     std::vector<int> strips;  ///< rows of each

@@ -9,10 +9,19 @@
 #include "io/image_io.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
+#include "render/prepared_scene.h"
 #include "support/temporary_folder.h"
 #include "unit/render/fake_engine.h"
 
 namespace rakelight::test {
+
+/// An engine in a session with an empty scene.
+template <class E = FakeEngine>
+Session session_of_nothing(std::unique_ptr<E> engine = std::make_unique<E>()) {
+    Session session(std::move(engine));
+    session.set(std::make_shared<const PreparedScene>());
+    return session;
+}
 
 class PictureFiles : public testing::Test {
 protected:
@@ -20,13 +29,14 @@ protected:
     Pixels decode(const std::string& name) { return io::decode_image(*io::read_file(file(name), context_), context_); }
     /// @param result  its view_range is what channels are shown by
     PictureResult draw(const PictureRequest& request, PictureResult result = {}) {
-        draw_to_files(engine_, {}, request, result, context_);
+        draw_to_files(session_, {}, request, result, context_);
         return result;
     }
 
     TemporaryFolder folder_;
     Context context_{{.threads = 2}};
-    FakeEngine engine_;
+    Session session_ = session_of_nothing();
+    const FakeEngine& engine_ = static_cast<const FakeEngine&>(session_.engine());
 };
 
 }  // namespace rakelight::test

@@ -174,6 +174,8 @@ TEST_F(Picture, ExrHoldsLinearLight) {
 class FailingEngine final : public Engine {
 public:
     std::string name() const override { return "failing"; }
+    EngineAbilities abilities() const override { return {.channels = channels_all}; }
+    void set_lights(std::vector<Light>) override {}
     void prepare(Scene scene, Context&) override { scene_ = std::move(scene); }
     const Scene& scene() const override { return scene_; }
     RenderStats render(const Camera&, const RenderSettings&, Sink&, Context&) override {
@@ -185,7 +187,7 @@ private:
 };
 
 TEST_F(Picture, NothingIsLeftBehindWhenAnEngineFails) {
-    FailingEngine failing;
+    Session failing = test::session_of_nothing<FailingEngine>();
     PictureResult result;
     EXPECT_THROW(draw_to_files(failing, {}, {.output = file("x.png"), .settings = {.channels = channel_depth}}, result,
                                context_),
@@ -227,13 +229,15 @@ TEST_F(Picture, RequestsAreCheckedBeforeAnythingIsLoaded) {
 }
 
 TEST_F(Picture, TheWholeWayGivesDefaultLightsAndReportsABlankPicture) {
-    engine_.covered = false;
+    auto blank = std::make_unique<test::FakeEngine>();
+    blank->covered = false;
+    Session session(std::move(blank));
     const PictureResult result =
         draw_picture({.input = "builtin:teapot", .output = file("teapot.png"), .settings = {.width = 40, .height = 30}},
-                     engine_, context_);
+                     session, context_);
     EXPECT_GT(result.triangles, 1000u);
     EXPECT_EQ(result.objects, 6u);
-    EXPECT_EQ(engine_.prepared.lights.size(), 3u);
+    EXPECT_EQ(session.engine().scene().lights.size(), 3u);
     bool warned = false;
     for (const ReportEntry& r : context_.report().entries()) warned |= r.message.find("no pixel") != std::string::npos;
     EXPECT_TRUE(warned);
@@ -243,10 +247,10 @@ TEST_F(Picture, TheWholeWayGivesDefaultLightsAndReportsABlankPicture) {
 TEST_F(Picture, AskedForLightsReplaceAllOthers) {
     PictureRequest request{.input = "builtin:teapot", .output = file("lit.png"), .settings = {.width = 4, .height = 4}};
     request.lights = std::vector<Light>(2);
-    draw_picture(request, engine_, context_);
+    draw_picture(request, session_, context_);
     EXPECT_EQ(engine_.prepared.lights.size(), 2u);
     request.lights = std::vector<Light>();
-    draw_picture(request, engine_, context_);
+    draw_picture(request, session_, context_);
     EXPECT_TRUE(engine_.prepared.lights.empty());
 }
 

@@ -31,8 +31,8 @@ protected:
         request.lights = std::move(lights);
         if (change) change(request);
         Context context({.threads = 2});
-        const auto engine = make_engine("soft");
-        result_ = draw_picture(request, *engine, context);
+        Session session;
+        result_ = draw_picture(request, session, context);
         std::string all;
         for (const ReportEntry& e : context.report().entries())
             if (e.remark == Remark::warning) all += e.message + "\n";

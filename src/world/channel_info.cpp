@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/channel_info.h"
+#include "world/channel_info.h"
 
 #include <rakelight/engine.h>
 
@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstring>
 
-#include <rakelight/picture.h>
+#include <rakelight/request.h>
 
 namespace rakelight {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "light_properties.h"
+#include <rakelight/tools/values.h>
+
+#include "world/light_properties.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <rakelight/light_limits.h>
 
-#include "values.h"
-
-namespace rakelight::cli {
+namespace rakelight::values {
 namespace {
 
 /// Kinds of light, as bits.
@@ -21,7 +21,7 @@ unsigned kind_of(const Light& light) {
 void set_attenuation(const std::string& what, Light& light, std::string_view value) {
     const dvec3 given = vector3(what, value);
     if (given == dvec3{0, 0, 0} || given.x < 0 || given.y < 0 || given.z < 0)
-        throw Error(ErrorCode::usage, what + ": attenuation must be three numbers >= 0, not all 0");
+        throw wrong(what, "attenuation must be three numbers >= 0, not all 0");
     const vec3 a = light_color(what, value);  // within what floats hold
     light.constant = a.x, light.linear = a.y, light.quadratic = a.z;
 }
@@ -29,8 +29,7 @@ void set_attenuation(const std::string& what, Light& light, std::string_view val
 void set_cone(const std::string& what, float& cone_rad, std::string_view value, bool may_be_zero) {
     const double degrees = number(what, value);
     if (!(degrees >= (may_be_zero ? 0 : least_cone_deg) && degrees <= 90))
-        throw Error(ErrorCode::usage,
-                    what + ": the half angle must be " + (may_be_zero ? "0" : "0.001") + " to 90 degrees");
+        throw wrong(what, std::string("the half angle must be ") + (may_be_zero ? "0" : "0.001") + " to 90 degrees");
     cone_rad = float(radians(degrees));
 }
 
@@ -58,7 +57,7 @@ constexpr Property properties[] = {
     {"exponent", spot, true, false,
      [](const std::string& what, Light& light, std::string_view value) {
          const double exponent = number(what, value);
-         if (!(exponent >= 0)) throw Error(ErrorCode::usage, what + ": must be >= 0");
+         if (!(exponent >= 0)) throw wrong(what, "must be >= 0");
          light.exponent = float(std::min(exponent, 1e9));
      }},
     {"intensity", any, false, true,
@@ -72,8 +71,7 @@ constexpr Property properties[] = {
     {"range", placed, true, true,
      [](const std::string& what, Light& light, std::string_view value) {
          const double range = number(what, value);
-         if (!(range >= least_light_range && range <= 1e30))
-             throw Error(ErrorCode::usage, what + ": must be 1e-6 to 1e30 m");
+         if (!(range >= least_light_range && range <= 1e30)) throw wrong(what, "must be 1e-6 to 1e30 m");
          light.range = float(range);
      }},
     {"shadow", any, true, true,
@@ -99,8 +97,7 @@ std::string properties_of(const Light& light) {
 void set_light_property(const std::string& option, Light& light, std::string_view name, std::string_view value) {
     for (const Property& p : properties)
         if (name == p.name && has(light, p)) return p.set(option + " " + one_line(std::string(name), 20), light, value);
-    throw Error(ErrorCode::usage, option + ": this light has no '" + one_line(std::string(name), 40) + "'", {},
-                properties_of(light));
+    throw wrong(option, "this light has no '" + one_line(std::string(name), 40) + "'", properties_of(light));
 }
 
-}  // namespace rakelight::cli
+}  // namespace rakelight::values

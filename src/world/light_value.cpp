@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // --light.
+#include <rakelight/tools/values.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "light_properties.h"
-#include "values.h"
+#include "world/light_properties.h"
 
-namespace rakelight::cli {
+namespace rakelight::values {
 namespace {
 
 struct Kind {
@@ -15,7 +16,7 @@ struct Kind {
 };
 
 Kind kind(const std::string& option, std::string_view text) {
-    if (text == "default") throw Error(ErrorCode::usage, option + ": default stands alone, without numbers");
+    if (text == "default") throw wrong(option, "default stands alone, without numbers");
     constexpr LightUnits classical = LightUnits::classical, photometric = LightUnits::photometric;
     return word<Kind>(option, text,
                       {{"point", {LightType::point, classical}},
@@ -32,7 +33,7 @@ Kind kind(const std::string& option, std::string_view text) {
 
 dvec3 unit(const std::string& option, dvec3 d) {
     const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-    if (largest == 0) throw Error(ErrorCode::usage, option + ": the direction must not be zero");
+    if (largest == 0) throw wrong(option, "the direction must not be zero");
     d = {d.x / largest, d.y / largest, d.z / largest};  // first, so that the squares cannot overflow
     const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
     return {d.x / length, d.y / length, d.z / length};
@@ -44,7 +45,7 @@ Light light(const std::string& option, std::string_view text) {
     const Kind what = kind(option, parts[0]);
     light.type = what.type, light.units = what.units;
     if (parts.size() < 2)
-        throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 60) + "' lacks its numbers", {},
+        throw wrong(option, "'" + one_line(std::string(text), 60) + "' lacks its numbers",
                     "for example point:0,2,3 or directional:0,-1,-1 or ambient:0.1,0.1,0.1");
     if (light.type == LightType::ambient) {
         light.ambient = light_color(option, parts[1]);
@@ -58,15 +59,13 @@ Light light(const std::string& option, std::string_view text) {
     for (std::size_t i = 2; i < parts.size(); ++i) {
         const std::size_t equals = parts[i].find('=');
         if (equals == parts[i].npos)
-            throw Error(ErrorCode::usage,
-                        option + ": '" + one_line(std::string(parts[i]), 40) + "' is not of the form name=value");
+            throw wrong(option, "'" + one_line(std::string(parts[i]), 40) + "' is not of the form name=value");
         set_light_property(option, light, parts[i].substr(0, equals), parts[i].substr(equals + 1));
         has_specular |= parts[i].substr(0, equals) == "specular";
     }
     if (!has_specular) light.specular = light.diffuse;
-    if (light.inner_cone_rad > light.outer_cone_rad)
-        throw Error(ErrorCode::usage, option + ": inner must not be more than outer");
+    if (light.inner_cone_rad > light.outer_cone_rad) throw wrong(option, "inner must not be more than outer");
     return light;
 }
 
-}  // namespace rakelight::cli
+}  // namespace rakelight::values

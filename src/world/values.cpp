@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "values.h"
+
+#include <rakelight/tools/values.h>
 
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 
-namespace rakelight::cli {
+namespace rakelight::values {
 namespace {
 
 [[noreturn]] void refuse(const std::string& option, std::string_view text, const std::string& expected) {
-    throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 60) + "' is not " + expected);
+    throw wrong(option, "'" + one_line(std::string(text), 60) + "' is not " + expected);
 }
 
 template <class T>
@@ -20,6 +21,10 @@ bool parse(std::string_view text, T& value) {
 }
 
 }  // namespace
+
+Error wrong(const std::string& setting, std::string reason, std::string advice) {
+    return Error(ErrorCode::usage, std::move(reason), {}, std::move(advice)).about(setting);
+}
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -52,8 +57,8 @@ double number(const std::string& option, std::string_view text, double low, doub
     const double value = number(option, text);
     if (value >= low && value <= high) return value;
     char limits[80];
-    std::snprintf(limits, sizeof limits, ": must be %.9g to %.9g", low, high);
-    throw Error(ErrorCode::usage, option + limits);
+    std::snprintf(limits, sizeof limits, "must be %.9g to %.9g", low, high);
+    throw wrong(option, limits);
 }
 
 bool switched(const std::string& option, std::string_view text) {
@@ -111,4 +116,4 @@ std::uint64_t byte_size(const std::string& option, std::string_view text) {
     return std::uint64_t(bytes);
 }
 
-}  // namespace rakelight::cli
+}  // namespace rakelight::values

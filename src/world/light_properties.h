@@ -6,10 +6,10 @@
 
 #include <rakelight/scene.h>
 
-namespace rakelight::cli {
+namespace rakelight::values {
 
 /// Sets a property that this kind of light has. @param value  as the command line has it
 /// @throws Error usage: no such property, or a value out of its range
 void set_light_property(const std::string& option, Light& light, std::string_view name, std::string_view value);
 
-}  // namespace rakelight::cli
+}  // namespace rakelight::values

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colors, and fog that has one.
+#include <rakelight/tools/values.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <rakelight/picture.h>
+#include "math/color.h"
 
-#include "values.h"
-
-namespace rakelight::cli {
+namespace rakelight::values {
 namespace {
 
 int hex_digit(char c) {
@@ -40,21 +40,19 @@ vec4 display_color(const std::string& option, std::string_view text, const char*
     } else if (text.find(',') != std::string_view::npos) {
         display = vector3(option, text);
     } else {
-        throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 40) + "' is not a color", {},
-                    advice);
+        throw wrong(option, "'" + one_line(std::string(text), 40) + "' is not a color", advice);
     }
     for (std::size_t i = 0; i < 3; ++i)
-        if (display[i] < 0 || display[i] > 1)
-            throw Error(ErrorCode::usage, option + ": the color's parts must be from 0 to 1");
+        if (display[i] < 0 || display[i] > 1) throw wrong(option, "the color's parts must be from 0 to 1");
     const vec3 c = linear_from_srgb(vec3{float(display.x), float(display.y), float(display.z)});
     return {c.x, c.y, c.z, 1};
 }
 
 vec3 light_color(const std::string& option, std::string_view text) {
     const dvec3 c = vector3(option, text);
-    if (c.x < 0 || c.y < 0 || c.z < 0) throw Error(ErrorCode::usage, option + ": a color must not be negative");
+    if (c.x < 0 || c.y < 0 || c.z < 0) throw wrong(option, "a color must not be negative");
     if (std::max({c.x, c.y, c.z}) > double(std::numeric_limits<float>::max()))
-        throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 60) + "' is more than 3.4e38");
+        throw wrong(option, "'" + one_line(std::string(text), 60) + "' is more than 3.4e38");
     return {float(c.x), float(c.y), float(c.z)};
 }
 
@@ -68,13 +66,13 @@ Fog fog(const std::string& option, std::string_view text) {
                               {"exp2", FogKind::exponential_squared}});
     const bool is_none = fog.kind == FogKind::none;
     if (is_none != (parts.size() == 1) || parts.size() > 3 || (parts.size() == 3 && !parts[2].starts_with("color=")))
-        throw Error(ErrorCode::usage, option + ": '" + one_line(std::string(text), 60) + "' is not a fog", {},
+        throw wrong(option, "'" + one_line(std::string(text), 60) + "' is not a fog",
                     "write for example linear:2,30 or exp:0.1:color=#c0c8d0 or none");
     if (is_none) return fog;
     if (fog.kind == FogKind::linear) {
         const std::vector<double> ends = numbers(option, parts[1], 2);
         if (!(ends[0] >= 0 && ends[1] > ends[0] && ends[1] <= 1e30))
-            throw Error(ErrorCode::usage, option + ": the start must be 0 or more, and the end behind it");
+            throw wrong(option, "the start must be 0 or more, and the end behind it");
         fog.start = float(ends[0]), fog.end = float(ends[1]);
     } else {
         fog.density = float(number(option, parts[1], 0, 1e6));
@@ -83,4 +81,4 @@ Fog fog(const std::string& option, std::string_view text) {
     return fog;
 }
 
-}  // namespace rakelight::cli
+}  // namespace rakelight::values

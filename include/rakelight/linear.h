@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arithmetic on the vectors and matrices of <rakelight/vector.h>: operators, products, inverse, look-at, projections.
+// Only + - * / and sqrt, so the same bits everywhere (angles come in as their sine and cosine or go through math/functions.h).
+#pragma once
+#include <cmath>
+#include <limits>
+
+#include <rakelight/vector.h>
+
+namespace rakelight {
+
+template <class T>
+constexpr Vector2<T> operator+(Vector2<T> a, Vector2<T> b) {
+    return {a.x + b.x, a.y + b.y};
+}
+template <class T>
+constexpr Vector2<T> operator-(Vector2<T> a, Vector2<T> b) {
+    return {a.x - b.x, a.y - b.y};
+}
+template <class T>
+constexpr Vector2<T> operator*(Vector2<T> a, T s) {
+    return {a.x * s, a.y * s};
+}
+template <class T>
+constexpr Vector3<T> operator+(Vector3<T> a, Vector3<T> b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+constexpr Vector3<T> operator-(Vector3<T> a, Vector3<T> b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+constexpr Vector3<T> operator-(Vector3<T> a) {
+    return {-a.x, -a.y, -a.z};
+}
+template <class T>
+constexpr Vector3<T> operator*(Vector3<T> a, Vector3<T> b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+template <class T>
+constexpr Vector3<T> operator*(Vector3<T> a, T s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+constexpr Vector3<T> operator*(T s, Vector3<T> a) {
+    return a * s;
+}
+template <class T>
+constexpr Vector3<T> operator/(Vector3<T> a, T s) {
+    return {a.x / s, a.y / s, a.z / s};
+}
+template <class T>
+constexpr Vector3<T>& operator+=(Vector3<T>& a, Vector3<T> b) {
+    return a = a + b;
+}
+template <class T>
+constexpr Vector4<T> operator+(Vector4<T> a, Vector4<T> b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+}
+template <class T>
+constexpr Vector4<T> operator-(Vector4<T> a, Vector4<T> b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
+}
+template <class T>
+constexpr Vector4<T> operator*(Vector4<T> a, T s) {
+    return {a.x * s, a.y * s, a.z * s, a.w * s};
+}
+
+template <class T>
+constexpr T dot(Vector2<T> a, Vector2<T> b) {
+    return a.x * b.x + a.y * b.y;
+}
+template <class T>
+constexpr T dot(Vector3<T> a, Vector3<T> b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+constexpr T dot(Vector4<T> a, Vector4<T> b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+}
+template <class T>
+constexpr Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class T>
+T length(Vector3<T> a) {
+    return std::sqrt(dot(a, a));
+}
+template <class T>
+Vector3<T> min(Vector3<T> a, Vector3<T> b) {
+    return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z};
+}
+template <class T>
+Vector3<T> max(Vector3<T> a, Vector3<T> b) {
+    return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
+}
+template <class T>
+bool is_finite(Vector3<T> a) {
+    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+/// Unit vector of a's direction, right for any finite non-zero length (1e-30 and 1e30 too); `fallback` for zero and non-finite a.
+template <class T>
+Vector3<T> normalize_or(Vector3<T> a, Vector3<T> fallback) {
+    const T largest = std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
+    if (!(largest > T(0)) || !(largest <= std::numeric_limits<T>::max()) || !is_finite(a)) return fallback;
+    const Vector3<T> scaled = a / largest;
+    return scaled / length(scaled);
+}
+
+template <class To, class From>
+constexpr Vector3<To> cast(Vector3<From> a) {
+    return {To(a.x), To(a.y), To(a.z)};
+}
+template <class To, class From>
+constexpr Vector4<To> cast(Vector4<From> a) {
+    return {To(a.x), To(a.y), To(a.z), To(a.w)};
+}
+template <class To, class From>
+constexpr Matrix4<To> cast(const Matrix4<From>& m) {
+    return {{cast<To>(m[0]), cast<To>(m[1]), cast<To>(m[2]), cast<To>(m[3])}};
+}
+
+template <class T>
+constexpr Vector4<T> operator*(const Matrix4<T>& m, Vector4<T> v) {
+    return m[0] * v.x + m[1] * v.y + m[2] * v.z + m[3] * v.w;
+}
+template <class T>
+constexpr Vector3<T> operator*(const Matrix3<T>& m, Vector3<T> v) {
+    return m[0] * v.x + m[1] * v.y + m[2] * v.z;
+}
+template <class T>
+constexpr Matrix4<T> operator*(const Matrix4<T>& a, const Matrix4<T>& b) {
+    return {{a * b[0], a * b[1], a * b[2], a * b[3]}};
+}
+template <class T>
+constexpr Matrix3<T> operator*(const Matrix3<T>& a, const Matrix3<T>& b) {
+    return {{a * b[0], a * b[1], a * b[2]}};
+}
+
+/// An affine matrix (last row 0 0 0 1) times a point or a direction.
+template <class T>
+constexpr Vector3<T> transform_point(const Matrix4<T>& m, Vector3<T> p) {
+    return {m[0].x * p.x + m[1].x * p.y + m[2].x * p.z + m[3].x, m[0].y * p.x + m[1].y * p.y + m[2].y * p.z + m[3].y,
+            m[0].z * p.x + m[1].z * p.y + m[2].z * p.z + m[3].z};
+}
+template <class T>
+constexpr Vector3<T> transform_direction(const Matrix4<T>& m, Vector3<T> d) {
+    return {m[0].x * d.x + m[1].x * d.y + m[2].x * d.z, m[0].y * d.x + m[1].y * d.y + m[2].y * d.z,
+            m[0].z * d.x + m[1].z * d.y + m[2].z * d.z};
+}
+
+template <class T>
+constexpr Matrix3<T> upper_left(const Matrix4<T>& m) {
+    return {{m[0].xyz(), m[1].xyz(), m[2].xyz()}};
+}
+template <class T>
+constexpr T determinant(const Matrix3<T>& m) {
+    return dot(m[0], cross(m[1], m[2]));
+}
+
+/// Cofactor matrix: takes normals where m takes points, of any determinant; its sign keeps the outside out for mirrored m
+/// when the winding is flipped with it: the transposed inverse times the determinant.
+template <class T>
+constexpr Matrix3<T> cofactor(const Matrix3<T>& m) {
+    return {{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])}};
+}
+
+template <class T>
+constexpr Matrix4<T> transpose(const Matrix4<T>& m) {
+    Matrix4<T> r;
+    for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t i = 0; i < 4; ++i) r[c][i] = m[i][c];
+    return r;
+}
+
+template <class T>
+constexpr Matrix4<T> translation(Vector3<T> t) {
+    return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {t.x, t.y, t.z, 1}}};
+}
+template <class T>
+constexpr Matrix4<T> scaling(Vector3<T> s) {
+    return {{{s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1}}};
+}
+
+/// Translation * rotation * scale. A quaternion that is not of unit length is normalized; a zero one is no rotation.
+dmat4 compose(dvec3 translation, dquat rotation, dvec3 scale);
+
+/// Inverse of an affine matrix; a singular one gives false and leaves `out` alone.
+bool inverse_affine(const dmat4& m, dmat4& out);
+
+/// Camera to world: at `eye`, looking at `target` along -Z. A target at the eye, or an `up` along the view, is replaced by a
+/// fixed other direction, so the result is always a rotation and a translation.
+dmat4 look_at(dvec3 eye, dvec3 target, dvec3 up);
+
+/// Clip space with -w <= x, y, z <= w, camera looking along -Z. `far` may be infinity. near > 0, fov in (0, pi), aspect = width / height.
+dmat4 perspective(double vertical_fov_rad, double aspect, double near, double far);
+/// The same for parallel projection; half_height > 0 is half of the visible height.
+dmat4 orthographic(double half_height, double aspect, double near, double far);
+
+}  // namespace rakelight

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is asked of a picture: model, view, materials, lights, surroundings, settings, files. A plain value; the keys of [render] in
+// world files read and write it (world.h).
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rakelight/engine.h>
+#include <rakelight/image.h>
+#include <rakelight/prepare.h>
+#include <rakelight/world.h>
+
+namespace rakelight {
+
+struct LoadOptions {
+    bool allow_outside = false;  ///< references may leave the model's own folder tree
+    /// Options in [render] of a world file whose place others have taken, such as "camera-index": what they name need
+    /// not be there.
+    std::vector<std::string> overridden;
+};
+
+/// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
+/// and where the file has none a camera fitted to the model's bounding box.
+struct ViewRequest {
+    std::string side;    ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default", or empty
+    std::string camera;  ///< number (from 0) or name of a camera of the file, or empty
+    std::optional<dvec3> position;           ///< [m] world
+    std::optional<dvec3> focal_point;        ///< [m] world; what the camera looks at
+    std::optional<dvec3> up;                 ///< any length; default +Y; the default view turns along
+    std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
+    /// 0..pi, both exclusive. Alone: pixels stay square, the vertical one follows. With the vertical one: pixels are as wide as both say.
+    std::optional<double> horizontal_fov_rad;
+    /// [m] more than 0, near < far: nothing nearer, nothing farther is drawn. Absent: the camera's own, or about the
+    /// model where the camera is fitted or placed.
+    std::optional<double> near, far;
+    bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
+
+    bool is_placed() const {
+        return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic;
+    }
+};
+
+/// What takes the place of all materials' own; texture pictures lie on the first texture coordinate set.
+struct MaterialOverrides {
+    std::string base_color, normal, height;  ///< picture files, as the caller names them; empty: the model's own
+    std::optional<double> normal_scale;      ///< of all normal maps
+    std::optional<bool> green_down;          ///< Material::green_down
+    std::optional<bool> centered_normals;    ///< Material::centered_normals
+    std::optional<vec3> color;               ///< linear; the factor that base color textures are multiplied by
+    std::optional<double> opacity;           ///< 0..1, the factor of alpha; below 1 surfaces are blended
+    /// 0..1, factors of metallic-roughness materials; classical ones are converted to such first.
+    std::optional<double> roughness, metallic;
+    /// Keys of [[material]] in world files, of material_values(); pictures as the caller names them. They act before
+    /// all above but the pictures.
+    std::vector<WorldValue> values;
+
+    bool operator==(const MaterialOverrides&) const = default;
+};
+
+/// How data channels are written, as bits.
+enum ChannelFiles : std::uint32_t {
+    channel_files_exr = 1u << 0,  ///< a file each, NAME.depth.exr: 32-bit floats in Y, R G, R G B or R G B A; numbers
+                                  ///< as floats (exact up to 2^24), -1 where nothing is
+    channel_files_layers = 1u << 1,  ///< all in one: layers depth.Z, normal.X ... beside R, G, B of the .exr output,
+                                     ///< else of NAME.channels.exr; numbers as UINT
+    channel_files_png = 1u << 2,     ///< a picture for the eye each, NAME.depth.png
+};
+
+/// The Channel bits of "depth", "face-normal", ..., of "lighting" or of "all". @throws Error usage
+std::uint32_t channels_by_name(std::string_view name);
+
+/// One picture to be made.
+struct PictureRequest {
+    std::string input;   ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
+    std::string output;  ///< ending .png, .jpg, .webp (sRGB, 8 bit), .exr or .hdr (linear)
+    std::string engine = "soft";
+    LoadOptions load;
+    MaterialOverrides materials;
+    PrepareOptions prepare;
+    ViewRequest view;
+    std::optional<std::vector<Light>>
+        lights;  ///< replace all lights; else the file's, else, where no environment lights the scene, the default rig
+    bool default_lights = false;  ///< the default rig although the file has lights; `lights` goes first
+    double light_intensity = 1;   ///< >= 0; multiplies every light
+    /// [radiance of a white Lambert surface that faces the light] 0..1: point and spot lights without a range get one
+    /// where less than this is left of them; no surface loses more of a light than this. 0: none does.
+    double light_cutoff = 0;
+    std::optional<Fog> fog;  ///< in place of the scene's
+    ToneSettings tone;       ///< of 8-bit pictures; EXR and HDR stay linear
+    std::string hdri_file;   ///< equirectangular picture, takes the place of the scene's environment; empty: none
+    /// Whether the environment (without a file: the scene's, else the built-in studio) gives light, and whether it is
+    /// the background; absent: as the scene says, else not.
+    std::optional<bool> hdri_ambient, hdri_skybox;
+    std::optional<double> hdri_intensity;     ///< >= 0; of the environment, in place of the scene's
+    std::optional<double> hdri_rotation_rad;  ///< about +Y, likewise
+    RenderSettings settings;  ///< channels go into files by `channel_files`; a window makes the picture as large as the
+                              ///< window; alpha is written when background.w < 1
+    std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits
+    bool half_colors = false;  ///< colors in EXR files, those of channels too, as 16-bit halves; data stays at 32 bits
+};
+
+/// The picture that a world file asks for: what its [render] says, files from the world's folder. Where to write it is the caller's.
+/// @throws Error not_found, bad_file: with the file, line and column of what is wrong
+PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context);
+
+}  // namespace rakelight

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a scene is, and what lights it when nothing does.
+#pragma once
+#include <vector>
+
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// An axis-aligned box.
+struct Bounds {
+    dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    bool empty() const { return !(low.x <= high.x); }
+    dvec3 center() const;
+    /// @param i  0..7: bit 0, 1, 2 choose high x, y, z
+    dvec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
+    double diagonal() const;
+};
+
+/// Box of all drawn vertices of all objects, in the world [m]; vertices that are not finite are left out. Empty when nothing
+/// is drawn. @throws Error bad_file: see validate()
+Bounds bounds(const Scene& scene);
+
+/// The default light rig, fixed to the camera's frame so that what is looked at is lit: ambient 0.12, a key light (0.68) from
+/// above left and a fill (0.2) from the right, both directional and white, classical units: a white surface stays just below 1.
+std::vector<Light> default_lights(const dmat4& camera_to_world);
+
+}  // namespace rakelight

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values as people write them, for programs and for [render] of world files: numbers, lists, sizes, colors, lights. All throw
+// Error usage about `setting` that says what was expected; numbers go by std::from_chars, so no locale changes them.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rakelight/error.h>
+#include <rakelight/words.h>
+
+namespace rakelight::values {
+
+/// Error usage about a setting.
+Error wrong(const std::string& setting, std::string reason, std::string advice = {});
+
+/// Finite numbers separated by commas, exactly `count` of them.
+std::vector<double> numbers(const std::string& setting, std::string_view text, std::size_t count);
+double number(const std::string& setting, std::string_view text);
+/// One in low..high.
+double number(const std::string& setting, std::string_view text, double low, double high);
+dvec3 vector3(const std::string& setting, std::string_view text);
+
+/// An integer in low..high.
+int integer(const std::string& setting, std::string_view text, int low, int high);
+/// Integers separated by commas ("1280,720"; a resolution may also be written "1280x720").
+std::vector<int> integers(const std::string& setting, std::string_view text, std::size_t count);
+
+/// "500M", "1.5G", "1073741824": bytes, powers of 1024.
+std::uint64_t byte_size(const std::string& setting, std::string_view text);
+
+/// Display color "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", or "transparent": linear RGB and alpha.
+vec4 background(const std::string& setting, std::string_view text);
+/// The same without "transparent". `advice` says what may be written.
+vec4 display_color(const std::string& setting, std::string_view text,
+                   const char* advice = "write r,g,b from 0 to 1 or '#rrggbb'");
+
+/// Linear light "1,0.9,0.8", none of it negative.
+vec3 light_color(const std::string& setting, std::string_view text);
+/// A direction of length 1.
+dvec3 unit(const std::string& setting, dvec3 direction);
+
+/// "point:0,2,3:color=1,0.9,0.8:attenuation=1,0,0.1", "directional:0,-1,-1", "spot:...", "ambient:0.1,0.1,0.1";
+/// "photometric-point:0,2,3:intensity=100" and the like.
+Light light(const std::string& setting, std::string_view text);
+
+/// "none", "linear:2,30:color=#c0c8d0", "exp:0.1", "exp2:0.1".
+Fog fog(const std::string& setting, std::string_view text);
+
+/// "on", "off"; as F3D has it also "true", "false".
+bool switched(const std::string& setting, std::string_view text);
+
+/// Whether a text is meant as a number, for which no word is near.
+bool is_number(std::string_view text);
+
+/// The value of a word out of a fixed list.
+template <class T>
+T word(const std::string& setting, std::string_view text, std::span<const Word<T>> words) {
+    std::string all;
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : words) {
+        if (text == name) return value;
+        all += (all.empty() ? "" : ", ") + std::string(name);
+        names.push_back(name);
+    }
+    if (is_number(text)) throw wrong(setting, "'" + one_line(std::string(text), 40) + "' is not one of " + all);
+    const std::string near = nearest_word(text, names);
+    throw wrong(setting, "unknown word '" + one_line(std::string(text), 40) + "'",
+                (near.empty() ? "" : "did you mean '" + near + "'? ") + "use one of: " + all);
+}
+template <class T, std::size_t n>
+T word(const std::string& setting, std::string_view text, const Word<T> (&words)[n]) {
+    return word<T>(setting, text, std::span(words));
+}
+template <class T>
+T word(const std::string& setting, std::string_view text, std::initializer_list<Word<T>> words) {
+    return word<T>(setting, text, std::span(words.begin(), words.size()));
+}
+
+/// Parts between separators; "a,,b" has an empty one.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
+}  // namespace rakelight::values

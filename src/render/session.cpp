@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/render.h>
+#include <rakelight/session.h>
+
+#include "engines/check_settings.h"
+#include "prepare/prepare.h"
+#include "render/drawable.h"
+#include "render/engines.h"
+#include "render/height_maps.h"
+#include "render/picture_steps.h"
+#include "render/prepared_scene.h"
+#include "render/view.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace {
+
+/// Whether two scenes differ in nothing that prepare looks at.
+bool are_prepared_alike(const Scene& a, const Scene& b) {
+    return a.nodes == b.nodes && a.meshes == b.meshes && a.materials == b.materials && a.textures == b.textures &&
+           a.skins == b.skins && a.animations == b.animations &&
+           a.missing_normals_are_flat == b.missing_normals_are_flat && a.source == b.source;
+}
+
+}  // namespace
+
+PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings) {
+    options.all_tangents |= (settings.channels & channel_tangent) != 0;
+    options.clockwise_fronts |= settings.front_face == FrontFace::clockwise;
+    options.bump = settings.bump;
+    options.displacement.is_on |= settings.bump == Bump::displacement;
+    options.displacement.relief = settings.relief;
+    return options;
+}
+
+std::shared_ptr<const PreparedScene> make_prepared(Scene scene, const PrepareOptions& options,
+                                                   const RenderSettings& settings, Context& context) {
+    auto out = std::make_shared<PreparedScene>();
+    out->options = options_for(options, settings);
+    scene = with_height_maps(std::move(scene), settings, context);
+    out->scene = valid::prepare_scene(std::move(scene), out->options, context);
+    return out;
+}
+
+Camera camera_in_world(const Scene& scene, Camera camera, double aspect) {
+    camera.to_world = camera_to_world(scene, camera, world_matrices(scene));
+    camera.node = none;
+    return adapt_to_aspect(std::move(camera), aspect);
+}
+
+std::vector<Light> lights_of(const Scene& scene, const Camera& camera) {
+    return scene.lights.empty() && !is_lit_by_environment(scene) ? default_lights(camera.to_world) : scene.lights;
+}
+
+struct Session::State {
+    std::unique_ptr<Engine> engine;
+    Scene scene;             ///< as set; empty where a prepared one was
+    PrepareOptions options;  ///< likewise
+    bool is_set = false;
+    bool is_fixed = false;                          ///< `prepared` was set, and is drawn as it is
+    bool is_given_away = false;                     ///< to the engine, by its last owner
+    std::shared_ptr<const PreparedScene> prepared;  ///< of `scene`; null: not made yet
+    std::shared_ptr<const PreparedScene> taken;     ///< what the engine has
+
+    const Scene& take_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context);
+};
+
+Session::Session(const std::string& engine) : Session(make_engine(engine)) {}
+Session::Session(std::unique_ptr<Engine> engine) : state_(std::make_unique<State>()) {
+    state_->engine = std::move(engine);
+}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+const Engine& Session::engine() const { return *state_->engine; }
+
+void Session::set(Scene scene, const PrepareOptions& options) {
+    State& s = *state_;
+    validate_changes(scene, s.scene);
+    const bool is_alike = s.prepared && !s.is_fixed && s.options == options && are_prepared_alike(scene, s.scene);
+    if (!is_alike) check_drawable(scene);
+    std::shared_ptr<PreparedScene> next;
+    if (is_alike) {
+        next = std::make_shared<PreparedScene>(*s.prepared);
+        next->scene.lights = scene.lights;
+        next->scene.cameras = scene.cameras;
+        next->scene.fog = scene.fog;
+        next->scene.environment = scene.environment;
+    }
+    s.scene = std::move(scene);
+    s.options = options;
+    s.prepared = std::move(next);
+    s.is_set = true, s.is_fixed = s.is_given_away = false;
+}
+
+void Session::set(std::shared_ptr<const PreparedScene> scene) {
+    if (!scene) throw Error(ErrorCode::usage, "there is no prepared scene to draw");
+    State& s = *state_;
+    s.scene = {};
+    s.prepared = std::move(scene);
+    s.is_set = s.is_fixed = true, s.is_given_away = false;
+}
+
+std::shared_ptr<const PreparedScene> Session::prepared(const RenderSettings& settings, Context& context) {
+    check_settings(settings);
+    State& s = *state_;
+    if (!s.is_set) throw Error(ErrorCode::usage, "the session has no scene");
+    if (s.is_given_away) return std::make_shared<const PreparedScene>(PreparedScene{s.engine->scene(), {}});
+    if (s.is_fixed || (s.prepared && s.prepared->options == options_for(s.options, settings))) return s.prepared;
+    s.prepared = make_prepared(s.scene, s.options, settings, context);
+    return s.prepared;
+}
+
+/// The scene that the engine has now, with these lights.
+const Scene& Session::State::take_up(const RenderSettings& settings, const Camera& camera, Session& session,
+                                     Context& context) {
+    if (is_given_away) return engine->scene();
+    const std::shared_ptr<const PreparedScene> ready = session.prepared(settings, context);
+    const double aspect = double(settings.width) / double(settings.height);
+    std::vector<Light> lights = ready->scene.lights;
+    if (!is_fixed) lights = lights_of(ready->scene, camera_in_world(ready->scene, camera, aspect));
+    if (taken == ready) {
+        if (lights != engine->scene().lights) engine->set_lights(std::move(lights));
+        return engine->scene();
+    }
+    taken.reset();                                // what fails leaves the engine with another scene, or none
+    if (is_fixed && prepared.use_count() == 2) {  // here and in `ready`: nobody else wants it, so it is not copied
+        Scene scene = std::move(const_cast<PreparedScene&>(*ready).scene);
+        prepared.reset();
+        is_given_away = true;
+        engine->prepare(std::move(scene), context);
+        return engine->scene();
+    }
+    Scene drawn = ready->scene;
+    drawn.lights = std::move(lights);
+    engine->prepare(std::move(drawn), context);
+    taken = ready;
+    return engine->scene();
+}
+
+RenderStats Session::render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) {
+    State& s = *state_;
+    check_settings(settings);
+    check_abilities(*s.engine, settings);
+    if (!s.is_set) throw Error(ErrorCode::usage, "the session has no scene");
+    const std::size_t nodes = s.is_given_away ? s.engine->scene().nodes.size()
+                              : s.is_fixed    ? s.prepared->scene.nodes.size()
+                                              : s.scene.nodes.size();
+    check_camera(camera, nodes, CameraUse::in_scene);
+    const Scene& scene = s.take_up(settings, camera, *this, context);
+    const double aspect = double(settings.width) / double(settings.height);
+    return s.engine->render(camera_in_world(scene, camera, aspect), settings, sink, context);
+}
+
+const Scene& scene_of(const PreparedScene& prepared) { return prepared.scene; }
+
+}  // namespace rakelight

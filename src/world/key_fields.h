@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// How keys of [render] read and write their fields: what the tables of keys_*.cpp are made of.
+#pragma once
+#include <rakelight/request.h>
+#include <rakelight/tools/values.h>
+
+namespace rakelight::keys {
+
+using Words = std::span<const std::string>;
+using Written = std::vector<std::string>;
+using Kind = RenderKey::Kind;
+
+/// What every field is by default.
+const PictureRequest& defaults();
+
+/// The shortest text that is read as the same number.
+std::string text_of(double number);
+/// Of a float that a double was read into.
+std::string text_of_float(float number);
+/// [deg] The shortest text whose radians are the same number.
+std::string degrees_of(double radians);
+/// "1,2,3"
+std::string text_of(dvec3 v);
+/// A display color: "#rrggbb" where that is the same color, else "r,g,b".
+std::string color_of(vec3 linear);
+/// "point:0,2,3:color=1,0.9,0.8": what values::light() reads; and fog.
+std::string text_of(const Light& light);
+std::string text_of(const Fog& fog);
+
+/// The name of a value in a table of words.
+template <class T, std::size_t n>
+Written name_in(const Word<T> (&words)[n], const T& value) {
+    for (const Word<T>& w : words)
+        if (w.value == value) return {w.name};
+    return {};
+}
+
+inline Written on_or_off(bool value) { return {value ? "on" : "off"}; }
+
+// One key and its field. `field` is an expression of the request r, as in r.settings.samples.
+#define RL_WRITE(field, writing)                                                         \
+    [](const PictureRequest& of) -> Written {                                            \
+        const auto is_of = [](const PictureRequest& r) -> const auto& { return field; }; \
+        if (is_of(of) == is_of(defaults())) return {};                                   \
+        [[maybe_unused]] const PictureRequest& r = of;                                   \
+        return Written writing;                                                          \
+    }
+#define RL_KEY(name, kind, field, reading, writing)                                                     \
+    {                                                                                                   \
+        name, Kind::kind, [](PictureRequest& r, Words w) { field = reading; }, RL_WRITE(field, writing) \
+    }
+/// A word out of a table.
+#define RL_WORD_KEY(name, field, words) \
+    RL_KEY(name, value, field, values::word(name, w[0], words), (name_in(words, field)))
+#define RL_SWITCH_KEY(name, field) RL_KEY(name, switched, field, values::switched(name, w[0]), (on_or_off(field)))
+#define RL_FLOAT_KEY(name, field, low, high) \
+    RL_KEY(name, value, field, float(values::number(name, w[0], low, high)), {text_of_float(field)})
+#define RL_NUMBER_KEY(name, field, low, high) \
+    RL_KEY(name, value, field, values::number(name, w[0], low, high), {text_of(field)})
+#define RL_INTEGER_KEY(name, field, low, high) \
+    RL_KEY(name, value, field, values::integer(name, w[0], low, high), {std::to_string(field)})
+
+std::span<const RenderKey> picture_keys();
+std::span<const RenderKey> surface_keys();
+std::span<const RenderKey> normal_keys();
+std::span<const RenderKey> view_keys();
+std::span<const RenderKey> scene_keys();
+
+}  // namespace rakelight::keys

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys about what is made ready before an engine draws: normals, tangents, texture coordinates, subdivision, displacement.
+#include "world/key_fields.h"
+
+namespace rakelight::keys {
+namespace {
+
+constexpr Word<NormalSource> normal_words[] = {{"auto", NormalSource::automatic},
+                                               {"file", NormalSource::file},
+                                               {"flat", NormalSource::flat},
+                                               {"object", NormalSource::object},
+                                               {"model", NormalSource::model}};
+constexpr Word<CornerWeight> weight_words[] = {{"uniform", CornerWeight::uniform},
+                                               {"area", CornerWeight::area},
+                                               {"angle", CornerWeight::angle},
+                                               {"angle-area", CornerWeight::angle_area}};
+constexpr Word<UvProjection> uv_words[] = {{"none", UvProjection::none},
+                                           {"box", UvProjection::box},
+                                           {"sphere", UvProjection::sphere},
+                                           {"cylinder", UvProjection::cylinder}};
+constexpr Word<std::optional<TangentMode>> tangent_words[] = {
+    {"auto", std::nullopt},
+    {"averaged", TangentMode::averaged},
+    {"published", TangentMode::published},
+    {"published-no-handedness", TangentMode::published_no_handedness},
+    {"mikktspace", TangentMode::mikktspace}};
+
+/// Where tangents are made perpendicular to normals: once, at every pixel, nowhere.
+struct Orthogonal {
+    Orthogonalize once;
+    bool at_pixels;
+    bool operator==(const Orthogonal&) const = default;
+};
+constexpr Word<Orthogonal> orthogonalize_words[] = {{"attribute", {Orthogonalize::attribute, true}},
+                                                    {"shader", {Orthogonalize::off, true}},
+                                                    {"off", {Orthogonalize::off, false}}};
+
+void read_orthogonalize(PictureRequest& r, Words w) {
+    const Orthogonal how = values::word("orthogonalize", w[0], orthogonalize_words);
+    r.prepare.orthogonalize = how.once;
+    r.settings.orthogonalize = how.at_pixels;
+    r.prepare.measure_orthogonality = true;  // who chooses wants to know what it costs
+}
+
+Written write_orthogonalize(const PictureRequest& r) {
+    if (!r.prepare.measure_orthogonality) return {};
+    return name_in(orthogonalize_words, {r.prepare.orthogonalize, r.settings.orthogonalize});
+}
+
+void read_crease(PictureRequest& r, Words w) {
+    const double angle = values::number("crease-angle", w[0]);
+    if (!(angle >= 0 && angle <= 180)) throw values::wrong("crease-angle", "must be 0 to 180 degrees");
+    r.prepare.crease_angle_rad = angle == 180 ? pi : radians(angle);
+}
+
+void read_subdivide_edge(PictureRequest& r, Words w) {
+    r.prepare.subdivision.edge = values::number("subdivide-edge", w[0], 1e-6, 1e6);
+    r.prepare.subdivision.level = 8;  // `subdivide`, which is read behind it, may say less
+}
+
+Written write_subdivide(const PictureRequest& r) {
+    const Subdivision& s = r.prepare.subdivision;
+    if (s.level == (s.edge > 0 ? 8 : 0)) return {};
+    return {std::to_string(s.level)};
+}
+
+constexpr RenderKey table[] = {
+    RL_WORD_KEY("normals", r.prepare.normals, normal_words),
+    {"crease-angle", Kind::value, read_crease,
+     RL_WRITE(r.prepare.crease_angle_rad, {degrees_of(r.prepare.crease_angle_rad)})},
+    RL_WORD_KEY("weight", r.prepare.weight, weight_words),
+    RL_WORD_KEY("tangents", r.prepare.tangents, tangent_words),
+    {"orthogonalize", Kind::value, read_orthogonalize, write_orthogonalize},
+    RL_KEY("keep-instances", flag, r.prepare.keep_instances, w[0] == "on", {"on"}),
+    RL_WORD_KEY("uv", r.prepare.uv, uv_words),
+    RL_NUMBER_KEY("displacement-edge", r.prepare.displacement.edge, 1e-6, 1e6),
+    RL_KEY("displacement-triangles", value, r.prepare.displacement.most_triangles,
+           std::uint64_t(values::integer("displacement-triangles", w[0], 1, 100'000'000)),
+           {std::to_string(r.prepare.displacement.most_triangles)}),
+    {"subdivide-edge", Kind::value, read_subdivide_edge,
+     RL_WRITE(r.prepare.subdivision.edge, {text_of(r.prepare.subdivision.edge)})},
+    {"subdivide", Kind::value,
+     [](PictureRequest& r, Words w) { r.prepare.subdivision.level = values::integer("subdivide", w[0], 0, 8); },
+     write_subdivide},
+    RL_WORD_KEY("subdivide-scheme", r.prepare.subdivision.scheme, subdivision_scheme_words),
+    RL_KEY("subdivide-crease", value, r.prepare.subdivision.crease_angle_rad,
+           radians(values::number("subdivide-crease", w[0], 0, 180)),
+           {degrees_of(*r.prepare.subdivision.crease_angle_rad)}),
+    RL_NUMBER_KEY("subdivide-sharpness", r.prepare.subdivision.sharpness, 0, 10),
+    RL_WORD_KEY("subdivide-boundary", r.prepare.subdivision.round_corners, subdivision_boundary_words),
+    RL_WORD_KEY("subdivide-uv", r.prepare.subdivision.uv, subdivision_uv_words),
+};
+
+}  // namespace
+
+std::span<const RenderKey> normal_keys() { return table; }
+
+}  // namespace rakelight::keys

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys about how surfaces answer light: lighting models, bumps, shadows.
+#include "world/key_fields.h"
+
+namespace rakelight::keys {
+namespace {
+
+constexpr Word<TangentSpace> tangent_space_words[] = {{"world", TangentSpace::world},
+                                                      {"pixel", TangentSpace::pixel},
+                                                      {"vertex", TangentSpace::vertex},
+                                                      {"transposed", TangentSpace::transposed}};
+
+void read_steps(PictureRequest& r, Words w) {
+    const std::vector<int> steps = values::integers("bump-steps", w[0], 2);
+    if (steps[0] < 1 || steps[1] < steps[0] || steps[1] > 1024)
+        throw values::wrong("bump-steps", "must be 1 to 1024, the first not more than the second");
+    r.settings.relief.min_steps = steps[0], r.settings.relief.max_steps = steps[1];
+}
+
+Written write_steps(const PictureRequest& r) {
+    const Relief &of = r.settings.relief, &plain = defaults().settings.relief;
+    if (of.min_steps == plain.min_steps && of.max_steps == plain.max_steps) return {};
+    return {std::to_string(of.min_steps) + "," + std::to_string(of.max_steps)};
+}
+
+constexpr RenderKey table[] = {
+    RL_WORD_KEY("lighting", r.settings.lighting, lighting_words),
+    RL_WORD_KEY("specular", r.settings.specular_form, specular_form_words),
+    RL_SWITCH_KEY("specular-horizon", r.settings.specular_horizon),
+    RL_WORD_KEY("ward-form", r.settings.ward_form, ward_form_words),
+    RL_SWITCH_KEY("multiple-scattering", r.settings.multiple_scattering),
+    RL_SWITCH_KEY("viewer-infinity", r.settings.viewer_at_infinity),
+    RL_WORD_KEY("bump", r.settings.bump, bump_words),
+    RL_WORD_KEY("bump-terms", r.settings.bump_terms, bump_terms_words),
+    RL_FLOAT_KEY("bump-depth", r.settings.relief.depth, 0, 10),
+    RL_FLOAT_KEY("bump-bias", r.settings.relief.bias, 0, 1),
+    RL_WORD_KEY("bump-polarity", r.settings.relief.holds_depth, polarity_words),
+    {"bump-steps", Kind::value, read_steps, write_steps},
+    RL_INTEGER_KEY("bump-refinement", r.settings.relief.refinement_steps, 0, 32),
+    RL_SWITCH_KEY("bump-self-shadow", r.settings.relief.self_shadow),
+    RL_SWITCH_KEY("bump-silhouette", r.settings.relief.limit_silhouette),
+    RL_WORD_KEY("tangent-space", r.settings.tangent_space, tangent_space_words),
+    RL_SWITCH_KEY("normalize-frames", r.settings.normalize_frames),
+    RL_SWITCH_KEY("shadows", r.settings.shadows),
+    RL_INTEGER_KEY("shadow-size", r.settings.shadow_size, 16, 8192),
+    RL_FLOAT_KEY("shadow-bias", r.settings.shadow_bias, 0, 100),
+    RL_INTEGER_KEY("shadow-filter", r.settings.shadow_filter, 0, 4),
+};
+
+}  // namespace
+
+std::span<const RenderKey> surface_keys() { return table; }
+
+}  // namespace rakelight::keys

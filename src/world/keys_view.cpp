@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys about where the camera stands.
+#include "world/key_fields.h"
+
+namespace rakelight::keys {
+namespace {
+
+constexpr Word<bool> side_words[] = {{"front", true}, {"back", true},   {"left", true},      {"right", true},
+                                     {"top", true},   {"bottom", true}, {"isometric", true}, {"default", true}};
+
+double angle(const char* key, const std::string& text) {
+    const double degrees = values::number(key, text);
+    if (!(degrees > 0 && degrees < 180)) throw values::wrong(key, "must be more than 0 and less than 180 degrees");
+    return radians(degrees);
+}
+
+double distance(const char* key, const std::string& text) {
+    const double meters = values::number(key, text);
+    if (!(meters > 0)) throw values::wrong(key, "must be more than 0 meters");
+    return meters;
+}
+
+constexpr RenderKey table[] = {
+    {"view", Kind::value,
+     [](PictureRequest& r, Words w) {
+         values::word("view", w[0], side_words);
+         r.view.side = w[0];
+     },
+     [](const PictureRequest& r) -> Written { return r.view.side.empty() ? Written{} : Written{r.view.side}; }},
+    RL_KEY("camera-index", value, r.view.camera, w[0], {r.view.camera}),
+    RL_KEY("camera-position", value, r.view.position, values::vector3("camera-position", w[0]),
+           {text_of(*r.view.position)}),
+    RL_KEY("camera-focal-point", value, r.view.focal_point, values::vector3("camera-focal-point", w[0]),
+           {text_of(*r.view.focal_point)}),
+    RL_KEY("camera-view-up", value, r.view.up, values::vector3("camera-view-up", w[0]), {text_of(*r.view.up)}),
+    RL_KEY("camera-view-angle", value, r.view.vertical_fov_rad, angle("camera-view-angle", w[0]),
+           {degrees_of(*r.view.vertical_fov_rad)}),
+    RL_KEY("camera-horizontal-angle", value, r.view.horizontal_fov_rad, angle("camera-horizontal-angle", w[0]),
+           {degrees_of(*r.view.horizontal_fov_rad)}),
+    RL_KEY("near", value, r.view.near, distance("near", w[0]), {text_of(*r.view.near)}),
+    RL_KEY("far", value, r.view.far, distance("far", w[0]), {text_of(*r.view.far)}),
+    RL_KEY("camera-orthographic", flag, r.view.orthographic, w[0] == "on", {"on"}),
+};
+
+}  // namespace
+
+std::span<const RenderKey> view_keys() { return table; }
+
+}  // namespace rakelight::keys

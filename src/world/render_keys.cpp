@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// All keys of [render], and what only several of them together can get wrong.
+#include <algorithm>
+#include <filesystem>
+
+#include "world/key_fields.h"
+
+namespace rakelight {
+namespace {
+
+std::vector<RenderKey> all_keys() {
+    std::vector<RenderKey> all;
+    for (const std::span<const RenderKey> part :
+         {keys::picture_keys(), keys::surface_keys(), keys::normal_keys(), keys::view_keys(), keys::scene_keys()})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+/// The keys that were given.
+class Given {
+public:
+    explicit Given(std::span<const WorldValue> values) : values_(values) {}
+    bool has(std::string_view key) const { return std::ranges::find(values_, key, &WorldValue::key) != values_.end(); }
+    /// The first of some keys that was; null: none.
+    const char* first_of(std::initializer_list<const char*> names) const {
+        for (const char* name : names)
+            if (has(name)) return name;
+        return nullptr;
+    }
+
+private:
+    std::span<const WorldValue> values_;
+};
+
+[[noreturn]] void exclude(const std::string& one, const std::string& other, std::string advice = {}) {
+    throw Error(ErrorCode::usage, "cannot be given together with '" + other + "'", {}, std::move(advice))
+        .about(one, {other});
+}
+
+bool is_exr(const std::string& file) {
+    std::string ending = std::filesystem::path(file).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return ending == ".exr";
+}
+
+void check_picture(const PictureRequest& r, const Given& given) {
+    const RenderSettings& s = r.settings;
+    const Window& w = s.window;
+    if (given.has("window") && (w.x < 0 || w.y < 0 || w.x > s.width - w.width || w.y > s.height - w.height))
+        throw Error(ErrorCode::usage, "does not lie inside the picture of " + std::to_string(s.width) + " x " +
+                                          std::to_string(s.height) + " pixels that 'resolution' asks for")
+            .about("window", {"resolution"});
+    if (s.samples > 1 && s.visibility != Visibility::z_reversed)
+        throw Error(ErrorCode::usage, std::to_string(s.samples) + " samples need 'visibility' z-reversed, the default")
+            .about("samples", {"visibility"});
+    if (given.has("point-sprites") && !s.surfaces && s.points == PointShape::none) exclude("point-sprites", "points");
+    if (given.has("channel-files") && s.channels == 0)
+        throw Error(ErrorCode::usage, "says how data channels are written, but 'channels' asks for none")
+            .about("channel-files", {"channels"});
+    const bool has_exr_channels = s.channels != 0 && (r.channel_files & ~std::uint32_t(channel_files_png)) != 0;
+    if (given.has("exr-colors") && !has_exr_channels && !is_exr(r.output))
+        throw Error(ErrorCode::usage, "is about EXR files, but none is written", {},
+                    "let the output end in .exr, or ask for data channels")
+            .about("exr-colors", {"channels"});
+}
+
+void check_view(const PictureRequest& r, const Given& given) {
+    if (given.has("view") && given.has("camera-index")) exclude("view", "camera-index");
+    if (const char* const other = given.first_of({"view", "camera-index"}); other && given.has("camera-position"))
+        exclude(other, "camera-position", "focal point, view up and view angle may be added to either");
+    if (r.view.near && r.view.far && !(*r.view.near < *r.view.far))
+        throw Error(ErrorCode::usage, "must be less than 'far'").about("near", {"far"});
+}
+
+void check_subdivision(const Given& given) {
+    const char* const how = given.first_of(
+        {"subdivide-scheme", "subdivide-crease", "subdivide-sharpness", "subdivide-boundary", "subdivide-uv"});
+    if (how && !given.has("subdivide") && !given.has("subdivide-edge"))
+        throw Error(ErrorCode::usage, "says how to subdivide, but nothing is to be subdivided", {}, "add 'subdivide' 3")
+            .about(how, {"subdivide"});
+}
+
+void check_known(const WorldValue& value) {
+    if (find_render_key(value.key)) return;
+    std::vector<std::string_view> names;
+    for (const RenderKey& key : render_keys()) names.emplace_back(key.name);
+    const std::string near = nearest_word(value.key, names);
+    throw Error(ErrorCode::usage, "there is no setting '" + one_line(value.key, 40) + "'", {},
+                near.empty() ? "" : "did you mean '" + near + "'?");
+}
+
+/// A list of a world file as the command line has it: "1280,720".
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+    return text;
+}
+
+}  // namespace
+
+std::span<const RenderKey> render_keys() {
+    static const std::vector<RenderKey> all = all_keys();
+    return all;
+}
+
+const RenderKey* find_render_key(std::string_view name) {
+    const auto found =
+        std::ranges::find(render_keys(), name, [](const RenderKey& k) { return std::string_view(k.name); });
+    return found == render_keys().end() ? nullptr : &*found;
+}
+
+void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
+    for (const WorldValue& value : values) check_known(value);
+    for (const RenderKey& key : render_keys())
+        for (const WorldValue& value : values) {
+            if (value.key != key.name) continue;
+            if (value.words.empty()) throw values::wrong(key.name, "a value is needed");
+            const std::string one = joined(value.words);
+            key.read(to, key.kind == RenderKey::Kind::list ? value.words : std::span(&one, 1));
+        }
+    const Given given(values);
+    check_picture(to, given);
+    check_view(to, given);
+    check_subdivision(given);
+}
+
+std::vector<WorldValue> written_render_keys(const PictureRequest& of) {
+    std::vector<WorldValue> values;
+    for (const RenderKey& key : render_keys())
+        if (std::vector<std::string> words = key.write(of); !words.empty()) {
+            WorldValue value{.key = key.name, .words = std::move(words)};
+            value.is_array = key.kind == RenderKey::Kind::list;
+            values.push_back(std::move(value));
+        }
+    return values;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// A session gives the pictures that render() gives, takes up only what changed, and says what its engine cannot do.
+#include <rakelight/session.h>
+
+#include <gtest/gtest.h>
+
+#include <rakelight/render.h>
+
+#include "scene/scene_tools.h"
+#include "support/scene_builder.h"
+#include "support/thrown_error.h"
+#include "unit/raster/drawn.h"
+#include "unit/render/fake_engine.h"
+
+namespace rakelight {
+namespace {
+
+using test::FakeEngine, test::same_bits;
+
+Scene two_squares() {
+    Scene scene;
+    scene.materials.push_back(test::matte({0.8f, 0.5f, 0.2f}));
+    test::add_object(scene, test::square_mesh(0));
+    test::add_object(scene, test::square_mesh(0), translation(dvec3{0.5, 0.2, 0.5}));
+    return scene;
+}
+
+RenderSettings small() {
+    RenderSettings s;
+    s.width = 48, s.height = 32;
+    return s;
+}
+
+Camera from(double x) {
+    Camera camera = test::flat_camera();
+    camera.to_world = translation(dvec3{x, 0, 0}) * camera.to_world;
+    return camera;
+}
+
+/// A session of the fake engine, which counts.
+struct Counted {
+    Session session{std::make_unique<FakeEngine>()};
+    const FakeEngine& engine = static_cast<const FakeEngine&>(session.engine());
+    Context context{{.threads = 1}};
+    Frame frame;
+
+    void draw(const Camera& camera = from(0), const RenderSettings& settings = small()) {
+        session.render(camera, settings, frame, context);
+    }
+};
+
+TEST(Session, GivesThePicturesOfRender) {
+    Context context({.threads = 1});
+    Session session;
+    session.set(two_squares());
+    for (const double x : {0.0, 0.7, -0.4}) {
+        Frame frame;
+        session.render(from(x), small(), frame, context);
+        EXPECT_TRUE(same_bits(frame, render(two_squares(), from(x), small(), context))) << x;
+    }
+}
+
+TEST(Session, TheDefaultRigStandsWithTheCamera) {
+    Counted c;
+    c.session.set(two_squares());
+    c.draw();
+    EXPECT_EQ(c.engine.prepared.lights, default_lights(from(0).to_world));
+    c.draw(from(0.5));
+    EXPECT_EQ(c.engine.prepared.lights, default_lights(from(0.5).to_world));
+    EXPECT_EQ(c.engine.times_prepared, 1) << "other lights are no other scene";
+}
+
+TEST(Session, TheSameSceneIsTakenUpOnce) {
+    Counted c;
+    Scene scene = two_squares();
+    scene.lights = {test::directional({0, 0, -1})};
+    c.session.set(scene);
+    for (const double x : {0.0, 0.5, 1.0}) c.draw(from(x));
+    EXPECT_EQ(c.engine.times_prepared, 1);
+    EXPECT_EQ(c.engine.lights_set, 0);
+}
+
+TEST(Session, OtherLightsFogAndEnvironmentMakeNothingAnew) {
+    Counted c;
+    Scene scene = two_squares();
+    scene.lights = {test::directional({0, 0, -1})};
+    c.session.set(scene);
+    c.draw();
+    const Scene before = c.engine.prepared;
+    scene.lights[0].diffuse = {0.5f, 0.5f, 0.5f};
+    scene.fog.kind = FogKind::exponential;
+    c.session.set(scene);
+    c.draw();
+    EXPECT_EQ(c.engine.prepared.meshes, before.meshes) << "the made normals stay";
+    EXPECT_EQ(c.engine.prepared.lights, scene.lights);
+    EXPECT_EQ(c.engine.prepared.fog, scene.fog);
+}
+
+TEST(Session, AnEditedSceneIsDrawnAsIfItHadAlwaysBeenSo) {
+    Context context({.threads = 1});
+    Session session;
+    Scene scene = two_squares();
+    session.set(scene);
+    Frame frame;
+    session.render(from(0), small(), frame, context);
+    scene.materials[0].base_color = {0.1f, 0.9f, 0.3f, 1};
+    scene.nodes[1].local.translation = {-0.5, 0, 0.5};
+    session.set(scene);
+    session.render(from(0), small(), frame, context);
+    EXPECT_TRUE(same_bits(frame, render(scene, from(0), small(), context)));
+}
+
+TEST(Session, SettingsThatNeedAnotherPreparationGetIt) {
+    Context context({.threads = 1});
+    Session session;
+    session.set(two_squares());
+    const auto first = session.prepared(small(), context);
+    EXPECT_EQ(session.prepared(small(), context), first);
+    RenderSettings clockwise = small();
+    clockwise.front_face = FrontFace::clockwise;
+    EXPECT_NE(session.prepared(clockwise, context), first);
+    Frame frame;
+    session.render(from(0), clockwise, frame, context);
+    EXPECT_TRUE(same_bits(frame, render(two_squares(), from(0), clockwise, context)));
+}
+
+TEST(Session, APreparedSceneIsSharedAndDrawnAsItIs) {
+    Context context({.threads = 1});
+    Session maker;
+    Scene lit = two_squares();
+    lit.lights = {test::directional({0, 0, -1})};
+    maker.set(lit);
+    const auto prepared = maker.prepared(small(), context);
+    Counted other;
+    other.session.set(prepared);
+    other.draw();
+    EXPECT_EQ(other.engine.prepared.meshes, scene_of(*prepared).meshes);
+    EXPECT_EQ(other.engine.prepared.lights, lit.lights);
+}
+
+TEST(Session, APreparedSceneThatNobodyElseHasGoesToTheEngine) {
+    Context context({.threads = 1});
+    Session maker;
+    maker.set(two_squares());
+    auto prepared = maker.prepared(small(), context);
+    const Scene copy = scene_of(*prepared);
+    maker = Session();
+    Counted c;
+    c.session.set(std::move(prepared));
+    c.draw();
+    c.draw(from(0.4));
+    EXPECT_EQ(c.engine.times_prepared, 1);
+    EXPECT_EQ(c.engine.prepared.nodes, copy.nodes);
+    EXPECT_EQ(scene_of(*c.session.prepared(small(), context)).meshes, copy.meshes);
+    c.session.set(two_squares());
+    c.draw();
+    EXPECT_EQ(c.engine.times_prepared, 2);
+}
+
+TEST(Session, ACameraOfTheSceneMayHangFromANode) {
+    Context context({.threads = 1});
+    Scene scene = two_squares();
+    scene.nodes.push_back({.name = "eye"});
+    scene.nodes.back().local.translation = {0.3, 0, 5};
+    Camera camera;
+    camera.node = 2;
+    scene.cameras = {camera};
+    Session session;
+    session.set(scene);
+    Frame frame;
+    session.render(scene.cameras[0], small(), frame, context);
+    EXPECT_TRUE(same_bits(frame, render(scene, scene.cameras[0], small(), context)));
+}
+
+TEST(Session, WhatIsWrongLeavesTheSceneBefore) {
+    Counted c;
+    EXPECT_EQ(test::error_of([&] { c.draw(); }).reason(), "the session has no scene");
+    c.session.set(two_squares());
+    Scene broken = two_squares();
+    broken.nodes[0].meshes = {7};
+    EXPECT_EQ(test::error_of([&] { c.session.set(broken); }).code(), ErrorCode::bad_file);
+    EXPECT_EQ(test::error_of([&] { c.session.set(Scene{}); }).code(), ErrorCode::bad_file);
+    EXPECT_EQ(test::error_of([&] { c.session.set(std::shared_ptr<const PreparedScene>()); }).code(), ErrorCode::usage);
+    c.draw();
+    EXPECT_EQ(c.engine.prepared.nodes.size(), 2u);
+    EXPECT_EQ(test::error_of([] { Session("none of these"); }).code(), ErrorCode::usage);
+}
+
+TEST(Session, WhatAnEngineCannotDoIsRefusedByName) {
+    auto engine = std::make_unique<FakeEngine>();
+    engine->can = {.channels = channel_depth};
+    Session session(std::move(engine));
+    session.set(two_squares());
+    Context context({.threads = 1});
+    Frame frame;
+    const auto reason_of = [&](const auto& change) {
+        RenderSettings s = small();
+        change(s);
+        return test::error_of([&] { session.render(from(0), s, frame, context); }).reason();
+    };
+    EXPECT_EQ(reason_of([](RenderSettings& s) { s.channels = channel_depth | channel_overdraw; }),
+              "engine fake cannot give the data channel overdraw");
+    EXPECT_EQ(reason_of([](RenderSettings& s) { s.samples = 4; }), "engine fake cannot take 4 samples a pixel");
+    EXPECT_EQ(reason_of([](RenderSettings& s) { s.visibility = Visibility::painter; }),
+              "engine fake cannot remove hidden surfaces by another method than its own");
+    EXPECT_EQ(reason_of([](RenderSettings& s) { s.interpolation = AttributeInterpolation::screen; }),
+              "engine fake cannot interpolate attributes on the screen");
+    EXPECT_EQ(reason_of([](RenderSettings& s) { s.edges = true; }), "engine fake cannot draw edges and vertices");
+    EXPECT_EQ(reason_of([](RenderSettings& s) { s.shadows = true; }), "engine fake cannot draw shadows");
+    RenderSettings s = small();
+    s.channels = channel_depth;
+    EXPECT_NO_THROW(session.render(from(0), s, frame, context));
+}
+
+TEST(Session, MemoryIsFlatOverManyPictures) {
+    Context context({.threads = 1});
+    Session session;
+    session.set(two_squares());
+    Frame frame;
+    const auto draw = [&](int n) {
+        for (int i = 0; i < n; ++i) session.render(from(0.01 * (i % 50)), small(), frame, context);
+        return context.memory().charged();
+    };
+    const auto after_few = draw(60);
+    EXPECT_EQ(draw(240), after_few);
+}
+
+}  // namespace
+}  // namespace rakelight

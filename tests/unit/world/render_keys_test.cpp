@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys of [render] read and write the same fields.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include <rakelight/request.h>
+
+#include "support/thrown_error.h"
+
+namespace rakelight {
+namespace {
+
+WorldValue value(const std::string& key, std::vector<std::string> words) {
+    return {.key = key, .words = std::move(words)};
+}
+
+PictureRequest read(std::span<const WorldValue> values) {
+    PictureRequest request;
+    request.output = "picture.exr";
+    read_render_keys(values, request);
+    return request;
+}
+
+/// For each key words that are not its default, as they are written.
+const std::map<std::string, std::vector<std::string>> examples = {
+    {"engine", {"gl"}},
+    {"resolution", {"640,360"}},
+    {"window", {"1,2,30,40"}},
+    {"samples", {"4"}},
+    {"anisotropy", {"8"}},
+    {"background", {"#204080"}},
+    {"channels", {"depth,normal"}},
+    {"channel-files", {"layers,png"}},
+    {"exr-colors", {"half"}},
+    {"shading", {"gouraud", "material:a=b=flat", "object:wheel=unlit"}},
+    {"front-face", {"cw"}},
+    {"cull", {"back"}},
+    {"visibility", {"painter"}},
+    {"interpolation", {"screen"}},
+    {"edges", {"on"}},
+    {"wireframe", {"on"}},
+    {"point-sprites", {"on"}},
+    {"points", {"square"}},
+    {"line-width", {"1.5"}},
+    {"point-size", {"0.1"}},
+    {"line-color", {"0.25,0.5,1"}},
+    {"lighting", {"oren-nayar"}},
+    {"specular", {"normalized"}},
+    {"specular-horizon", {"off"}},
+    {"ward-form", {"duer"}},
+    {"multiple-scattering", {"on"}},
+    {"viewer-infinity", {"on"}},
+    {"bump", {"parallax-limited"}},
+    {"bump-terms", {"diffuse"}},
+    {"bump-depth", {"0.1"}},
+    {"bump-bias", {"0.3"}},
+    {"bump-polarity", {"depth"}},
+    {"bump-steps", {"4,16"}},
+    {"bump-refinement", {"7"}},
+    {"bump-self-shadow", {"on"}},
+    {"bump-silhouette", {"on"}},
+    {"tangent-space", {"vertex"}},
+    {"normalize-frames", {"off"}},
+    {"shadows", {"on"}},
+    {"shadow-size", {"512"}},
+    {"shadow-bias", {"0.7"}},
+    {"shadow-filter", {"3"}},
+    {"normals", {"model"}},
+    {"crease-angle", {"33.3"}},
+    {"weight", {"angle-area"}},
+    {"tangents", {"mikktspace"}},
+    {"orthogonalize", {"shader"}},
+    {"keep-instances", {"on"}},
+    {"uv", {"box"}},
+    {"displacement-edge", {"0.01"}},
+    {"displacement-triangles", {"5000"}},
+    {"subdivide-edge", {"0.2"}},
+    {"subdivide", {"3"}},
+    {"subdivide-scheme", {"loop"}},
+    {"subdivide-crease", {"30"}},
+    {"subdivide-sharpness", {"2.5"}},
+    {"subdivide-boundary", {"edge"}},
+    {"subdivide-uv", {"smooth"}},
+    {"view", {"isometric"}},
+    {"camera-index", {"front 2"}},
+    {"camera-position", {"1,2.5,-3e+20"}},
+    {"camera-focal-point", {"0,0.1,0"}},
+    {"camera-view-up", {"0,0,1"}},
+    {"camera-view-angle", {"40"}},
+    {"camera-horizontal-angle", {"66.6"}},
+    {"near", {"0.25"}},
+    {"far", {"1000"}},
+    {"camera-orthographic", {"on"}},
+    {"color", {"#ff8000"}},
+    {"opacity", {"0.5"}},
+    {"roughness", {"0.25"}},
+    {"metallic", {"1"}},
+    {"texture-base-color", {"a.png"}},
+    {"texture-normal", {"b.png"}},
+    {"height-map", {"c.png"}},
+    {"normal-scale", {"-2"}},
+    {"normal-map-green", {"down"}},
+    {"normal-map-zero", {"128"}},
+    {"material", {"clearcoat=0.5", "sheen_color=0.1,0.2,0.3"}},
+    {"light-intensity", {"2"}},
+    {"light-cutoff", {"0.001"}},
+    {"light",
+     {"point:0,2,3:color=1,0.9,0.8:specular=0,0,0:ambient=0.1,0.1,0.1:attenuation=1,0,0.25:range=7.5:shadow=off",
+      "directional:0,-1,0:color=0.5,0.5,0.5", "spot:1,2,3:direction=0,-1,0:cutoff=30:exponent=4", "ambient:0.1,0.2,0.3",
+      "photometric-spot:0,1,2:color=1,0,0:intensity=400:inner=10:outer=20",
+      "photometric-directional:0,0,-1:intensity=3"}},
+    {"fog", {"linear:2,30:color=#c0c8d0"}},
+    {"hdri-file", {"sky.hdr"}},
+    {"hdri-ambient", {"on"}},
+    {"hdri-skybox", {"off"}},
+    {"hdri-intensity", {"0.5"}},
+    {"hdri-rotation", {"-45"}},
+    {"tone-mapping", {"aces"}},
+    {"exposure", {"-1.5"}},
+};
+
+/// What another key has to say, too, for one to be taken.
+std::vector<WorldValue> with_company(const std::string& key) {
+    std::vector<WorldValue> values = {value(key, examples.at(key))};
+    if (key == "channel-files") values.push_back(value("channels", {"depth"}));
+    if (key.starts_with("subdivide-") && key != "subdivide-edge") values.push_back(value("subdivide", {"1"}));
+    return values;
+}
+
+TEST(RenderKeys, AreReadAndWrittenAgainEachByEach) {
+    for (const RenderKey& key : render_keys()) {
+        ASSERT_TRUE(examples.contains(key.name)) << key.name << " has no example here";
+        const PictureRequest request = read(with_company(key.name));
+        EXPECT_EQ(key.write(request), examples.at(key.name)) << key.name;
+        EXPECT_TRUE(key.write(PictureRequest{}).empty()) << key.name << " is as by default";
+        const std::vector<WorldValue> written = written_render_keys(request);
+        EXPECT_EQ(written_render_keys(read(written)), written) << key.name;
+    }
+    EXPECT_EQ(render_keys().size(), examples.size());
+}
+
+TEST(RenderKeys, AreReadInTheTablesOrderWhateverTheirOwn) {
+    const WorldValue edge = value("subdivide-edge", {"0.1"}), level = value("subdivide", {"2"});
+    for (const auto& values : {std::vector{edge, level}, {level, edge}})
+        EXPECT_EQ(read(values).prepare.subdivision.level, 2);
+    EXPECT_EQ(read(std::vector{edge}).prepare.subdivision.level, 8);
+    const WorldValue sprites = value("point-sprites", {"on"}), squares = value("points", {"square"});
+    for (const auto& values : {std::vector{sprites, squares}, {squares, sprites}})
+        EXPECT_EQ(read(values).settings.points, PointShape::square);
+}
+
+TEST(RenderKeys, WhatExcludesEachOtherNamesBoth) {
+    const auto fault_of = [](std::vector<WorldValue> values) {
+        PictureRequest request;
+        request.output = "a.png";
+        return test::error_of([&] { read_render_keys(values, request); });
+    };
+    const Error views = fault_of({value("view", {"top"}), value("camera-index", {"1"})});
+    EXPECT_EQ(views.setting(), "view");
+    EXPECT_EQ(views.related(), std::vector<std::string>{"camera-index"});
+    EXPECT_EQ(fault_of({value("view", {"top"}), value("camera-position", {"1,2,3"})}).setting(), "view");
+    EXPECT_EQ(fault_of({value("near", {"2"}), value("far", {"1"})}).setting(), "near");
+    EXPECT_EQ(fault_of({value("samples", {"4"}), value("visibility", {"painter"})}).setting(), "samples");
+    EXPECT_EQ(fault_of({value("window", {"0,0,2000,10"})}).setting(), "window");
+    EXPECT_EQ(fault_of({value("channel-files", {"png"})}).setting(), "channel-files");
+    EXPECT_EQ(fault_of({value("exr-colors", {"half"})}).setting(), "exr-colors");
+    EXPECT_EQ(fault_of({value("subdivide-uv", {"smooth"})}).setting(), "subdivide-uv");
+    EXPECT_EQ(fault_of({value("point-sprites", {"on"}), value("points", {"none"})}).setting(), "point-sprites");
+    EXPECT_EQ(fault_of({value("light", {"default", "ambient:1,1,1"})}).setting(), "light");
+    EXPECT_EQ(fault_of({value("light", {"point:0,0,0:exponent=2"})}).setting(), "light");
+    EXPECT_EQ(fault_of({value("shading", {"flat", "phong"})}).setting(), "shading");
+    EXPECT_EQ(fault_of({value("material", {"nonsense=1"})}).setting(), "material");
+    EXPECT_EQ(fault_of({value("channels", {"nonsense"})}).setting(), "channels");
+    EXPECT_NE(std::string(fault_of({value("crease_angle", {"1"})}).what()).find("did you mean 'crease-angle'?"),
+              std::string::npos);
+}
+
+TEST(RenderKeys, NumbersThatAreNotOrOutOfRangeAreRefused) {
+    for (const auto& [key, word] : std::vector<std::pair<std::string, std::string>>{{"crease-angle", "181"},
+                                                                                    {"near", "0"},
+                                                                                    {"near", "nan"},
+                                                                                    {"camera-view-angle", "180"},
+                                                                                    {"line-width", "257"},
+                                                                                    {"bump-steps", "9,8"},
+                                                                                    {"resolution", "0,1"},
+                                                                                    {"resolution", "65537,1"},
+                                                                                    {"exposure", "31"},
+                                                                                    {"shadow-size", "15"},
+                                                                                    {"color", "1,2,0"},
+                                                                                    {"fog", "linear:3,2"}}) {
+        const std::vector<WorldValue> values = {value(key, {word})};
+        EXPECT_EQ(test::error_of([&] { read(values); }).setting(), key) << word;
+    }
+    const std::vector<WorldValue> two = {value("near", {"1", "2"})};
+    EXPECT_EQ(test::error_of([&] { read(two); }).setting(), "near");
+}
+
+}  // namespace
+}  // namespace rakelight
