@@ -155,7 +155,7 @@ void add_parameters(Json& out, const ShadedLayer& layer) {
     if (t.sheen_alpha > 0) out["sheen"] = {{"color", list(t.sheen)}, {"alpha", double(t.sheen_alpha)}};
 }
 
-/// What only the full kernel has.
+/// What only some pictures have.
 void add_extras(Json& out, const raster::PixelTrace& t) {
     if (t.has_relief) out["texcoords_relief"] = {list(t.relief_texcoord[0]), list(t.relief_texcoord[1])};
     if (t.has_relief && t.relief_height >= 0) out["relief_height"] = double(t.relief_height);
