@@ -38,12 +38,4 @@ void add_values(std::span<const OptionEntry<Words>> table, const Words& words, s
         if (!(words.*entry.word).empty()) values.push_back({.key = entry.name + 2, .words = {words.*entry.word}});
 }
 
-/// The first of the options that was given; null: none.
-template <class Words>
-const char* first_given(std::span<const OptionEntry<Words>> table, const Words& words) {
-    for (const OptionEntry<Words>& entry : table)
-        if (!(words.*entry.word).empty()) return entry.name;
-    return nullptr;
-}
-
 }  // namespace rakelight::cli

@@ -47,13 +47,6 @@ void add_surface_options(CLI::App& app, SurfaceWords& words, const char* group) 
     add_table<W>(app, table, words, group);
 }
 
-const char* first_given(const SurfaceWords& words) { return first_given<W>(table, words); }
-
-void add_arguments(const SurfaceWords& words, std::vector<std::string>& arguments) {
-    for (const auto& entry : table)
-        if (!(words.*entry.word).empty()) arguments.push_back(std::string(entry.name) + "=" + words.*entry.word);
-}
-
 void add_values(const SurfaceWords& words, std::vector<WorldValue>& values) { add_values<W>(table, words, values); }
 
 }  // namespace rakelight::cli

@@ -24,12 +24,6 @@ struct SurfaceWords {
 /// @param group  of all of them in the help; null: each its own
 void add_surface_options(CLI::App& app, SurfaceWords& words, const char* group = nullptr);
 
-/// The name of one that was given; null: none was.
-const char* first_given(const SurfaceWords& words);
-
-/// Those that were given as arguments of a command line.
-void add_arguments(const SurfaceWords& words, std::vector<std::string>& arguments);
-
 /// What was given, by keys of [render].
 void add_values(const SurfaceWords& words, std::vector<WorldValue>& values);
 

@@ -71,8 +71,8 @@ struct RenderBenchOptions {
     std::vector<std::uint32_t> other_lights;      ///< of the built-in scene: also with so many, pictures interleaved
     std::vector<std::string> engines = {"soft"};  ///< see make_engine(); each once or more often
     std::uint32_t frames = 15;  ///< counted pictures of each engine, 1 to 10 000, after one that is not counted
-    RenderSettings settings = full_hd();  ///< back faces of the built-in scene are culled whatever it says
-    /// Of a scene file: its materials, normals, view, lights, surroundings and tone, as a picture of it would have
+    RenderSettings settings = full_hd();  ///< of the built-in scene back faces are culled unless it says else
+    /// Its materials, normals, view, lights, surroundings and tone, as a picture of the scene would have
     /// them. Input, load options, settings and output are those of here.
     PictureRequest picture;
     std::string output;       ///< picture file for what the first engine drew; empty: none
