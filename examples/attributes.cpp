@@ -33,6 +33,6 @@ int main() {
         return is_closed ? 0 : 1;
     } catch (const Error& error) {
         std::fprintf(stderr, "attributes: %s\n", error.what());
-        return exit_code(error.code());
+        return 1;
     }
 }

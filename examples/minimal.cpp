@@ -28,6 +28,6 @@ int main(int argc, char** argv) {
         return 0;
     } catch (const rakelight::Error& error) {
         std::fprintf(stderr, "minimal: %s\n", error.what());
-        return rakelight::exit_code(error.code());
+        return 1;
     }
 }

@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
         session.render(rakelight::choose_camera(scene, {}, aspect, context), settings, sink, context);
         for (const auto& [object, count] : sink.pixels())
             std::printf("%8d pixels: %s\n", count,
-                        object == rakelight::none ? "(background)" : scene.nodes[object].name.c_str());
+                        object == rakelight::no_index ? "(background)" : scene.nodes[object].name.c_str());
         return 0;
     } catch (const rakelight::Error& error) {
         std::fprintf(stderr, "own_sink: %s\n", error.what());

@@ -30,8 +30,8 @@ int main(int argc, char** argv) {
                 box.center() + dvec3{distance * std::sin(angle), 0.4 * distance, distance * std::cos(angle)};
             Camera camera;
             camera.to_world = look_at(from, box.center(), {0, 1, 0});
-            camera.far = 4 * distance;
-            camera.near = camera.far / 1000;
+            camera.z_far = 4 * distance;
+            camera.z_near = camera.z_far / 1000;
             session.render(camera, settings, frame, context);  // the default lights turn with the camera
             char name[32];
             std::snprintf(name, sizeof name, "/turntable-%03d.png", i);

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const rakelight::WorldFile world = rakelight::parse_world({reinterpret_cast<const char*>(data), size});
         for (const rakelight::Camera& camera : world.cameras)
-            if (!(camera.far > camera.near) || !std::isfinite(camera.to_world[3].x)) std::abort();
+            if (!(camera.z_far > camera.z_near) || !std::isfinite(camera.to_world[3].x)) std::abort();
         for (const rakelight::Light& light : world.lights)
             if (!std::isfinite(light.position.x) || !(light.diffuse.x >= 0)) std::abort();
         for (const rakelight::WorldModel& model : world.models)

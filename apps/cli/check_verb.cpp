@@ -1,46 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check_verb.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 
-#include <rakelight/world.h>
+#include <rakelight/tools/rows.h>
 
-#include "options.h"
+#include "../common/picture_options.h"
+#include "help_texts.h"
+#include "interrupt.h"
 #include "run_file.h"
 
 namespace rakelight::cli {
 
-void add_check_options(CLI::App& app, CheckWords& words) {
-    app.add_flag("--schema", words.schema, "Print the JSON schema of world files, for editors, and end")
-        ->group("Output");
+Command check_command() {
+    const Option schema = {"schema", "Output", "", "Print the JSON schema of world files, for editors, and end",
+                           apps::Form::flag};
+    return {"check",
+            "Say whether scene files load, and what they hold",
+            check_footer,
+            {{"SCENE", "Model files and world files", false}},
+            apps::joined({{schema}, apps::common_options()})};
 }
 
-int run_check(const Options& options) {
-    if (options.print_schema) {
+namespace {
+
+/// Reads [render] of a world, and holds it against the loaded scene; nothing for other files. @throws Error bad_file
+void check_render(const Run& run, const std::string& input, const Scene& scene, Context& context) {
+    if (!is_world_file(input)) return;
+    const auto takes = [](std::string_view key) { return refuse_options_of_the_run(key), true; };
+    const WorldRequest world = read_world_request(input, run.picture.load, {.values = {}, .takes = takes}, context);
+    try {
+        check_engine(world.picture.engine);
+        check_picture(scene, world.picture, context);
+    } catch (const Error& error) {
+        throw at_world_value(error, world);
+    }
+}
+
+}  // namespace
+
+int run_check(const Run& run) {
+    if (run.given.has("schema")) {
         print_data(world_schema());
         return 0;
     }
-    if (options.inputs.empty()) throw Error(ErrorCode::usage, "check needs a scene", {}, "see rakelight check --help");
+    if (run.inputs.empty()) throw Error(ErrorCode::usage, "check needs a scene", {}, "see rakelight check --help");
     std::vector<CheckRow> rows;
     int worst = 0;
-    for (const std::string& file : options.inputs) {
+    for (const std::string& file : run.inputs) {
         CheckRow& row = rows.emplace_back();
         row.file = file;
         if (CancelOnInterrupt::happened()) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(file);
             continue;
         }
-        const int code = run_file(options, file, row, [&](Context& context) {
-            const Scene scene = load(file, options.picture.load, context);
-            check_world_options(options, file, scene, context);
+        const int code = run_file(run, file, row, [&](Context& context) {
+            const Scene scene = load(file, run.picture.load, context);
+            check_render(run, file, scene, context);
             row.summary = summarize(scene);
         });
         worst = std::max(worst, code);
-        if (!options.json && row.summary) print_text(to_text(file, *row.summary));
+        if (!run.is_json && row.summary) print_text(to_text(file, *row.summary));
     }
-    if (options.json) print_data(to_json(rows));
+    if (run.is_json) print_data(to_json(rows));
     return worst;
 }
 

@@ -44,11 +44,19 @@ void print_remark(bool is_note, const std::string& text) {
         print_line("warning", "\033[33m", text);
 }
 
+/// The text with the settings that it names, 'camera-index', as options: --camera-index.
+std::string with_options(std::string text, const std::vector<std::string>& settings) {
+    for (const std::string& setting : settings)
+        for (std::size_t at; (at = text.find("'" + setting + "'")) != text.npos;)
+            text.replace(at, setting.size() + 2, "--" + setting);
+    return text;
+}
+
 std::string text_of(const ReportEntry& r) {
     std::string text;
     if (!r.file.empty()) text += one_line(r.file) + ": ";
     if (!r.place.empty() && r.place != r.file) text += one_line(r.place, 120) + ": ";
-    text += one_line(r.message, max_text);
+    text += with_options(one_line(r.message, max_text), r.settings);
     if (r.count > 1) text += " (" + std::to_string(r.count) + " times)";
     return text;
 }
@@ -57,7 +65,7 @@ std::string text_of(const ReportEntry& r) {
 /// the rest, each in its order.
 void most_important_first(std::vector<ReportEntry>& remarks) {
     const auto rank = [](const ReportEntry& r) {
-        const bool is_asked = r.file.ends_with(".scene.toml") || r.file.empty() || r.message.starts_with("--");
+        const bool is_asked = r.file.ends_with(".scene.toml") || r.file.empty();
         return is_asked ? 0 : r.remark == Remark::dropped ? 1 : 2;
     };
     std::stable_sort(remarks.begin(), remarks.end(),
@@ -70,12 +78,9 @@ double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock:
 
 std::string text_of(const Error& error) {
     std::string text = error.what();
-    if (error.setting().empty()) return text;
-    if (const std::size_t at = text.find(one_line(error.setting(), 60) + ": "); at != text.npos) text.insert(at, "--");
-    for (const std::string& other : error.related())  // named as settings are: 'camera-index'
-        for (std::size_t at; (at = text.find("'" + other + "'")) != text.npos;)
-            text.replace(at, other.size() + 2, "--" + other);
-    return text;
+    const std::size_t at = error.setting().empty() ? text.npos : text.find(one_line(error.setting(), 60) + ": ");
+    if (at != text.npos) text.insert(at, "--");
+    return with_options(std::move(text), error.related());
 }
 
 void print_error(const Error& error) { print_line("error", "\033[31m", text_of(error)); }

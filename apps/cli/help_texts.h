@@ -4,6 +4,9 @@
 
 namespace rakelight::cli {
 
+inline constexpr const char* models_help =
+    "Model files, world files (*.scene.toml), or builtin:teapot, builtin:sphere:tolerance=0.01, ...";
+
 inline constexpr const char* main_footer = R"(Examples:
   rakelight render helmet.glb -o helmet.png
   rakelight render builtin:teapot -o teapot.png --view isometric

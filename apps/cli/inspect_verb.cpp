@@ -1,90 +1,151 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inspect_verb.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 
-#include "options.h"
+#include <rakelight/tools/exit_code.h>
+#include <rakelight/tools/rows.h>
+#include <rakelight/tools/values.h>
+
+#include "../common/picture_options.h"
+#include "help_texts.h"
+#include "interrupt.h"
 #include "run_file.h"
-#include "values.h"
 
 namespace rakelight::cli {
+namespace {
 
-void add_inspect_options(CLI::App& app, InspectWords& w) {
-    const auto add = [&](const char* group, const char* name, std::string& value, const char* type, const char* help) {
-        app.add_option(name, value, help)->type_name(type)->group(group);
+using enum apps::Form;
+
+/// A limit of --check about surfaces.
+struct Limit {
+    const char* name;
+    bool CheckLimits::*member;
+    const char* help;
+};
+constexpr Limit limits_of_surfaces[] = {
+    {"no-degenerate", &CheckLimits::no_degenerate, "No triangle without area"},
+    {"no-t-junctions", &CheckLimits::no_t_junctions, "No vertex on the inside of another face's open edge"},
+    {"no-non-manifold", &CheckLimits::no_non_manifold, "No edge of three or more faces"},
+    {"consistent-winding", &CheckLimits::consistent_winding, "No edge whose two faces go along it the same way"},
+    {"no-inside-out", &CheckLimits::no_inside_out, "No closed body, of one or several objects, that looks inwards"},
+    {"closed", &CheckLimits::closed, "Every object closed: no edge of one face"},
+    {"unit-normals", &CheckLimits::unit_normals, "No zero, non-finite or non-unit normal in the file"},
+};
+
+std::vector<Option> normal_options() {
+    std::vector<Option> all = apps::picture_options(), options;
+    apps::find(all, "normals").help =
+        "Whose normals are looked at: auto (default: the file's, smoothed per object where it has none), file (else "
+        "flat), flat, object, model";
+    for (const char* name : {"normals", "crease-angle", "weight", "tangents", "orthogonalize", "keep-instances"})
+        options.push_back(apps::find(all, name));
+    return options;
+}
+
+std::vector<Option> own_options() {
+    std::vector<Option> options = {
+        {"weld-distance", "Normals", "M",
+         "Positions at most this far apart [m] count as one (default: equal, but for rounding)"},
+        {"no-borders", "Normals", "", "Do not look for the borders that objects share", flag},
+        {"no-surfaces", "Normals", "", "Do not look at edges, faces and normals of each object", flag},
+        {"check", "Check", "", "Only pass or fail: exit code 5 past the limit of --max-seam or one asked for below",
+         flag},
+        {"max-seam", "Check", "DEG", "Largest seam between two objects (default 1; 180 allows any)"},
     };
-    const auto flag = [&](const char* group, const char* name, bool& value, const char* help) {
-        app.add_flag(name, value, help)->group(group);
-    };
-    add_normal_options(
-        app,
-        "Whose normals are looked at: auto (default: the file's, smoothed per object where it has none), "
-        "file (else flat), flat, object, model",
-        w.render);
-    add("Normals", "--weld-distance", w.weld_distance, "M",
-        "Positions at most this far apart [m] count as one (default: equal, but for rounding)");
-    flag("Normals", "--no-borders", w.no_borders, "Do not look for the borders that objects share");
-    flag("Normals", "--no-surfaces", w.no_surfaces, "Do not look at edges, faces and normals of each object");
-    const char* const check = "Check";
-    flag(check, "--check", w.check,
-         "Only pass or fail: exit code 5 past the limit of --max-seam or one asked for below");
-    add(check, "--max-seam", w.max_seam, "DEG", "Largest seam between two objects (default 1; 180 allows any)");
-    flag(check, "--no-degenerate", w.no_degenerate, "No triangle without area");
-    flag(check, "--no-t-junctions", w.no_t_junctions, "No vertex on the inside of another face's open edge");
-    flag(check, "--no-non-manifold", w.no_non_manifold, "No edge of three or more faces");
-    flag(check, "--consistent-winding", w.consistent_winding, "No edge whose two faces go along it the same way");
-    flag(check, "--no-inside-out", w.no_inside_out, "No closed body, of one or several objects, that looks inwards");
-    flag(check, "--closed", w.closed, "Every object closed: no edge of one face");
-    flag(check, "--unit-normals", w.unit_normals, "No zero, non-finite or non-unit normal in the file");
-    add("Heat map", "--heatmap", w.heat_map, "FILE",
-        "Write a picture of the seams, colored by their angle. {model} stands for the model's name");
-    add("Heat map", "--resolution", w.render.resolution, "W,H", "Its size in pixels, also WxH (default 1280,720)");
-    add_view_options(app, "Heat map", w.render);
+    for (const Limit& limit : limits_of_surfaces) options.push_back({limit.name, "Check", "", limit.help, flag});
+    options.push_back({"heatmap", "Heat map", "FILE",
+                       "Write a picture of the seams, colored by their angle. {model} stands for the model's name"});
+    return options;
+}
+
+/// How the heat map is seen.
+std::vector<Option> heat_map_options() {
+    std::vector<Option> options;
+    for (Option& option : apps::picture_options()) {
+        const std::string_view name = option.name;
+        if (name != "resolution" && std::string_view(option.group) != "Camera") continue;
+        option.group = "Heat map";
+        if (name == "resolution") option.help = "Its size in pixels, also WxH (default 1280,720)";
+        options.push_back(option);
+    }
+    return options;
+}
+
+}  // namespace
+
+Command inspect_command() {
+    return {"inspect",
+            "Say what is in models: objects, materials, textures, seams",
+            inspect_footer,
+            {{"MODEL", models_help}},
+            apps::joined({normal_options(), own_options(), heat_map_options(), apps::common_options()})};
 }
 
 namespace {
 
-void apply_limits(const InspectWords& w, InspectRequest& request) {
+std::optional<CheckLimits> limits_of(const Given& given) {
     CheckLimits limits;
-    limits.no_degenerate = w.no_degenerate, limits.no_t_junctions = w.no_t_junctions;
-    limits.no_non_manifold = w.no_non_manifold, limits.consistent_winding = w.consistent_winding;
-    limits.no_inside_out = w.no_inside_out, limits.closed = w.closed, limits.unit_normals = w.unit_normals;
-    const bool of_surfaces = w.no_degenerate || w.no_t_junctions || w.no_non_manifold || w.consistent_winding ||
-                             w.no_inside_out || w.closed || w.unit_normals;
-    if (!w.check && (of_surfaces || !w.max_seam.empty()))
+    bool of_surfaces = false;
+    for (const Limit& limit : limits_of_surfaces) of_surfaces |= limits.*limit.member = given.has(limit.name);
+    const bool has_seam = given.has("max-seam"), no_borders = given.has("no-borders");
+    if (!given.has("check")) {
+        if (!of_surfaces && !has_seam) return {};
         throw Error(ErrorCode::usage, "limits are for --check", {}, "add --check");
-    if (!w.check) return;
-    if (of_surfaces && w.no_surfaces)
+    }
+    if (of_surfaces && given.has("no-surfaces"))
         throw Error(ErrorCode::usage, "--no-surfaces leaves nothing to check the limits of surfaces by");
-    if (w.no_borders && !w.max_seam.empty())
-        throw Error(ErrorCode::usage, "--no-borders and --max-seam exclude each other");
-    if (w.no_borders) limits.max_seam_deg.reset();
-    if (!w.max_seam.empty()) limits.max_seam_deg = number("max-seam", w.max_seam);
+    if (no_borders && has_seam) throw Error(ErrorCode::usage, "--no-borders and --max-seam exclude each other");
+    if (no_borders) limits.max_seam_deg.reset();
+    if (has_seam) limits.max_seam_deg = values::number("max-seam", given.word("max-seam"));
     if (limits.max_seam_deg && !(*limits.max_seam_deg >= 0 && *limits.max_seam_deg <= 180))
-        throw wrong("max-seam", "must be 0 to 180 degrees");
-    request.check = limits;
+        throw values::wrong("max-seam", "must be 0 to 180 degrees");
+    return limits;
+}
+
+void check_heat_map(const Run& run) {
+    const RenderSettings& s = run.picture.settings;
+    if (!run.given.has("heatmap")) {
+        if (run.picture.view.is_placed() || !run.given.first_of({"resolution", "view", "camera-index"}).empty())
+            throw Error(ErrorCode::usage, "the view and its resolution are for --heatmap", {}, "add --heatmap FILE");
+        return;
+    }
+    if (run.given.has("no-borders")) throw Error(ErrorCode::usage, "--no-borders and --heatmap exclude each other");
+    constexpr std::int64_t most_pixels = 1 << 26;  // it is kept whole, 28 bytes a pixel
+    if (std::int64_t(s.width) * s.height > most_pixels)
+        throw values::wrong("resolution", "a heat map has at most 64 million pixels");
+}
+
+InspectOptions options_of(const Given& given) {
+    InspectOptions options;
+    options.borders = !given.has("no-borders");
+    options.surfaces = !given.has("no-surfaces");
+    options.seam_lines = given.has("heatmap");
+    if (given.has("weld-distance")) {
+        options.weld_distance = values::number("weld-distance", given.word("weld-distance"));
+        if (!(options.weld_distance >= 0)) throw values::wrong("weld-distance", "must be 0 or more");
+    }
+    return options;
 }
 
 /// The work on one file.
-void inspect_file(const Options& options, const PictureRequest& picture, InspectionRow& row, Context& context) {
+void inspect_file(const PictureRequest& picture, InspectOptions options, const std::optional<CheckLimits>& limits,
+                  InspectionRow& row, Context& context) {
     const Scene scene = load(picture.input, picture.load, context);
-    InspectOptions inspected = options.inspect.options;
-    inspected.prepare = picture.prepare;  // a world's [render] may say something of its normals
-    row.inspection = inspect(scene, inspected, context);
-    if (options.inspect.check) row.check = check_limits(*row.inspection, *options.inspect.check);
+    options.prepare = picture.prepare;
+    row.inspection = inspect(scene, options, context);
+    if (limits) row.check = check_limits(*row.inspection, *limits);
     if (picture.output.empty()) return;
-    save(draw_seams(scene, *row.inspection, inspected, picture.view, picture.settings, context), picture.output);
+    save(draw_seams(scene, *row.inspection, options, picture.view, picture.settings, context), picture.output);
     row.heat_map = picture.output;
     row.inspection->seam_lines = {};
 }
 
 /// What is said of a model on standard output: of one that is only checked that it passed, of others all tables.
-std::string said(const Options& options, const InspectionRow& row, bool is_first) {
-    if (!row.check || options.loudness == Loudness::verbose) return (is_first ? "" : "\n") + to_text(*row.inspection);
-    if (!row.check->empty() || options.loudness == Loudness::quiet) return {};
-    return one_line(row.file) + ": passed: " + to_text(*options.inspect.check) + "\n";
+std::string text_of(const Run& run, const InspectionRow& row, const std::optional<CheckLimits>& limits, bool is_first) {
+    if (!row.check || run.loudness == Loudness::verbose) return (is_first ? "" : "\n") + to_text(*row.inspection);
+    if (!row.check->empty() || run.loudness == Loudness::quiet) return {};
+    return one_line(row.file) + ": passed: " + to_text(*limits) + "\n";
 }
 
 /// One line a limit; returns the exit code.
@@ -95,43 +156,29 @@ int print_failures(const InspectionRow& row) {
     return exit_code(ErrorCode::check_failed);
 }
 
-}  // namespace
-
-void apply(const InspectWords& w, InspectRequest& request, PictureRequest& picture) {
-    picture.output = w.heat_map;
-    request.options.borders = !w.no_borders;
-    request.options.surfaces = !w.no_surfaces;
-    request.options.seam_lines = !w.heat_map.empty();
-    request.options.prepare = picture.prepare;
-    if (!w.weld_distance.empty()) {
-        request.options.weld_distance = number("weld-distance", w.weld_distance);
-        if (!(request.options.weld_distance >= 0)) throw wrong("weld-distance", "must be 0 or more");
+/// The heat map is the picture.
+std::vector<InputRequest> requests_of(Run run) {
+    std::vector<InputRequest> requests;
+    run.picture.output = run.given.word("heatmap");
+    if (run.picture.output.empty()) {
+        for (const std::string& file : run.inputs) requests.push_back(request_for(run, file));
+        return requests;
     }
-    apply_limits(w, request);
-    if (w.heat_map.empty()) {
-        if (!w.render.resolution.empty() || picture.view.is_placed() || !w.render.view.empty() ||
-            !w.render.camera.empty())
-            throw Error(ErrorCode::usage, "the view and its resolution are for --heatmap", {}, "add --heatmap FILE");
-        return;
-    }
-    if (w.no_borders) throw Error(ErrorCode::usage, "--no-borders and --heatmap exclude each other");
-    constexpr std::int64_t most_pixels = 1 << 26;  // it is kept whole, 28 bytes a pixel
-    if (std::int64_t(picture.settings.width) * picture.settings.height > most_pixels)
-        throw wrong("resolution", "a heat map has at most 64 million pixels");
+    requests = picture_requests(run);
+    for (const InputRequest& request : requests)
+        if (!request.error) check_request(request.picture);
+    return requests;
 }
 
-int run_inspect(const Options& options) {
-    std::vector<InputRequest> pictures;
-    if (!options.picture.output.empty()) {
-        pictures = picture_requests(options);
-        for (const InputRequest& picture : pictures)
-            if (!picture.error) check_request(picture.picture);
-    } else {
-        for (const std::string& file : options.inputs) pictures.push_back(request_for(options, file));
-    }
+}  // namespace
+
+int run_inspect(const Run& run) {
+    const InspectOptions inspected = options_of(run.given);
+    const std::optional<CheckLimits> limits = limits_of(run.given);
+    check_heat_map(run);
     std::vector<InspectionRow> rows;
     int worst = 0;
-    for (const InputRequest& input : pictures) {
+    for (const InputRequest& input : requests_of(run)) {
         const PictureRequest& picture = input.picture;
         InspectionRow row{.file = picture.input};
         if (CancelOnInterrupt::happened()) {
@@ -139,17 +186,17 @@ int run_inspect(const Options& options) {
             rows.push_back(std::move(row));
             continue;
         }
-        worst = std::max(worst,
-                         run_input(options, input, row, [&](Context& c) { inspect_file(options, picture, row, c); }));
-        if (!options.json && row.inspection) print_text(said(options, row, rows.empty()));
+        worst = std::max(
+            worst, run_input(run, input, row, [&](Context& c) { inspect_file(picture, inspected, limits, row, c); }));
+        if (!run.is_json && row.inspection) print_text(text_of(run, row, limits, rows.empty()));
         worst = std::max(worst, print_failures(row));
         if (!row.heat_map.empty())
             print_note(
                 row.heat_map + ": seams from 0.01 degrees dark blue over 1 violet, 5 red, 20 orange to 60 yellow",
-                options.loudness);
+                run.loudness);
         rows.push_back(std::move(row));
     }
-    if (options.json) print_data(to_json(rows));
+    if (run.is_json) print_data(to_json(rows));
     return worst;
 }
 

@@ -9,7 +9,7 @@
 
 #include <atomic>
 
-#include <rakelight/unfinished_outputs.h>
+#include <rakelight/tools/unfinished_outputs.h>
 
 #include "console.h"
 

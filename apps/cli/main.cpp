@@ -1,70 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program `rakelight`. What the verbs do is the library's; here are files in, messages out and the exit code.
-#include <algorithm>
+// The program `rakelight`. What the commands do is the library's; here are files in, messages out and the exit code.
+#include <rakelight/tools/exit_code.h>
 
-#include <rakelight/rakelight.h>
-
-#include "console.h"
+#include "bench_verb.h"
+#include "check_verb.h"
+#include "explain_verb.h"
+#include "help_texts.h"
+#include "inspect_verb.h"
 #include "interrupt.h"
-#include "options.h"
+#include "render_verb.h"
 #include "run_file.h"
-#include "stats_text.h"
+#include "smooth_verb.h"
+#include "stages_verb.h"
 #include "version_text.h"
 
 namespace rakelight::cli {
 namespace {
 
-/// The error of an input that a signal came before.
-Error not_begun(const std::string& file) { return Error(ErrorCode::failed, "cancelled").with_file(file); }
-
-int run_render(const Options& options) {
-    const std::vector<InputRequest> requests = picture_requests(options);
-    for (const InputRequest& request : requests)
-        if (!request.error) check_request(request.picture);
-    std::vector<PictureRow> rows;
-    int worst = 0;
-    for (const InputRequest& input : requests) {
-        const PictureRequest& request = input.picture;
-        PictureRow& row = rows.emplace_back();
-        row.result = {.file = request.input, .output = request.output};
-        if (CancelOnInterrupt::happened()) {
-            row.error = not_begun(request.input);
-            continue;
-        }
-        const int code = run_input(options, input, row, [&](Context& c) { row.result = render_picture(request, c); });
-        if (code == 0) print_note(summary(row.result), options.loudness);
-        if (code == 0 && options.stats && !options.json) print_text(stats_text(row.result));
-        worst = std::max(worst, code);
-    }
-    if (options.json) print_data(to_json(rows));
-    return worst;
-}
+constexpr int (*runs[])(const Run&) = {run_render,  run_inspect, run_smooth, run_bench,
+                                       run_explain, run_stages,  run_check};
 
 int run(int argc, const char* const* argv) {
-    const Options options = parse(argc, argv);
-    switch (options.verb) {
-        case Verb::help:
-            print_data(options.help);
-            return 0;
-        case Verb::version:
-            print_data(version_text());
-            return 0;
-        case Verb::render:
-            return run_render(options);
-        case Verb::inspect:
-            return run_inspect(options);
-        case Verb::explain:
-            return run_explain(options);
-        case Verb::stages:
-            return run_stages(options);
-        case Verb::bench:
-            return run_bench(options);
-        case Verb::smooth:
-            return run_smooth(options);
-        case Verb::check:
-            return run_check(options);
+    const std::vector<Command> commands = {render_command(),  inspect_command(), smooth_command(), bench_command(),
+                                           explain_command(), stages_command(),  check_command()};
+    const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",
+                                main_footer, commands};
+    apps::CommandLine line = apps::read_command_line(program, argc, argv);
+    if (!line.help.empty() || line.is_version) {
+        print_data(line.is_version ? version_text() : line.help);
+        return 0;
     }
-    return 0;
+    const std::size_t number = line.command;
+    return runs[number](run_of(commands[number], std::move(line)));
 }
 
 }  // namespace

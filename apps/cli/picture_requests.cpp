@@ -6,7 +6,7 @@
 
 #include <rakelight/world.h>
 
-#include "options.h"
+#include "run.h"
 
 namespace rakelight::cli {
 namespace {
@@ -19,27 +19,27 @@ void check_template(const std::string& output) {
             throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "': only {model} is filled in");
 }
 
-Error no_name_for_each(Verb verb) {
-    if (verb == Verb::smooth)
+Error no_name_for_each(std::string_view command) {
+    if (command == "smooth")
         return Error(ErrorCode::usage, "several models need a name for each output", {},
                      "write for example -o 'out/{model}.glb'");
-    if (verb == Verb::stages)
+    if (command == "stages")
         return Error(ErrorCode::usage, "several models need a name for each folder", {},
                      "write for example -o 'out/{model}'");
     return Error(ErrorCode::usage, "several models need a name for each picture", {},
-                 verb == Verb::inspect ? "write for example --heatmap 'out/{model}.png'"
-                                       : "write for example -o 'out/{model}.png'");
+                 command == "inspect" ? "write for example --heatmap 'out/{model}.png'"
+                                      : "write for example -o 'out/{model}.png'");
 }
 
 }  // namespace
 
-std::vector<InputRequest> picture_requests(const Options& options) {
+std::vector<InputRequest> picture_requests(const Run& run) {
     constexpr std::string_view mark = "{model}";
     std::vector<InputRequest> requests;
-    check_template(options.picture.output);
+    check_template(run.picture.output);
     std::map<std::string, std::string> inputs_of;  // output -> input
-    for (const std::string& input : options.inputs) {
-        InputRequest whole = request_for(options, input);
+    for (const std::string& input : run.inputs) {
+        InputRequest whole = request_for(run, input);
         PictureRequest& request = whole.picture;
         std::string stem =
             input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
@@ -50,7 +50,7 @@ std::vector<InputRequest> picture_requests(const Options& options) {
         for (std::size_t at = 0; (at = request.output.find(mark, at)) != std::string::npos;
              at += stem.size(), replaced = true)
             request.output.replace(at, mark.size(), stem);
-        if (options.inputs.size() > 1 && !replaced) throw no_name_for_each(options.verb);
+        if (run.inputs.size() > 1 && !replaced) throw no_name_for_each(run.command.name);
         const auto [entry, is_new] =
             inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
         if (!is_new)

@@ -3,21 +3,22 @@
 #pragma once
 #include <functional>
 
-#include <rakelight/current_error.h>
+#include <rakelight/tools/current_error.h>
+#include <rakelight/tools/exit_code.h>
 #include <string>
 
 #include "console.h"
 #include "interrupt.h"
-#include "options.h"
+#include "run.h"
 
 namespace rakelight::cli {
 
 /// Runs the work of one file with a context of its own; fills the remarks and the error of `row`. Returns the exit
 /// code.
 template <class Row>
-int run_file(const Options& options, const std::string& file, Row& row, const std::function<void(Context&)>& work) {
-    ProgressLine progress(file, options.loudness);
-    Context context({.threads = options.threads, .max_memory = options.max_memory, .progress = progress.callback()});
+int run_file(const Run& run, const std::string& file, Row& row, const std::function<void(Context&)>& work) {
+    ProgressLine progress(file, run.loudness);
+    Context context({.threads = run.threads, .max_memory = run.max_memory, .progress = progress.callback()});
     const CancelOnInterrupt guard(context, file);
     try {
         work(context);
@@ -27,21 +28,21 @@ int run_file(const Options& options, const std::string& file, Row& row, const st
     progress.wipe();
     row.remarks = context.report().entries();
     row.remarks_left_out = context.report().left_out();
-    print_remarks(context.report(), options.loudness);
+    print_remarks(context.report(), run.loudness);
     if (row.error) print_error(*row.error);
     return row.error ? exit_code(row.error->code()) : 0;
 }
 
 /// The same of a request; faults of options carry their place in the world file.
 template <class Row>
-int run_input(const Options& options, const InputRequest& input, Row& row, const std::function<void(Context&)>& work) {
-    return run_file(options, input.picture.input, row, [&](Context& context) {
+int run_input(const Run& run, const InputRequest& input, Row& row, const std::function<void(Context&)>& work) {
+    return run_file(run, input.picture.input, row, [&](Context& context) {
         if (input.error) throw *input.error;
         try {
             work(context);
         } catch (const Error& error) {
             if (!input.world) throw;
-            throw at_option(error, *input.world, options.arguments);
+            throw at_world_value(error, *input.world);
         }
     });
 }

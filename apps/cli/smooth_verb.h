@@ -1,31 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// `rakelight smooth`: its options, and the verb itself.
+// `rakelight smooth`: models written back with seam-free normals and tangents.
 #pragma once
-#include <string>
-
-#include <rakelight/smooth_file.h>
-
-namespace CLI {
-class App;
-}
+#include "run.h"
 
 namespace rakelight::cli {
 
-struct Options;
-
-/// The words as given; empty where not given.
-struct SmoothWords {
-    std::string output, scope, crease_angle, weight, weld_distance, tangents;
-    bool keep_instances = false;
-};
-
-/// Declares the options with their help. `words` must live until the command line is read.
-void add_smooth_options(CLI::App& app, SmoothWords& words);
-
-/// @throws Error usage
-void apply(const SmoothWords& words, SmoothFileOptions& options);
+Command smooth_command();
 
 /// Smooths each input to its output; returns the exit code.
-int run_smooth(const Options& options);
+int run_smooth(const Run& run);
 
 }  // namespace rakelight::cli

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// `rakelight stages`: its options, and the verb itself.
+// `rakelight stages`: what each stage makes of a model, as a page.
 #pragma once
-#include <rakelight/stages.h>
-
-#include "render_options.h"
-
-namespace CLI {
-class App;
-}
+#include "run.h"
 
 namespace rakelight::cli {
 
-struct Options;
-
-/// Declares the options with their help. `words` must live until the command line is read.
-void add_stages_options(CLI::App& app, RenderWords& words);
+Command stages_command();
 
 /// Writes the stages of each input; returns the exit code.
-int run_stages(const Options& options);
+int run_stages(const Run& run);
 
 }  // namespace rakelight::cli

@@ -18,7 +18,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include <rakelight/current_error.h>
+#include <rakelight/tools/current_error.h>
 
 #include "convert.h"
 #include "folder_io.h"

@@ -72,7 +72,7 @@ GlScene::GlScene(const Scene& scene, Shading shading, Bump bump, double aspect, 
     glUseProgram(program_);
     const auto place = [&](const char* name) { return glGetUniformLocation(program_, name); };
     const Camera& camera = scene.cameras[0];
-    mat4 projection = cast<float>(perspective(camera.vertical_fov_rad, aspect, camera.near, camera.far));
+    mat4 projection = cast<float>(perspective(camera.vertical_fov_rad, aspect, camera.z_near, camera.z_far));
     for (std::size_t c = 0; c < 4; ++c) projection[c].y = -projection[c].y;  // on its head: fronts turn clockwise
     glFrontFace(GL_CW);
     glUniformMatrix4fv(place("projection"), 1, GL_FALSE, &projection[0].x);

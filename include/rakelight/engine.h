@@ -142,8 +142,6 @@ struct RenderSettings {
 struct Tile {
     Window area;
     std::span<const vec4> color;  ///< linear RGB, not clamped; alpha is coverage of the background's complement
-    std::span<const std::uint32_t>
-        srgb8;  ///< in place of `color` for sinks that take it: R in the low byte, straight alpha
     std::span<const float> depth;
     std::span<const vec3> normal;
     std::span<const std::uint32_t> object, material;
@@ -155,35 +153,14 @@ struct Tile {
     std::span<const vec3> base_color, ambient, diffuse, specular, emission;
 };
 
-/// Rows of display values in a sink's own memory: R in the low byte, straight alpha.
-struct DisplayRows {
-    std::uint32_t* first = nullptr;  ///< null: there are none
-    std::size_t stride = 0;          ///< [px] from row to row
-};
-
 /// Takes finished tiles. Bit-equal results whatever the order of the tiles. Progressive engines deliver passes.
 class Sink {
 public:
     virtual ~Sink() = default;
     /// Before the first tile: size of the whole picture, the window, the channels that will come.
     virtual void begin(int width, int height, Window window, std::uint32_t channels) = 0;
-    /// Whether tiles should come as 8-bit display values, clamped and correctly rounded, in place of linear colors.
-    virtual bool takes_srgb8() const { return false; }
-    /// Where display values of a rectangle may be made (written, and read again), by sinks that take them; its tile()
-    /// then comes without colors. From any thread, for rectangles as in tile().
-    virtual DisplayRows display_rows(const Window& area) {
-        (void)area;
-        return {};
-    }
     /// From any thread, several at once, never two with a common pixel in the same pass.
     virtual void tile(const Tile& tile) = 0;
-    /// How many rows this sink holds at once: 0 all of the window, else 64 or more. Asked after begin(). Engines
-    /// deliver the window in strips of at most so many rows, from the top: all tiles of a strip, rows_done(), then the
-    /// next strip.
-    virtual int rows_at_once() const { return 0; }
-    /// After all tiles of a strip, from the thread that called render(): `rows` rows of the picture from row `first`
-    /// are there.
-    virtual void rows_done(int first, int rows) { (void)first, (void)rows; }
     /// After all tiles of a pass, from the thread that called render().
     virtual void end_pass(int pass) = 0;
 };

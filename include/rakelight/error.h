@@ -16,9 +16,6 @@ enum class ErrorCode {
     check_failed,  ///< 5: a check found problems
 };
 
-/// Exit code of the program for an error, 1 to 5.
-int exit_code(ErrorCode code) noexcept;
-
 /// Bad input or environment. `what()` is one printable line: "FILE: PLACE: SETTING: REASON; ADVICE", absent parts left out,
 /// control characters replaced, at most 600 bytes. Never thrown for programming mistakes (those assert).
 class Error : public std::exception {
@@ -46,6 +43,8 @@ public:
     Error at(const std::string& place) const;
     /// The same error about a setting, in place of another one that it was about.
     Error about(const std::string& setting, std::vector<std::string> related = {}) const;
+    /// The same error whose text names settings in quotes.
+    Error naming(std::vector<std::string> settings) const;
 
 private:
     void compose();

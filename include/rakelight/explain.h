@@ -29,17 +29,4 @@ vec4 color_of(const ExplainedPixel& pixel);
 /// For people: lines that end with line feeds. Numbers are written with as many digits as tell the float apart.
 std::string to_text(const ExplainedPixel& pixel);
 
-/// A row of the program's JSON: what was found, or the error instead.
-struct ExplainRow {
-    std::string file;
-    int x = 0, y = 0;
-    std::shared_ptr<const ExplainedPixel> pixel;
-    std::vector<ReportEntry> remarks;
-    std::uint64_t remarks_left_out = 0;
-    std::optional<Error> error;
-};
-
-/// {"schema": "rakelight.explain/1", "rows": [...]} with a line feed at its end; docs/explain.md says what is in it.
-std::string to_json(std::span<const ExplainRow> rows);
-
 }  // namespace rakelight

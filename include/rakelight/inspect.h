@@ -16,7 +16,7 @@ namespace rakelight {
 /// One node that owns meshes.
 struct ObjectSummary {
     std::string name;  ///< of the node; of what a world file places "NAME/name" with its name there, or that alone
-    std::uint32_t node = none;
+    std::uint32_t node = no_index;
     std::uint64_t meshes = 0, triangles = 0, vertices = 0, lines = 0, points = 0;
     /// What its meshes have: yes on all, on some, on none of them.
     enum class Has : std::uint8_t { no, some, yes };
@@ -174,19 +174,5 @@ vec3 heat_color(double seam_deg);
 
 /// A table for people, lines ending with line feeds; long lists are cut with "... N more".
 std::string to_text(const Inspection& inspection);
-
-/// A row of the program's JSON: what was found, or the error instead.
-struct InspectionRow {
-    std::string file;
-    std::optional<Inspection> inspection;
-    std::vector<ReportEntry> remarks;
-    std::uint64_t remarks_left_out = 0;
-    std::optional<Error> error;
-    std::optional<std::vector<CheckFailure>> check;  ///< when limits were checked
-    std::string heat_map;                            ///< the picture that was written, or empty
-};
-
-/// {"schema": "rakelight.inspect/1", "rows": [...]} with a line feed at its end; UTF-8, foreign bytes replaced.
-std::string to_json(std::span<const InspectionRow> rows);
 
 }  // namespace rakelight

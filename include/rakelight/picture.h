@@ -22,10 +22,6 @@ namespace rakelight {
 /// @throws Error usage: no such side or camera, impossible angle or position; bad_file "nothing to draw".
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
 
-/// The scene with its materials so changed; meshes without a material get one.
-/// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
-Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
-
 /// What the ends of the gray and color scales of PNG channels mean: the model's bounding box, whatever of it is in the
 /// picture, so that windows fit together.
 struct ViewRange {
@@ -61,16 +57,5 @@ vec3 linear_from_srgb(vec3 s);
 /// render_picture() calls it; callers with many pictures call it for all before they make the first.
 /// @throws Error usage or failed
 void check_request(const PictureRequest& request);
-
-/// A line of the program's JSON: a result with its remarks, or the error instead of the result.
-struct PictureRow {
-    PictureResult result;  ///< at least `file` and `output`
-    std::vector<ReportEntry> remarks;
-    std::uint64_t remarks_left_out = 0;
-    std::optional<Error> error;
-};
-
-/// {"schema": "rakelight.render/1", "rows": [...]} with a line feed at its end; UTF-8, foreign bytes replaced.
-std::string to_json(std::span<const PictureRow> rows);
 
 }  // namespace rakelight

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The facade: load, smooth, render, save. Everything else of the library can be reached from here.
+// The facade: load (load.h), smooth, render, save. Everything else of the library can be reached from here.
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <rakelight/attributes.h>
 #include <rakelight/engine.h>
-#include <rakelight/request.h>
+#include <rakelight/image.h>
+#include <rakelight/load.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
-
-/// Loads a model file or one of builtin:teapot, sphere, cylinder, cone, torus, plane, with what shape_of_words() takes
-/// behind it. What was changed, guessed or dropped goes to context.report().
-/// @throws Error not_found, bad_file
-Scene load(const std::string& path, const LoadOptions& options, Context& context);
 
 /// Seam-free normals, and tangents where texture coordinates exist: a new scene that shares all untouched data.
 Scene smooth(const Scene& scene, const AttributeOptions& options, Context& context);
@@ -32,5 +30,17 @@ Frame render(const Scene& scene, const RenderSettings& settings, Context& contex
 /// Writes a frame's color: sRGB 8 bit, tone-mapped, for PNG, JPEG and WebP, linear float for EXR and HDR.
 /// @throws Error usage (unknown ending, exposure out of range), failed (cannot write). Nothing is left half-written.
 void save(const Frame& frame, const std::string& path, const ToneSettings& tone = {});
+
+/// Writes a scene: .glb keeps all but what glTF has no place for, .ply the triangles alone; what is lost is said in the report.
+/// @throws Error usage: another ending; bad_file: see validate(), or there is nothing to write; failed: cannot be written
+void save(const Scene& scene, const std::string& path, Context& context);
+
+/// The bytes of the file that save() writes. @param ending  of its name: ".png", ".exr", ...
+/// @throws Error usage: unknown ending, exposure out of range
+std::vector<std::byte> encode(const Frame& frame, const std::string& ending, const ToneSettings& tone = {});
+
+/// A frame's color as display values: [width * height of its window] sRGB codes, R in the low byte, then G, B and alpha, which
+/// is not premultiplied. @throws Error usage: exposure out of range
+std::vector<std::uint32_t> to_srgb8(const Frame& frame, const ToneSettings& tone = {});
 
 }  // namespace rakelight

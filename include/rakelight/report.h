@@ -22,6 +22,8 @@ struct ReportEntry {
     std::string place;        ///< "mesh 3 'body'", "line 12"; that of the first occurrence
     std::string message;      ///< one sentence without a full stop
     std::uint64_t count = 1;  ///< how often the same remark was made for the same file
+    /// Settings that `message` names in quotes, by their keys in [render] of world files: "normal-map-green".
+    std::vector<std::string> settings;
 };
 
 /// Collects remarks. Thread-safe. Equal remarks (kind, file, message) are counted, not repeated; at most 1000 distinct ones
@@ -29,7 +31,8 @@ struct ReportEntry {
 /// which they were first made.
 class Report {
 public:
-    void add(Remark remark, std::string file, std::string place, std::string message);
+    void add(Remark remark, std::string file, std::string place, std::string message,
+             std::vector<std::string> settings = {});
     std::vector<ReportEntry> entries() const;
     std::uint64_t left_out() const;        ///< remarks beyond the first 1000 distinct ones
     std::uint64_t notes_left_out() const;  ///< how many of them are notes, which are no warnings

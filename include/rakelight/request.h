@@ -3,6 +3,7 @@
 // world files read and write it (world.h).
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,17 +11,11 @@
 
 #include <rakelight/engine.h>
 #include <rakelight/image.h>
+#include <rakelight/load.h>
 #include <rakelight/prepare.h>
 #include <rakelight/world.h>
 
 namespace rakelight {
-
-struct LoadOptions {
-    bool allow_outside = false;  ///< references may leave the model's own folder tree
-    /// Options in [render] of a world file whose place others have taken, such as "camera-index": what they name need
-    /// not be there.
-    std::vector<std::string> overridden;
-};
 
 /// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
 /// and where the file has none a camera fitted to the model's bounding box.
@@ -33,9 +28,9 @@ struct ViewRequest {
     std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
     /// 0..pi, both exclusive. Alone: pixels stay square, the vertical one follows. With the vertical one: pixels are as wide as both say.
     std::optional<double> horizontal_fov_rad;
-    /// [m] more than 0, near < far: nothing nearer, nothing farther is drawn. Absent: the camera's own, or about the
+    /// [m] more than 0, z_near < z_far: nothing nearer, nothing farther is drawn. Absent: the camera's own, or about the
     /// model where the camera is fitted or placed.
-    std::optional<double> near, far;
+    std::optional<double> z_near, z_far;
     bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
 
     bool is_placed() const {
@@ -59,6 +54,10 @@ struct MaterialOverrides {
 
     bool operator==(const MaterialOverrides&) const = default;
 };
+
+/// The scene with its materials so changed; meshes without a material get one.
+/// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
+Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
 
 /// How data channels are written, as bits.
 enum ChannelFiles : std::uint32_t {
@@ -102,8 +101,29 @@ struct PictureRequest {
     bool half_colors = false;  ///< colors in EXR files, those of channels too, as 16-bit halves; data stays at 32 bits
 };
 
-/// The picture that a world file asks for: what its [render] says, files from the world's folder. Where to write it is the caller's.
-/// @throws Error not_found, bad_file: with the file, line and column of what is wrong
+/// Settings that go before those of a world file.
+struct RenderOverrides {
+    /// Each takes the place of the file's of the same key; one that says where the camera stands that of all such.
+    std::vector<WorldValue> values;
+    /// Whether a setting of the file is wanted; empty: all are. What it throws gets the place in the file.
+    std::function<bool(std::string_view key)> takes;
+};
+
+/// The picture that a world file asks for, and how it says so.
+struct WorldRequest {
+    PictureRequest picture;         ///< LoadOptions::overridden names what others took the place of
+    std::vector<WorldValue> taken;  ///< of the file's [render], names of files resolved
+};
+
+/// What [render] of a world file says, files from the world's folder, behind `overrides`. Where to write the picture is the caller's.
+/// @throws Error not_found, bad_file: with the file, line and column of what is wrong; usage: an override is wrong, or excludes
+///         a setting of the file
+WorldRequest read_world_request(const std::string& path, const LoadOptions& options, const RenderOverrides& overrides,
+                                Context& context);
+/// The same without overrides.
 PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context);
+
+/// An error about a setting that the file gave, with its place there; another as it is.
+Error at_world_value(const Error& error, const WorldRequest& world);
 
 }  // namespace rakelight

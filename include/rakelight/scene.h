@@ -19,10 +19,8 @@
 
 namespace rakelight {
 
-inline namespace markers {  // GCC's -Wshadow takes the `none` of an enum class for one that hides a constant beside it
 /// "No such element" for indices into the arrays of a Scene.
-inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-}  // namespace markers
+inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
 
 // --- textures and materials ----------------------------------------------------------------------------------------------
 
@@ -54,10 +52,10 @@ struct TextureTransform {
 
 /// Use of a texture by a material. Its role (the member's name) decides the color space: colors sRGB, data linear.
 struct TextureUse {
-    std::uint32_t texture = none;  ///< into Scene::textures
+    std::uint32_t texture = no_index;  ///< into Scene::textures
     std::uint32_t texcoord_set = 0;
     TextureTransform transform;
-    explicit operator bool() const { return texture != none; }
+    explicit operator bool() const { return texture != no_index; }
     bool operator==(const TextureUse&) const = default;
 };
 
@@ -242,8 +240,9 @@ struct Mesh {
     std::optional<NormalChoice> normal_choice;  ///< absent: as the picture's options say
     Block<JointInfluence> influences;           ///< [V] or empty
     std::vector<MorphTarget> targets;
-    std::uint32_t material = none;                              ///< into Scene::materials; none: the default material
-    std::uint32_t source_mesh = none, source_primitive = none;  ///< where the file has it (glTF mesh and primitive)
+    std::uint32_t material = no_index;  ///< into Scene::materials; none: the default material
+    std::uint32_t source_mesh = no_index,
+                  source_primitive = no_index;  ///< where the file has it (glTF mesh and primitive)
     std::uint64_t triangle_count() const { return topology == Topology::triangles ? indices.size() / 3 : 0; }
     bool operator==(const Mesh&) const = default;
 };
@@ -261,13 +260,13 @@ struct Transform {
 
 struct Node {
     std::string name;
-    std::uint32_t parent = none;  ///< always less than the node's own index in a validated scene
+    std::uint32_t parent = no_index;  ///< always less than the node's own index in a validated scene
     Transform local;
     std::vector<std::uint32_t> meshes;  ///< into Scene::meshes; empty: a group
-    std::uint32_t skin = none;
+    std::uint32_t skin = no_index;
     std::vector<float> morph_weights;
-    std::uint32_t source_node = none;  ///< index in the file (glTF)
-    std::optional<Shading> shading;    ///< of it and of all that hangs from it; absent: as its parent
+    std::uint32_t source_node = no_index;  ///< index in the file (glTF)
+    std::optional<Shading> shading;        ///< of it and of all that hangs from it; absent: as its parent
     bool operator==(const Node&) const = default;
 };
 
@@ -282,7 +281,7 @@ enum class AnimationPath : std::uint8_t { translation, rotation, scale, morph_we
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 
 struct AnimationChannel {
-    std::uint32_t node = none;
+    std::uint32_t node = no_index;
     AnimationPath path = AnimationPath::translation;
     Interpolation interpolation = Interpolation::linear;
     Block<float> times;   ///< [K] seconds, ascending
@@ -308,7 +307,7 @@ struct Light {
     std::string name;
     LightType type = LightType::point;
     LightUnits units = LightUnits::classical;
-    std::uint32_t node = none;
+    std::uint32_t node = no_index;
     dvec3 position{0, 0, 0};
     dvec3 direction{0, 0, -1};  ///< the way the light travels
     vec3 ambient{0, 0, 0}, diffuse{1, 1, 1},
@@ -351,7 +350,7 @@ enum class Projection : std::uint8_t { perspective, orthographic };
 struct Camera {
     std::string name;
     Projection projection = Projection::perspective;
-    std::uint32_t node = none;
+    std::uint32_t node = no_index;
     dmat4 to_world;  ///< used when node is none: a rotation and a translation
     double vertical_fov_rad =
         radians(40);  ///< perspective, 0..pi; of a scene, 0 beside a horizontal one: square pixels
@@ -360,7 +359,8 @@ struct Camera {
     std::optional<double> aspect;      ///< width / height that the file wants; the picture's own when absent
     double half_height = 1;            ///< orthographic: half the visible height [m]
     std::optional<double> half_width;  ///< orthographic: half the visible width [m]; absent: square pixels
-    double near = 0.1, far = 1000;     ///< 0 < near < far (orthographic: near may be <= 0); far may be infinity
+    double z_near = 0.1,
+           z_far = 1000;  ///< 0 < z_near < z_far (orthographic: z_near may be <= 0); z_far may be infinity
     bool operator==(const Camera&) const = default;
 };
 

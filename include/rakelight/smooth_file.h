@@ -29,9 +29,9 @@ struct SmoothFileOptions {
 /// What happened to one mesh of the output (glTF: one primitive).
 struct SmoothedMesh {
     std::string name;
-    std::uint32_t mesh = none, primitive = none;  ///< its numbers in the output where it is glTF
-    std::uint64_t vertices = 0;                   ///< before
-    std::uint64_t vertices_split = 0;             ///< copies that were added because corners of one vertex differ
+    std::uint32_t mesh = no_index, primitive = no_index;  ///< its numbers in the output where it is glTF
+    std::uint64_t vertices = 0;                           ///< before
+    std::uint64_t vertices_split = 0;  ///< copies that were added because corners of one vertex differ
     enum class Change : std::uint8_t { none, kept, made, replaced, removed };
     Change normals = Change::kept, tangents = Change::none;
 };
@@ -52,18 +52,6 @@ struct SmoothedFile {
 /// @throws Error usage (no way from the one format to the other), not_found, bad_file, failed (cannot write)
 SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
                          Context& context);
-
-/// A row of the program's JSON: what was done, or the error instead.
-struct SmoothedFileRow {
-    std::string file;
-    std::optional<SmoothedFile> result;
-    std::vector<ReportEntry> remarks;
-    std::uint64_t remarks_left_out = 0;
-    std::optional<Error> error;
-};
-
-/// {"schema": "rakelight.smooth/1", "rows": [...]} with a line feed at its end; UTF-8, foreign bytes replaced.
-std::string to_json(std::span<const SmoothedFileRow> rows);
 
 /// One line for people: what was written and how much of it changed.
 std::string summary(const SmoothedFile& result);

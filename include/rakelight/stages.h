@@ -25,15 +25,4 @@ struct StagesResult {
 ///         written; not_found, bad_file
 StagesResult write_stages(const PictureRequest& request, Context& context);
 
-/// A row of the program's JSON.
-struct StagesRow {
-    StagesResult result;  ///< at least `file` and `folder`
-    std::vector<ReportEntry> remarks;
-    std::uint64_t remarks_left_out = 0;
-    std::optional<Error> error;
-};
-
-/// {"schema": "rakelight.stages/1", "rows": [...]} with a line feed at its end.
-std::string to_json(std::span<const StagesRow> rows);
-
 }  // namespace rakelight

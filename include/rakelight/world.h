@@ -21,7 +21,7 @@ struct WorldPlace {
 /// "line 3, column 7"
 std::string to_text(WorldPlace place);
 
-/// A key with its value: words as a command line would have them ("1.5", "on", "red"), and numbers where they are such.
+/// A key with its value: words as people write them ("1.5", "on", "red"), and numbers where they are such.
 struct WorldValue {
     std::string key;
     std::vector<std::string> words;  ///< one, or as many as the array has elements
@@ -98,7 +98,7 @@ struct WorldFile {
     std::vector<WorldMaterial> materials;
     std::optional<Fog> fog;
     std::optional<WorldEnvironment> environment;
-    std::vector<WorldValue> render;    ///< options of the command line by name
+    std::vector<WorldValue> render;    ///< settings of the picture: render_keys()
     std::vector<WorldRemark> remarks;  ///< load() adds them to the report
 };
 
@@ -111,6 +111,12 @@ WorldFile parse_world(std::string_view text);
 
 /// Reads and parses. @throws Error not_found; and as parse_world(), with the file's name
 WorldFile read_world(const std::string& path, Context& context);
+
+/// The text of a world file that parse_world() reads as this world (of cameras with the rounding of one look_at()), without comments.
+/// @throws Error usage: lights or cameras that no world file can have, such as those on a node; bad_file: what parse_world() refuses
+std::string to_toml(const WorldFile& world);
+/// Writes it; the file appears when it is whole. @throws Error as to_toml(); usage: another ending; failed: cannot be written
+void save_world(const WorldFile& world, const std::string& path);
 
 /// Where a file that a world names lies. @param path  of the world
 /// @throws Error bad_file: it would leave the world's folder, unless `allow_outside`
@@ -131,13 +137,13 @@ std::string world_schema();
 
 struct PictureRequest;
 
-/// A key of [render], which is an option of the program too, and what it sets.
+/// A key of [render] and what it sets.
 struct RenderKey {
     enum class Kind : std::uint8_t {
         value,
         file,      ///< a file's name
         flag,      ///< true or false
-        switched,  ///< a flag that a program's option may turn off
+        switched,  ///< a flag whose default may be on
         list,      ///< any number of values, in their order
     };
     const char* name;  ///< "crease-angle"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/current_error.h>
+#include <rakelight/tools/current_error.h>
 
 #include <new>
 #include <stdexcept>

@@ -32,8 +32,6 @@ std::size_t printable_bytes(const std::string& text, std::size_t i) {
 
 }  // namespace
 
-int exit_code(ErrorCode code) noexcept { return int(code) + 1; }
-
 std::string one_line(const std::string& text, std::size_t max_bytes) {
     std::string line;
     std::size_t cut = 0;  // where "..." still fits behind
@@ -74,6 +72,12 @@ Error Error::about(const std::string& setting, std::vector<std::string> related)
     copy.setting_ = setting;
     copy.related_ = std::move(related);
     copy.compose();
+    return copy;
+}
+
+Error Error::naming(std::vector<std::string> settings) const {
+    Error copy = *this;
+    copy.related_.insert(copy.related_.end(), settings.begin(), settings.end());
     return copy;
 }
 

@@ -48,7 +48,8 @@ void MemoryBudget::Account::require(std::uint64_t before, std::uint64_t bytes, s
     if (bytes <= allowed && before <= allowed - bytes) return;
     ++refusals;
     throw Error(ErrorCode::bad_file, too_much(what, bytes, before, allowed), {},
-                "raise it with --max-memory if you trust the file");
+                "raise it with 'max-memory' if you trust the file")
+        .naming({"max-memory"});
 }
 
 void MemoryBudget::Account::charge(std::uint64_t bytes, std::string_view what) {

@@ -22,7 +22,8 @@ const char* name_of(Remark remark) noexcept {
     return "note";
 }
 
-void Report::add(Remark remark, std::string file, std::string place, std::string message) {
+void Report::add(Remark remark, std::string file, std::string place, std::string message,
+                 std::vector<std::string> settings) {
     std::string key = std::to_string(int(remark)) + file;
     key += '\0';  // no name holds one
     key += message;
@@ -34,7 +35,7 @@ void Report::add(Remark remark, std::string file, std::string place, std::string
         notes_left_out_ += remark == Remark::note;
     } else {
         known_.emplace(std::move(key), entries_.size());
-        entries_.push_back({remark, std::move(file), std::move(place), std::move(message), 1});
+        entries_.push_back({remark, std::move(file), std::move(place), std::move(message), 1, std::move(settings)});
     }
 }
 

@@ -35,7 +35,7 @@ void for_each_channel(const Visit& visit, Holders&... of) {
 template <class T>
 T empty_value(std::uint32_t channel, const std::vector<T>&) {
     if constexpr (std::is_same_v<T, float>) return std::numeric_limits<float>::infinity();
-    if constexpr (std::is_same_v<T, std::uint32_t>) return channel == channel_overdraw ? 0u : none;
+    if constexpr (std::is_same_v<T, std::uint32_t>) return channel == channel_overdraw ? 0u : no_index;
     return T{};
 }
 

@@ -78,9 +78,9 @@ void check_settings(const RenderSettings& settings) {
 }
 
 void check_camera(const Camera& camera, std::size_t nodes, CameraUse use) {
-    require(camera.node == none || camera.node < nodes, "the camera's node " + std::to_string(camera.node) +
-                                                            " does not exist (there are " + std::to_string(nodes) +
-                                                            ")");
+    require(camera.node == no_index || camera.node < nodes, "the camera's node " + std::to_string(camera.node) +
+                                                                " does not exist (there are " + std::to_string(nodes) +
+                                                                ")");
     const char* const fault = fault_of(camera, use);
     require(!fault, std::string("the camera is impossible: ") + (fault ? fault : ""));
 }

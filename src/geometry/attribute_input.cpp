@@ -11,7 +11,7 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint64_t most_vertices = 0xffffffffull - 1, most_corners = 0xffffffffull - 2;
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t no_index = 0xffffffffu;
 constexpr double angle_slack = 1e-9;  // degrees turned into radians may land just beyond pi
 
 [[noreturn]] void fail(std::size_t mesh, const std::string& reason) {
@@ -82,13 +82,13 @@ std::uint32_t largest_of(std::span<const std::uint32_t> indices) {
 // Whichever thread meets one first.
 void check_indices(const AttributeInput& input, Context& context) {
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
-    std::vector<std::uint32_t> first_bad(chunks.size(), none);
+    std::vector<std::uint32_t> first_bad(chunks.size(), no_index);
     context.parallel_for(chunks.size(), [&](std::size_t c) {
-        std::uint32_t bad = none;
+        std::uint32_t bad = no_index;
         for_each_range(chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
             const std::span<const std::uint32_t> indices = input.meshes[m].indices;
             const std::size_t vertices = input.meshes[m].positions.size();
-            if (bad != none || first == last) return;
+            if (bad != no_index || first == last) return;
             if (largest_of(indices.subspan(3 * std::size_t(first), 3 * std::size_t(last - first))) < vertices) return;
             std::uint32_t i = 3 * first;
             while (indices[i] < vertices) ++i;
@@ -97,7 +97,7 @@ void check_indices(const AttributeInput& input, Context& context) {
         first_bad[c] = bad;
     });
     const auto found = std::min_element(first_bad.begin(), first_bad.end());
-    if (found == first_bad.end() || *found == none) return;
+    if (found == first_bad.end() || *found == no_index) return;
     const std::uint32_t m = input.mesh_of_triangle(*found / 3), corner = *found - 3 * input.triangle_base[m];
     fail(m, "index " + std::to_string(input.meshes[m].indices[corner]) + " at corner " + std::to_string(corner) +
                 " exceeds " + std::to_string(input.meshes[m].positions.size()) + " vertices");

@@ -21,7 +21,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t no_index = 0xffffffffu;
 constexpr float smallest = std::numeric_limits<float>::min();  // what the standard takes for zero
 constexpr std::size_t few = 256;
 
@@ -118,7 +118,7 @@ private:
         for (std::uint32_t t = 0; t < mesh_.indices.size() / 3; ++t) {
             const std::uint32_t* index = &mesh_.indices[3 * std::size_t(t)];
             if (!is_face(index)) continue;
-            Face face{t, {}, {none, none, none}, {false, false, false}, false, true, {}, {}};
+            Face face{t, {}, {no_index, no_index, no_index}, {false, false, false}, false, true, {}, {}};
             for (std::size_t k = 0; k < 3; ++k) face.vertex[k] = joined_[index[k]];
             map_texture(face, index);
             faces_.push_back(face);
@@ -189,7 +189,7 @@ private:
             face.done[k] = true;
             members_.push_back({f, k, {}, {}, 0});
             for (const std::uint32_t edge : {before(k), k})
-                if (face.neighbor[edge] != none) stack_.push_back(face.neighbor[edge]);
+                if (face.neighbor[edge] != no_index) stack_.push_back(face.neighbor[edge]);
         }
         std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) { return a.face < b.face; });
     }
@@ -237,10 +237,10 @@ private:
     // A face without area takes what the first face at each of its joined corners has.
     void copy_to_degenerate() {
         if (3 * faces_.size() == mesh_.indices.size()) return;
-        std::vector<std::uint32_t> source(joined_.size(), none);
+        std::vector<std::uint32_t> source(joined_.size(), no_index);
         for (const Face& face : faces_)
             for (std::uint32_t k = 0; k < 3; ++k)
-                if (source[face.vertex[k]] == none) source[face.vertex[k]] = 3 * face.triangle + k;
+                if (source[face.vertex[k]] == no_index) source[face.vertex[k]] = 3 * face.triangle + k;
         std::size_t f = 0;
         for (std::uint32_t t = 0; t < mesh_.indices.size() / 3; ++t) {
             if (f < faces_.size() && faces_[f].triangle == t) {
@@ -249,7 +249,7 @@ private:
             }
             for (std::size_t i = 3 * std::size_t(t); i < 3 * std::size_t(t) + 3; ++i) {
                 const std::uint32_t from = source[joined_[mesh_.indices[i]]];
-                if (from != none) tangents_[i] = tangents_[from];
+                if (from != no_index) tangents_[i] = tangents_[from];
             }
         }
     }

@@ -12,7 +12,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t no_index = 0xffffffffu;
 
 // The arrays of a result, with each vertex's own copy of what the mesh gave its source.
 struct Expanded {
@@ -46,13 +46,13 @@ struct Variant {
 class Split {
 public:
     Split(std::vector<std::uint32_t>& indices, const std::vector<vec4>& corners, std::size_t vertices)
-        : indices_(indices), corners_(corners), first_(vertices, none) {}
+        : indices_(indices), corners_(corners), first_(vertices, no_index) {}
 
     std::vector<Variant> run(const std::vector<std::uint32_t>& source) {
         std::vector<bool> mixed(first_.size(), false);
         for (std::uint32_t i = 0; i < indices_.size(); ++i) {
             std::uint32_t& first = first_[indices_[i]];
-            if (first == none)
+            if (first == no_index)
                 first = i;
             else if (bits(corners_[i]) != bits(corners_[first]))
                 mixed[indices_[i]] = true;
@@ -121,13 +121,13 @@ void give_mikktspace(const AttributeMesh& mesh, MeshAttributes& result) {
     out.source_vertex.clear();
     for (std::uint32_t v = 0; v < fixed; ++v) {
         const std::uint32_t c = split.first_corner(v);
-        out.tangents.push_back(whole(c == none ? vec4{0, 0, 0, 1} : corners[c], result.normals[v]));
+        out.tangents.push_back(whole(c == no_index ? vec4{0, 0, 0, 1} : corners[c], result.normals[v]));
     }
     for (const std::uint32_t i : order) {
         const Variant& a = appended[i];
         out.source_vertex.push_back(a.source);
         out.normals.push_back(result.normals[a.vertex]);
-        out.tangents.push_back(whole(a.corner == none ? vec4{0, 0, 0, 1} : corners[a.corner], out.normals.back()));
+        out.tangents.push_back(whole(a.corner == no_index ? vec4{0, 0, 0, 1} : corners[a.corner], out.normals.back()));
     }
     if (!appended.empty()) out.indices = std::move(e.indices);
     result = std::move(out);

@@ -8,7 +8,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t no_index = 0xffffffffu;
 
 struct BinScratch {
     Fan fan;
@@ -68,7 +68,7 @@ private:
         const std::uint32_t count = std::uint32_t(corners.size());
         rules_.gather(corners, s.fan);
         rules_.join(s.fan, s.sets);
-        std::uint32_t first_vote = none;
+        std::uint32_t first_vote = no_index;
         bool all_vote = true, one_group = true;
         s.root.resize(count);
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -77,7 +77,7 @@ private:
                 all_vote = false;
                 continue;
             }
-            if (first_vote == none) first_vote = i;
+            if (first_vote == no_index) first_vote = i;
             one_group &= s.root[i] == s.root[first_vote];
             out.may_cancel |= dot(s.fan.normal[i], s.fan.normal[s.root[i]]) < looks_away;
         }
@@ -103,10 +103,10 @@ private:
         std::vector<std::uint32_t> home_of_mesh(s.order.size(),
                                                 first_vote);  // corners ascend, so those of a mesh lie together
         for (std::uint32_t first = 0, last = 0; first < home_of_mesh.size(); first = last) {
-            std::uint32_t home = none;
+            std::uint32_t home = no_index;
             for (; last < home_of_mesh.size() && mesh_of(last) == mesh_of(first); ++last)
-                if (home == none && s.fan.votes(last)) home = last;
-            if (home != none) std::fill(home_of_mesh.begin() + first, home_of_mesh.begin() + last, home);
+                if (home == no_index && s.fan.votes(last)) home = last;
+            if (home != no_index) std::fill(home_of_mesh.begin() + first, home_of_mesh.begin() + last, home);
         }
         std::uint32_t home = first_vote;
         for (std::size_t i = 0; i < s.order.size(); ++i) {
@@ -130,7 +130,7 @@ private:
                 const std::uint32_t at = s.order[i];
                 const bool kept = s.root[at] == s.root[keeper];
                 if (!kept && (i == first || s.root[at] != s.root[s.order[i - 1]])) parents.push_back(s.vertex[at]);
-                fresh[at] = kept ? none : std::uint32_t(parents.size()) - 1;
+                fresh[at] = kept ? no_index : std::uint32_t(parents.size()) - 1;
             }
             first = last;
         }
@@ -148,7 +148,7 @@ private:
     }
 
     void apply() {
-        std::vector<std::uint32_t> leader(old_count_, none), first_new{0};
+        std::vector<std::uint32_t> leader(old_count_, no_index), first_new{0};
         for (const Splits& s : splits_) {
             for (std::size_t i = 0; i < s.bins.size(); ++i) leader[s.bins[i]] = s.leader[i];
             first_new.push_back(first_new.back() + std::uint32_t(s.parents.size()));
@@ -159,7 +159,7 @@ private:
         context_.parallel_for(splits_.size(), [&](std::size_t c) {
             const std::size_t first = c * vertices_per_chunk;
             for (std::size_t v = first; v < std::min<std::size_t>(old_count_, first + vertices_per_chunk); ++v)
-                if (const std::uint32_t corner = leader[topology_.group[v]]; corner != none)
+                if (const std::uint32_t corner = leader[topology_.group[v]]; corner != no_index)
                     topology_.group[v] = vertex_of(corner);
         });
         context_.parallel_for(splits_.size(), [&](std::size_t c) {
@@ -180,13 +180,13 @@ private:
             for (const std::uint32_t parent : s.parents) sources.push_back(topology_.source_of(input_, parent));
         if (is_first) number = rank_by_source(sources, input_.vertex_count());
         const std::size_t before = topology_.source.size();
-        topology_.group.resize(old_count_ + sources.size(), none);
+        topology_.group.resize(old_count_ + sources.size(), no_index);
         topology_.source.resize(before + sources.size());
         for (std::size_t i = 0; i < sources.size(); ++i)
             topology_.source[before + (is_first ? number[i] : i)] = sources[i];
         context_.parallel_for(splits_.size(), [&](std::size_t c) {
             for_each_split(splits_[c], [&](std::uint32_t corner, std::uint32_t, std::uint32_t fresh) {
-                if (fresh == none) return;
+                if (fresh == no_index) return;
                 const std::uint32_t made = first_new[c] + fresh;
                 topology_.corner_vertex[corner] = old_count_ + (is_first ? number[made] : made);
             });

@@ -80,7 +80,8 @@ std::string last_component(const std::string& reference) {
 
 [[noreturn]] void refuse_reference(const std::string& reference, const std::string& why) {
     throw Error(ErrorCode::bad_file, "the reference to '" + last_component(reference) + "' " + why, {},
-                "copy the file into the model's folder, or use --allow-outside if you trust the model");
+                "copy the file into the model's folder, or use 'allow-outside' if you trust the model")
+        .naming({"allow-outside"});
 }
 
 bool lies_inside(const fs::path& path, const fs::path& folder) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rakelight/context.h>
@@ -43,13 +44,22 @@ std::optional<std::string> percent_decode(const std::string& uri);
 /// Bytes of base64 (RFC 4648, padding optional, no white space); nullopt when a character is illegal.
 std::optional<std::vector<std::byte>> base64_decode(std::string_view text);
 
+/// Where an output goes: a file, or memory.
+struct OutputTarget {
+    OutputTarget(std::string file) : path(std::move(file)) {}  // NOLINT(google-explicit-constructor): mostly files
+    OutputTarget(const char* file) : path(file) {}             // NOLINT(google-explicit-constructor): likewise
+    OutputTarget(std::string name, std::vector<std::byte>& bytes) : path(std::move(name)), memory(&bytes) {}
+    std::string path;                          ///< of the file; in memory: for messages
+    std::vector<std::byte>* memory = nullptr;  ///< lives as long as the output
+};
+
 /// A file written under a temporary name beside its place, and renamed when whole and on the disk; removed when never
-/// committed. Symbolic links are followed, also to a file that is not there yet. Devices and pipes are written to as
+/// committed. In memory the bytes appear when whole. Symbolic links are followed, also to a file that is not there yet. Devices and pipes are written to as
 /// they are.
 class OutputFile {
 public:
     /// @throws Error failed: the folder is missing or not writable, the path is a folder, links that lead in a circle.
-    explicit OutputFile(std::string path);
+    explicit OutputFile(const OutputTarget& target);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
@@ -61,9 +71,15 @@ public:
     std::FILE* handle() { return file_; }  ///< for libraries that want a FILE*
 
 private:
+    void open_memory();
+    void open_file();
+    void take_memory();
     std::string path_, temporary_;
     UnfinishedOutput unfinished_;  ///< of temporary_
     std::FILE* file_ = nullptr;
+    std::vector<std::byte>* memory_;  ///< null: a file
+    char* buffer_ = nullptr;          ///< of the stream to memory, for free()
+    std::size_t buffer_bytes_ = 0;
 };
 
 /// Output goes through symbolic links, not over them: the name of what `path` leads to, which need not be there.

@@ -104,19 +104,19 @@ private:
         if (!mesh.colors.empty()) attributes["COLOR_0"] = floats(mesh.colors, "VEC4");
         OrderedJson json = {{"attributes", std::move(attributes)},
                             {"indices", data.indices(mesh.indices, ComponentType::u16)}};
-        if (mesh.material != none) json["material"] = mesh.material;
+        if (mesh.material != no_index) json["material"] = mesh.material;
         if (mesh.topology != Topology::triangles) json["mode"] = mesh.topology == Topology::lines ? 1 : 0;
         return json;
     }
 
-    /// The glTF mesh of a node's meshes; nodes with the same list share it. `none` when they hold nothing.
+    /// The glTF mesh of a node's meshes; nodes with the same list share it. `no_index` when they hold nothing.
     std::uint32_t mesh_of(const std::vector<std::uint32_t>& list, NewData& data) {
         if (const auto known = meshes_.find(list); known != meshes_.end()) return known->second;
         OrderedJson primitives = OrderedJson::array();
         for (const std::uint32_t m : list)
             if (!scene_.meshes[m].indices.empty() && !scene_.meshes[m].positions.empty())
                 primitives.push_back(primitive(scene_.meshes[m], data));
-        if (primitives.empty()) return meshes_[list] = none;
+        if (primitives.empty()) return meshes_[list] = no_index;
         OrderedJson mesh = OrderedJson::object();
         if (!scene_.meshes[list[0]].name.empty()) mesh["name"] = one_line(scene_.meshes[list[0]].name);
         mesh["primitives"] = std::move(primitives);
@@ -129,7 +129,7 @@ private:
         OrderedJson& list = root_["nodes"];
         const std::size_t number = list.size();
         list.push_back(std::move(node));
-        (parent == none ? root_["scenes"][0]["nodes"] : list[parent]["children"]).push_back(number);
+        (parent == no_index ? root_["scenes"][0]["nodes"] : list[parent]["children"]).push_back(number);
         return number;
     }
 
@@ -154,9 +154,9 @@ private:
             if (!node.name.empty()) json["name"] = one_line(node.name);
             add_placement(json, node.local);
             const dvec3 origin = node.meshes.empty() ? dvec3{} : scene_.meshes[node.meshes[0]].origin;
-            const std::uint32_t mesh = node.meshes.empty() ? none : mesh_of(node.meshes, data);
-            const bool is_away = mesh != none && !(origin == dvec3{});
-            if (mesh != none && !is_away) json["mesh"] = mesh;
+            const std::uint32_t mesh = node.meshes.empty() ? no_index : mesh_of(node.meshes, data);
+            const bool is_away = mesh != no_index && !(origin == dvec3{});
+            if (mesh != no_index && !is_away) json["mesh"] = mesh;
             add_node(std::move(json), node.parent);
             if (is_away) away.emplace_back(n, origin);
         }
@@ -170,7 +170,7 @@ private:
             root_["cameras"].push_back(camera_json(scene_.cameras[c]));
             const Camera& camera = scene_.cameras[c];
             OrderedJson node = {{"camera", c}};
-            if (camera.node == none) node["matrix"] = json_of(camera.to_world);
+            if (camera.node == no_index) node["matrix"] = json_of(camera.to_world);
             add_node(std::move(node), camera.node);
         }
     }
@@ -185,7 +185,7 @@ private:
             }
             is_converted = is_converted || light.units == LightUnits::classical;
             OrderedJson node = {{"extensions", {{"KHR_lights_punctual", {{"light", list.size()}}}}}};
-            if (light.node == none) node["matrix"] = json_of(placed_light(light));
+            if (light.node == no_index) node["matrix"] = json_of(placed_light(light));
             list.push_back(light_json(light));
             add_node(std::move(node), light.node);
         }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/file.h"
+#include "io/image_io.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "scene/material_table.h"
@@ -24,6 +25,14 @@ int wrap_code(Wrap wrap) { return wrap == Wrap::repeat ? 10497 : wrap == Wrap::m
 int minify_code(const Sampler& s) {
     const int linear = s.minify == Filter::linear;
     return s.mip == MipFilter::none ? 9728 + linear : (s.mip == MipFilter::nearest ? 9984 : 9986) + linear;
+}
+
+/// A picture that is there as pixels alone; nothing of one that PNG cannot hold.
+Bytes png_of(const EncodedImage& image, Context& context) {
+    const Pixels pixels = image.decode(image, context);
+    std::vector<std::byte> bytes;
+    if (pixels.component != Component::f32) write_image({"texture.png", bytes}, pixels);
+    return std::make_shared<const std::vector<std::byte>>(std::move(bytes));
 }
 
 /// By the first bytes, not by the name: "image/png", "image/jpeg", "image/webp", or empty.
@@ -77,19 +86,19 @@ std::uint32_t MaterialWriter::image(const EncodedImage& image, bool& is_webp) {
         is_webp = known->second.second;
         return known->second.first;
     }
-    auto& entry = images_[&image] = {none, false};
+    auto& entry = images_[&image] = {no_index, false};
     Bytes bytes = image.bytes;
     try {
-        if (!bytes) bytes = read_file(image.path, context_);
+        if (!bytes) bytes = image.path.empty() ? png_of(image, context_) : read_file(image.path, context_);
     } catch (const Error& error) {
         lost("image '" + one_line(image.name, 80) + "'", "a texture is left out: " + error.reason());
-        return none;
+        return no_index;
     }
     const std::string type = mime_type_of(*bytes);
     if (type.empty()) {
         lost("image '" + one_line(image.name, 80) + "'",
              "a texture is left out: glTF holds PNG, JPEG and WebP only, and nothing is decoded here");
-        return none;
+        return no_index;
     }
     while (binary_->size() % 4 != 0) binary_->push_back(std::byte{0});
     const std::size_t view = root_["bufferViews"].size();
@@ -106,7 +115,7 @@ std::uint32_t MaterialWriter::texture(std::uint32_t number) {
     const Texture& source = scene_.textures[number];
     bool is_webp = false;
     const std::uint32_t picture = image(*source.image, is_webp);
-    if (picture == none) return textures_[number] = none;
+    if (picture == no_index) return textures_[number] = no_index;
     OrderedJson json = {{"sampler", sampler(source.sampler)}};
     if (is_webp)
         extension(json, "EXT_texture_webp", {{"source", picture}});
@@ -120,7 +129,7 @@ std::uint32_t MaterialWriter::texture(std::uint32_t number) {
 bool MaterialWriter::set_use(OrderedJson& owner, const char* name, const TextureUse& use) {
     if (!use) return false;
     const std::uint32_t number = texture(use.texture);
-    if (number == none) return false;
+    if (number == no_index) return false;
     OrderedJson json = {{"index", number}};
     if (use.texcoord_set != 0) json["texCoord"] = use.texcoord_set;
     const TextureTransform& t = use.transform;
@@ -223,15 +232,15 @@ OrderedJson camera_json(const Camera& camera) {
         // glTF cannot say a width alone: that of a square picture then
         const double up_rad =
             camera.vertical_fov_rad > 0 ? camera.vertical_fov_rad : camera.horizontal_fov_rad.value_or(0);
-        OrderedJson& p = json["perspective"] = {{"yfov", up_rad}, {"znear", camera.near}};
+        OrderedJson& p = json["perspective"] = {{"yfov", up_rad}, {"znear", camera.z_near}};
         if (camera.horizontal_fov_rad)
             p["aspectRatio"] = math::tan(0.5 * *camera.horizontal_fov_rad) / math::tan(0.5 * up_rad);
         else if (camera.aspect)
             p["aspectRatio"] = *camera.aspect;
-        if (std::isfinite(camera.far)) p["zfar"] = camera.far;
+        if (std::isfinite(camera.z_far)) p["zfar"] = camera.z_far;
     } else {
         json["type"] = "orthographic";
-        const double near = std::max(0.0, camera.near), far = std::isfinite(camera.far) ? camera.far : near + 1e6;
+        const double near = std::max(0.0, camera.z_near), far = std::isfinite(camera.z_far) ? camera.z_far : near + 1e6;
         json["orthographic"] = {{"xmag", camera.half_width.value_or(camera.half_height * camera.aspect.value_or(1))},
                                 {"ymag", camera.half_height},
                                 {"zfar", far},

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "io/file.h"
 #include "io/image_io.h"
 
 namespace rakelight::io::codec {
@@ -36,18 +37,18 @@ void check_exr(std::span<const std::byte> bytes, Context& context);
 /// TGA has no magic number: true where the header could be one.
 bool may_be_tga(std::span<const std::byte> bytes);
 
-/// The writers. Sizes are 1..65536, channels 1..4, the component is component_for(path) or u16 for PNG.
-std::unique_ptr<ImageWriter> write_png(const std::string& path, int width, int height, int channels,
+/// The writers. Sizes are 1..65536, channels 1..4, the component is component_for(target.path) or u16 for PNG.
+std::unique_ptr<ImageWriter> write_png(const OutputTarget& target, int width, int height, int channels,
                                        Component component);
-std::unique_ptr<ImageWriter> write_jpeg(const std::string& path, int width, int height, int channels,
+std::unique_ptr<ImageWriter> write_jpeg(const OutputTarget& target, int width, int height, int channels,
                                         Component component);
-std::unique_ptr<ImageWriter> write_webp(const std::string& path, int width, int height, int channels,
+std::unique_ptr<ImageWriter> write_webp(const OutputTarget& target, int width, int height, int channels,
                                         Component component);
-std::unique_ptr<ImageWriter> write_exr(const std::string& path, int width, int height, int channels,
+std::unique_ptr<ImageWriter> write_exr(const OutputTarget& target, int width, int height, int channels,
                                        Component component);
-std::unique_ptr<ImageWriter> write_hdr(const std::string& path, int width, int height, int channels,
+std::unique_ptr<ImageWriter> write_hdr(const OutputTarget& target, int width, int height, int channels,
                                        Component component);
-std::unique_ptr<ImageWriter> write_exr_channels(const std::string& path, int width, int height,
+std::unique_ptr<ImageWriter> write_exr_channels(const OutputTarget& target, int width, int height,
                                                 std::vector<ExrChannel> channels, ExrPlace place);
 
 }  // namespace rakelight::io::codec

@@ -23,7 +23,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include <rakelight/current_error.h>
+#include <rakelight/tools/current_error.h>
 
 #include "io/file.h"
 #include "io/image_codecs.h"
@@ -175,13 +175,13 @@ void round_to_half(float& value) {
 class ExrWriter final : public ImageWriter {
 public:
     /// @param alpha  the last channel is alpha: the others are multiplied by it
-    ExrWriter(const std::string& path, int width, int height, std::vector<ExrChannel> channels, bool alpha,
+    ExrWriter(const OutputTarget& target, int width, int height, std::vector<ExrChannel> channels, bool alpha,
               ExrPlace place)
-        : path_(path),
+        : path_(target.path),
           channels_(std::move(channels)),
           alpha_(alpha),
           rows_left_(height),
-          file_(path),
+          file_(target),
           output_(file_.handle()),
           row_(std::size_t(width) * channels_.size()) {
         const Imath::Box2i whole({0, 0}, {place.width - 1, place.height - 1});
@@ -259,18 +259,18 @@ Pixels read_exr(std::span<const std::byte> bytes, Want want, Context& context) {
     }
 }
 
-std::unique_ptr<ImageWriter> write_exr(const std::string& path, int width, int height, int channels, Component) {
+std::unique_ptr<ImageWriter> write_exr(const OutputTarget& target, int width, int height, int channels, Component) {
     const Layout layout =
         channels < 3 ? Layout{{"Y", "A", nullptr, nullptr}, channels} : Layout{{"R", "G", "B", "A"}, channels};
     std::vector<ExrChannel> list;
     for (int c = 0; c < channels; ++c) list.push_back({layout.names[std::size_t(c)], ExrType::f32});
-    return std::make_unique<ExrWriter>(path, width, height, std::move(list), channels % 2 == 0,
+    return std::make_unique<ExrWriter>(target, width, height, std::move(list), channels % 2 == 0,
                                        ExrPlace{0, 0, width, height});
 }
 
-std::unique_ptr<ImageWriter> write_exr_channels(const std::string& path, int width, int height,
+std::unique_ptr<ImageWriter> write_exr_channels(const OutputTarget& target, int width, int height,
                                                 std::vector<ExrChannel> channels, ExrPlace place) {
-    return std::make_unique<ExrWriter>(path, width, height, std::move(channels), false, place);
+    return std::make_unique<ExrWriter>(target, width, height, std::move(channels), false, place);
 }
 
 }  // namespace rakelight::io::codec

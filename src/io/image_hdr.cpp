@@ -140,12 +140,12 @@ void rgbe_of(const float* rgb, std::uint8_t* rgbe) {
 
 class HdrWriter final : public ImageWriter {
 public:
-    HdrWriter(const std::string& path, int width, int height, int channels)
-        : path_(path),
+    HdrWriter(const OutputTarget& target, int width, int height, int channels)
+        : path_(target.path),
           width_(std::size_t(width)),
           channels_(std::size_t(channels)),
           rows_left_(height),
-          file_(path),
+          file_(target),
           rgbe_(width_ * 4) {
         put("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) +
             "\n");
@@ -224,8 +224,8 @@ Pixels read_hdr(std::span<const std::byte> bytes, Want want, Context& context) {
     return pixels;
 }
 
-std::unique_ptr<ImageWriter> write_hdr(const std::string& path, int width, int height, int channels, Component) {
-    return std::make_unique<HdrWriter>(path, width, height, channels);
+std::unique_ptr<ImageWriter> write_hdr(const OutputTarget& target, int width, int height, int channels, Component) {
+    return std::make_unique<HdrWriter>(target, width, height, channels);
 }
 
 }  // namespace rakelight::io::codec

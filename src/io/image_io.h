@@ -7,6 +7,7 @@
 
 #include <rakelight/image.h>
 
+#include "io/file.h"
 #include "io/sync.h"
 
 namespace rakelight::io {
@@ -38,7 +39,7 @@ public:
 /// @throws Error usage: unknown ending.
 Component component_for(const std::string& path);
 /// @param channels 1, 3 or 4 (JPEG and HDR: 3; a fourth is dropped). @throws Error usage / failed.
-std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels,
+std::unique_ptr<ImageWriter> make_image_writer(const OutputTarget& target, int width, int height, int channels,
                                                Component component);
 
 /// How a channel of an EXR file is stored.
@@ -55,9 +56,9 @@ struct ExrPlace {
 /// An EXR file of any channels. Rows are [width * channels] values of four bytes, in the order given: floats (halves
 /// are rounded from them, what is too large for one becomes the largest) or, for u32, unsigned integers. They are
 /// written as they are, without a multiplication by alpha. @throws Error usage / failed.
-std::unique_ptr<ImageWriter> make_exr_writer(const std::string& path, int width, int height,
+std::unique_ptr<ImageWriter> make_exr_writer(const OutputTarget& target, int width, int height,
                                              std::vector<ExrChannel> channels, ExrPlace place = {});
 /// All rows at once.
-void write_image(const std::string& path, const Pixels& pixels, Sync sync = Sync::now);
+void write_image(const OutputTarget& target, const Pixels& pixels, Sync sync = Sync::now);
 
 }  // namespace rakelight::io

@@ -64,11 +64,11 @@ bool end(JpegEncoder& encoder) {
 
 class JpegWriter final : public ImageWriter {
 public:
-    JpegWriter(const std::string& path, int width, int height, int channels)
-        : path_(path),
+    JpegWriter(const OutputTarget& target, int width, int height, int channels)
+        : path_(target.path),
           width_(width),
           channels_(channels),
-          file_(path),
+          file_(target),
           row_(std::size_t(width) * (channels < 3 ? 1 : 3)) {
         if (width > JPEG_MAX_DIMENSION || height > JPEG_MAX_DIMENSION)
             throw Error(ErrorCode::usage, "a JPEG picture has at most 65500 pixels a side").with_file(path_);
@@ -103,8 +103,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<ImageWriter> write_jpeg(const std::string& path, int width, int height, int channels, Component) {
-    return std::make_unique<JpegWriter>(path, width, height, channels);
+std::unique_ptr<ImageWriter> write_jpeg(const OutputTarget& target, int width, int height, int channels, Component) {
+    return std::make_unique<JpegWriter>(target, width, height, channels);
 }
 
 }  // namespace rakelight::io::codec

@@ -13,11 +13,11 @@ namespace {
 
 class PngWriter final : public ImageWriter {
 public:
-    PngWriter(const std::string& path, int width, int height, int channels, Component component)
-        : path_(path),
+    PngWriter(const OutputTarget& target, int width, int height, int channels, Component component)
+        : path_(target.path),
           row_bytes_(std::size_t(width) * std::size_t(channels) * size_of(component)),
           rows_left_(height),
-          file_(path),
+          file_(target),
           png_(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free) {
         if (!png_) throw Error(ErrorCode::failed, "out of memory").with_file(path_);
         static constexpr std::uint8_t color_types[] = {SPNG_COLOR_TYPE_GRAYSCALE, SPNG_COLOR_TYPE_GRAYSCALE_ALPHA,
@@ -71,9 +71,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<ImageWriter> write_png(const std::string& path, int width, int height, int channels,
+std::unique_ptr<ImageWriter> write_png(const OutputTarget& target, int width, int height, int channels,
                                        Component component) {
-    return std::make_unique<PngWriter>(path, width, height, channels, component);
+    return std::make_unique<PngWriter>(target, width, height, channels, component);
 }
 
 }  // namespace rakelight::io::codec

@@ -36,10 +36,10 @@ void require(VP8StatusCode status) {
 /// Collects the rows, because the encoder wants the whole picture at once.
 class WebpWriter final : public ImageWriter {
 public:
-    WebpWriter(const std::string& path, int width, int height, int channels)
-        : path_(path), width_(width), height_(height), channels_(channels), file_(path) {
+    WebpWriter(const OutputTarget& target, int width, int height, int channels)
+        : path_(target.path), width_(width), height_(height), channels_(channels), file_(target) {
         if (width > WEBP_MAX_DIMENSION || height > WEBP_MAX_DIMENSION)
-            throw Error(ErrorCode::usage, "a WebP picture has at most 16383 pixels a side").with_file(path);
+            throw Error(ErrorCode::usage, "a WebP picture has at most 16383 pixels a side").with_file(target.path);
         rgba_.reserve(std::size_t(width) * std::size_t(height) * 4);
     }
 
@@ -113,8 +113,8 @@ Pixels read_webp(std::span<const std::byte> bytes, Want want, Context& context) 
     return pixels;
 }
 
-std::unique_ptr<ImageWriter> write_webp(const std::string& path, int width, int height, int channels, Component) {
-    return std::make_unique<WebpWriter>(path, width, height, channels);
+std::unique_ptr<ImageWriter> write_webp(const OutputTarget& target, int width, int height, int channels, Component) {
+    return std::make_unique<WebpWriter>(target, width, height, channels);
 }
 
 }  // namespace rakelight::io::codec

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int max_written_side = 65536;
 
-using MakeWriter = std::unique_ptr<ImageWriter> (*)(const std::string&, int, int, int, Component);
+using MakeWriter = std::unique_ptr<ImageWriter> (*)(const OutputTarget&, int, int, int, Component);
 
 struct Ending {
     const char* name;
@@ -59,27 +59,27 @@ void check_written_size(const std::string& path, int width, int height, std::siz
 
 }  // namespace
 
-std::unique_ptr<ImageWriter> make_image_writer(const std::string& path, int width, int height, int channels,
+std::unique_ptr<ImageWriter> make_image_writer(const OutputTarget& target, int width, int height, int channels,
                                                Component component) {
-    const Ending& ending = ending_of(path);
+    const Ending& ending = ending_of(target.path);
     const bool is_deep_png = component == Component::u16 && ending.make == codec::write_png;
     if (component != ending.component && !is_deep_png)
         throw Error(ErrorCode::usage, std::string("a .") + ending.name + " picture cannot hold such components")
-            .with_file(path);
-    check_written_size(path, width, height, std::size_t(std::max(channels, 0)), 4);
-    return ending.make(path, width, height, channels, component);
+            .with_file(target.path);
+    check_written_size(target.path, width, height, std::size_t(std::max(channels, 0)), 4);
+    return ending.make(target, width, height, channels, component);
 }
 
-std::unique_ptr<ImageWriter> make_exr_writer(const std::string& path, int width, int height,
+std::unique_ptr<ImageWriter> make_exr_writer(const OutputTarget& target, int width, int height,
                                              std::vector<ExrChannel> channels, ExrPlace place) {
-    check_written_size(path, width, height, channels.size(), 1024);
+    check_written_size(target.path, width, height, channels.size(), 1024);
     if (place.width == 0) place = {0, 0, width, height};
-    check_written_size(path, place.width, place.height, channels.size(), 1024);
-    return codec::write_exr_channels(path, width, height, std::move(channels), place);
+    check_written_size(target.path, place.width, place.height, channels.size(), 1024);
+    return codec::write_exr_channels(target, width, height, std::move(channels), place);
 }
 
-void write_image(const std::string& path, const Pixels& pixels, Sync sync) {
-    const auto writer = make_image_writer(path, pixels.width, pixels.height, pixels.channels, pixels.component);
+void write_image(const OutputTarget& target, const Pixels& pixels, Sync sync) {
+    const auto writer = make_image_writer(target, pixels.width, pixels.height, pixels.channels, pixels.component);
     for (int y = 0; y < pixels.height; ++y) writer->write_row(pixels.row(y));
     writer->finish(sync);
 }

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cerrno>
 #include <climits>
+#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -84,7 +85,24 @@ void sync_folder(const std::string& folder) {
     if (const int code = sync_to_disk(opened.fd)) refuse_output(folder, code, "the folder cannot be written to disk");
 }
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+OutputFile::OutputFile(const OutputTarget& target) : path_(target.path), memory_(target.memory) {
+    if (memory_)
+        open_memory();
+    else
+        open_file();
+}
+
+void OutputFile::open_memory() {
+    file_ = ::open_memstream(&buffer_, &buffer_bytes_);
+    if (file_ == nullptr) refuse_output(path_, errno);
+}
+
+void OutputFile::take_memory() {
+    const auto* first = reinterpret_cast<const std::byte*>(buffer_);
+    memory_->assign(first, first + buffer_bytes_);
+}
+
+void OutputFile::open_file() {
     if (path_.empty() || path_.find('\0') != std::string::npos)
         throw Error(ErrorCode::failed, "the name of the output file is empty or holds a zero byte");
     struct ::stat status {};
@@ -110,6 +128,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
 
 OutputFile::~OutputFile() {
     if (file_ != nullptr) std::fclose(file_);
+    std::free(buffer_);
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
@@ -126,6 +145,7 @@ void OutputFile::finish(Sync sync) {
     if (!broken && !temporary_.empty() && sync == Sync::now) code = sync_to_disk(::fileno(file_));
     if (std::fclose(std::exchange(file_, nullptr)) != 0 && code == 0) code = errno;
     if (broken || code != 0) refuse_output(path_, code != 0 ? code : EIO);
+    if (memory_) take_memory();
 }
 
 void OutputFile::commit(Sync sync) {

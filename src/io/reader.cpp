@@ -10,9 +10,12 @@
 #include <new>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "io/content_kind.h"
 #include "io/file.h"
+#include "io/gltf/read_gltf.h"
+#include "io/obj/read_obj.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight::io {
@@ -57,9 +60,11 @@ std::string ending_of(const std::string& path) {
     return ending;
 }
 
+constexpr std::size_t head_bytes = 64;  ///< that content_kind() looks at
+
 /// The first bytes. What is no regular, readable file is refused in read_file()'s words.
 std::vector<std::byte> head_of(const std::string& path, Context& context) {
-    std::array<std::byte, 64> head{};
+    std::array<std::byte, head_bytes> head{};
     std::size_t got = 0;
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
         is_regular_file(path) ? std::fopen(path.c_str(), "rb") : nullptr,
@@ -83,8 +88,8 @@ bool may_hold(const Format& format, const ContentKind& kind) {
            (format.reader == Reader::gltf && (kind.ending == "glb" || kind.ending == "gltf"));
 }
 
-const Format& choose_format(const std::string& path, Context& context) {
-    const std::vector<std::byte> head = head_of(path, context);
+/// @param head  the first bytes of the file
+const Format& choose_format(const std::string& path, std::span<const std::byte> head, Context& context) {
     const std::string ending = ending_of(path);
     const ContentKind kind = content_kind(head);
     if (ending == "max") refuse_max();
@@ -122,13 +127,27 @@ Scene read_as(const Format& format, const std::string& path, const ReadOptions& 
     return {};
 }
 
-}  // namespace
+Scene read_as(const Format& format, const std::string& path, Bytes bytes, const ReadOptions& options,
+              Context& context) {
+    switch (format.reader) {
+        case Reader::gltf:
+            return gltf::read_gltf_bytes(path, std::move(bytes), options, context);
+        case Reader::obj:
+            return obj::read_obj_text({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path, options,
+                                      context);
+        case Reader::import_helper:
+            return read_with_import_helper(path, bytes, options, context);
+    }
+    return {};
+}
 
-Scene read_scene(const std::string& path, const ReadOptions& options, Context& context) {
+/// Runs a reader, with the file's name in what goes wrong.
+template <class Read>
+Scene read_valid(const std::string& path, Context& context, const Read& read) {
     try {
         // What is read raises the allowance while anything is charged: from here until the scene's charges do it.
         const MemoryCharge reading(context.memory(), 1, "a model");
-        Scene scene = read_as(choose_format(path, context), path, options, context);
+        Scene scene = read();
         validate(scene);
         return scene;
     } catch (const Error& e) {
@@ -136,6 +155,22 @@ Scene read_scene(const std::string& path, const ReadOptions& options, Context& c
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::failed, "not enough memory to load it").with_file(path);
     }
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path, const ReadOptions& options, Context& context) {
+    return read_valid(path, context, [&] {
+        return read_as(choose_format(path, head_of(path, context), context), path, options, context);
+    });
+}
+
+Scene read_scene(const std::string& path, Bytes bytes, const ReadOptions& options, Context& context) {
+    return read_valid(path, context, [&] {
+        const Format& format =
+            choose_format(path, std::span(*bytes).first(std::min(head_bytes, bytes->size())), context);
+        return read_as(format, path, std::move(bytes), options, context);
+    });
 }
 
 std::string supported_formats() {

@@ -5,6 +5,8 @@
 
 #include <rakelight/scene.h>
 
+#include "io/file.h"
+
 namespace rakelight::io {
 
 struct ReadOptions {
@@ -16,13 +18,17 @@ struct ReadOptions {
 /// Reads a model file of any supported format; the content is held against the ending's format.
 /// @throws Error not_found, bad_file (with file and place; "nothing to draw" when it holds no drawable primitive).
 Scene read_scene(const std::string& path, const ReadOptions& options, Context& context);
+/// The same of a file that is in memory. @param path  where it would be: its ending, its folder, its name in messages
+Scene read_scene(const std::string& path, Bytes bytes, const ReadOptions& options, Context& context);
 
-/// The single formats. `bytes` is the whole file; `path` is for messages and for resolving references.
+/// The single formats.
 Scene read_gltf(const std::string& path, const ReadOptions& options, Context& context);  ///< .gltf and .glb
 Scene read_obj(const std::string& path, const ReadOptions& options, Context& context);   ///< .obj with .mtl
 /// FBX, DAE, 3DS, ASE, Blend, STL, PLY, OFF, X through the helper executable `rakelight-import` (Assimp), found beside the
-/// running program or by RAKELIGHT_IMPORT; limited in memory and time.
+/// running program or by RAKELIGHT_IMPORT; limited in memory and time. The helper reads files: bytes in memory go into a temporary one.
 Scene read_with_import_helper(const std::string& path, const ReadOptions& options, Context& context);
+Scene read_with_import_helper(const std::string& path, const Bytes& bytes, const ReadOptions& options,
+                              Context& context);
 
 /// The formats that this build reads, for --version and messages: "glTF 2.0, GLB, OBJ, FBX, ...".
 std::string supported_formats();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/unfinished_output.h"
 
-#include <rakelight/unfinished_outputs.h>
+#include <rakelight/tools/unfinished_outputs.h>
 
 #include <unistd.h>
 

@@ -26,7 +26,7 @@ std::vector<std::vector<bool>> used_joints(const Scene& scene) {
     for (std::size_t s = 0; s < used.size(); ++s) used[s].assign(scene.skins[s].joints.size(), false);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // skin, mesh: instances look at a mesh once
     for (const Instance& instance : drawn_instances(scene))
-        if (const std::uint32_t skin = scene.nodes[instance.node].skin; skin != none)
+        if (const std::uint32_t skin = scene.nodes[instance.node].skin; skin != no_index)
             seen.emplace_back(skin, instance.mesh);
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
@@ -62,7 +62,7 @@ public:
     std::vector<dmat4> matrices() const {
         std::vector<dmat4> result = world_;
         for (std::size_t n = 0; n < result.size(); ++n)
-            if (const std::uint32_t skin = scene_.nodes[n].skin; skin != none && is_placed_[skin])
+            if (const std::uint32_t skin = scene_.nodes[n].skin; skin != no_index && is_placed_[skin])
                 result[n] = place_[skin];
         return result;
     }
@@ -112,7 +112,7 @@ private:
 
 /// A vertex as the skeleton moves it: joints as nodes, ascending; weights that are not 0.
 struct Follower {
-    std::array<std::uint32_t, 4> joint{none, none, none, none};
+    std::array<std::uint32_t, 4> joint{no_index, no_index, no_index, no_index};
     std::array<float, 4> weight{};
 
     Follower(const Skin& skin, const JointInfluence& influence) {
@@ -134,7 +134,7 @@ struct Follower {
     }
     bool agrees(const Follower& other) const {
         for (std::size_t k = 0; k < 4; ++k)
-            if (joint[k] != none && std::fabs(weight[k] - other.weight_of(joint[k])) > weight_slack) return false;
+            if (joint[k] != no_index && std::fabs(weight[k] - other.weight_of(joint[k])) > weight_slack) return false;
         return true;
     }
 };
@@ -177,7 +177,7 @@ private:
     /// One placement for each mesh, skin and matrix: another one of the same three has the same joints at every vertex.
     void select() {
         for (std::uint32_t i = 0; i < instances_.size(); ++i)
-            if (skin_of(i) != none && !mesh_of(i).influences.empty()) selected_.push_back(i);
+            if (skin_of(i) != no_index && !mesh_of(i).influences.empty()) selected_.push_back(i);
         const auto order = [&](std::uint32_t a, std::uint32_t b) {
             check_();
             const auto key = [&](std::uint32_t i) { return std::pair(instances_[i].mesh, skin_of(i)); };

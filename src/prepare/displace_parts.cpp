@@ -51,7 +51,7 @@ void set_depths(const Scene& scene, const Displacement& options, std::vector<Dis
 }  // namespace
 
 const Material* displaced_material(const Scene& scene, const Mesh& mesh, const Displacement& options) {
-    if (mesh.material == none) return nullptr;
+    if (mesh.material == no_index) return nullptr;
     const Material& m = scene.materials[mesh.material];
     const bool is_wanted = m.bump == Bump::automatic ? options.is_on : m.bump == Bump::displacement;
     const std::uint32_t set = m.height_texture.texcoord_set;
@@ -121,9 +121,9 @@ void warn_of_lost_relief(const Scene& scene, const std::vector<DisplacedPart>& p
         char text[200];
         std::snprintf(text, sizeof text,
                       "the triangles are too large for the height map: %.0f %% of its relief is left with edges up "
-                      "to %.3g m; --displacement-edge makes them smaller",
+                      "to %.3g m; 'displacement-edge' makes them smaller",
                       100 * left / all, longest_edge);
-        report.add(Remark::warning, scene.source, material.name, text);
+        report.add(Remark::warning, scene.source, material.name, text, {"displacement-edge"});
     }
 }
 

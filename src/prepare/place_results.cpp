@@ -67,13 +67,13 @@ ResultPlacer::ResultPlacer(Scene& scene, const SmoothRequest& request, const Smo
 
 void ResultPlacer::place(Computed& computed) {
     const bool new_normals = request_.attributes.normals;
-    std::vector<std::uint32_t> placed(computed.attributes.size(), none);  // the mesh that shows each result
+    std::vector<std::uint32_t> placed(computed.attributes.size(), no_index);  // the mesh that shows each result
     for (std::size_t i = 0; i < s_.instances.size(); ++i) {
         const std::size_t r = s_.result_of[i];
         const std::uint32_t number = s_.instances[i].mesh;
-        if (placed[r] != none && number == numbers_[r]) {
+        if (placed[r] != no_index && number == numbers_[r]) {
             variants_.share(s_.instances[i], placed[r]);
-        } else if (placed[r] != none) {
+        } else if (placed[r] != no_index) {
             variants_.place(s_.instances[i], with_arrays_of(scene_.meshes[placed[r]], source(number)));
         } else {
             Mesh mesh = with_attributes(source(number), std::move(computed.attributes[r]), new_normals, context_);

@@ -40,7 +40,7 @@ SmoothRequest request_for(const PrepareOptions& options) {
 }
 
 bool wants_tangents(const Scene& scene, const Mesh& mesh) {
-    return mesh.material != none && wants_tangents(scene.materials[mesh.material]);
+    return mesh.material != no_index && wants_tangents(scene.materials[mesh.material]);
 }
 
 /// True if some triangle has an area in the texture; ends at the first one.
@@ -61,7 +61,7 @@ void note_flat_meshes(const Scene& scene, Report& report) {
         if (mesh.normal_choice && mesh.normal_choice->source != NormalSource::automatic) continue;  // asked for
         if (normal_rule(scene, mesh, NormalSource::automatic).scope == Scope::face)
             report.add(Remark::note, scene.source, Place{"mesh", i, mesh.name}.text(),
-                       "no normals: flat faces, as glTF says; --normals model smooths");
+                       "no normals: flat faces, as glTF says; 'normals' model smooths", {"normals"});
     }
 }
 
@@ -92,7 +92,7 @@ const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump want
     const bool coats = has_coat_map(m) && !lacks_coat_coordinates(scene, mesh);
     if (!heights && !normals && !coats && !stretched) return nullptr;
     const std::uint32_t set = tangent_set(scene, mesh, TangentWish::where_needed);
-    if (set == none) return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";
+    if (set == no_index) return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";
     if (!mesh.tangents.empty() || spans_texture(mesh, set)) return nullptr;
     return heights   ? "no triangle has an area in the height map: tangents have no direction"
            : normals ? "no triangle has an area in the normal map: tangents have no direction"
@@ -124,7 +124,7 @@ void warn_of_textures(const Scene& scene, Report& report) {
     std::vector<bool> seen(scene.meshes.size(), false);
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
-        if (seen[instance.mesh] || mesh.material == none) continue;
+        if (seen[instance.mesh] || mesh.material == no_index) continue;
         seen[instance.mesh] = true;
         const Material& m = scene.materials[mesh.material];
         for (const TextureRole& role : texture_roles()) {
@@ -132,8 +132,9 @@ void warn_of_textures(const Scene& scene, Report& report) {
             if (!use || has_coordinates(mesh, use.texcoord_set) || !shows_one_color(role, m)) continue;
             report.add(Remark::warning, scene.source, Place{"mesh", instance.mesh, mesh.name}.text(),
                        mesh.texcoords.empty()
-                           ? "a texture shows one color: the mesh has no texture coordinates; --uv makes some"
-                           : "a texture shows one color: the mesh has no texture coordinates for it");
+                           ? "a texture shows one color: the mesh has no texture coordinates; 'uv' makes some"
+                           : "a texture shows one color: the mesh has no texture coordinates for it",
+                       {"uv"});
             break;
         }
     }

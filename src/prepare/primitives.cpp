@@ -212,12 +212,12 @@ Arrays arrays_of(const PrimitiveRequest& r, MemoryBudget* memory) {
 }
 
 /// Triangles first..last-1 with the vertices that they use, in the order of their first use.
-/// @param number  [all vertices] that are `none`, before and after
+/// @param number  [all vertices] that are `no_index`, before and after
 Arrays part_of(const Arrays& all, std::size_t first, std::size_t last, std::vector<std::uint32_t>& number,
                MemoryBudget* memory) {
     std::vector<std::uint32_t> used;
     for (std::size_t i = 3 * first; i < 3 * last; ++i)
-        if (std::uint32_t& n = number[all.indices[i]]; n == none) {
+        if (std::uint32_t& n = number[all.indices[i]]; n == no_index) {
             n = std::uint32_t(used.size());
             used.push_back(all.indices[i]);
         }
@@ -228,7 +228,7 @@ Arrays part_of(const Arrays& all, std::size_t first, std::size_t last, std::vect
         out.positions.push_back(all.positions[v]);
         out.normals.push_back(all.normals[v]);
         out.texcoords.push_back(all.texcoords[v]);
-        number[v] = none;
+        number[v] = no_index;
     }
     return out;
 }
@@ -286,7 +286,7 @@ Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory) {
         add_object(name, std::move(all), scene);
         return scene;
     }
-    std::vector<std::uint32_t> number(all.positions.size(), none);
+    std::vector<std::uint32_t> number(all.positions.size(), no_index);
     for (std::size_t i = 0; i < objects; ++i)
         add_object(name + " " + std::to_string(i + 1),
                    part_of(all, triangles * i / objects, triangles * (i + 1) / objects, number, memory), scene);

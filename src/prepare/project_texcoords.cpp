@@ -118,11 +118,11 @@ public:
     std::uint32_t vertex(std::uint32_t v, vec2 uv) {
         if (next_[v] == unused) {
             uv_[v] = uv;
-            next_[v] = none;
+            next_[v] = no_index;
             return v;
         }
         std::uint32_t at = v;
-        for (int step = 0; step < searched && at != none; ++step, at = next_[at])
+        for (int step = 0; step < searched && at != no_index; ++step, at = next_[at])
             if (uv_[at] == uv) return at;
         const auto added = std::uint32_t(uv_.size());
         uv_.push_back(uv);
@@ -135,7 +135,7 @@ public:
     const std::vector<std::uint32_t>& source_vertex() const { return source_vertex_; }
 
 private:
-    static constexpr std::uint32_t unused = none - 1;
+    static constexpr std::uint32_t unused = no_index - 1;
     /// Entries of a vertex that are compared, the newest first: a fan of a million triangles about a pole, each with its own
     /// u there, must not cost a million squared. A double entry does no harm.
     static constexpr int searched = 16;

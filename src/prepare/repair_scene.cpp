@@ -16,7 +16,7 @@ namespace rakelight {
 namespace {
 
 bool is_textured(const Scene& scene, const Mesh& mesh) {
-    if (mesh.material == none) return false;
+    if (mesh.material == no_index) return false;
     const Material& m = scene.materials[mesh.material];
     const auto roles = texture_roles();
     return std::any_of(roles.begin(), roles.end(), [&m](const TextureRole& role) { return bool(role.in(m)); });

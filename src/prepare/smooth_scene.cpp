@@ -27,7 +27,7 @@ AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const
     out.positions = mesh.positions;
     out.indices = mesh.indices;
     const std::uint32_t set = tangent_set(scene, mesh, request.tangents);
-    if (set != none) out.texcoords = mesh.texcoords[set];
+    if (set != no_index) out.texcoords = mesh.texcoords[set];
     if (!request.attributes.normals) out.normals = mesh.normals;
     NormalRule rule{.groups = request.groups};
     if (request.source) rule = normal_rule(scene, mesh, *request.source);
@@ -104,7 +104,7 @@ void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers
             report.add(
                 Remark::note, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
                 std::to_string(results[r].degenerate_faces) + " triangles of no area have no say in the normals");
-        if (results[r].inverted_faces > 0 && inverted.first_mesh == none) inverted.first_mesh = number;
+        if (results[r].inverted_faces > 0 && inverted.first_mesh == no_index) inverted.first_mesh = number;
         inverted.triangles += results[r].inverted_faces;
         if (!results[r].tangents.empty()) inverted.of += mesh.triangle_count();
         if (options.measure_orthogonality && !results[r].tangents.empty())
@@ -130,20 +130,20 @@ void note_creases(const Scene& scene, const SmoothRequest& request, const std::v
 }  // namespace
 
 std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish) {
-    if (wish == TangentWish::none) return none;
+    if (wish == TangentWish::none) return no_index;
     const auto has = [&](std::uint32_t set) { return set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); };
-    if (mesh.material != none) {
+    if (mesh.material != no_index) {
         const Material& m = scene.materials[mesh.material];
         const MetallicRoughnessParameters& p = m.metallic_roughness;
         for (const TextureUse* use :
              {&m.normal_texture, &m.height_texture, &p.clearcoat_normal_texture, &p.anisotropy_texture})
-            if (*use) return has(use->texcoord_set) ? use->texcoord_set : none;
+            if (*use) return has(use->texcoord_set) ? use->texcoord_set : no_index;
         if (wants_tangents(m)) wish = TangentWish::everywhere;
     }
     if (wish == TangentWish::everywhere)
         for (std::uint32_t set = 0; set < mesh.texcoords.size(); ++set)
             if (has(set)) return set;
-    return none;
+    return no_index;
 }
 
 Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context) {
@@ -208,7 +208,7 @@ Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& c
         const Mesh& mesh = scene.meshes[instance.mesh];
         if (seen[instance.mesh] || mesh.normals.empty() || !mesh.tangents.empty()) continue;
         seen[instance.mesh] = true;
-        if (tangent_set(scene, mesh, only.tangents) == none) continue;
+        if (tangent_set(scene, mesh, only.tangents) == no_index) continue;
         meshes.push_back(attribute_mesh(scene, instance, dmat4{}, only));
         meshes.back().object = instance.mesh;
         numbers.push_back(instance.mesh);
@@ -233,7 +233,7 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
     if (request.tangents != TangentWish::none) {
         if (!options.attributes.normals && !options.only_missing)
             for (Mesh& mesh : out.meshes)
-                if (tangent_set(out, mesh, request.tangents) != none) mesh.tangents = {};  // to be made anew
+                if (tangent_set(out, mesh, request.tangents) != no_index) mesh.tangents = {};  // to be made anew
         out = add_missing_tangents(std::move(out), request, context);
     }
     charge_new_arrays(out, unpaid_arrays(scene), context);

@@ -100,7 +100,7 @@ SmoothSelection select_instances(const Scene& scene, const SmoothRequest& reques
     const auto first = scope == Scope::model ? std::vector<std::uint32_t>{} : first_alike(scene, request);
     const auto alike = scope == Scope::object ? alike_nodes(scene, first, even) : std::vector<std::uint32_t>{};
     // Where results can be shared: by mesh (face) or by leading node and slot (object).
-    std::vector<std::size_t> by_mesh(scene.meshes.size(), none);
+    std::vector<std::size_t> by_mesh(scene.meshes.size(), no_index);
     std::vector<std::vector<std::size_t>> by_slot(scope == Scope::object ? scene.nodes.size() : 0);
     for (std::size_t i = 0; i < s.instances.size(); ++i) {
         const Instance& instance = s.instances[i];
@@ -108,10 +108,10 @@ SmoothSelection select_instances(const Scene& scene, const SmoothRequest& reques
         if (scope == Scope::face) shared = &by_mesh[first[instance.mesh]];
         if (scope == Scope::object) {
             auto& slots = by_slot[alike[instance.node]];
-            slots.resize(scene.nodes[instance.node].meshes.size(), none);
+            slots.resize(scene.nodes[instance.node].meshes.size(), no_index);
             shared = &slots[instance.slot];
         }
-        if (!shared || *shared == none) {
+        if (!shared || *shared == no_index) {
             if (shared) *shared = s.computed.size();
             s.result_of.push_back(s.computed.size());
             s.computed.push_back(i);

@@ -80,7 +80,7 @@ private:
         geometry::UnionFind sets;
         sets.reset(instances_.size());
         std::vector<std::uint32_t> first_at(place_.size(),
-                                            none);  // place -> instance that uses it, of each wish the first
+                                            no_index);  // place -> instance that uses it, of each wish the first
         std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> others;
         std::vector<Subdivision> wishes;
         for (std::uint32_t i = 0; i < instances_.size(); ++i) {
@@ -93,14 +93,14 @@ private:
             for (const std::uint32_t v : mesh_of(i).indices) {
                 const std::uint32_t p = place_[vertex_base_[i] + v];
                 std::uint32_t& first = number == 0 ? first_at[p] : others.try_emplace({p, number}, i).first->second;
-                if (first == none) first = i;
+                if (first == no_index) first = i;
                 sets.join(first, i);
             }
         }
-        std::vector<std::size_t> group_of(instances_.size(), none);
+        std::vector<std::size_t> group_of(instances_.size(), no_index);
         for (std::uint32_t i = 0; i < instances_.size(); ++i) {
             std::size_t& group = group_of[sets.root(i)];
-            if (group == none) {
+            if (group == no_index) {
                 group = groups_.size();
                 groups_.emplace_back();
             }

@@ -18,11 +18,11 @@ bool is_mirrored(const SurfacePart& part) { return determinant(upper_left(part.t
 /// Fine corners of one part, as vertices of a mesh: one for each combination of point, normal and values.
 class CornerVertices {
 public:
-    explicit CornerVertices(std::size_t points) : newest_(points, none) {}
+    explicit CornerVertices(std::size_t points) : newest_(points, no_index) {}
 
     /// @param key  numbers of normal and values
     std::uint32_t number(std::uint32_t point, std::span<const std::uint32_t> key) {
-        for (std::uint32_t v = newest_[point]; v != none; v = older_[v])
+        for (std::uint32_t v = newest_[point]; v != no_index; v = older_[v])
             if (std::equal(key.begin(), key.end(), keys_.begin() + std::ptrdiff_t(v * key.size()))) return v;
         const std::uint32_t v = std::uint32_t(points_.size());
         points_.push_back(point);
@@ -37,7 +37,7 @@ public:
     }
 
     void clear() {
-        for (const std::uint32_t p : points_) newest_[p] = none;
+        for (const std::uint32_t p : points_) newest_[p] = no_index;
         points_.clear();
         keys_.clear();
         older_.clear();
@@ -202,13 +202,13 @@ void SurfaceSubdivider::collect_faces() {
     std::vector<std::uint32_t> used(corners);
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
-    std::vector<std::uint32_t> number(used.size(), none);
+    std::vector<std::uint32_t> number(used.size(), no_index);
     std::size_t c = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i)
         for (const std::size_t end = control_.faces.first[first_face_[i + 1]]; c < end; ++c) {
             std::uint32_t& n =
                 number[std::size_t(std::lower_bound(used.begin(), used.end(), corners[c]) - used.begin())];
-            if (n == none) {
+            if (n == no_index) {
                 n = std::uint32_t(control_.positions.size());
                 const vec3 p = parts_[i].mesh->positions[mesh_vertices_[c]];
                 control_.positions.push_back(transform_point(parts_[i].to_surface, cast<double>(p)));
@@ -269,7 +269,7 @@ geometry::ControlValues SurfaceSubdivider::control_values(std::size_t set) const
         const vec2 uv = mesh.texcoords[set][v];
         return {double(uv.x), double(uv.y), 0, 0};
     };
-    std::vector<std::uint32_t> newest(control_.positions.size(), none), older;  // chains of one vertex's values
+    std::vector<std::uint32_t> newest(control_.positions.size(), no_index), older;  // chains of one vertex's values
     std::size_t c = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i)
         for (const std::size_t end = control_.faces.first[first_face_[i + 1]]; c < end; ++c) {
@@ -277,8 +277,8 @@ geometry::ControlValues SurfaceSubdivider::control_values(std::size_t set) const
             if (!is_finite_value(value)) value = {0, 0, 0, 1};
             std::uint32_t& head = newest[control_.faces.corners[c]];
             std::uint32_t n = head;
-            while (n != none && !(out.values[n] == value)) n = older[n];
-            if (n == none) {
+            while (n != no_index && !(out.values[n] == value)) n = older[n];
+            if (n == no_index) {
                 n = std::uint32_t(out.values.size());
                 out.values.push_back(value);
                 older.push_back(head);

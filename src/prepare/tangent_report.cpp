@@ -36,10 +36,11 @@ void report_inverted(const Scene& scene, const InvertedMaps& inverted, TangentMo
     report.add(
         Remark::warning, scene.source, Place{"mesh", inverted.first_mesh, first.name}.text(),
         "the published tangents run against the texture coordinates on " + std::to_string(inverted.triangles) + " of " +
-            std::to_string(inverted.of) + " triangles, where bumps look like dents; --tangents " +
-            (mode == TangentMode::published ? "published-no-handedness leaves out the handedness step, --tangents "
+            std::to_string(inverted.of) + " triangles, where bumps look like dents; 'tangents' " +
+            (mode == TangentMode::published ? "published-no-handedness leaves out the handedness step, 'tangents' "
                                             : "") +
-            "averaged keeps mirrored charts apart");
+            "averaged keeps mirrored charts apart",
+        {"tangents"});
 }
 
 void report_kept_tangents(const Scene& scene, Report& report) {

@@ -13,7 +13,7 @@ void report_orthogonality(const Scene& scene, std::uint32_t mesh, double largest
 /// Triangles that show their map backwards, of all placed meshes whose tangents were made.
 struct InvertedMaps {
     std::uint64_t triangles = 0, of = 0;
-    std::uint32_t first_mesh = none;  ///< that has one
+    std::uint32_t first_mesh = no_index;  ///< that has one
 };
 /// A warning where there are any. @param mode  that made the tangents
 void report_inverted(const Scene& scene, const InvertedMaps& inverted, TangentMode mode, Report& report);

@@ -46,14 +46,14 @@ std::vector<Instance> drawn_instances(const Scene& scene) {
 
 std::uint32_t MeshVariants::place(const Instance& instance, Mesh result) {
     std::vector<std::uint32_t>& made = made_[instance.mesh];
-    std::uint32_t number = none;
-    for (std::size_t i = 0; i < std::min(made.size(), searched) && number == none; ++i)
+    std::uint32_t number = no_index;
+    for (std::size_t i = 0; i < std::min(made.size(), searched) && number == no_index; ++i)
         if (same_surface(scene_.meshes[made[i]], result)) number = made[i];
-    if (number == none && keep_shared_ && !made.empty()) {
+    if (number == no_index && keep_shared_ && !made.empty()) {
         number = made[0];
         ++kept_;
     }
-    if (number == none) {
+    if (number == no_index) {
         if (made.empty()) {
             number = instance.mesh;
             scene_.meshes[number] = std::move(result);

@@ -36,7 +36,8 @@ Outside outside_of(const Camera& camera, double aspect, const Bounds& bounds) {
         const double at_one = perspective ? distance : 1, limit_x = half_width * at_one, limit_y = half_height * at_one;
         out.planes &= unsigned(x < -limit_x) * Outside::left | unsigned(x > limit_x) * Outside::right |
                       unsigned(y < -limit_y) * Outside::below | unsigned(y > limit_y) * Outside::above |
-                      unsigned(distance < camera.near) * Outside::near | unsigned(distance > camera.far) * Outside::far;
+                      unsigned(distance < camera.z_near) * Outside::near |
+                      unsigned(distance > camera.z_far) * Outside::far;
         out.nearest = std::min(out.nearest, distance);
         out.farthest = std::max(out.farthest, distance);
     }
@@ -58,13 +59,13 @@ bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
 std::string why_blind(const Camera& camera, double aspect, const Bounds& bounds) {
     const Outside o = outside_of(camera, aspect, bounds);
     if (o.planes == 0) return {};
-    if (o.farthest <= 0 && camera.near >= 0) return "all of it lies behind the camera";
+    if (o.farthest <= 0 && camera.z_near >= 0) return "all of it lies behind the camera";
     constexpr std::array<const char*, 4> sides = {"to the left of", "to the right of", "below", "above"};
     for (std::size_t k = 0; k < sides.size(); ++k)
         if (o.planes & 1u << k) return std::string("all of it lies ") + sides[k] + " the picture";
     if (o.planes & Outside::far)
-        return "all of it is " + meters(o.nearest) + " away or more, and far is " + meters(camera.far);
-    return "all of it is " + meters(o.farthest) + " away or less, and near is " + meters(camera.near);
+        return "all of it is " + meters(o.nearest) + " away or more, and far is " + meters(camera.z_far);
+    return "all of it is " + meters(o.farthest) + " away or less, and near is " + meters(camera.z_near);
 }
 
 void warn_if_blind(const Camera& camera, double aspect, const Bounds& bounds, const std::string& file, Report& report) {
@@ -74,16 +75,17 @@ void warn_if_blind(const Camera& camera, double aspect, const Bounds& bounds, co
 }
 
 void set_asked_depths(Camera& camera, const ViewRequest& view) {
-    if (view.near) camera.near = *view.near;
-    if (view.far) camera.far = *view.far;
-    if ((!view.near && !view.far) || camera.near < camera.far) return;
-    if (view.near)  // both were compared before
-        throw Error(ErrorCode::usage,
-                    "near, " + meters(camera.near) + ", is not less than the far of this camera, " + meters(camera.far),
-                    {}, "give a far too");
+    if (view.z_near) camera.z_near = *view.z_near;
+    if (view.z_far) camera.z_far = *view.z_far;
+    if ((!view.z_near && !view.z_far) || camera.z_near < camera.z_far) return;
+    if (view.z_near)  // both were compared before
+        throw Error(
+            ErrorCode::usage,
+            "near, " + meters(camera.z_near) + ", is not less than the far of this camera, " + meters(camera.z_far), {},
+            "give a far too");
     throw Error(ErrorCode::usage,
-                "far, " + meters(camera.far) + ", is not more than the near of this camera, " + meters(camera.near), {},
-                "give a near too");
+                "far, " + meters(camera.z_far) + ", is not more than the near of this camera, " + meters(camera.z_near),
+                {}, "give a near too");
 }
 
 }  // namespace rakelight

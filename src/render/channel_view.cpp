@@ -53,7 +53,7 @@ Code view(const ChannelInfo& channel, const ViewRange& range, const std::uint32_
         case ChannelKind::direction:
             return color_of_direction(w);
         case ChannelKind::number:
-            return w[0] == none ? Code{} : color_of_number(w[0]);
+            return w[0] == no_index ? Code{} : color_of_number(w[0]);
         case ChannelKind::count:
             return color_of_count(w[0]);
         case ChannelKind::coordinates:

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Facade: smooth, render, save.
 #include <algorithm>
+#include <filesystem>
 
 #include <rakelight/picture.h>
 #include <rakelight/session.h>
 
 #include "engines/check_settings.h"
+#include "io/glb_writer.h"
+#include "io/ply_writer.h"
 #include "prepare/prepare.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
+#include "render/rows.h"
 
 namespace rakelight {
 Scene smooth(const Scene& scene, const AttributeOptions& options, Context& context) {
@@ -31,24 +35,60 @@ Frame render(const Scene& scene, const RenderSettings& settings, Context& contex
     return render(scene, choose_camera(scene, {}, aspect, context), settings, context);
 }
 
-void save(const Frame& frame, const std::string& path, const ToneSettings& tone) {
+namespace {
+
+void check_colors(const Frame& frame, const std::string& path) {
     const Window& w = frame.window;
     if (w.width > 0 && w.height > 0 && frame.color.size() != std::size_t(w.width) * std::size_t(w.height))
         throw Error(ErrorCode::usage, "the frame has " + std::to_string(frame.color.size()) + " colors for " +
                                           std::to_string(w.width) + " x " + std::to_string(w.height) + " pixels")
             .with_file(path);
+}
+
+void write(const Frame& frame, const io::OutputTarget& target, const ToneSettings& tone) {
+    check_colors(frame, target.path);
+    const ToneCurve curve(tone);
     const bool transparent = std::any_of(frame.color.begin(), frame.color.end(), [](const vec4& c) { return c.w < 1; });
-    const PixelFormat format = format_for(path, transparent);
-    PictureFiles files(path, frame.window.width, frame.window.height, format, {});
-    PictureSink sink(format, tone);
+    const PixelFormat format = format_for(target.path, transparent);
+    const auto writer = make_color_writer(target, frame.window.width, frame.window.height, format);
     const std::size_t width = std::size_t(frame.window.width);
-    for (int y = 0; y < frame.window.height; ++y) {
-        const Window row{0, y, frame.window.width, 1};
-        sink.begin(frame.window.width, frame.window.height, row, 0);
-        sink.tile({.area = row, .color = {frame.color.data() + std::size_t(y) * width, width}});
-        files.write(sink, 1);
+    std::vector<std::byte> row(width * format.bytes());
+    for (std::size_t y = 0; y < std::size_t(frame.window.height); ++y) {
+        convert_row(frame.color.data() + y * width, width, format, curve, row.data());
+        writer->write_row(row.data());
     }
-    files.finish();
+    writer->finish();
+}
+
+}  // namespace
+
+void save(const Frame& frame, const std::string& path, const ToneSettings& tone) { write(frame, path, tone); }
+
+void save(const Scene& scene, const std::string& path, Context& context) {
+    try {
+        validate(scene);
+        const std::string ending = std::filesystem::path(path).extension().string();
+        if (ending == ".glb") return io::write_glb(scene, path, context);
+        if (ending == ".ply") return io::write_ply(scene, path, context);
+        throw Error(ErrorCode::usage, "a scene cannot be written with the ending '" + one_line(ending, 40) + "'", {},
+                    "use .glb or .ply");
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
+}
+
+std::vector<std::byte> encode(const Frame& frame, const std::string& ending, const ToneSettings& tone) {
+    std::vector<std::byte> bytes;
+    write(frame, {"frame" + ending, bytes}, tone);
+    return bytes;
+}
+
+std::vector<std::uint32_t> to_srgb8(const Frame& frame, const ToneSettings& tone) {
+    check_colors(frame, {});
+    std::vector<std::uint32_t> codes(frame.color.size());
+    convert_row(frame.color.data(), frame.color.size(), {Component::u8, 4}, ToneCurve(tone),
+                reinterpret_cast<std::byte*>(codes.data()));
+    return codes;
 }
 
 }  // namespace rakelight

@@ -40,7 +40,7 @@ std::string said(double depth) {
 /// texture alone would be one in the geometry.
 constexpr const char* displaced =
     "displaced by heights made from the normal map: how high its parts stand to one another is guessed, borders of its "
-    "texture may bulge; a height map or --bump occlusion does not";
+    "texture may bulge; a height map or 'bump' occlusion does not";
 
 /// One height map for each picture, whichever materials use it.
 class Maker {
@@ -50,11 +50,11 @@ public:
 
     void give(Material& m) {
         const Texture normal = scene_.textures[m.normal_texture.texture];
-        const auto [made, is_new] = made_.try_emplace({m.normal_texture.texture, m.green_down}, none);
+        const auto [made, is_new] = made_.try_emplace({m.normal_texture.texture, m.green_down}, no_index);
         if (is_new) made->second = make(normal, m);
-        if (made->second == none) return;
+        if (made->second == no_index) return;
         if (bump_of(m, settings_.bump) == Bump::displacement)
-            context_.report().add(Remark::warning, scene_.source, m.name, displaced);
+            context_.report().add(Remark::warning, scene_.source, m.name, displaced, {"bump"});
         m.height_texture = m.normal_texture;
         m.height_texture.texture = made->second;
     }
@@ -71,7 +71,7 @@ private:
             context_.throw_if_cancelled();
             context_.report().add(Remark::dropped, scene_.source, m.name,
                                   "no height map made from the normal map: " + error.reason());
-            return none;
+            return no_index;
         }
     }
 

@@ -58,17 +58,6 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
     return scene;
 }
 
-Scene scene_of_request(const PictureRequest& request, Context& context) {
-    check_settings(request.settings);
-    return as_asked(load(request.input, request.load, context), request, context);
-}
-
-Scene as_asked(Scene scene, const PictureRequest& request, Context& context) {
-    if (!(request.materials == MaterialOverrides{}))
-        scene = valid::override_materials(std::move(scene), request.materials, context);
-    return with_environment(std::move(scene), request, context);
-}
-
 ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context) {
     check_drawable(scene);
     warn_of_unknown_names(scene, request.settings, context.report());

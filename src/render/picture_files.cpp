@@ -43,7 +43,7 @@ std::vector<io::ExrChannel> color_channels(int count, bool half) {
 
 /// A number as files of one channel hold it.
 std::uint32_t float_word(const ChannelInfo& info, std::uint32_t number) {
-    return std::bit_cast<std::uint32_t>(info.kind == ChannelKind::number && number == none ? -1.0f : float(number));
+    return std::bit_cast<std::uint32_t>(info.kind == ChannelKind::number && number == no_index ? -1.0f : float(number));
 }
 
 }  // namespace
@@ -53,6 +53,13 @@ PixelFormat format_for(const std::string& output, bool transparent) {
         return PixelFormat{io::component_for(output) == Component::f32 ? Component::f32 : Component::u8,
                            transparent ? 4 : 3};
     });
+}
+
+std::unique_ptr<io::ImageWriter> make_color_writer(const io::OutputTarget& target, int width, int height,
+                                                   PixelFormat format, bool half, io::ExrPlace place) {
+    return is_exr(target.path)
+               ? io::make_exr_writer(target, width, height, color_channels(format.channels, half), place)
+               : io::make_image_writer(target, width, height, format.channels, format.component);
 }
 
 std::string channel_file(const std::string& output, const std::string& channel, const std::string& ending) {
@@ -90,12 +97,7 @@ void PictureFiles::add(std::vector<File>& to, const std::string& path,
 void PictureFiles::add_color(const ChannelWishes& wishes) {
     add(
         color_, output_,
-        [&] {
-            return is_exr(output_)
-                       ? io::make_exr_writer(output_, width_, height_,
-                                             color_channels(format_.channels, wishes.half_colors), place_)
-                       : io::make_image_writer(output_, width_, height_, format_.channels, format_.component);
-        },
+        [&] { return make_color_writer(output_, width_, height_, format_, wishes.half_colors, place_); },
         [](const PictureSink& strip, int y) -> const void* { return strip.color_row(y); });
 }
 

@@ -17,6 +17,10 @@ namespace rakelight {
 /// Format of the color file for an output name: @throws Error usage for an unknown ending.
 PixelFormat format_for(const std::string& output, bool transparent);
 
+/// Takes rows of convert_row(). @throws Error usage, failed
+std::unique_ptr<io::ImageWriter> make_color_writer(const io::OutputTarget& target, int width, int height,
+                                                   PixelFormat format, bool half = false, io::ExrPlace place = {});
+
 /// "out/a.png", "depth", ".exr" -> "out/a.depth.exr"
 std::string channel_file(const std::string& output, const std::string& channel, const std::string& ending = ".exr");
 

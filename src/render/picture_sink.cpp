@@ -70,33 +70,51 @@ void PictureSink::count_extremes(const std::byte* row, std::size_t count) {
         extremes_->add_row(row, count, format_.channels);
 }
 
+std::size_t PictureSink::place_of(const Tile& tile, int row) const {
+    return at_row(tile.area.y - first_ + row) + std::size_t(tile.area.x - window_.x);
+}
+
+void PictureSink::keep_channels(const Tile& tile, int row) {
+    const std::size_t count = std::size_t(tile.area.width), from = std::size_t(row) * count, to = place_of(tile, row);
+    for (ChannelPlane& plane : planes_)
+        for_each_channel(
+            [&](std::uint32_t bit, const auto& values) {
+                if (bit == plane.channel)
+                    std::memcpy(plane.words.data() + to * std::size_t(plane.components), values.data() + from,
+                                count * sizeof(values[0]));
+            },
+            tile);
+}
+
 void PictureSink::tile(const Tile& tile) {
-    const Window& a = tile.area;
-    RL_ASSERT(is_kept(a), "a tile reaches out of the strip");
-    const std::size_t count = std::size_t(a.width);
+    RL_ASSERT(is_kept(tile.area), "a tile reaches out of the strip");
+    const std::size_t count = std::size_t(tile.area.width);
     const PixelFormat linear{Component::f32, format_.channels};
     const bool counts = extremes_ && format_.component == Component::u8;
-    if (counts) extremes_->add(tile.srgb8);
-    for (int row = 0; row < a.height; ++row) {
-        const std::size_t from = std::size_t(row) * count;
-        const std::size_t to = at_row(a.y - first_ + row) + std::size_t(a.x - window_.x);
+    for (int row = 0; row < tile.area.height; ++row) {
+        const vec4* const color = tile.color.data() + std::size_t(row) * count;
+        const std::size_t to = place_of(tile, row);
         std::byte* const out = color_.data() + to * format_.bytes();
-        if (!tile.srgb8.empty())
-            pack_row(tile.srgb8.data() + from, count, format_.channels, out);
-        else if (!tile.color.empty())
-            convert_row(tile.color.data() + from, count, format_, tone_, out);
-        if (counts && tile.srgb8.empty()) count_extremes(out, count);
+        convert_row(color, count, format_, tone_, out);
+        if (counts) count_extremes(out, count);
         if (keeps_linear_)
-            convert_row(tile.color.data() + from, count, linear, tone_,
+            convert_row(color, count, linear, tone_,
                         reinterpret_cast<std::byte*>(linear_.data() + to * std::size_t(format_.channels)));
-        for (ChannelPlane& plane : planes_)
-            for_each_channel(
-                [&](std::uint32_t bit, const auto& values) {
-                    if (bit == plane.channel)
-                        std::memcpy(plane.words.data() + to * std::size_t(plane.components), values.data() + from,
-                                    count * sizeof(values[0]));
-                },
-                tile);
+        keep_channels(tile, row);
+    }
+}
+
+void PictureSink::display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) {
+    RL_ASSERT(is_kept(tile.area), "a tile reaches out of the strip");
+    const std::size_t count = std::size_t(tile.area.width);
+    if (extremes_) extremes_->add(srgb8);
+    for (int row = 0; row < tile.area.height; ++row) {
+        std::byte* const out = color_.data() + place_of(tile, row) * format_.bytes();
+        if (!srgb8.empty())
+            pack_row(srgb8.data() + std::size_t(row) * count, count, format_.channels, out);
+        else if (extremes_)
+            count_extremes(out, count);
+        keep_channels(tile, row);
     }
 }
 

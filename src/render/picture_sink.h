@@ -4,9 +4,10 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/tools/strip_sink.h>
 
 #include "render/rows.h"
 #include "render/too_dark_or_bright.h"
@@ -20,7 +21,7 @@ struct ChannelPlane {
     std::vector<std::uint32_t> words;  ///< [rows * window width * components] floats or integers, by info_of(channel)
 };
 
-class PictureSink final : public Sink {
+class PictureSink final : public StripSink {
 public:
     /// Keeps the whole window.
     explicit PictureSink(PixelFormat format, const ToneSettings& tone = {}) : format_(format), tone_(tone) {}
@@ -35,6 +36,7 @@ public:
     }
     DisplayRows display_rows(const Window& area) override;
     void tile(const Tile& tile) override;
+    void display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) override;
     int rows_at_once() const override { return strip_done_ ? rows_ : 0; }
     void rows_done(int first, int rows) override;
     void end_pass(int) override {}
@@ -52,6 +54,9 @@ public:
 
 private:
     bool is_kept(const Window& area) const;
+    /// Where in the arrays of the strip a row of a tile begins.
+    std::size_t place_of(const Tile& tile, int row) const;
+    void keep_channels(const Tile& tile, int row);
     /// @param row  of 8-bit values in `color_`
     void count_extremes(const std::byte* row, std::size_t count);
     std::size_t at_row(int y) const { return std::size_t(y) * std::size_t(window_.width); }

@@ -4,30 +4,15 @@
 #include <rakelight/picture.h>
 #include <rakelight/session.h>
 
-namespace rakelight {
+#include "world/scene_of_request.h"
 
-namespace valid {
-/// override_materials() for a scene that passed validate().
-Scene override_materials(Scene scene, const MaterialOverrides& overrides, Context& context);
-}  // namespace valid
+namespace rakelight {
 
 /// The window that is rendered: the whole picture where none is asked for.
 Window whole_window(const RenderSettings& settings);
 
-/// The scene with what the request says of its surroundings. @throws Error not_found, bad_file: the picture cannot be
-/// read
-Scene with_environment(Scene scene, const PictureRequest& request, Context& context);
-/// Then the default rig is not wanted.
-bool is_lit_by_environment(const Scene& scene);
-
 /// The scene with the lights that the picture is lit by, and the fog.
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
-
-/// The model of a request as it is asked for: its materials and surroundings.
-Scene scene_of_request(const PictureRequest& request, Context& context);
-
-/// A scene with the materials and surroundings that a request asks for.
-Scene as_asked(Scene scene, const PictureRequest& request, Context& context);
 
 /// What a picture is drawn of.
 struct ReadyScene {

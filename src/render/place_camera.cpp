@@ -25,9 +25,9 @@ void check_placement(const ViewRequest& view) {
         throw Error(ErrorCode::usage, "the camera's view angle must be more than 0 and less than 180 degrees");
     if (view.horizontal_fov_rad && !(*view.horizontal_fov_rad > 0 && *view.horizontal_fov_rad < pi))
         throw Error(ErrorCode::usage, "the camera's horizontal angle must be more than 0 and less than 180 degrees");
-    if ((view.near && !(*view.near > 0)) || (view.far && !(*view.far > 0)))
+    if ((view.z_near && !(*view.z_near > 0)) || (view.z_far && !(*view.z_far > 0)))
         throw Error(ErrorCode::usage, "the camera's near and far must be more than 0 m");
-    if (view.near && view.far && !(*view.near < *view.far))
+    if (view.z_near && view.z_far && !(*view.z_near < *view.z_far))
         throw Error(ErrorCode::usage, "the camera's near must be less than its far");
     if (view.up && *view.up == dvec3{0, 0, 0}) throw Error(ErrorCode::usage, "the camera's up must not be zero");
 }
@@ -45,11 +45,11 @@ double radius_of(const Bounds& bounds) {
 void set_depths(Camera& camera, const Bounds& bounds) {
     const double radius = 1.05 * radius_of(bounds);
     const double distance = dot(camera.to_world[3].xyz() - bounds.center(), camera.to_world[2].xyz());
-    camera.near = distance - radius;
-    camera.far = distance + radius;
+    camera.z_near = distance - radius;
+    camera.z_far = distance + radius;
     if (camera.projection == Projection::orthographic) return;
-    camera.far = std::max(camera.far, radius);
-    camera.near = std::max(camera.near, 1e-4 * camera.far);
+    camera.z_far = std::max(camera.z_far, radius);
+    camera.z_near = std::max(camera.z_near, 1e-4 * camera.z_far);
 }
 
 /// What is up in a view along `along`, with a remark where what was asked for, or is up otherwise, says nothing there:
@@ -94,7 +94,7 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
             camera.half_width = math::tan(0.5 * *camera.horizontal_fov_rad) * length(eye - focal);
         camera.projection = Projection::orthographic;
     }
-    camera.node = none;
+    camera.node = no_index;
     set_depths(camera, bounds);
     set_asked_depths(camera, view);
     warn_if_blind(camera, aspect, bounds, file, context.report());

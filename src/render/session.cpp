@@ -44,7 +44,7 @@ std::shared_ptr<const PreparedScene> make_prepared(Scene scene, const PrepareOpt
 
 Camera camera_in_world(const Scene& scene, Camera camera, double aspect) {
     camera.to_world = camera_to_world(scene, camera, world_matrices(scene));
-    camera.node = none;
+    camera.node = no_index;
     return adapt_to_aspect(std::move(camera), aspect);
 }
 

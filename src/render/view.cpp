@@ -6,26 +6,19 @@
 #include <charconv>
 #include <cstdio>
 
-#include <rakelight/words.h>
+#include <rakelight/tools/words.h>
 
 #include "math/functions.h"
 #include "math/linear.h"
+#include "world/scene_of_request.h"
 
 namespace rakelight {
 namespace {
 
-std::string list_of_cameras(const Scene& scene) {
-    if (scene.cameras.empty()) return "the model has none";
-    std::vector<std::string> cameras;
-    for (const Camera& camera : scene.cameras)
-        cameras.push_back(std::to_string(cameras.size()) + " '" + one_line(camera.name, 24) + "'");
-    return "the model has " + std::to_string(cameras.size()) + ": " + list_of_names(cameras);
-}
-
 Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
     Camera camera = scene.cameras[index];
     camera.to_world = camera_to_world(scene, camera, world_matrices(scene));
-    camera.node = none;
+    camera.node = no_index;
     return adapt_to_aspect(camera, aspect);
 }
 
@@ -39,7 +32,7 @@ Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewR
         context.report().add(Remark::warning, scene.source, place, why + "; the default view is used instead");
         Camera fitted = default_camera(bounds, aspect);
         set_asked_depths(fitted, view);
-        if (view.near || view.far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
+        if (view.z_near || view.z_far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
         return fitted;
     };
     if (fault_of(camera, CameraUse::in_engine)) return use_default("the camera is impossible");
@@ -68,30 +61,17 @@ ViewRequest resolve_angles(ViewRequest view, double& aspect) {
 /// The nearer the angle is to 0, the farther away stands a camera that sees the whole model. Engines take distances as
 /// floats: where those of the model's front and back are one, they draw nothing.
 void check_fitted(const Camera& camera) {
-    if ((camera.far - camera.near) * 0x1p24 >= camera.far) return;
+    if ((camera.z_far - camera.z_near) * 0x1p24 >= camera.z_far) return;
     char distance[32];
-    std::snprintf(distance, sizeof distance, "%.2g", camera.far);
+    std::snprintf(distance, sizeof distance, "%.2g", camera.z_far);
     throw Error(ErrorCode::usage,
                 std::string("the camera's angle of view is so small that the whole model shows from ") + distance +
                     " m away, where its front and back are at one distance to a float",
-                {}, "give a larger angle, or --camera-position");
+                {}, "give a larger angle, or 'camera-position'")
+        .naming({"camera-position"});
 }
 
 }  // namespace
-
-std::size_t find_camera(const Scene& scene, const std::string& wanted) {
-    std::size_t number = 0;
-    const auto [end, fault] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-    if (fault == std::errc() && end == wanted.data() + wanted.size() && number < scene.cameras.size()) return number;
-    std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-        if (scene.cameras[i].name == wanted) return i;
-        names.push_back(scene.cameras[i].name);
-    }
-    const std::string near = nearest_word(wanted, names);
-    throw Error(ErrorCode::usage, "there is no camera '" + one_line(wanted, 60) + "'", {},
-                near.empty() ? list_of_cameras(scene) : "did you mean '" + one_line(near, 60) + "'?");
-}
 
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
     validate(scene);
@@ -119,7 +99,7 @@ Camera valid::choose_camera(const Scene& scene, const ViewRequest& asked, double
     if (!view.position) check_fitted(fitted);
     if (view.is_placed()) return place_camera(fitted, true, view, aspect, bounds, scene.source, context);
     set_asked_depths(fitted, view);
-    if (view.near || view.far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
+    if (view.z_near || view.z_far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
     return fitted;
 }
 

@@ -27,10 +27,6 @@ void set_asked_depths(Camera& camera, const ViewRequest& view);
 /// The camera with square pixels in a picture of another aspect than it asks for: all that it wants to show stays in.
 Camera adapt_to_aspect(Camera camera, double aspect);
 
-/// Index of the camera that is asked for by number or name; a name made of digits is found where no such number exists.
-/// @throws Error usage: there is none
-std::size_t find_camera(const Scene& scene, const std::string& wanted);
-
 /// @throws Error usage: a placement that no camera can have, whatever the model
 void check_placement(const ViewRequest& view);
 

@@ -19,7 +19,7 @@ ViewRange view_range(const Scene& scene, const Camera& camera) {
         low = std::min(low, distance);
         high = std::max(high, distance);
     }
-    return {std::max(low, camera.near), std::min(high, camera.far), bounds.low, bounds.high};
+    return {std::max(low, camera.z_near), std::min(high, camera.z_far), bounds.low, bounds.high};
 }
 
 }  // namespace rakelight

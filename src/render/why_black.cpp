@@ -123,8 +123,8 @@ std::string why_out_of_range(const std::vector<Reach>& lights, const std::string
     const std::string out = "it is out of the range of " + all;
     if (cut == 0) return out;
     if (std::size_t(cut) == lights.size())
-        return "--light-cutoff ends " + all + " before it; a smaller value reaches farther";
-    return out + "; of " + std::to_string(cut) + " that is by --light-cutoff: a smaller value reaches farther";
+        return "'light-cutoff' ends " + all + " before it; a smaller value reaches farther";
+    return out + "; of " + std::to_string(cut) + " that is by 'light-cutoff': a smaller value reaches farther";
 }
 
 std::string why_unlit(const Scene& scene, const PictureRequest& request, const std::vector<Reach>& lights) {
@@ -136,8 +136,8 @@ std::string why_unlit(const Scene& scene, const PictureRequest& request, const s
     for (const Reach& r : lights) sum += r.ends_before ? 0 : r.at_most;
     const bool has_cut = std::any_of(lights.begin(), lights.end(), [](const Reach& r) { return r.is_cut; });
     if (sum * math::exp2(request.tone.exposure_ev) < least_visible)
-        return "too little of " + all + " reaches it; see intensity and attenuation of lights, --light-intensity, " +
-               (has_cut ? "--light-cutoff, " : "") + "--exposure";
+        return "too little of " + all + " reaches it; see intensity and attenuation of lights, 'light-intensity', " +
+               (has_cut ? "'light-cutoff', " : "") + "'exposure'";
     if (all_materials(scene, [&](const Material& m) {
             return has_highlights_at_most(m, shading::lighting_of(m, request.settings.lighting));
         }))

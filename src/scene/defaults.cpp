@@ -57,8 +57,8 @@ Camera fit(const Bounds& bounds, double aspect, dvec3 toward_eye, dvec3 side_up,
     const Fit corners = fit_corners(bounds, camera.to_world, tangent * a, tangent, radius);
     const dvec3 eye = bounds.center() + camera.to_world[2].xyz() * corners.distance;
     camera.to_world[3] = {eye.x, eye.y, eye.z, 1};
-    camera.near = std::max(corners.distance - 1.05 * radius, 0.5 * (corners.distance - corners.nearest));
-    camera.far = corners.distance + 1.05 * radius;
+    camera.z_near = std::max(corners.distance - 1.05 * radius, 0.5 * (corners.distance - corners.nearest));
+    camera.z_far = corners.distance + 1.05 * radius;
     return camera;
 }
 

@@ -17,13 +17,14 @@ const char* fault_of_perspective(const Camera& c, CameraUse use) {
     if (!is_across_alone && !is_angle(c.vertical_fov_rad)) return "the field of view is not between 0 and pi";
     if (c.horizontal_fov_rad && !is_angle(*c.horizontal_fov_rad))
         return "the horizontal field of view is not between 0 and pi";
-    return c.near > 0 ? nullptr : "near must be greater than 0";
+    return c.z_near > 0 ? nullptr : "near must be greater than 0";
 }
 
 const char* fault_of_parallel(const Camera& c, CameraUse use) {
     if (!is_length(c.half_height)) return "the visible height is not a number > 0";
     if (c.half_width && !is_length(*c.half_width)) return "the visible width is not a number > 0";
-    return use == CameraUse::in_scene || std::isfinite(c.far) ? nullptr : "far of a parallel projection must be finite";
+    return use == CameraUse::in_scene || std::isfinite(c.z_far) ? nullptr
+                                                                : "far of a parallel projection must be finite";
 }
 
 }  // namespace
@@ -33,7 +34,7 @@ const char* fault_of(const Camera& c, CameraUse use) {
         if (!is_finite(column.xyz()) || !std::isfinite(column.w)) return "the matrix is not finite";
     if (!exists(c.projection, Projection::orthographic)) return "there is no such projection";
     if (c.aspect && !is_length(*c.aspect)) return "the aspect is not a number > 0";
-    if (!std::isfinite(c.near) || !(c.far > c.near)) return "near must be a number and less than far";
+    if (!std::isfinite(c.z_near) || !(c.z_far > c.z_near)) return "near must be a number and less than far";
     return c.projection == Projection::perspective ? fault_of_perspective(c, use) : fault_of_parallel(c, use);
 }
 

@@ -14,7 +14,7 @@ namespace rakelight {
 namespace {
 
 void shift(std::uint32_t& index, std::uint32_t by) {
-    if (index != none) index += by;
+    if (index != no_index) index += by;
 }
 
 std::size_t nodes_of(const ScenePart& part) { return part.scene.nodes.size() + (part.root ? 1 : 0); }
@@ -30,7 +30,7 @@ struct Counts {
         if (part.with_lights) lights += s.lights.size();
         if (part.with_cameras) cameras += s.cameras.size();
         for (const std::size_t count : {nodes, meshes, materials, textures, skins})
-            if (count >= none) throw Error(ErrorCode::bad_file, "too many elements for 32-bit indices");
+            if (count >= no_index) throw Error(ErrorCode::bad_file, "too many elements for 32-bit indices");
     }
     void reserve(Scene& in) const {
         in.nodes.reserve(nodes), in.meshes.reserve(meshes), in.materials.reserve(materials);
@@ -60,7 +60,7 @@ Material shifted(Material m, const MergeOffsets& by) {
 void add_nodes(Scene& into, const Scene& part, const std::optional<Node>& root, const MergeOffsets& by) {
     if (root) into.nodes.push_back(*root);
     for (Node node : part.nodes) {
-        if (root && node.parent == none)
+        if (root && node.parent == no_index)
             node.parent = by.nodes - 1;
         else
             shift(node.parent, by.nodes);
@@ -110,7 +110,7 @@ public:
 private:
     bool is_in_world(std::uint32_t& node) const {
         shift(node, by_.nodes);
-        return has_root_ && node == none;
+        return has_root_ && node == no_index;
     }
 
     bool has_root_;

@@ -15,8 +15,8 @@ std::vector<dmat4> world_matrices(const Scene& scene) {
         const Node& node = scene.nodes[i];
         const Transform& t = node.local;
         const dmat4 local = t.matrix ? *t.matrix : compose(t.translation, t.rotation, t.scale);
-        RL_ASSERT(node.parent == none || node.parent < i, "a parent comes before its child");
-        world[i] = node.parent == none ? local : world[node.parent] * local;
+        RL_ASSERT(node.parent == no_index || node.parent < i, "a parent comes before its child");
+        world[i] = node.parent == no_index ? local : world[node.parent] * local;
     }
     return world;
 }
@@ -73,8 +73,8 @@ std::uint64_t triangle_count(const Scene& scene) {
 }
 
 dmat4 camera_to_world(const Scene&, const Camera& camera, const std::vector<dmat4>& world) {
-    RL_ASSERT(camera.node == none || camera.node < world.size(), "the camera's node exists");
-    const dmat4& m = camera.node == none ? camera.to_world : world[camera.node];
+    RL_ASSERT(camera.node == no_index || camera.node < world.size(), "the camera's node exists");
+    const dmat4& m = camera.node == no_index ? camera.to_world : world[camera.node];
     // The view direction is kept, then the upright one as far as it is perpendicular; x follows, so that the result is a
     // rotation even where the matrix mirrors, shears or flattens.
     const dvec3 x_axis = normalize_or(m[0].xyz(), dvec3{0, 0, 0}), y_axis = normalize_or(m[1].xyz(), dvec3{0, 0, 0});

@@ -19,7 +19,7 @@ void drop_emission(Material& m, Report& report, const std::string& file, const s
 }
 
 void name_default_material(Scene& scene) {
-    const auto has_none = [](const Mesh& m) { return m.material == none; };
+    const auto has_none = [](const Mesh& m) { return m.material == no_index; };
     if (std::none_of(scene.meshes.begin(), scene.meshes.end(), has_none)) return;
     scene.materials.emplace_back().name = "default";
     for (Mesh& mesh : scene.meshes)

@@ -18,7 +18,7 @@ namespace {
 void check_node(const Scene& scene, std::size_t i) {
     const Node& node = scene.nodes[i];
     const Place place{"node", i, node.name};
-    if (node.parent != none && node.parent >= i)
+    if (node.parent != no_index && node.parent >= i)
         place.fail("parent " + std::to_string(node.parent) + " does not come before its child");
     for (const std::uint32_t mesh : node.meshes) place.index("mesh", mesh, scene.meshes.size());
     place.index_or_none("skin", node.skin, scene.skins.size());
@@ -97,7 +97,7 @@ void check_light(const Light& light, std::size_t i, std::size_t nodes) {
     place.enumerator("kind of units", light.units, LightUnits::photometric);
     place.finite("the position", light.position);
     place.finite("the direction", light.direction);
-    if ((light.type == LightType::directional || light.type == LightType::spot) && light.node == none &&
+    if ((light.type == LightType::directional || light.type == LightType::spot) && light.node == no_index &&
         light.direction == dvec3{0, 0, 0})
         place.fail("the direction is zero");
     for (const vec3& color : {light.ambient, light.diffuse, light.specular, light.color})
@@ -143,7 +143,7 @@ void check_skin(const Scene& scene, std::size_t i) {
 void check_influences(const Scene& scene, const std::vector<std::uint32_t>& joints_needed) {
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
-        if (node.skin == none) continue;
+        if (node.skin == no_index) continue;
         const std::size_t joints = scene.skins[node.skin].joints.size();
         for (const std::uint32_t mesh : node.meshes)
             if (joints_needed[mesh] > joints)
@@ -167,7 +167,7 @@ namespace {
 void validate(const Scene& scene, const Scene* known) {
     for (const std::size_t count :
          {scene.nodes.size(), scene.meshes.size(), scene.materials.size(), scene.textures.size()})
-        if (count >= none) throw Error(ErrorCode::bad_file, "too many elements for 32-bit indices");
+        if (count >= no_index) throw Error(ErrorCode::bad_file, "too many elements for 32-bit indices");
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) check_node(scene, i);
     std::vector<std::uint32_t> joints_needed(scene.meshes.size());
     for (std::size_t i = 0; i < scene.meshes.size(); ++i)

@@ -28,7 +28,7 @@ void Place::index(const char* what, std::uint32_t value, std::size_t count) cons
 }
 
 void Place::index_or_none(const char* what, std::uint32_t value, std::size_t count) const {
-    if (value != none) index(what, value, count);
+    if (value != no_index) index(what, value, count);
 }
 
 void Place::size(const char* what, std::size_t is, std::size_t wanted, const char* unit) const {
@@ -121,7 +121,7 @@ void check_channel(const Scene& scene, const Place& place, const AnimationChanne
     place.index_or_none("node", channel.node, scene.nodes.size());
     place.enumerator("path", channel.path, AnimationPath::morph_weights);
     place.enumerator("interpolation", channel.interpolation, Interpolation::cubic_spline);
-    if (channel.node == none) return;
+    if (channel.node == no_index) return;
     if (seen.times.insert(channel.times.identity()).second)
         for (std::size_t k = 0; k < channel.times.size(); ++k) {
             place.finite("a key's time", channel.times[k]);
@@ -150,7 +150,7 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* kno
     place.enumerator("kind of smoothing", mesh.smoothing_kind, SmoothingKind::numbers);
     place.fine(mesh.subdivision ? fault_of(*mesh.subdivision) : nullptr);
     if (mesh.normal_choice) check_choice(place, *mesh.normal_choice);
-    if (vertices >= none) place.fail("too many vertices for 32-bit indices");
+    if (vertices >= no_index) place.fail("too many vertices for 32-bit indices");
     place.finite("the origin", mesh.origin);
     place.finite("the step of the positions", mesh.position_step);
     if (mesh.position_step < 0) place.fail("the step of the positions is negative");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/words.h>
+#include <rakelight/tools/words.h>
 
 #include <algorithm>
 #include <set>

@@ -75,7 +75,7 @@ void add_draws(DrawList& list, std::uint64_t placements) {
             Draw draw;
             draw.node = n;
             draw.mesh = m;
-            draw.material = mesh.material == none ? std::uint32_t(scene.materials.size()) : mesh.material;
+            draw.material = mesh.material == no_index ? std::uint32_t(scene.materials.size()) : mesh.material;
             draw.to_world = list.node_to_world[n] * translation(mesh.origin);
             draw.mirrored = determinant(upper_left(draw.to_world)) < 0;
             std::tie(draw.low, draw.high) = boxes.of(m);
@@ -91,7 +91,7 @@ void add_materials(DrawList& list) {
     list.materials.resize(count + 1);
     for (std::size_t i = 0; i <= count; ++i) {
         DrawMaterial& out = list.materials[i];
-        out.scene_material = i < count ? std::uint32_t(i) : none;
+        out.scene_material = i < count ? std::uint32_t(i) : no_index;
         const Material& m = list.scene_material(out);
         out.two_sided = is_two_sided(m);
         out.classical = m.model == MaterialModel::classical;
@@ -216,7 +216,7 @@ TextureKey key_of(const Texture& texture, ColorSpace space) {
 
 const Material& DrawList::scene_material(const DrawMaterial& material) const {
     static const Material otherwise;
-    return material.scene_material == none ? otherwise : scene.materials[material.scene_material];
+    return material.scene_material == no_index ? otherwise : scene.materials[material.scene_material];
 }
 
 DrawList make_draw_list(Scene given, TextureCache& textures, const TexturePacker& packer, Context& context) {

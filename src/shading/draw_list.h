@@ -15,16 +15,16 @@ namespace rakelight::shading {
 
 /// One mesh at one place.
 struct Draw {
-    std::uint32_t node = none, mesh = none;
+    std::uint32_t node = no_index, mesh = no_index;
     std::uint32_t material = 0;  ///< into DrawList::materials
     dmat4 to_world;              ///< including the mesh's origin
     bool mirrored = false;       ///< det(to_world) < 0
     vec3 low, high;              ///< bounds of the positions, object space
 };
 
-/// A material, and which scene material it is (`none`: the default one).
+/// A material, and which scene material it is (`no_index`: the default one).
 struct DrawMaterial {
-    std::uint32_t scene_material = none;
+    std::uint32_t scene_material = no_index;
     bool is_drawn = false;   ///< else its textures are not looked at
     bool two_sided = false;  ///< is_two_sided() of choices.h
     bool classical = false;  ///< its format says nothing about sides (lit_side.h)

@@ -56,7 +56,7 @@ void set_photometric(LightParameters& p, const Light& light) {
 
 LightPlace place_of(const Light& light, const std::vector<dmat4>& node_to_world) {
     LightPlace out{light.position, light.direction};
-    if (light.node != none) {
+    if (light.node != no_index) {
         const dmat4& m = node_to_world[light.node];
         out = {m[3].xyz(), -m[2].xyz()};
     }

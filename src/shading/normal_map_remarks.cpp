@@ -27,8 +27,10 @@ bool NormalMapRemarks::begin(const Material& material, const TextureUse& use, co
 
 void NormalMapRemarks::look_at_heights(const Material& material, const TextureUse& use, const LoadedTexture& texture) {
     if (begin(material, use, texture) && texture.check->looks_like_normals())
-        say(Remark::warning, is_of_world_ ? "the height map looks like a normal map; 'normal_texture' takes it as one"
-                                          : "the height map looks like a normal map; --texture-normal takes it as one");
+        say(Remark::warning,
+            is_of_world_ ? "the height map looks like a normal map; 'normal_texture' takes it as one"
+                         : "the height map looks like a normal map; 'texture-normal' takes it as one",
+            {"texture-normal"});
 }
 
 void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, const LoadedTexture& texture) {
@@ -37,11 +39,12 @@ void NormalMapRemarks::look_at(const Material& material, const TextureUse& use, 
     if (check.looks_like_heights())
         return say(Remark::warning,
                    is_of_world_ ? "the normal map looks like a height map: it is gray; 'height_texture' takes it as one"
-                                : "the normal map looks like a height map: it is gray; --height-map takes it as one");
+                                : "the normal map looks like a height map: it is gray; 'height-map' takes it as one",
+                   {"height-map"});
     if (check.below > 0)
         say(check.below * 1000 >= check.texels ? Remark::warning : Remark::note, described(check).c_str());
     if (!material.green_down && check.green.is_down())
-        say(Remark::warning, "the normal map looks green-down; --normal-map-green down turns it");
+        say(Remark::warning, "the normal map looks green-down; 'normal-map-green' down turns it", {"normal-map-green"});
     if (material.green_down && check.green.is_up())
         say(Remark::warning, "the normal map looks green-up; the material takes it for green-down");
     if (check.looks_srgb())

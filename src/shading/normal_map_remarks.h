@@ -2,6 +2,9 @@
 // What the report says of suspicious normal maps.
 #pragma once
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <rakelight/scene.h>
 
@@ -22,7 +25,9 @@ public:
 
 private:
     bool begin(const Material& material, const TextureUse& use, const LoadedTexture& texture);
-    void say(Remark remark, const char* message) { report_.add(remark, scene_.source, place_, message); }
+    void say(Remark remark, const char* message, std::vector<std::string> settings = {}) {
+        report_.add(remark, scene_.source, place_, message, std::move(settings));
+    }
 
     const Scene& scene_;
     Report& report_;

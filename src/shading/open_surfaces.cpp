@@ -61,7 +61,7 @@ void OpenSurfaces::remark(const DrawList& list, std::span<const std::uint8_t> is
     std::set<Key> seen;
     const std::uint64_t most = asked ? most_for_warning : most_for_note;
     std::uint64_t looked_at = 0, open = 0, edges = 0;
-    std::uint32_t first = none;
+    std::uint32_t first = no_index;
     for (std::size_t d = 0, end = 0; d < is_culled.size(); d = end) {
         Key key;
         std::uint64_t size = 0;

@@ -21,7 +21,7 @@ ShadingChoice::ShadingChoice(const Scene& scene, const RenderSettings& settings)
     nodes_.resize(scene.nodes.size());
     for (std::size_t n = 0; n < nodes_.size(); ++n) {  // parents come first
         const Node& node = scene.nodes[n];
-        const NodeChoice above = node.parent == none ? NodeChoice{} : nodes_[node.parent];
+        const NodeChoice above = node.parent == no_index ? NodeChoice{} : nodes_[node.parent];
         nodes_[n] = {last_rule(ShadingRule::Of::object, node.name, above.rule),
                      node.shading ? node.shading : above.own};
     }
@@ -37,7 +37,7 @@ bool ShadingChoice::is_all_alike() const {
 Shading ShadingChoice::of(std::uint32_t node, std::uint32_t material) const {
     if (nodes_.empty()) return settings_.shading;
     const NodeChoice& of_node = nodes_[node];
-    const Material* const m = material == none ? nullptr : &scene_.materials[material];
+    const Material* const m = material == no_index ? nullptr : &scene_.materials[material];
     const std::ptrdiff_t rule = m ? last_rule(ShadingRule::Of::material, m->name, of_node.rule) : of_node.rule;
     if (rule >= 0) return settings_.shading_rules[std::size_t(rule)].shading;
     if (settings_.own_shading && m && m->shading) return *m->shading;

@@ -52,8 +52,8 @@ MapCamera directional_camera(const Bounds& bounds, dvec3 direction, const Render
     out.eye = middle - out.axes.z * (1.01 * depth);
     out.camera.projection = Projection::orthographic;
     out.camera.half_height = half / inner_share(settings);
-    out.camera.near = 0;
-    out.camera.far = 2.02 * depth;
+    out.camera.z_near = 0;
+    out.camera.z_far = 2.02 * depth;
     out.camera.to_world = placed(out.axes, out.eye);
     return out;
 }
@@ -64,8 +64,8 @@ MapCamera lamp_camera(const Bounds& bounds, dvec3 position, const MapAxes& axes,
                       const RenderSettings& settings) {
     MapCamera out{{}, axes, position};
     out.camera.vertical_fov_rad = 2 * math::atan2(math::tan(half_angle), inner_share(settings));
-    out.camera.near = std::max(1e-6 * bounds.diagonal(), 1e-12);
-    out.camera.far = std::numeric_limits<double>::infinity();
+    out.camera.z_near = std::max(1e-6 * bounds.diagonal(), 1e-12);
+    out.camera.z_far = std::numeric_limits<double>::infinity();
     out.camera.to_world = placed(axes, position);
     return out;
 }

@@ -10,8 +10,8 @@
 
 namespace rakelight::shading {
 double View::distance_of(double key) const {
-    if (orthographic && key >= 0) return near + (1 - key) * (far - near);
-    return key > 0 ? near / key : std::numeric_limits<double>::infinity();
+    if (orthographic && key >= 0) return z_near + (1 - key) * (z_far - z_near);
+    return key > 0 ? z_near / key : std::numeric_limits<double>::infinity();
 }
 
 dvec3 View::place(double x, double y, double key) const {
@@ -37,8 +37,8 @@ View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderS
     view.orthographic = camera.projection == Projection::orthographic;
     view.width = settings.width;
     view.height = settings.height;
-    view.near = camera.near;
-    view.far = camera.far;
+    view.z_near = camera.z_near;
+    view.z_far = camera.z_far;
     const double aspect = double(settings.width) / double(settings.height);
     const double half_height = view.orthographic ? camera.half_height : math::tan(camera.vertical_fov_rad * 0.5);
     view.scale_y = 1.0 / half_height;
@@ -65,17 +65,17 @@ void narrow_depths(View& view, const Bounds& drawn) {
         nearest = std::min(nearest, distance);
         farthest = std::max(farthest, distance);
     }
-    double near = view.near, far = view.far;
+    double near = view.z_near, far = view.z_far;
     if (!view.orthographic) {
         near = std::max(near, 1e-30 * farthest);  // keys are near / distance: they have to be normal floats
     } else {
         const double diagonal = drawn.diagonal();
-        if (!(diagonal > 0) || view.far - view.near <= 256 * diagonal) return;
+        if (!(diagonal > 0) || view.z_far - view.z_near <= 256 * diagonal) return;
         const double margin = 0.5 * diagonal + 1e-6 * std::max(std::fabs(nearest), std::fabs(farthest));
         near = std::max(near, nearest - margin);
         far = std::min(far, farthest + margin);
     }
-    if (near < far) view.near = near, view.far = far;  // else the scene lies outside of them
+    if (near < far) view.z_near = near, view.z_far = far;  // else the scene lies outside of them
 }
 
 }  // namespace rakelight::shading

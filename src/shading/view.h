@@ -21,9 +21,9 @@ struct View {
     dmat4 world_to_camera;  ///< camera axes: looks along -Z
     dmat4 camera_to_world;
     bool orthographic = false;
-    double scale_x = 1, scale_y = 1;  ///< camera x, y -> clip x, y
-    double near = 0.1, far = 1000;    ///< far may be infinity
-    int width = 0, height = 0;        ///< [px] of the whole picture
+    double scale_x = 1, scale_y = 1;    ///< camera x, y -> clip x, y
+    double z_near = 0.1, z_far = 1000;  ///< far may be infinity
+    int width = 0, height = 0;          ///< [px] of the whole picture
 
     /// [px] of a vertex with w > 0; (0, 0) is the outer corner of the top left pixel.
     dvec2 screen(const ClipVertex& v) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures against the clock. Pictures of all engines are interleaved, so that a neighbor's load falls on all of them.
-#include <rakelight/bench.h>
+#include <rakelight/tools/bench.h>
 
 #include <algorithm>
 #include <ctime>
@@ -49,7 +49,8 @@ void check(const RenderBenchOptions& o) {
         throw Error(ErrorCode::usage,
                     std::to_string(o.triangles) + " triangles are too few for " + std::to_string(o.objects) +
                         " objects of 20 triangles or more each",
-                    {}, "give fewer --objects or more --triangles");
+                    {}, "give fewer 'objects' or more 'triangles'")
+            .naming({"objects", "triangles"});
     if (o.lights > bench_small_lights_max) refuse("lights must be 0 to 10000");
     for (const std::uint32_t lights : o.other_lights)
         if (lights > bench_small_lights_max) refuse("lights must be 0 to 10000");

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measurements of pictures as the program's JSON, schema rakelight.bench/1 (fields are added, never renamed), and as a
 // table.
-#include <rakelight/bench.h>
+#include <rakelight/tools/bench.h>
 
 #include <cstdio>
 
-#include "render/report_json.h"
 #include "tools/inspect_sections.h"
+#include "tools/report_json.h"
 
 namespace rakelight {
 namespace {

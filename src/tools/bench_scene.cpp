@@ -154,8 +154,8 @@ Scene make_bench_scene(std::uint64_t triangles, std::uint32_t objects, std::uint
     Camera camera;
     camera.name = "camera";
     camera.vertical_fov_rad = 2 * half_view;
-    camera.near = 1;
-    camera.far = 100;
+    camera.z_near = 1;
+    camera.z_far = 100;
     scene.cameras.push_back(camera);
     return scene;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attributes against the plain loop. What one repetition measures is interleaved over all rows, so that a neighbor's
 // load falls on all of them.
-#include <rakelight/bench.h>
+#include <rakelight/tools/bench.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measurements as the program's JSON, schema rakelight.bench/1 (fields are added, never renamed), and as a table.
-#include <rakelight/bench.h>
+#include <rakelight/tools/bench.h>
 
 #include <cstdio>
 
-#include "render/report_json.h"
+#include "tools/report_json.h"
 
 namespace rakelight {
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/check_scene.h>
-#include <rakelight/words.h>
+#include <rakelight/tools/check_scene.h>
+#include <rakelight/tools/rows.h>
+#include <rakelight/tools/words.h>
 #include <rakelight/world.h>
 
 #include "engines/check_settings.h"
 #include "render/picture_steps.h"
-#include "render/report_json.h"
 #include "scene/scene_tools.h"
 #include "shading/shadow_cameras.h"
+#include "tools/report_json.h"
 #include "tools/texture_uses.h"
 
 namespace rakelight {
@@ -44,7 +45,7 @@ SceneSummary summarize(const Scene& scene) {
     out.is_world = is_world_file(scene.source);
     for (const Node& node : scene.nodes) {
         out.objects += node.meshes.empty() ? 0 : 1;
-        if (out.is_world && node.parent == none) out.parts.push_back(node.name);
+        if (out.is_world && node.parent == no_index) out.parts.push_back(node.name);
     }
     out.meshes = scene.meshes.size();
     out.triangles = triangle_count(scene);

@@ -31,7 +31,7 @@ Scene gray_scene(const Scene& scene, const InspectOptions& options, Context& con
     gray.cameras = scene.cameras;
     for (Camera& camera : gray.cameras) {
         camera.to_world = camera_to_world(scene, camera, world);
-        camera.node = none;
+        camera.node = no_index;
     }
     Material& material = gray.materials.emplace_back();
     material.model = MaterialModel::classical;
@@ -111,7 +111,7 @@ private:
     void add(const SeamLine& line) {
         dvec3 a = to_camera(line.a), b = to_camera(line.b);
         double deg_a = line.deg_a, deg_b = line.deg_b;
-        const double near = camera_.near;
+        const double near = camera_.z_near;
         if (-a.z < near && -b.z < near) return;
         const auto cut = [&](dvec3& out, double& deg, dvec3 in, double in_deg) {  // at the near plane
             if (-out.z >= near) return;

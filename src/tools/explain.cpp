@@ -64,7 +64,7 @@ TriangleNames names_of(const ExplainedPixel& e, const CoveringTriangle& triangle
     names.material_index = list.materials[draw.material].scene_material;
     names.object = object_title(list.scene, draw.node);
     names.mesh = list.scene.meshes[draw.mesh].name;
-    if (names.material_index != none) names.material = list.scene.materials[names.material_index].name;
+    if (names.material_index != no_index) names.material = list.scene.materials[names.material_index].name;
     return names;
 }
 
@@ -91,7 +91,7 @@ const char* name_of_map(int map) { return texture_roles()[std::size_t(map)].name
 std::string picture_of_map(const ExplainedPixel& e, const ShadedLayer& layer, int map) {
     const shading::DrawList& list = e.engine->list();
     const std::uint32_t index = list.materials[draw_of(e, layer).material].scene_material;
-    if (index == none) return {};
+    if (index == no_index) return {};
     const TextureUse& use = texture_roles()[std::size_t(map)].in(list.scene.materials[index]);
     if (!use) return {};
     const Texture& texture = list.scene.textures[use.texture];

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "engines/raster/inspect/traced_pixel.h"
-#include "render/report_json.h"
 #include "tools/explain_values.h"
+#include "tools/report_json.h"
 
 namespace rakelight {
 

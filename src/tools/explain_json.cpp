@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explained pixels as the program's JSON, schema rakelight.explain/1 (docs/explain.md): fields are added, never renamed.
 // Floats are written as the doubles that they are equal to, so that the bits come back.
-#include <rakelight/words.h>
+#include <rakelight/tools/rows.h>
+#include <rakelight/tools/words.h>
 
-#include "render/report_json.h"
 #include "tools/explain_factors.h"
 #include "tools/explained_pixel.h"
+#include "tools/report_json.h"
 #include "tools/texture_uses.h"
 
 namespace rakelight {
@@ -23,7 +24,7 @@ Json list(const float (&v)[n]) {
 }
 Json list(vec4 v) { return {double(v.x), double(v.y), double(v.z), double(v.w)}; }
 Json list(dvec3 v) { return {v.x, v.y, v.z}; }
-Json index_or_null(std::uint32_t index) { return index == none ? Json() : Json(index); }
+Json index_or_null(std::uint32_t index) { return index == no_index ? Json() : Json(index); }
 
 Json covered_json(const CoveringTriangle& t) {
     Json out = Json::array();

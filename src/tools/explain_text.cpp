@@ -17,7 +17,7 @@ using raster::TracedLight;
 using Cells = std::vector<std::string>;
 
 std::string shown(const std::string& name, std::uint32_t index) {
-    if (index == none) return "(none)";
+    if (index == no_index) return "(none)";
     return name.empty() ? "number " + digits(index) : one_line(name, 60);
 }
 
@@ -192,9 +192,9 @@ std::string corners_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     std::string text;
     for (std::size_t k = 0; k < layer.corners.size(); ++k) {
         const raster::TracedCorner& c = layer.corners[k];
-        text += c.corner.vertex == none ? "  Lit once for the face, at its centroid\n"
-                                        : "  Lit at vertex " + digits(c.corner.vertex) + ", barycentric " +
-                                              digits(layer.trace.barycentric[k]) + "\n";
+        text += c.corner.vertex == no_index ? "  Lit once for the face, at its centroid\n"
+                                            : "  Lit at vertex " + digits(c.corner.vertex) + ", barycentric " +
+                                                  digits(layer.trace.barycentric[k]) + "\n";
         Values values(3);
         values.add("from the eye [m]", c.corner.position, "world axes");
         values.add("normal (n)", c.corner.normal);

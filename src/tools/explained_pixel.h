@@ -8,8 +8,8 @@
 #include <rakelight/explain.h>
 
 #include "engines/raster/inspect/inspection.h"
-#include "render/report_json.h"
 #include "shading/text_numbers.h"
+#include "tools/report_json.h"
 
 namespace rakelight {
 
@@ -24,7 +24,7 @@ struct ExplainedPixel {
 /// Names of a covering triangle's parts; empty where the file gives none.
 struct TriangleNames {
     std::string object, mesh, material;
-    std::uint32_t node = none, mesh_index = none, material_index = none;  ///< into the scene's arrays
+    std::uint32_t node = no_index, mesh_index = no_index, material_index = no_index;  ///< into the scene's arrays
 };
 TriangleNames names_of(const ExplainedPixel& e, const raster::CoveringTriangle& triangle);
 

@@ -43,7 +43,7 @@ void count(ObjectSummary& object, const Mesh& mesh) {
 
 /// @param known  the names that the object has already: a file may give it a hundred thousand
 void add_material(ObjectSummary& object, NameSet& known, const Scene& scene, std::uint32_t material) {
-    if (material == none) return;
+    if (material == no_index) return;
     std::string name = scene.materials[material].name;
     if (name.empty()) name = "material " + std::to_string(material);
     if (known.insert(name).second) object.materials.push_back(std::move(name));
@@ -65,7 +65,7 @@ ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
         texcoords.add(!mesh.texcoords.empty());
         colors.add(!mesh.colors.empty());
         groups.add(!mesh.smoothing.empty() || !mesh.smoothing_hint.empty());
-        influences.add(node.skin != none && !mesh.influences.empty());
+        influences.add(node.skin != no_index && !mesh.influences.empty());
         targets.add(!mesh.targets.empty());
     }
     object.normals = normals.answer(), object.tangents = tangents.answer(), object.texcoords = texcoords.answer();
@@ -76,11 +76,11 @@ ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
 
 /// [materials] How many of the objects have each.
 std::vector<std::uint32_t> objects_of_materials(const Scene& scene, const std::vector<std::uint32_t>& objects) {
-    std::vector<std::uint32_t> count(scene.materials.size(), 0), last(scene.materials.size(), none);
+    std::vector<std::uint32_t> count(scene.materials.size(), 0), last(scene.materials.size(), no_index);
     for (const std::uint32_t node : objects)
         for (const std::uint32_t mesh : scene.nodes[node].meshes) {
             const std::uint32_t material = scene.meshes[mesh].material;
-            if (material == none || last[material] == node) continue;
+            if (material == no_index || last[material] == node) continue;
             last[material] = node;
             ++count[material];
         }
@@ -198,7 +198,7 @@ static std::uint64_t bytes_of_objects(const Scene& scene, const std::vector<std:
     for (const std::uint32_t node : objects) {
         bytes += sizeof(ObjectSummary) + sizeof(SurfaceSummary) + scene.nodes[node].name.size() + 2 * beside_text;
         for (const std::uint32_t mesh : scene.nodes[node].meshes)
-            if (const std::uint32_t material = scene.meshes[mesh].material; material != none)
+            if (const std::uint32_t material = scene.meshes[mesh].material; material != no_index)
                 bytes += sizeof(std::string) + scene.materials[material].name.size() + beside_text;
     }
     return bytes;

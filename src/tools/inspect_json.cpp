@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inspections as the program's JSON, schema rakelight.inspect/1: fields are added, never renamed.
 #include <rakelight/inspect.h>
+#include <rakelight/tools/rows.h>
 
-#include "render/report_json.h"
 #include "tools/camera_extent.h"
+#include "tools/report_json.h"
 #include "tools/texture_uses.h"
 #include "tools/whole_inspection.h"
 
@@ -15,7 +16,7 @@ using Has = ObjectSummary::Has;
 const char* word(Has has) { return has == Has::yes ? "yes" : has == Has::some ? "some" : "no"; }
 Json json_of(dvec3 v) { return {v.x, v.y, v.z}; }
 Json json_of(vec3 v) { return {v.x, v.y, v.z}; }
-Json index_or_null(std::uint32_t index) { return index == none ? Json() : Json(index); }
+Json index_or_null(std::uint32_t index) { return index == no_index ? Json() : Json(index); }
 
 Json json_of(const ObjectSummary& o) {
     return {{"name", o.name},
@@ -84,8 +85,8 @@ Json json_of(const Camera& c) {
         json["half_height"] = c.half_height;
         json["half_width"] = across ? Json(*across) : Json();
     }
-    json["near"] = c.near;
-    json["far"] = c.far;  // null when it is infinite
+    json["near"] = c.z_near;
+    json["far"] = c.z_far;  // null when it is infinite
     return json;
 }
 

@@ -33,7 +33,7 @@ std::string section(const char* title, std::vector<std::string> head, const List
     for (std::size_t i = 0; i < shown; ++i) table.add(add_row(list[i], i));
     const std::size_t more = list.size() - shown + left_out;
     return std::string(title) + "\n" + table.text("  ") +
-           (more ? "  ... " + std::to_string(more) + " more, see --json\n" : "");
+           (more ? "  ... " + std::to_string(more) + " more, all of them in the JSON\n" : "");
 }
 
 /// "300 positions shared by objects, ..." with a line feed.

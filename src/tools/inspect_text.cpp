@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An inspection for people.
 #include <rakelight/inspect.h>
-#include <rakelight/words.h>
+#include <rakelight/tools/words.h>
 
 #include <algorithm>
 

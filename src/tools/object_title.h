@@ -12,7 +12,7 @@ namespace rakelight {
 inline std::string object_title(const Scene& scene, std::uint32_t node) {
     const std::string& own = scene.nodes[node].name;
     std::uint32_t root = node;
-    while (scene.nodes[root].parent != none) root = scene.nodes[root].parent;
+    while (scene.nodes[root].parent != no_index) root = scene.nodes[root].parent;
     const std::string& part = scene.nodes[root].name;
     if (root == node || part.empty() || !is_world_file(scene.source)) return own;
     if (own.empty()) return part + "/node " + std::to_string(node);

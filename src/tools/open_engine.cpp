@@ -9,7 +9,8 @@ Scene load_for_engine(const PictureRequest& request, Context& context) {
     const RenderSettings& settings = request.settings;
     if (settings.edges || settings.points != PointShape::none || !settings.surfaces)
         throw Error(ErrorCode::usage,
-                    "only surfaces can be looked into: leave --edges, --wireframe, --points and --point-sprites out");
+                    "only surfaces can be looked into: leave 'edges', 'wireframe', 'points' and 'point-sprites' out")
+            .naming({"edges", "wireframe", "points", "point-sprites"});
     context.progress("load", 0);
     return scene_of_request(request, context);
 }

@@ -73,7 +73,7 @@ SmoothedMesh describe(const Mesh& before, const Mesh& after, bool changed) {
 
 /// [meshes of `after`] the mesh of `before`, by the nodes that show them.
 std::vector<std::uint32_t> shown_before(const Scene& before, const Scene& after) {
-    std::vector<std::uint32_t> origin(after.meshes.size(), none);
+    std::vector<std::uint32_t> origin(after.meshes.size(), no_index);
     for (std::size_t n = 0; n < after.nodes.size(); ++n)
         for (std::size_t slot = 0; slot < after.nodes[n].meshes.size(); ++slot)
             origin[after.nodes[n].meshes[slot]] = before.nodes[n].meshes[slot];
@@ -83,7 +83,7 @@ std::vector<std::uint32_t> shown_before(const Scene& before, const Scene& after)
 void describe_all(const Scene& before, const Scene& after, SmoothedFile& result) {
     const std::vector<std::uint32_t> origin = shown_before(before, after);
     for (std::size_t i = 0; i < origin.size(); ++i)
-        if (origin[i] != none)
+        if (origin[i] != no_index)
             result.meshes.push_back(describe(before.meshes[origin[i]], after.meshes[i], result.changed));
 }
 
@@ -95,7 +95,7 @@ void save_as_gltf(const Scene& before, const Scene& after, const SmoothFileOptio
     result.meshes_added = done.meshes_added;
     const std::vector<std::uint32_t> origin = shown_before(before, after);
     for (const io::SavedPrimitive& p : done.primitives) {
-        if (origin[p.scene_mesh] == none) continue;
+        if (origin[p.scene_mesh] == no_index) continue;
         SmoothedMesh m = describe(before.meshes[origin[p.scene_mesh]], after.meshes[p.scene_mesh], p.changed);
         m.mesh = p.mesh;
         m.primitive = p.primitive;

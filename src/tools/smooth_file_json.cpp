@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/smooth_file.h>
+#include <rakelight/tools/rows.h>
 
-#include "render/report_json.h"
+#include "tools/report_json.h"
 
 namespace rakelight {
 namespace {
@@ -22,7 +23,7 @@ const char* name_of(SmoothedMesh::Change change) {
     return "";
 }
 
-Json number_or_null(std::uint32_t n) { return n == none ? Json() : Json(n); }
+Json number_or_null(std::uint32_t n) { return n == no_index ? Json() : Json(n); }
 
 Json json_of(const SmoothedMesh& m) {
     return {{"name", m.name},

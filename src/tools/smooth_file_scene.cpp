@@ -11,7 +11,7 @@ namespace {
 bool wants_tangents(const Scene& scene, const Mesh& mesh, TangentChoice choice) {
     if (choice != TangentChoice::automatic) return choice == TangentChoice::always;
     if (!mesh.tangents.empty()) return true;
-    if (mesh.material == none) return false;
+    if (mesh.material == no_index) return false;
     return wants_tangents(scene.materials[mesh.material]);
 }
 

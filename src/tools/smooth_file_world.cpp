@@ -50,12 +50,12 @@ Scene in_bind_pose(const Scene& scene) {
     const std::vector<dmat4> place = bind_pose_matrices(scene);
     Scene out = scene;
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
-        if (scene.nodes[n].skin == none) continue;
+        if (scene.nodes[n].skin == no_index) continue;
         Node standing;  // the node itself may carry others, and moves with its parents
         standing.name = out.nodes[n].name;
         standing.local.matrix = place[n];
         std::swap(standing.meshes, out.nodes[n].meshes);
-        out.nodes[n].skin = none;
+        out.nodes[n].skin = no_index;
         out.nodes.push_back(std::move(standing));
     }
     for (Mesh& mesh : out.meshes) mesh.influences = {};
@@ -68,10 +68,10 @@ Scene placed_in_world(const Scene& scene, Context& context) {
     out.meshes.clear();
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
         Node& node = out.nodes[n];
-        node.parent = none;
+        node.parent = no_index;
         node.local = {};
         node.morph_weights.clear();
-        node.skin = none;
+        node.skin = no_index;
         for (std::uint32_t& m : node.meshes) {
             context.throw_if_cancelled();
             out.meshes.push_back(placed(scene.meshes[m], world[n], context));

@@ -33,7 +33,7 @@ Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> obj
         m.indices = mesh.indices;
         m.normals = mesh.normals;
         const std::uint32_t set = tangent_set(scene, mesh, TangentWish::everywhere);
-        if (set != none) m.texcoords = mesh.texcoords[set];
+        if (set != no_index) m.texcoords = mesh.texcoords[set];
         m.smoothing = mesh.smoothing;
         if (!mesh.smoothing.empty())
             m.group_kind = mesh.smoothing_kind == SmoothingKind::masks ? GroupKind::masks : GroupKind::numbers;

@@ -19,6 +19,8 @@ std::string text_of(double number);
 std::string text_of_float(float number);
 /// [deg] The shortest text whose radians are the same number.
 std::string degrees_of(double radians);
+/// The same of a float that a double was read into.
+std::string degrees_of_float(float radians);
 /// "1,2,3"
 std::string text_of(dvec3 v);
 /// A display color: "#rrggbb" where that is the same color, else "r,g,b".

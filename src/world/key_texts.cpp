@@ -41,11 +41,6 @@ void add(std::string& text, const char* name, const std::string& value) {
     text += std::string(":") + name + "=" + value;
 }
 
-/// [deg] of a float that holds radians.
-std::string cone_of(float cone_rad) {
-    return rounded(double(cone_rad) * 180 / pi, [cone_rad](double deg) { return float(radians(deg)) == cone_rad; });
-}
-
 const char* name_of(const Light& light) {
     if (light.type == LightType::ambient) return "ambient";
     const bool is_classical = light.units == LightUnits::classical;
@@ -63,7 +58,7 @@ void add_classical(const Light& l, std::string& text) {
     if (l.constant != 1 || l.linear != 0 || l.quadratic != 0)
         add(text, "attenuation", text_of(vec3{l.constant, l.linear, l.quadratic}));
     if (l.type != LightType::spot) return;
-    if (l.cutoff_rad != plain.cutoff_rad) add(text, "cutoff", cone_of(l.cutoff_rad));
+    if (l.cutoff_rad != plain.cutoff_rad) add(text, "cutoff", degrees_of_float(l.cutoff_rad));
     if (l.exponent != 0) add(text, "exponent", shortest(l.exponent));
 }
 
@@ -72,8 +67,8 @@ void add_photometric(const Light& l, std::string& text) {
     if (l.color != plain.color) add(text, "color", text_of(l.color));
     if (l.intensity != plain.intensity) add(text, "intensity", shortest(l.intensity));
     if (l.type != LightType::spot) return;
-    if (l.inner_cone_rad != plain.inner_cone_rad) add(text, "inner", cone_of(l.inner_cone_rad));
-    if (l.outer_cone_rad != plain.outer_cone_rad) add(text, "outer", cone_of(l.outer_cone_rad));
+    if (l.inner_cone_rad != plain.inner_cone_rad) add(text, "inner", degrees_of_float(l.inner_cone_rad));
+    if (l.outer_cone_rad != plain.outer_cone_rad) add(text, "outer", degrees_of_float(l.outer_cone_rad));
 }
 
 }  // namespace
@@ -90,6 +85,10 @@ std::string text_of(dvec3 v) { return shortest(v.x) + "," + shortest(v.y) + "," 
 std::string degrees_of(double angle_rad) {
     if (angle_rad == pi) return "180";
     return rounded(angle_rad * 180 / pi, [angle_rad](double deg) { return radians(deg) == angle_rad; });
+}
+
+std::string degrees_of_float(float angle_rad) {
+    return rounded(double(angle_rad) * 180 / pi, [angle_rad](double deg) { return float(radians(deg)) == angle_rad; });
 }
 
 std::string color_of(vec3 linear) {

@@ -37,8 +37,8 @@ constexpr RenderKey table[] = {
            {degrees_of(*r.view.vertical_fov_rad)}),
     RL_KEY("camera-horizontal-angle", value, r.view.horizontal_fov_rad, angle("camera-horizontal-angle", w[0]),
            {degrees_of(*r.view.horizontal_fov_rad)}),
-    RL_KEY("near", value, r.view.near, distance("near", w[0]), {text_of(*r.view.near)}),
-    RL_KEY("far", value, r.view.far, distance("far", w[0]), {text_of(*r.view.far)}),
+    RL_KEY("near", value, r.view.z_near, distance("near", w[0]), {text_of(*r.view.z_near)}),
+    RL_KEY("far", value, r.view.z_far, distance("far", w[0]), {text_of(*r.view.z_far)}),
     RL_KEY("camera-orthographic", flag, r.view.orthographic, w[0] == "on", {"on"}),
 };
 

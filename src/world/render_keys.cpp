@@ -68,7 +68,7 @@ void check_view(const PictureRequest& r, const Given& given) {
     if (given.has("view") && given.has("camera-index")) exclude("view", "camera-index");
     if (const char* const other = given.first_of({"view", "camera-index"}); other && given.has("camera-position"))
         exclude(other, "camera-position", "focal point, view up and view angle may be added to either");
-    if (r.view.near && r.view.far && !(*r.view.near < *r.view.far))
+    if (r.view.z_near && r.view.z_far && !(*r.view.z_near < *r.view.z_far))
         throw Error(ErrorCode::usage, "must be less than 'far'").about("near", {"far"});
 }
 

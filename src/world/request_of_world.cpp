@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include <rakelight/request.h>
+#include <rakelight/tools/words.h>
 
 namespace rakelight {
 namespace {
+
+bool has(std::span<const WorldValue> values, std::string_view key) {
+    return std::ranges::find(values, key, &WorldValue::key) != values.end();
+}
+
+/// A setting that is given takes the place of one of the file: the same, or another that says where the camera stands.
+bool is_overridden(std::span<const WorldValue> given, std::string_view key) {
+    constexpr std::string_view placements[] = {"view", "camera-index", "camera-position"};
+    if (std::ranges::find(placements, key) == std::end(placements)) return has(given, key);
+    return std::ranges::any_of(placements, [&](std::string_view name) { return has(given, name); });
+}
 
 /// Names of files count from the world's folder.
 void resolve(WorldValue& value, const std::string& world, bool allow_outside) {
@@ -18,49 +31,108 @@ void resolve(WorldValue& value, const std::string& world, bool allow_outside) {
     }
 }
 
-void check(const WorldValue& value, const RenderKey* key) {
+const RenderKey& known(const WorldValue& value) {
     if (value.key == "material")
         throw Error(ErrorCode::bad_file, "'material' is no key of [render]", {}, "[[material]] changes materials");
-    if (key == nullptr) return;  // read_render_keys() says so
-    const bool is_flag = key->kind == RenderKey::Kind::flag || key->kind == RenderKey::Kind::switched;
+    if (const RenderKey* const key = find_render_key(value.key)) return *key;
+    std::vector<std::string_view> names;
+    for (const RenderKey& key : render_keys()) names.emplace_back(key.name);
+    const std::string nearest = nearest_word(value.key, names);
+    throw Error(ErrorCode::bad_file, "unknown key '" + one_line(value.key, 40) + "' in [render]", {},
+                nearest.empty() ? "" : "did you mean '" + nearest + "'?");
+}
+
+void check(const WorldValue& value, const RenderKey& key) {
+    const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
     if (is_flag && value.words != std::vector<std::string>{"on"} && value.words != std::vector<std::string>{"off"})
         throw Error(ErrorCode::bad_file, "'" + value.key + "' must be true or false");
 }
 
-/// An error about a value of the world, with its place.
-Error placed(const Error& error, std::span<const WorldValue> values, const std::string& path) {
-    std::vector<std::string> settings = error.related();
-    settings.insert(settings.begin(), error.setting().substr(0, error.setting().find(' ')));
-    for (const std::string& setting : settings)
-        if (const auto value = std::ranges::find(values, setting, &WorldValue::key); value != values.end())
-            return Error(ErrorCode::bad_file, error.reason(), to_text(value->place), error.advice())
-                .about(error.setting(), error.related())
-                .with_file(path);
-    return Error(ErrorCode::bad_file, error.reason(), error.place(), error.advice()).with_file(path);
+/// Sorts the file's settings into those that are taken and those that others override.
+class Taking {
+public:
+    Taking(const std::string& path, const RenderOverrides& overrides, bool allow_outside)
+        : path_(path), overrides_(overrides), allow_outside_(allow_outside) {}
+
+    void take(WorldValue value) {
+        try {
+            const bool is_wanted = !overrides_.takes || overrides_.takes(value.key);
+            const RenderKey& key = known(value);
+            if (is_overridden(overrides_.values, value.key)) return overridden.push_back(value.key);
+            if (!is_wanted) return;
+            check(value, key);
+            if (key.kind == RenderKey::Kind::file) resolve(value, path_, allow_outside_);
+            taken.push_back(std::move(value));
+        } catch (const Error& error) {
+            throw Error(error.code(), error.reason(), to_text(value.place), error.advice()).with_file(path_);
+        }
+    }
+
+    std::vector<WorldValue> taken;
+    std::vector<std::string> overridden;
+
+private:
+    const std::string& path_;
+    const RenderOverrides& overrides_;
+    bool allow_outside_;
+};
+
+/// The settings that an error is about: the first word of the one, then the others.
+std::vector<std::string> settings_of(const Error& error) {
+    std::vector<std::string> all = error.related();
+    if (!error.setting().empty()) all.insert(all.begin(), error.setting().substr(0, error.setting().find(' ')));
+    return all;
+}
+
+/// A setting that is given and one of the file that exclude each other: names both.
+std::optional<Error> disagreement(const Error& error, const WorldRequest& world, std::span<const WorldValue> given) {
+    std::string of_caller, of_world;
+    for (const std::string& setting : settings_of(error)) {
+        const auto value = std::ranges::find(world.taken, setting, &WorldValue::key);
+        if (has(given, setting))
+            of_caller = "'" + setting + "' is given";
+        else if (value != world.taken.end())
+            of_world = "'" + setting + "' is of " + one_line(world.picture.input, 80) + ", " + to_text(value->place);
+    }
+    if (of_caller.empty() || of_world.empty()) return {};
+    return Error(ErrorCode::usage, error.reason(), {}, of_world + ", " + of_caller)
+        .about(error.setting(), settings_of(error));
 }
 
 }  // namespace
 
-PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context) {
-    std::vector<WorldValue> values = read_world(path, context).render;
-    for (WorldValue& value : values) {
-        try {
-            const RenderKey* const key = find_render_key(value.key);
-            check(value, key);
-            if (key && key->kind == RenderKey::Kind::file) resolve(value, path, options.allow_outside);
-        } catch (const Error& error) {
-            throw Error(error.code(), error.reason(), to_text(value.place), error.advice()).with_file(path);
-        }
-    }
-    PictureRequest request;
-    request.input = path;
-    request.load = options;
+Error at_world_value(const Error& error, const WorldRequest& world) {
+    for (const std::string& setting : settings_of(error))
+        if (const auto value = std::ranges::find(world.taken, setting, &WorldValue::key); value != world.taken.end())
+            return Error(ErrorCode::bad_file, error.reason(), to_text(value->place), error.advice())
+                .about(error.setting(), error.related())
+                .with_file(world.picture.input);
+    return error;
+}
+
+WorldRequest read_world_request(const std::string& path, const LoadOptions& options, const RenderOverrides& overrides,
+                                Context& context) {
+    Taking taking(path, overrides, options.allow_outside);
+    for (WorldValue& value : read_world(path, context).render) taking.take(std::move(value));
+    WorldRequest world;
+    world.picture.input = path;
+    world.picture.load = options;
+    world.taken = std::move(taking.taken);
+    std::vector<WorldValue> all = world.taken;
+    all.insert(all.end(), overrides.values.begin(), overrides.values.end());
     try {
-        read_render_keys(values, request);
+        read_render_keys(all, world.picture);
     } catch (const Error& error) {
-        throw placed(error, values, path);
+        if (const auto both = disagreement(error, world, overrides.values)) throw Error(*both);
+        throw at_world_value(error, world);
     }
-    return request;
+    std::vector<std::string>& overridden = world.picture.load.overridden;
+    overridden.insert(overridden.end(), taking.overridden.begin(), taking.overridden.end());
+    return world;
+}
+
+PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context) {
+    return read_world_request(path, options, {}, context).picture;
 }
 
 }  // namespace rakelight

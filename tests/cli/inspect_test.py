@@ -145,8 +145,8 @@ class Inspect(program.Case):
     def test_many_objects_are_cut_for_people_and_whole_in_json(self):
         self.write("many.obj", "".join(f"o part{i}\nv {i} 0 0\nv {i} 1 0\nv {i + 1} 0 0\nf {3 * i + 1} {3 * i + 2} {3 * i + 3}\n" for i in range(100)))
         text = self.run_program("inspect", "many.obj").out
-        self.assertEqual(text.count("... 60 more, see --json"), 2)  # objects, surfaces
-        self.assertIn("... 59 more, see --json", text)  # borders
+        self.assertEqual(text.count("... 60 more, all of them in the JSON"), 2)  # objects, surfaces
+        self.assertIn("... 59 more, all of them in the JSON", text)  # borders
         self.assertEqual(len(self.row("many.obj")["borders"]), 99)
 
     def test_a_heat_map_shows_the_seam_and_nothing_where_there_is_none(self):

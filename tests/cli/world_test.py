@@ -195,8 +195,8 @@ class Worlds(program.Case):
     def test_an_option_of_the_command_line_against_one_of_the_world_names_both(self):
         self.write("w.scene.toml", WALL + "[render]\nsamples = 4\n")
         result = self.run_program("render", "w.scene.toml", "-o", "a.png", "--visibility", "painter")
-        self.check_refused(result, 2, "--samples: 4 samples need --visibility z-reversed", "'samples' is of w.scene.toml, line 4, column 1",
-                           "--visibility of the command line")
+        self.check_refused(result, 2, "--samples: 4 samples need --visibility z-reversed", "--samples is of w.scene.toml, line 4, column 1",
+                           "--visibility is given")
         self.write("w.scene.toml", WALL + "[render]\nsamples = 4\nvisibility = 'painter'\n")
         self.check_refused(self.run_program("render", "w.scene.toml", "-o", "a.png"), 4, "w.scene.toml: line 4, column 1")
 
@@ -205,8 +205,8 @@ class Worlds(program.Case):
         result = self.run_program("render", "w.scene.toml", "-o", "a.png", "--shadow-size", "8192")
         self.check_refused(result, 2, "w.scene.toml: --shadow-size: 6 shadow maps")
         result = self.run_program("render", "w.scene.toml", "-o", "a.png", "--resolution", "50,50")
-        self.check_refused(result, 2, "does not lie inside the picture of 50 x 50 pixels", "'window' is of w.scene.toml, line 9, column 1",
-                           "--resolution of the command line")
+        self.check_refused(result, 2, "does not lie inside the picture of 50 x 50 pixels", "--window is of w.scene.toml, line 9, column 1",
+                           "--resolution is given")
 
     def test_keys_of_materials_on_the_command_line_are_those_of_world_files(self):
         for words, text in ((("color=#4080c0", "specular=0.5,0.5,0.5", "shininess=9"), "color = '#4080c0'\nspecular = [0.5, 0.5, 0.5]\nshininess = 9\n"),

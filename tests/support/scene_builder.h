@@ -10,7 +10,7 @@
 namespace rakelight::test {
 
 /// A square in the plane z = 0 facing +Z, side 2 about the origin, u to the right, v down, normals and tangents as glTF.
-inline Mesh square_mesh(std::uint32_t material = none, float half = 1) {
+inline Mesh square_mesh(std::uint32_t material = no_index, float half = 1) {
     Mesh mesh;
     mesh.name = "square";
     mesh.positions = std::vector<vec3>{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
@@ -54,8 +54,8 @@ inline Camera flat_camera(double distance = 5) {
     Camera camera;
     camera.projection = Projection::orthographic;
     camera.half_height = 1;
-    camera.near = 0.1;
-    camera.far = 100;
+    camera.z_near = 0.1;
+    camera.z_far = 100;
     camera.to_world = translation(dvec3{0, 0, distance});
     return camera;
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <rakelight/error.h>
-#include <rakelight/words.h>
+#include <rakelight/tools/words.h>
 
 namespace rakelight::values {
 

@@ -95,7 +95,15 @@ std::span<const T> part(const std::vector<T>& whole, const Window& in_tile, std:
     return copy;
 }
 
-void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
+/// Who takes the picture.
+struct Taker {
+    explicit Taker(Sink& taking) : sink(taking), strips(dynamic_cast<StripSink*>(&taking)) {}
+    bool takes_srgb8() const { return strips && strips->takes_srgb8(); }
+    Sink& sink;
+    StripSink* strips;  ///< null: it takes whole pictures of linear colors
+};
+
+void deliver(const TileJob& job, std::size_t tile, TileScratch& s, const Taker& taker) {
     const Window area = job.grid.pixels(tile);
     const Window in_tile = {area.x - job.grid.origin_x(tile), area.y - job.grid.origin_y(tile), area.width,
                             area.height};
@@ -103,19 +111,18 @@ void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     if (channels & channel_depth)
         for (float& key : s.depth) key = float(job.front.view.distance_of(double(key)));
     std::vector<vec4> color;
-    std::vector<std::uint32_t> srgb8;
     Tile result{.area = area};
-    if (!job.to_srgb8)
-        result.color = part(s.color, in_tile, color);
-    else if (s.display.first == s.srgb8.data())
-        result.srgb8 = part(s.srgb8, in_tile, srgb8);
+    if (!job.to_srgb8) result.color = part(s.color, in_tile, color);
     ChannelArrays copies;
     for_each_channel(
         [&](std::uint32_t bit, auto& to, const auto& whole, auto& copy) {
             if (channels & bit) to = part(whole, in_tile, copy);
         },
         result, static_cast<const ChannelArrays&>(s), copies);
-    sink.tile(result);
+    if (!job.to_srgb8) return taker.sink.tile(result);
+    std::vector<std::uint32_t> srgb8;
+    const bool is_in_sink = s.display.first != s.srgb8.data();
+    taker.strips->display_tile(result, is_in_sink ? std::span<const std::uint32_t>() : part(s.srgb8, in_tile, srgb8));
 }
 
 /// No triangles in any tile.
@@ -139,15 +146,15 @@ private:
 };
 
 /// Where the tile's display values are made: in the sink, if it has room for the whole tile.
-DisplayRows display_of(const TileJob& job, const Window& area, TileScratch& s, Sink& sink) {
+DisplayRows display_of(const TileJob& job, const Window& area, TileScratch& s, const Taker& taker) {
     DisplayRows rows;
-    if (job.to_srgb8 && area.width == tile_size && area.height == tile_size) rows = sink.display_rows(area);
+    if (job.to_srgb8 && area.width == tile_size && area.height == tile_size) rows = taker.strips->display_rows(area);
     return rows.first ? rows : DisplayRows{s.srgb8.data(), tile_size};
 }
 
-void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink& sink) {
+void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, const Taker& taker) {
     StageClock clock;
-    scratch.display = display_of(job, job.grid.pixels(tile), scratch, sink);
+    scratch.display = display_of(job, job.grid.pixels(tile), scratch, taker);
     const bool is_sampled = job.front.settings.samples > 1;
     if (job.reach)
         job.reach->in_square(job.front.view, job.grid.origin_x(tile), job.grid.origin_y(tile), tile_size,
@@ -171,7 +178,7 @@ void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink&
     if (blends) blend_transparent(job, tile, scratch);
     scratch.times.blending += clock.lap();
     if (job.is_cancelled()) return;  // cut short
-    deliver(job, tile, scratch, sink);
+    deliver(job, tile, scratch, taker);
     scratch.times.delivery += clock.lap();
 }
 
@@ -255,11 +262,12 @@ public:
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended = std::any_of(list_.materials.begin(), list_.materials.end(),
                                              [](const DrawMaterial& m) { return m.factors.blend != 0; });
+        const Taker taker(sink);
         const double waited =
-            draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, sink.takes_srgb8(),
+            draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, taker.takes_srgb8(),
                         (settings.channels & channel_uv1) != 0, &marks, &context,
                         reach.is_worth_it() ? &reach : nullptr, shadows_.data() ? &shadow_texels : nullptr},
-                       sink, context, front.stats);
+                       taker, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;
         open_surfaces_.remark(list_, front.culled_by_side, settings.cull, wanted.cull == Cull::back, context);
@@ -275,7 +283,7 @@ public:
 
 private:
     /// @return [s] what the sink did with finished strips
-    double draw_tiles(const TileJob& job, Sink& sink, Context& context, RenderStats& stats) {
+    double draw_tiles(const TileJob& job, const Taker& taker, Context& context, RenderStats& stats) {
         std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, marked{0}, lit_pixels{0}, depth_passes{0},
             samples_covered{0};
         std::atomic<std::size_t> done{0};
@@ -285,7 +293,7 @@ private:
             auto scratch = pool_.take();
             scratch->covered = scratch->shaded = scratch->not_finite = scratch->marked = scratch->lit_pixels =
                 scratch->depth_passes = scratch->samples_covered = 0;
-            draw_tile(job, tile, *scratch, sink);
+            draw_tile(job, tile, *scratch, taker);
             covered += scratch->covered;
             shaded += scratch->shaded;
             not_finite += scratch->not_finite;
@@ -297,7 +305,7 @@ private:
             context.progress("render", double(++done) / double(job.grid.count()));
         };
         double waited = 0;
-        const int at_once = sink.rows_at_once();
+        const int at_once = taker.strips ? taker.strips->rows_at_once() : 0;
         for (int row = 0; row < job.grid.rows;) {
             const int end = strip_end(job.grid, row, at_once);
             const std::size_t first = job.grid.first_of_row(row);
@@ -305,7 +313,7 @@ private:
             context.throw_if_cancelled();
             StageClock clock;
             const Window top = job.grid.pixels(first), bottom = job.grid.pixels(job.grid.first_of_row(end) - 1);
-            sink.rows_done(top.y, bottom.y + bottom.height - top.y);
+            if (taker.strips) taker.strips->rows_done(top.y, bottom.y + bottom.height - top.y);
             waited += clock.lap();
             row = end;
         }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include <rakelight/engine.h>
+#include <rakelight/tools/strip_sink.h>
 
 namespace rakelight::raster {
 

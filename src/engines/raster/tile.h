@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <rakelight/tools/strip_sink.h>
+
 #include "engines/raster/geometry/front_end.h"
 #include "engines/raster/lights/light_points.h"
 #include "engines/raster/lights/tile_lights.h"

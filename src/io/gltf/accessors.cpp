@@ -70,7 +70,7 @@ Elements Accessors::elements(std::uint32_t index, const Expected& expected, cons
 void Accessors::attach_view(Elements& elements, const Value& accessor) {
     const std::uint32_t bytes = elements.element_bytes();
     const std::uint32_t view_index = accessor.index("bufferView");
-    if (view_index == none) {
+    if (view_index == no_index) {
         if (elements.count > max_invented_bytes / bytes)
             accessor.fail("it has no bufferView; " + std::to_string(elements.count) + " zeros are too many");
         return;

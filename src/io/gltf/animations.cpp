@@ -31,7 +31,7 @@ private:
         const Value target = channel.object("target");
         AnimationChannel result;
         result.node = nodes_.scene_index(target.index("node"));
-        if (result.node == none) return std::nullopt;
+        if (result.node == no_index) return std::nullopt;
         result.path = path_of(target);
         const Value samplers = animation.list("samplers");
         const std::uint32_t index = channel.required_index("sampler");

@@ -22,8 +22,8 @@ void read_perspective(const Value& source, Camera& camera) {
     camera.vertical_fov_rad = positive(source, "yfov");
     if (camera.vertical_fov_rad >= pi) source.fail("yfov must be less than pi");
     if (source.has("aspectRatio")) camera.aspect = positive(source, "aspectRatio");
-    camera.near = positive(source, "znear");
-    camera.far = source.has("zfar") ? positive(source, "zfar") : std::numeric_limits<double>::infinity();
+    camera.z_near = positive(source, "znear");
+    camera.z_far = source.has("zfar") ? positive(source, "zfar") : std::numeric_limits<double>::infinity();
 }
 
 /// xmag and ymag are half the visible width and height. Negative ones mirror the picture; the specification advises
@@ -36,8 +36,8 @@ void read_orthographic(const Value& source, Camera& camera) {
     camera.half_height = y;
     camera.aspect = x / y;
     if (!(*camera.aspect > 0) || !std::isfinite(*camera.aspect)) source.fail("xmag and ymag are too different");
-    camera.near = source.number("znear", 0);
-    camera.far = positive(source, "zfar");
+    camera.z_near = source.number("znear", 0);
+    camera.z_far = positive(source, "zfar");
 }
 
 Camera read_camera(const Value& source, std::uint32_t index) {
@@ -50,7 +50,7 @@ Camera read_camera(const Value& source, std::uint32_t index) {
         read_orthographic(source.object("orthographic"), camera);
     else
         source.fail("its type '" + one_line(type, 30) + "' is unknown");
-    if (!(camera.near < camera.far)) source.fail("zfar must be greater than znear");
+    if (!(camera.z_near < camera.z_far)) source.fail("zfar must be greater than znear");
     return camera;
 }
 

@@ -63,7 +63,7 @@ AlphaMode alpha_mode_of(const Value& source) {
 }  // namespace
 
 std::uint32_t Materials::load(std::uint32_t index, const Value& from) {
-    if (index == none) return none;
+    if (index == no_index) return no_index;
     if (const auto known = loaded_.find(index); known != loaded_.end()) return known->second;
     const Value source = document_.element(material_kind, index, from);
     Material material;

@@ -26,8 +26,8 @@ std::vector<Nodes::Waiting> Nodes::roots() {
     std::vector<Waiting> result;
     if (document().count(scene_kind) > 0 || root.has("scene")) {
         const std::uint32_t chosen = root.index("scene");
-        const Value scene = document().element(scene_kind, chosen == none ? 0 : chosen, root);
-        for (const std::uint32_t node : indices_of(scene.list("nodes"))) result.push_back({node, none});
+        const Value scene = document().element(scene_kind, chosen == no_index ? 0 : chosen, root);
+        for (const std::uint32_t node : indices_of(scene.list("nodes"))) result.push_back({node, no_index});
         roots_from_ = scene;
         return result;
     }
@@ -39,13 +39,13 @@ std::vector<Nodes::Waiting> Nodes::roots() {
             if (child < count) is_child[child] = true;
     }
     for (std::uint32_t n = 0; n < count; ++n)
-        if (!is_child[n]) result.push_back({n, none});
+        if (!is_child[n]) result.push_back({n, no_index});
     if (count > 0) document().remark(Remark::guessed, {}, "the file has no scene; all its root nodes are shown");
     return result;
 }
 
 void Nodes::read() {
-    scene_of_.assign(document().count(node_kind), none);
+    scene_of_.assign(document().count(node_kind), no_index);
     std::vector<Waiting> stack = roots();
     std::reverse(stack.begin(), stack.end());
     while (!stack.empty()) {
@@ -56,11 +56,11 @@ void Nodes::read() {
 }
 
 void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {
-    const Value from = waiting.parent == none
+    const Value from = waiting.parent == no_index
                            ? roots_from_
                            : document().element(node_kind, scene_.nodes[waiting.parent].source_node, roots_from_);
     const Value source = document().element(node_kind, waiting.file, from);
-    if (scene_of_[waiting.file] != none)
+    if (scene_of_[waiting.file] != no_index)
         throw Error(ErrorCode::bad_file,
                     "it is placed twice: the node hierarchy has a cycle or a node with two parents", source.place());
     MemoryCharge& charge = document().scene_charge();
@@ -82,7 +82,7 @@ void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {
 
 void Nodes::attach_mesh(const Value& source, std::uint32_t node) {
     const std::uint32_t mesh = source.index("mesh");
-    if (mesh == none) return;
+    if (mesh == no_index) return;
     const LoadedMesh& loaded = meshes_.load(mesh, source);
     std::vector<float> weights = source.reals("weights");
     const std::size_t targets = loaded.default_weights.size();
@@ -107,7 +107,7 @@ void Nodes::add_instances(const Value& source, const Value& extension, std::uint
     const auto read = [&](const char* name, std::uint32_t width) {
         std::vector<float> values;
         const std::uint32_t accessor = attributes.index(name);
-        if (accessor == none) return values;
+        if (accessor == no_index) return values;
         const Elements elements = accessors_.elements(accessor, {name, components(width), float_or_small}, source);
         if (count.value_or(elements.count) != elements.count)
             source.fail("its instance attributes have different counts");

@@ -8,8 +8,8 @@ namespace rakelight::io::gltf {
 
 /// A node of the file that the scene holds.
 struct PlacedNode {
-    std::uint32_t file = none;   ///< index in the file
-    std::uint32_t scene = none;  ///< index in Scene::nodes
+    std::uint32_t file = no_index;   ///< index in the file
+    std::uint32_t scene = no_index;  ///< index in Scene::nodes
 };
 
 class Nodes {
@@ -22,8 +22,8 @@ public:
     void read();
 
     const std::vector<PlacedNode>& placed() const { return placed_; }
-    /// Scene index of the file's node, `none` when it is not part of the scene.
-    std::uint32_t scene_index(std::uint32_t file) const { return file < scene_of_.size() ? scene_of_[file] : none; }
+    /// Scene index of the file's node, `no_index` when it is not part of the scene.
+    std::uint32_t scene_index(std::uint32_t file) const { return file < scene_of_.size() ? scene_of_[file] : no_index; }
 
 private:
     /// Small: a list of children may be longer than the file has nodes.

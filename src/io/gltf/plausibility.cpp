@@ -8,7 +8,7 @@ void remark_on_quantization(const Document& document, const Accessors& accessors
     const Value attributes = primitive.object("attributes");
     for (const char* name : {"POSITION", "NORMAL", "TANGENT"}) {
         const std::uint32_t accessor = attributes.index(name);
-        if (accessor == none) continue;
+        if (accessor == no_index) continue;
         const Elements elements = accessors.description(accessor, {name, ~0u, ~0u}, primitive);
         if (elements.type != ComponentType::f32)
             document.remark(Remark::warning, primitive.place(),

@@ -56,10 +56,10 @@ std::uint32_t NewData::accessor(std::vector<std::byte> data, std::uint32_t strid
         return k.size == data.size() && k.stride == stride && k.target == target && k.extension == extension_ &&
                std::equal(data.begin(), data.end(), known);
     };
-    std::uint32_t view = none;
-    for (auto [at, end] = views_.equal_range(hash); at != end && view == none; ++at)
+    std::uint32_t view = no_index;
+    for (auto [at, end] = views_.equal_range(hash); at != end && view == no_index; ++at)
         if (is_same(at->second)) view = at->second.view;
-    if (view == none) {
+    if (view == no_index) {
         const std::size_t begin = bytes_.size();
         OrderedJson json = new_view(data, stride, target, description["count"].get<std::size_t>());
         const bool is_packed = json.contains("extensions");

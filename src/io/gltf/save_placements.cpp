@@ -24,7 +24,7 @@ std::vector<MeshVersion> mesh_versions(const Scene& before, const Scene& after, 
     bool is_kept = false, is_stuck = false;
     for (std::size_t n = 0; n < before.nodes.size(); ++n) {
         const Node& node = before.nodes[n];
-        if (node.meshes.empty() || node.source_node == none) continue;
+        if (node.meshes.empty() || node.source_node == no_index) continue;
         const std::uint32_t mesh = before.meshes[node.meshes[0]].source_mesh;
         auto& known = of_mesh[mesh];
         const auto placed = of_node.find(node.source_node);

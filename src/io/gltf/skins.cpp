@@ -14,7 +14,7 @@ constexpr std::uint32_t matrix_components = 16;
 std::vector<dmat4> inverse_bind_matrices(Accessors& accessors, const Value& skin, std::size_t joints) {
     std::vector<dmat4> result(joints);  // the default is the identity
     const std::uint32_t accessor = skin.index("inverseBindMatrices");
-    if (accessor == none) return result;
+    if (accessor == no_index) return result;
     const Elements elements =
         accessors.elements(accessor, {"inverseBindMatrices", components(matrix_components), float_only}, skin);
     if (elements.count < joints)
@@ -39,7 +39,8 @@ Skin read_skin(Accessors& accessors, const Nodes& nodes, const Value& source, st
     accessors.document().scene_charge().grow(joints.size() * (sizeof(dmat4) + sizeof(std::uint32_t)), "skins");
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const std::uint32_t node = nodes.scene_index(joints.index_at(j));
-        if (node == none) source.fail("its joint " + std::to_string(joints.index_at(j)) + " is no node of the scene");
+        if (node == no_index)
+            source.fail("its joint " + std::to_string(joints.index_at(j)) + " is no node of the scene");
         skin.joints.push_back(node);
     }
     skin.inverse_bind = inverse_bind_matrices(accessors, source, skin.joints.size());
@@ -54,11 +55,11 @@ void read_skins(Accessors& accessors, Meshes& meshes, const Nodes& nodes, Scene&
     for (const PlacedNode& placed : nodes.placed()) {
         const Value node = document.element(node_kind, placed.file, document.root());
         const std::uint32_t index = node.index("skin"), mesh = node.index("mesh");
-        if (index == none || mesh == none) continue;
+        if (index == no_index || mesh == no_index) continue;
         const std::uint32_t joints_used = meshes.load(mesh, node).joints_used;
         if (joints_used == 0) continue;
         if (!loaded.contains(index)) {
-            loaded[index] = none;
+            loaded[index] = no_index;
             read_or_drop(document, "skin " + std::to_string(index), [&] {
                 Skin skin = read_skin(accessors, nodes, document.element(skin_kind, index, node), index);
                 scene.skins.push_back(std::move(skin));
@@ -66,7 +67,7 @@ void read_skins(Accessors& accessors, Meshes& meshes, const Nodes& nodes, Scene&
             });
         }
         const std::uint32_t skin = loaded[index];
-        if (skin == none || scene.nodes[placed.scene].meshes.empty()) continue;
+        if (skin == no_index || scene.nodes[placed.scene].meshes.empty()) continue;
         if (joints_used > scene.skins[skin].joints.size())
             node.fail("its mesh follows joint " + std::to_string(joints_used - 1) + ", but its skin has " +
                       std::to_string(scene.skins[skin].joints.size()));

@@ -71,23 +71,23 @@ TextureUse Textures::use(const Value& owner, const char* name) {
         use.texture = load(info.required_index("index"), info);
         result = use;
     });
-    return result.texture == none ? TextureUse{} : result;
+    return result.texture == no_index ? TextureUse{} : result;
 }
 
 std::uint32_t Textures::load(std::uint32_t index, const Value& from) {
     if (const auto known = textures_.find(index); known != textures_.end()) return known->second;
-    textures_[index] = none;  // what fails once is not tried again
+    textures_[index] = no_index;  // what fails once is not tried again
     const Value texture = document_.element(texture_kind, index, from);
     std::uint32_t source = texture.extension("EXT_texture_webp").index("source");
-    if (source == none) source = texture.index("source");
-    if (source == none)
+    if (source == no_index) source = texture.index("source");
+    if (source == no_index)
         texture.fail(texture.extension("KHR_texture_basisu")
                          ? "its only image is KHR_texture_basisu, which is not supported"
                          : "it has no image");
     Texture result;
     result.name = Document::name_of(texture, texture_kind, index);
     result.image = image(source, texture);
-    if (const std::uint32_t sampler_index = texture.index("sampler"); sampler_index != none)
+    if (const std::uint32_t sampler_index = texture.index("sampler"); sampler_index != no_index)
         result.sampler = sampler(sampler_index, texture);
     scene_.textures.push_back(std::move(result));
     return textures_[index] = std::uint32_t(scene_.textures.size() - 1);

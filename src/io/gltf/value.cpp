@@ -77,7 +77,7 @@ Value Value::element(std::size_t i, std::string place) const {
 
 std::uint32_t Value::index_at(std::size_t i) const {
     const auto n = as_count((*json_)[i]);
-    if (!n || *n >= none) fail(name_ + " must hold indices, not " + shown((*json_)[i]));
+    if (!n || *n >= no_index) fail(name_ + " must hold indices, not " + shown((*json_)[i]));
     return std::uint32_t(*n);
 }
 
@@ -120,11 +120,11 @@ std::uint64_t Value::required_count(const char* name) const {
     return *n;
 }
 
-std::uint32_t Value::index(const char* name) const { return find(name) ? required_index(name) : none; }
+std::uint32_t Value::index(const char* name) const { return find(name) ? required_index(name) : no_index; }
 
 std::uint32_t Value::required_index(const char* name) const {
     const std::uint64_t n = required_count(name);
-    if (n >= none) fail(std::string(name) + " " + std::to_string(n) + " is no index");
+    if (n >= no_index) fail(std::string(name) + " " + std::to_string(n) + " is no index");
     return std::uint32_t(n);
 }
 

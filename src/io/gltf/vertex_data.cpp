@@ -39,7 +39,7 @@ void VertexData::check_count(std::uint64_t count, const std::string& semantic) {
     if (*count_ != count)
         primitive_.fail(semantic + " has " + std::to_string(count) + " elements, but the primitive has " +
                         std::to_string(*count_) + " vertices");
-    if (count >= none) primitive_.fail(std::to_string(count) + " vertices are more than indices can reach");
+    if (count >= no_index) primitive_.fail(std::to_string(count) + " vertices are more than indices can reach");
 }
 
 std::optional<Elements> VertexData::find(const Value& owner, const std::string& semantic, const Expected& expected) {

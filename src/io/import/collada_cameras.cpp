@@ -83,8 +83,8 @@ void complete(const ColladaOptics& o, import_stream::View& view) {
         view.half_width = *o.xmag;
     else if (o.ymag)
         view.half_width = *o.ymag * aspect;
-    if (o.znear) view.near = *o.znear;
-    if (o.zfar) view.far = *o.zfar;
+    if (o.znear) view.z_near = *o.znear;
+    if (o.zfar) view.z_far = *o.zfar;
 }
 
 }  // namespace

@@ -83,9 +83,9 @@ Camera camera_of(const View& v, double unit_m) {
         const double half = v.horizontal_fov_rad / 2;
         camera.vertical_fov_rad = 2 * math::atan2(math::sin(half), math::cos(half) * aspect);
     }
-    if (v.near > 0 && std::isfinite(v.near)) camera.near = v.near * unit_m;
-    if (std::isfinite(v.far)) camera.far = v.far * unit_m;
-    if (!(camera.far > camera.near)) camera.far = std::numeric_limits<double>::infinity();
+    if (v.z_near > 0 && std::isfinite(v.z_near)) camera.z_near = v.z_near * unit_m;
+    if (std::isfinite(v.z_far)) camera.z_far = v.z_far * unit_m;
+    if (!(camera.z_far > camera.z_near)) camera.z_far = std::numeric_limits<double>::infinity();
     return camera;
 }
 

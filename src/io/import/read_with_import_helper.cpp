@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "io/file.h"
 #include "io/import/collada_cameras.h"
 #include "io/import/helper_process.h"
 #include "io/import/precheck.h"
 #include "io/import/scene_from_import.h"
+#include "io/import/temporary_file.h"
 #include "io/reader.h"
 #include "scene/scene_tools.h"
 
@@ -29,22 +31,29 @@ double seconds_for(std::size_t bytes, const ReadOptions& options) {
     return options.import_seconds * std::max(1.0, double(bytes) / usual_bytes);
 }
 
-Scene read_checked(const std::string& path, const ReadOptions& options, Context& context) {
-    const std::string ending = ending_of(path);
+/// What is known of a file before the helper reads it.
+struct Checked {
+    std::string ending;
     HelperLimits limits;
     std::map<std::string, ColladaOptics> cameras;
-    {
-        const Bytes bytes = read_file(path, context);  // let go before the helper starts
-        check_before_import(ending, {*bytes, path, context.report()});
-        limits.seconds = seconds_for(bytes->size(), options);
-        if (ending == "dae") cameras = collada_cameras({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    }
-    limits.memory_bytes = helper_memory(context.memory());
-    limits.allow_outside = options.allow_outside;
-    HelperProcess helper(find_import_helper(), path, limits, context);
+};
+
+Checked checked(const std::string& path, std::span<const std::byte> bytes, const ReadOptions& options,
+                Context& context) {
+    Checked out{.ending = ending_of(path), .limits = {}, .cameras = {}};
+    check_before_import(out.ending, {bytes, path, context.report()});
+    out.limits = {seconds_for(bytes.size(), options), helper_memory(context.memory()), options.allow_outside};
+    if (out.ending == "dae") out.cameras = collada_cameras({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return out;
+}
+
+/// @param file  what the helper reads, with the same ending as `path`
+Scene import_file(const std::string& path, const std::string& file, const Checked& known, const ReadOptions& options,
+                  Context& context) {
+    HelperProcess helper(find_import_helper(), file, known.limits, context);
     import_stream::Import import = import_stream::read_import(helper, context);
-    complete_views(cameras, import.document.views);
-    Scene scene = scene_from_import(std::move(import), path, ending, options, context);
+    complete_views(known.cameras, import.document.views);
+    Scene scene = scene_from_import(std::move(import), path, known.ending, options, context);
     validate(scene);
     return scene;
 }
@@ -53,7 +62,20 @@ Scene read_checked(const std::string& path, const ReadOptions& options, Context&
 
 Scene read_with_import_helper(const std::string& path, const ReadOptions& options, Context& context) {
     try {
-        return read_checked(path, options, context);
+        // The bytes are let go before the helper starts.
+        const Checked known = checked(path, *read_file(path, context), options, context);
+        return import_file(path, path, known, options, context);
+    } catch (const Error& e) {
+        throw e.with_file(path);
+    }
+}
+
+Scene read_with_import_helper(const std::string& path, const Bytes& bytes, const ReadOptions& options,
+                              Context& context) {
+    try {
+        const Checked known = checked(path, *bytes, options, context);
+        const TemporaryFile file("model." + known.ending, *bytes);
+        return import_file(path, file.path(), known, options, context);
     } catch (const Error& e) {
         throw e.with_file(path);
     }

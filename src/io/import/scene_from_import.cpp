@@ -58,7 +58,7 @@ void add_nodes(Document& d, Scene& scene) {
         Node& node = scene.nodes.emplace_back();
         node.local = local_of(p, i);
         node.name = std::move(p.name);
-        node.parent = p.parent != import_stream::nothing ? p.parent + shift : above ? 0 : none;
+        node.parent = p.parent != import_stream::nothing ? p.parent + shift : above ? 0 : no_index;
         if (change && !above && p.parent == import_stream::nothing)
             node.local = {.matrix = axes * matrix_of(node.local)};
         node.meshes = std::move(p.meshes);
@@ -74,7 +74,7 @@ void add_nodes(Document& d, Scene& scene) {
 std::vector<dmat4> matrices_to_world(const Scene& scene) {
     std::vector<dmat4> world;
     for (const Node& n : scene.nodes)
-        world.push_back(n.parent == none ? matrix_of(n.local) : world[n.parent] * matrix_of(n.local));
+        world.push_back(n.parent == no_index ? matrix_of(n.local) : world[n.parent] * matrix_of(n.local));
     return world;
 }
 

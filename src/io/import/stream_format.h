@@ -98,7 +98,7 @@ struct View {
     std::string name;
     std::uint32_t node = nothing;
     dvec3 position{0, 0, 0}, direction{0, 0, -1}, up{0, 1, 0};
-    double horizontal_fov_rad = 0, aspect = 0, near = 0, far = 0,
+    double horizontal_fov_rad = 0, aspect = 0, z_near = 0, z_far = 0,
            half_width = 0;  ///< aspect 0: unknown; half_width > 0: parallel
 };
 
@@ -234,8 +234,8 @@ void transfer(Io& io, View& v) {
     io.value(v.up);
     io.value(v.horizontal_fov_rad);
     io.value(v.aspect);
-    io.value(v.near);
-    io.value(v.far);
+    io.value(v.z_near);
+    io.value(v.z_far);
     io.value(v.half_width);
 }
 template <class Io>

@@ -129,7 +129,7 @@ std::uint32_t TextureTable::number(const TextureLink& link) {
     const auto key = std::pair(link.picture, link.picture == nothing ? link.path : std::string());
     auto known = images_.find(key);
     if (known == images_.end()) known = images_.emplace(key, image(link)).first;
-    if (!known->second) return none;
+    if (!known->second) return no_index;
     const auto place =
         numbers_.emplace(std::tuple(known->second, link.wrap_u, link.wrap_v), std::uint32_t(scene_.textures.size()));
     if (place.second) {

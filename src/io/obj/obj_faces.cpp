@@ -36,11 +36,11 @@ std::string joined_words(Tokens words) {
     return joined;
 }
 
-/// 0-based index, or `none` for 0 and out of range. Negative ones count back from the `seen` lines so far.
+/// 0-based index, or `no_index` for 0 and out of range. Negative ones count back from the `seen` lines so far.
 std::uint32_t resolved(std::int64_t written, std::uint64_t seen, std::uint64_t total) {
-    if (written > 0) return std::uint64_t(written) <= total ? std::uint32_t(written - 1) : none;
+    if (written > 0) return std::uint64_t(written) <= total ? std::uint32_t(written - 1) : no_index;
     const std::uint64_t back = std::uint64_t(0) - std::uint64_t(written);  // defined for the least integer too
-    return back != 0 && back <= seen ? std::uint32_t(seen - back) : none;
+    return back != 0 && back <= seen ? std::uint32_t(seen - back) : no_index;
 }
 
 /// An entry of a table by names, without what a long name keeps outside.
@@ -118,13 +118,13 @@ private:
 
     void begin_object(std::string name) {
         name_ = std::move(name);
-        object_ = none;
+        object_ = no_index;
     }
 
     void resume_group(std::string name) {
-        if (name == name_ && object_ != none) return;
+        if (name == name_ && object_ != no_index) return;
         const auto known = groups_.find(name);
-        object_ = known != groups_.end() ? known->second : none;
+        object_ = known != groups_.end() ? known->second : no_index;
         name_ = std::move(name);
     }
 
@@ -139,14 +139,14 @@ private:
         smoothing_ = 0;
         if (!words.next(word) || word.text == "off") return;
         const auto number = parse_integer(word.text);
-        if (number && *number >= 0 && *number < std::int64_t(none))
+        if (number && *number >= 0 && *number < std::int64_t(no_index))
             smoothing_ = std::uint32_t(*number);
         else
             remarks_.add(Issue::smoothing_syntax, line_);
     }
 
     GrowingMesh& mesh(Topology topology, bool has_normals) {
-        if (object_ == none) {
+        if (object_ == no_index) {
             object_ = std::uint32_t(elements_.objects.size());
             make_room(elements_.objects, elements_.charge);
             elements_.charge.grow(heap_bytes(name_), "the names of an OBJ file");
@@ -173,14 +173,14 @@ private:
             if (!token) return remarks_.add(syntax, line_), false;
             Corner c;
             c.position = resolved(token->position, seen_positions_, contents_.positions);
-            if (c.position == none) return remarks_.add(Issue::face_index, line_), false;
+            if (c.position == no_index) return remarks_.add(Issue::face_index, line_), false;
             if (token->texcoord) {
                 c.texcoord = resolved(*token->texcoord, seen_texcoords_, contents_.texcoords);
-                if (c.texcoord == none) remarks_.add(Issue::face_texcoord_index, line_);
+                if (c.texcoord == no_index) remarks_.add(Issue::face_texcoord_index, line_);
             }
             if (token->normal) {
                 c.normal = resolved(*token->normal, seen_normals_, contents_.normals);
-                if (c.normal == none) remarks_.add(Issue::face_normal_index, line_);
+                if (c.normal == no_index) remarks_.add(Issue::face_normal_index, line_);
             }
             push_charged(corners_, c, charge_);
         }
@@ -192,9 +192,9 @@ private:
         if (corners_.size() < 3) return remarks_.add(Issue::face_short, line_);
         bool has_normals = true;
         for (const Corner& c : corners_)
-            has_normals = has_normals && c.normal != none && !(data_.normals[c.normal] == vec3{});
+            has_normals = has_normals && c.normal != no_index && !(data_.normals[c.normal] == vec3{});
         if (!has_normals)
-            for (Corner& c : corners_) c.normal = none;
+            for (Corner& c : corners_) c.normal = no_index;
         cut();
         GrowingMesh& target = mesh(Topology::triangles, has_normals);
         if (observe_) {
@@ -257,7 +257,7 @@ private:
     }
 
     static Corner without_normal(Corner c) {
-        c.normal = none;
+        c.normal = no_index;
         return c;
     }
 
@@ -277,7 +277,7 @@ private:
     std::uint64_t line_ = 0, material_line_ = 0, seen_positions_ = 0, seen_texcoords_ = 0, seen_normals_ = 0;
     std::string name_, material_name_;
     NameMap<std::uint32_t> groups_;  ///< name -> object, in files without `o`
-    std::uint32_t object_ = none, material_ = none, smoothing_ = 0;
+    std::uint32_t object_ = no_index, material_ = no_index, smoothing_ = 0;
     bool is_material_known_ = false;
     MemoryCharge charge_;          ///< pays for groups_ and corners_
     std::vector<Corner> corners_;  ///< of the element at hand

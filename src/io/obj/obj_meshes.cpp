@@ -43,8 +43,8 @@ std::uint32_t CornerTable::index_of(const Corner& corner, MemoryCharge& charge) 
     if (2 * (corners_.size() + 1) > slots_.size()) grow(charge);
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t slot = hash_of(corner, key_) & mask;; slot = (slot + 1) & mask) {
-        if (slots_[slot] == none) {
-            if (corners_.size() >= none - 1)
+        if (slots_[slot] == no_index) {
+            if (corners_.size() >= no_index - 1)
                 throw Error(ErrorCode::bad_file, "a mesh has more than 4294967294 vertices");
             slots_[slot] = std::uint32_t(corners_.size());
             push_charged(corners_, corner, charge);
@@ -57,11 +57,11 @@ std::uint32_t CornerTable::index_of(const Corner& corner, MemoryCharge& charge) 
 void CornerTable::grow(MemoryCharge& charge) {
     const std::size_t before = slots_.capacity(), size = std::max<std::size_t>(8, 2 * slots_.size());
     charge.grow(size * sizeof(std::uint32_t), "the faces of an OBJ file");
-    slots_ = std::vector<std::uint32_t>(size, none);
+    slots_ = std::vector<std::uint32_t>(size, no_index);
     charge.shrink(before * sizeof(std::uint32_t));
     for (std::uint32_t i = 0; i < corners_.size(); ++i) {
         std::size_t slot = hash_of(corners_[i], key_) & (size - 1);
-        while (slots_[slot] != none) slot = (slot + 1) & (size - 1);
+        while (slots_[slot] != no_index) slot = (slot + 1) & (size - 1);
         slots_[slot] = i;
     }
 }
@@ -76,7 +76,7 @@ std::uint64_t GrowingMesh::bytes() const {
 
 std::size_t CornerTable::longest_run() const {
     std::size_t longest = 0, run = 0;
-    for (const std::uint32_t slot : slots_) longest = std::max(longest, run = slot == none ? 0 : run + 1);
+    for (const std::uint32_t slot : slots_) longest = std::max(longest, run = slot == no_index ? 0 : run + 1);
     return longest;
 }
 
@@ -127,7 +127,7 @@ Mesh finish_mesh(GrowingMesh& growing, const VertexData& data, dvec3 origin, boo
                  MemoryCharge& charge, Context& context) {
     const std::vector<Corner>& corners = growing.table.corners();
     const auto has = [&](auto&& test) { return std::any_of(corners.begin(), corners.end(), test); };
-    const bool has_texcoords = has([](const Corner& c) { return c.texcoord != none; });
+    const bool has_texcoords = has([](const Corner& c) { return c.texcoord != no_index; });
     const bool has_colors = !data.colors.empty() && has([&](const Corner& c) { return data.has_color[c.position]; });
     Mesh mesh;
     mesh.topology = growing.key.topology;
@@ -142,9 +142,9 @@ Mesh finish_mesh(GrowingMesh& growing, const VertexData& data, dvec3 origin, boo
         mesh.normals = block_of<vec3>(corners, context, [&](const Corner& c) { return data.normals[c.normal]; });
     if (has_texcoords) {
         mesh.texcoords.push_back(block_of<vec2>(corners, context, [&](const Corner& c) {
-            return c.texcoord != none ? data.texcoords[c.texcoord] : vec2{};
+            return c.texcoord != no_index ? data.texcoords[c.texcoord] : vec2{};
         }));
-        if (has([](const Corner& c) { return c.texcoord == none; })) remarks.add(Issue::texcoords_missing, 0);
+        if (has([](const Corner& c) { return c.texcoord == no_index; })) remarks.add(Issue::texcoords_missing, 0);
     }
     if (has_colors)
         mesh.colors = block_of<vec4>(corners, context, [&](const Corner& c) { return data.colors[c.position]; });

@@ -15,9 +15,9 @@
 
 namespace rakelight::io::obj {
 
-/// Indices of one corner into VertexData, 0-based; `none` where the corner has no such thing.
+/// Indices of one corner into VertexData, 0-based; `no_index` where the corner has no such thing.
 struct Corner {
-    std::uint32_t position = none, texcoord = none, normal = none;
+    std::uint32_t position = no_index, texcoord = no_index, normal = no_index;
     bool operator==(const Corner&) const = default;
 };
 
@@ -58,7 +58,7 @@ private:
 
 /// What makes a mesh: the object, the material, what is drawn, and whether its faces have normals.
 struct MeshKey {
-    std::uint32_t object = 0, material = none;
+    std::uint32_t object = 0, material = no_index;
     Topology topology = Topology::triangles;
     bool has_normals = false;
     bool operator==(const MeshKey&) const = default;

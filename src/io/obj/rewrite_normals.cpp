@@ -110,8 +110,8 @@ private:
         // The first place of each corner among the triangles' corners.
         const std::size_t first = corner_places_.size();
         context_.memory().check((first + f.corners.size()) * 16, "the faces of an OBJ file");
-        corner_places_.resize(first + f.corners.size(), none);
-        old_normals_.resize(corner_places_.size(), none);
+        corner_places_.resize(first + f.corners.size(), no_index);
+        old_normals_.resize(corner_places_.size(), no_index);
         for (std::size_t i = f.triangles.size(); i-- > 0;) corner_places_[first + f.triangles[i]] = std::uint32_t(i);
         for (std::size_t k = 0; k < f.corners.size(); ++k) old_normals_[first + k] = f.corners[k].normal;
         faces_.push_back({f.line.begin, first, 0, std::uint32_t(f.corners.size())});
@@ -125,10 +125,10 @@ private:
             faces_[f].object = meshes[number].key.object;
             for (std::size_t k = faces_[f].first_corner; k < faces_[f].first_corner + faces_[f].corners; ++k) {
                 const std::size_t at = first_index + corner_places_[k];
-                if (corner_places_[k] == none || at >= mesh.indices.size() || mesh.normals.empty())
+                if (corner_places_[k] == no_index || at >= mesh.indices.size() || mesh.normals.empty())
                     throw Error(ErrorCode::failed, "the file changed while it was worked on");
                 const vec3 n = mesh.normals[mesh.indices[at]];
-                is_changed_ = is_changed_ || old_normals_[k] == none || !is_near(data_.normals[old_normals_[k]], n);
+                is_changed_ = is_changed_ || old_normals_[k] == no_index || !is_near(data_.normals[old_normals_[k]], n);
                 corner_places_[k] = blocks_[faces_[f].object].number_of(n);
             }
         }

@@ -19,22 +19,24 @@ std::vector<WorldKey> placed(std::vector<WorldKey> keys) {
     keys.push_back({"rotation_deg", Kind::vector, "Turns it about x, then y, then z"});
     keys.push_back({"scale", Kind::scale, "Its size: a number, or one for each of x, y, z; not 0", {-1e9, 1e9}});
     keys.push_back({"material", Kind::text, "Name of a [[material]] for all of it"});
-    keys.push_back({"normals", Kind::word,
-                    "Whose normals count, as --normals; model: over all parts of the world that are smoothed so",
-                    any_number, normal_words});
-    keys.push_back({"crease_angle_deg", Kind::number, "Edges bent more stay sharp, as --crease-angle", {0, 180}});
-    keys.push_back({"shading", Kind::word, "How often its lighting is evaluated, before --shading", any_number,
-                    names_of<Shading>(shading_words)});
-    keys.push_back({"subdivide", Kind::integer, "Levels of subdivision, as --subdivide", {0, 8}});
-    keys.push_back({"subdivide_edge", Kind::number, "As --subdivide-edge [m]", {1e-6, 1e6}});
-    keys.push_back({"subdivide_scheme", Kind::word, "As --subdivide-scheme", any_number,
-                    names_of<SubdivisionScheme>(subdivision_scheme_words)});
-    keys.push_back({"subdivide_crease_deg", Kind::number, "As --subdivide-crease", {0, 180}});
-    keys.push_back({"subdivide_sharpness", Kind::number, "As --subdivide-sharpness", {0, 10}});
-    keys.push_back({"subdivide_boundary", Kind::word, "As --subdivide-boundary", any_number,
-                    names_of<bool>(subdivision_boundary_words)});
     keys.push_back(
-        {"subdivide_uv", Kind::word, "As --subdivide-uv", any_number, names_of<SubdivisionUv>(subdivision_uv_words)});
+        {"normals", Kind::word,
+         "Whose normals count, as normals of [render]; model: over all parts of the world that are smoothed so",
+         any_number, normal_words});
+    keys.push_back(
+        {"crease_angle_deg", Kind::number, "Edges bent more stay sharp, as crease-angle of [render]", {0, 180}});
+    keys.push_back({"shading", Kind::word, "How often its lighting is evaluated, before shading of [render]",
+                    any_number, names_of<Shading>(shading_words)});
+    keys.push_back({"subdivide", Kind::integer, "Levels of subdivision, as subdivide of [render]", {0, 8}});
+    keys.push_back({"subdivide_edge", Kind::number, "As subdivide-edge of [render], in m", {1e-6, 1e6}});
+    keys.push_back({"subdivide_scheme", Kind::word, "As subdivide-scheme of [render]", any_number,
+                    names_of<SubdivisionScheme>(subdivision_scheme_words)});
+    keys.push_back({"subdivide_crease_deg", Kind::number, "As subdivide-crease of [render]", {0, 180}});
+    keys.push_back({"subdivide_sharpness", Kind::number, "As subdivide-sharpness of [render]", {0, 10}});
+    keys.push_back({"subdivide_boundary", Kind::word, "As subdivide-boundary of [render]", any_number,
+                    names_of<bool>(subdivision_boundary_words)});
+    keys.push_back({"subdivide_uv", Kind::word, "As subdivide-uv of [render]", any_number,
+                    names_of<SubdivisionUv>(subdivision_uv_words)});
     return keys;
 }
 
@@ -46,7 +48,7 @@ std::vector<WorldKey> model_keys() {
          any_number,
          {},
          true},
-        {"name", Kind::text, "What [[material]] and --shading call it (default: the file's name)"},
+        {"name", Kind::text, "What [[material]] and shading of [render] call it (default: the file's name)"},
         {"lights", Kind::flag, "Whether its own lights come along (default: no)"},
         {"cameras", Kind::flag, "Whether its own cameras come along, behind those of this file (default: no)"},
     });
@@ -55,7 +57,7 @@ std::vector<WorldKey> model_keys() {
 std::vector<WorldKey> primitive_keys() {
     return placed({
         {"type", Kind::word, "The shape", any_number, {"teapot", "sphere", "cylinder", "cone", "torus", "plane"}, true},
-        {"name", Kind::text, "What [[material]] and --shading call it (default: the type)"},
+        {"name", Kind::text, "What [[material]] and shading of [render] call it (default: the type)"},
         {"radius", Kind::number, "Of sphere, cylinder, cone and torus [m] (default 1)", {1e-6, 1e6}},
         {"tube_radius", Kind::number, "Of the torus [m] (default 0.35)", {1e-6, 1e6}},
         {"height", Kind::number, "Of cylinder and cone [m] (default 2)", {1e-6, 1e6}},
@@ -75,7 +77,7 @@ std::vector<WorldKey> primitive_keys() {
 
 std::vector<WorldKey> camera_keys() {
     return {
-        {"name", Kind::text, "For --camera-index"},
+        {"name", Kind::text, "For camera-index of [render]"},
         {"position", Kind::vector, "Where it stands [m]", any_number, {}, true},
         {"target", Kind::vector, "What it looks at [m] (default 0, 0, 0)"},
         {"up", Kind::vector, "Which way is up (default 0, 1, 0)"},
@@ -144,7 +146,7 @@ std::vector<WorldKey> light_keys() {
         {"inner_cone_deg", Kind::number, "photometric spot: half angle of full light (default 0)", {0, 90}},
         {"outer_cone_deg", Kind::number, "photometric spot: half angle of its cone (default 45)", cone_deg},
         {"range", Kind::number, "point, spot: where the light ends [m] (default: nowhere)", {least_light_range, 1e30}},
-        {"casts_shadow", Kind::flag, "Whether --shadows makes it throw some (default: yes)"},
+        {"casts_shadow", Kind::flag, "Whether it casts one where [render] has shadows (default: yes)"},
     };
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <rakelight/error.h>
-#include <rakelight/words.h>
+#include <rakelight/tools/words.h>
 #include <rakelight/world.h>
 
 namespace rakelight::io::world {

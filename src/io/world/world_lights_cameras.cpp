@@ -120,11 +120,12 @@ Camera read_camera(const SectionValues& v, WorldFile& world) {
         camera.projection = Projection::orthographic;
         camera.half_height = v.number("orthographic_height", 2) / 2;
     }
-    camera.near = v.number("near", camera.near);
-    camera.far = v.number("far", std::max(camera.far, 2 * camera.near));
-    if (camera.projection == Projection::perspective && !(camera.near > 0))
+    camera.z_near = v.number("near", camera.z_near);
+    camera.z_far = v.number("far", std::max(camera.z_far, 2 * camera.z_near));
+    if (camera.projection == Projection::perspective && !(camera.z_near > 0))
         fail(v.place_of("near"), "'near' must be more than 0");
-    if (!(camera.far > camera.near)) fail(v.place_of(v.has("far") ? "far" : "near"), "'far' must be more than 'near'");
+    if (!(camera.z_far > camera.z_near))
+        fail(v.place_of(v.has("far") ? "far" : "near"), "'far' must be more than 'near'");
     return camera;
 }
 

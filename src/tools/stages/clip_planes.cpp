@@ -24,8 +24,8 @@ struct CutPlane {
     double (*inside_by)(const Corner& c, const shading::View& view);  ///< >= 0: inside
 };
 constexpr CutPlane cut_planes[] = {
-    {"near", false, [](const Corner& c, const shading::View& v) { return c.distance - v.near; }},
-    {"far", false, [](const Corner& c, const shading::View& v) { return v.far - c.distance; }},
+    {"near", false, [](const Corner& c, const shading::View& v) { return c.distance - v.z_near; }},
+    {"far", false, [](const Corner& c, const shading::View& v) { return v.z_far - c.distance; }},
     {"left", true, [](const Corner& c, const shading::View&) { return c.w + c.x; }},
     {"right", true, [](const Corner& c, const shading::View&) { return c.w - c.x; }},
     {"bottom", false, [](const Corner& c, const shading::View&) { return c.w + c.y; }},
@@ -106,7 +106,7 @@ private:
         const std::string name = cut_planes[p].name;
         const double side = name == "left" || name == "bottom" ? -1 : 1;
         if (name == "near" || name == "far") {
-            const double at = name == "near" ? view_.near : view_.far;
+            const double at = name == "near" ? view_.z_near : view_.z_far;
             canvases_[p].line(f({at, -reach.y}), f({at, reach.y}), frame);
         } else if (view_.orthographic) {
             canvases_[p].line(f({0, side}), f({reach.x, side}), frame);

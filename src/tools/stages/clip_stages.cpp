@@ -22,7 +22,7 @@ Stage clip_stage(const Sources& of, const Vertices& vertices) {
                 "behind the eye w is negative, and a division would wrap such points round to the front."};
     const shading::View& view = of.engine.view();
     const bool parallel = view.orthographic;
-    const double far = std::min(view.far, vertices.farthest()), w = parallel ? 1 : view.near;
+    const double far = std::min(view.z_far, vertices.farthest()), w = parallel ? 1 : view.z_near;
     Space space{.caption = std::string(parallel ? "Distance" : "w") +
                            " to the right, y up; in orange the planes y = +-w and the near plane.",
                 .only_transformed = true,
@@ -32,7 +32,7 @@ Stage clip_stage(const Sources& of, const Vertices& vertices) {
                 }};
     space.behind.push_back({{0, 0}, {far, 0}, axis});
     for (const double y : {-1.0, 1.0}) space.before.push_back({{0, parallel ? y : 0}, {far, y * (parallel ? 1 : far)}});
-    space.before.push_back({{view.near, -w}, {view.near, w}});
+    space.before.push_back({{view.z_near, -w}, {view.z_near, w}});
     add_plot(s, of, vertices, "clip-space", space);
     add_table(s, vertices, true, {"x", "y", "w", "distance"}, [&](std::size_t d, std::uint32_t v) {
         const shading::ClipVertex c = vertices.clip(d, v);
@@ -96,7 +96,7 @@ void add_screen_plot(Stage& s, const Sources& of, const Vertices& vertices) {
               .place =
                   [&](std::size_t d, std::uint32_t v) {
                       const shading::ClipVertex c = vertices.clip(d, v);
-                      const dvec2 p = double(c.distance) < view.near ? dvec2{std::nan(""), 0} : view.screen(c);
+                      const dvec2 p = double(c.distance) < view.z_near ? dvec2{std::nan(""), 0} : view.screen(c);
                       return dvec2{p.x, -p.y};  // y is down already
                   },
               .fixed = Fit{}});

@@ -61,30 +61,30 @@ void label_y(Canvas& canvas, double part, const std::string& text) {
 
 /// The camera's; a far plane without end is shown to ten thousand times near.
 DepthRange shown_range(const shading::View& view) {
-    return {view.near, std::isinf(view.far) ? view.near * 1e4 : view.far, view.orthographic};
+    return {view.z_near, std::isinf(view.z_far) ? view.z_near * 1e4 : view.z_far, view.orthographic};
 }
 
 /// Where the depth reaches a value: standard_depth() turned round.
 double distance_at(double depth, const DepthRange& r) {
-    if (r.orthographic) return r.near + depth * (r.far - r.near);
-    return r.far * r.near / (r.far - depth * (r.far - r.near));
+    if (r.orthographic) return r.z_near + depth * (r.z_far - r.z_near);
+    return r.z_far * r.z_near / (r.z_far - depth * (r.z_far - r.z_near));
 }
 
 Picture curve_picture(const DepthRange& r) {
     Canvas canvas = framed();
     for (int i = 0; i <= 10; i += 2) {
-        label_x(canvas, i / 10.0, meters(r.near + i / 10.0 * (r.far - r.near)));
+        label_x(canvas, i / 10.0, meters(r.z_near + i / 10.0 * (r.z_far - r.z_near)));
         label_y(canvas, i / 10.0, text_of(i / 10.0, 1));
     }
     const int steps = 4 * (right - left);  // the curve is steep at its beginning
     dvec2 last;
     for (int i = 0; i <= steps; ++i) {
         const double part = double(i) / steps;
-        const dvec2 p = {x_of(part), y_of(raster::standard_depth(r.near + part * (r.far - r.near), r))};
+        const dvec2 p = {x_of(part), y_of(raster::standard_depth(r.z_near + part * (r.z_far - r.z_near), r))};
         if (i > 0) canvas.line(last, p, curve);
         last = p;
     }
-    const double depth = raster::standard_depth(r.near + 0.02 * (r.far - r.near), r);
+    const double depth = raster::standard_depth(r.z_near + 0.02 * (r.z_far - r.z_near), r);
     canvas.line({x_of(0.02), bottom}, {x_of(0.02), y_of(depth)}, frame);
     canvas.line({x_of(0), y_of(depth)}, {x_of(0.02), y_of(depth)}, frame);
     label(canvas, int(x_of(0.02)) + 12, int(y_of(depth)) + 12, "2%   " + text_of(100 * depth, 3) + "%", frame);
@@ -95,7 +95,7 @@ Picture curve_picture(const DepthRange& r) {
 
 /// Both axes by powers of ten.
 Picture step_picture(const DepthRange& r) {
-    const double low_x = log10_of(r.near), high_x = log10_of(r.far), low_y = -10, high_y = 3;
+    const double low_x = log10_of(r.z_near), high_x = log10_of(r.z_far), low_y = -10, high_y = 3;
     const auto along = [&](double log_x) { return (log_x - low_x) / (high_x - low_x); };
     const auto up = [&](double log_y) { return (log_y - low_y) / (high_y - low_y); };
     Canvas canvas = framed();
@@ -137,19 +137,19 @@ Stage depth_precision_stage(const Sources& of) {
                 "the stored number grows "
                 "with the square of the distance. The reversed number near / z as a float has its finest values where "
                 "the steps are widest. "
-                "--visibility draws with each."};
+                "The setting visibility draws with each."};
     s.numbers = {
-        {"near [m]", r.near},
-        {"far [m]", cell(of.engine.view().far)},
+        {"near [m]", r.z_near},
+        {"far [m]", cell(of.engine.view().z_far)},
         {"share of the depths in the first 2 % of the range",
-         raster::standard_depth(r.near + 0.02 * (r.far - r.near), r)},
-        {"part of the range that 98 % of the depths reach", (distance_at(0.98, r) - r.near) / (r.far - r.near)}};
+         raster::standard_depth(r.z_near + 0.02 * (r.z_far - r.z_near), r)},
+        {"part of the range that 98 % of the depths reach", (distance_at(0.98, r) - r.z_near) / (r.z_far - r.z_near)}};
     s.pictures.push_back(curve_picture(r));
-    if (r.near > 0) s.pictures.push_back(step_picture(r));
+    if (r.z_near > 0) s.pictures.push_back(step_picture(r));
     s.columns = {"distance [m]", "stored depth"};
     for (const Format& f : formats) s.columns.push_back(std::string("step of ") + f.name + " [m]");
     for (const double part : {0.0, 0.001, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) {
-        const double distance = r.near + part * (r.far - r.near);
+        const double distance = r.z_near + part * (r.z_far - r.z_near);
         Json row = {distance, raster::standard_depth(distance, r)};
         for (const Format& f : formats) row.push_back(raster::depth_step(f.method, distance, r));
         s.rows.push_back(std::move(row));

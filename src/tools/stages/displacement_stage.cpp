@@ -134,7 +134,8 @@ public:
         stage_.title = "Displacement: height maps become geometry";
         stage_.text =
             "Before anything is drawn, triangles of displaced materials are cut until no edge is longer than "
-            "--displacement-edge says, and their corners moved along the normal by what the height map says there. All "
+            "the setting displacement-edge says, and their corners moved along the normal by what the height map says "
+            "there. All "
             "stages after this one see these triangles alone.";
         add_numbers();
         add_pictures();
@@ -174,7 +175,7 @@ private:
         std::vector<float> out(of_.pixels.draw.size(), std::numeric_limits<float>::quiet_NaN());
         for (std::size_t p = 0; p < out.size(); ++p) {
             const std::uint32_t d = of_.pixels.draw[p], t = of_.pixels.triangle[p];
-            if (d != none && t < moved_[d].height.size()) out[p] = moved_[d].height[t];
+            if (d != no_index && t < moved_[d].height.size()) out[p] = moved_[d].height[t];
         }
         return out;
     }
@@ -214,7 +215,7 @@ private:
         stage_.pictures.push_back({"displacement-enlarged", "Those that it was cut into, at the same place.",
                                    close_up(scene_, fine_request_.settings, part, times)});
         stage_.pictures.push_back({"displacement-heights", heights_caption(), paint(of_, [&](std::size_t p) {
-                                       if (of_.pixels.draw[p] == none) return backdrop;
+                                       if (of_.pixels.draw[p] == no_index) return backdrop;
                                        return std::isfinite(height[p]) ? heat(place_of(double(height[p]))) : still;
                                    })});
     }

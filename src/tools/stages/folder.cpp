@@ -10,7 +10,7 @@
 
 #include "io/file.h"
 #include "io/image_io.h"
-#include "render/report_json.h"
+#include "tools/report_json.h"
 
 namespace rakelight::stages {
 namespace {

@@ -102,12 +102,12 @@ Stage lighting_stage(const Sources& of) {
     double sum = 0;
     std::uint64_t n = 0;
     for (std::size_t p = 0; p < of.pixels.fog_share.size(); ++p)
-        if (of.pixels.draw[p] != none) sum += double(of.pixels.fog_share[p]), ++n;
+        if (of.pixels.draw[p] != no_index) sum += double(of.pixels.fog_share[p]), ++n;
     s.numbers["share that is seen through the fog, mean of opaque pixels"] = n > 0 ? sum / double(n) : 1.0;
     s.pictures.push_back({"fog-share",
                           "How much of the visible surface is seen through the fog: black nothing, white all.",
                           paint(of, [&](std::size_t p) {
-                              return of.pixels.draw[p] == none ? backdrop : gray(double(of.pixels.fog_share[p]));
+                              return of.pixels.draw[p] == no_index ? backdrop : gray(double(of.pixels.fog_share[p]));
                           })});
     return s;
 }

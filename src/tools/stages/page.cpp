@@ -2,7 +2,7 @@
 // Stages as a page and as JSON. The page needs no script and nothing from outside of its folder.
 #include <charconv>
 
-#include "render/report_json.h"
+#include "tools/report_json.h"
 #include "tools/stages/stage.h"
 
 namespace rakelight::stages {

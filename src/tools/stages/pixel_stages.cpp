@@ -20,7 +20,7 @@ Stage culling_stage(const Sources& of) {
             .text =
                 "What cannot be seen is dropped before any pixel is looked at: objects and triangles wholly outside of "
                 "the picture, triangles without area on the screen, and faces that "
-                "are seen from behind (of closed surfaces, as their material says; --cull chooses)."};
+                "are seen from behind (of closed surfaces, as their material says; the setting cull chooses)."};
     const RenderStats& stats = of.drawn.stats();
     s.numbers = {{"triangles in", stats.triangles_in},
                  {of.engine.settings().samples > 1 ? "outside, or no sample in their box"
@@ -119,15 +119,15 @@ Stage visibility_stage(const Sources& of) {
     const shading::DrawList& list = of.engine.list();
     const std::vector<std::uint32_t>&draw = of.pixels.draw, &triangle = of.pixels.triangle;
     s.pictures.push_back({"triangles", "Visible triangles.", paint(of, [&](std::size_t p) {
-                              return draw[p] == none ? backdrop : color_of_number(triangle[p] * 7 + draw[p] * 131);
+                              return draw[p] == no_index ? backdrop : color_of_number(triangle[p] * 7 + draw[p] * 131);
                           })});
     s.pictures.push_back({"objects", "Visible objects.", paint(of, [&](std::size_t p) {
-                              return draw[p] == none ? backdrop : color_of_number(list.draws[draw[p]].node);
+                              return draw[p] == no_index ? backdrop : color_of_number(list.draws[draw[p]].node);
                           })});
     std::vector<std::uint64_t> pixels(list.scene.nodes.size(), 0);
     std::vector<std::uint64_t> seen;
     for (std::size_t p = 0; p < draw.size(); ++p)
-        if (draw[p] != none)
+        if (draw[p] != no_index)
             ++pixels[list.draws[draw[p]].node], seen.push_back(std::uint64_t(draw[p]) << 32 | triangle[p]);
     std::sort(seen.begin(), seen.end());
     s.numbers["pixels that show a surface"] = seen.size();
@@ -151,13 +151,13 @@ Stage normal_stage(const Sources& of) {
                 "one, and turned to the viewer's side. Lighting uses this one."};
     s.pictures.push_back(
         {"normal", "Red, green and blue are x, y and z of the world, from -1 to 1.", paint(of, [&](std::size_t p) {
-             return of.pixels.draw[p] == none ? backdrop : color_of_normal(of.pixels.normal[p]);
+             return of.pixels.draw[p] == no_index ? backdrop : color_of_normal(of.pixels.normal[p]);
          })});
     const double inf = std::numeric_limits<double>::infinity();
     double sum[3] = {}, low[3] = {inf, inf, inf}, high[3] = {-inf, -inf, -inf};
     std::uint64_t n = 0;
     for (std::size_t p = 0; p < of.pixels.normal.size(); ++p) {
-        if (of.pixels.draw[p] == none) continue;
+        if (of.pixels.draw[p] == no_index) continue;
         ++n;
         for (std::size_t c = 0; c < 3; ++c) {
             const double v = of.pixels.normal[p][c];

@@ -71,7 +71,7 @@ Json cell(double v) { return std::isfinite(v) ? Json(v) : Json(v > 0 ? "inf" : v
 
 double Vertices::depth_key(double distance) const {
     const shading::View& view = of_.engine.view();
-    return view.orthographic ? 1 - (distance - view.near) / (view.far - view.near) : view.near / distance;
+    return view.orthographic ? 1 - (distance - view.z_near) / (view.z_far - view.z_near) : view.z_near / distance;
 }
 
 dvec3 Vertices::device(std::size_t d, std::uint32_t v) const {
@@ -105,7 +105,7 @@ dvec2 oblique(dvec3 p) {
 std::array<dvec3, 8> frustum(const shading::View& view, double far) {
     std::array<dvec3, 8> corners;
     for (std::size_t i = 0; i < 8; ++i) {
-        const double distance = i < 4 ? view.near : far, w = view.orthographic ? 1 : distance;
+        const double distance = i < 4 ? view.z_near : far, w = view.orthographic ? 1 : distance;
         const double x = (i % 4 == 1 || i % 4 == 2 ? 1 : -1) * w / view.scale_x,
                      y = (i % 4 >= 2 ? 1 : -1) * w / view.scale_y;
         corners[i] = {x, y, -distance};

@@ -28,7 +28,7 @@ public:
         const dvec3 p = vertices_.camera(d, v);
         return {p.x * view_.scale_x, p.y * view_.scale_y, p.z};
     }
-    bool is_before_eye(dvec3 p) const { return -p.z >= view_.near; }
+    bool is_before_eye(dvec3 p) const { return -p.z >= view_.z_near; }
     double w(dvec3 p) const { return view_.orthographic ? 1 : -p.z; }
     double half_width(double distance) const { return view_.orthographic ? 1 : distance; }
 
@@ -46,7 +46,7 @@ Stage frustum_stage(const Sources& of, const Vertices& vertices) {
                                : "x and y are scaled by 1 / tan of half the field of view, so that the frustum opens "
                                  "by 90 degrees in both directions: its sides are the planes x = +-z and "
                                  "y = +-z, whatever the camera. Depth stays as it is.";
-    const double far = std::min(view.far, vertices.farthest());
+    const double far = std::min(view.z_far, vertices.farthest());
     for (const bool from_above : {false, true}) {
         Space space{.caption = from_above ? "From above: distance to the right, x up; in orange the frustum."
                                           : "From the side: distance to the right, y up; in orange the frustum.",
@@ -57,7 +57,7 @@ Stage frustum_stage(const Sources& of, const Vertices& vertices) {
         space.behind.push_back({{0, 0}, {far, 0}, axis});
         for (const double side : {-1.0, 1.0})
             space.before.push_back({{0, side * normalized.half_width(0)}, {far, side * normalized.half_width(far)}});
-        for (const double at : {view.near, far})
+        for (const double at : {view.z_near, far})
             space.before.push_back({{at, -normalized.half_width(at)}, {at, normalized.half_width(at)}});
         add_plot(s, of, vertices, from_above ? "normalized-frustum-above" : "normalized-frustum", space);
     }
@@ -108,7 +108,7 @@ Fit fit_to(double reach, const Sources& of, const Vertices& vertices, const Norm
 Stage central_stage(const Sources& of, const Vertices& vertices) {
     const shading::View& view = of.engine.view();
     const Normalized normalized(of, vertices);
-    const double nan = std::nan(""), plane = std::max(0.5 * nearest_before(vertices, view.near), view.near);
+    const double nan = std::nan(""), plane = std::max(0.5 * nearest_before(vertices, view.z_near), view.z_near);
     Stage s{.id = "central-projection",
             .title = view.orthographic ? "Projection 2: parallel projection" : "Projection 2: central projection"};
     s.text = view.orthographic
@@ -149,7 +149,7 @@ Stage central_stage(const Sources& of, const Vertices& vertices) {
 struct DepthRow {
     double scale, offset;
     DepthRow(const shading::View& view, double low) {
-        const double near = view.near, far = view.far;
+        const double near = view.z_near, far = view.z_far;
         if (view.orthographic) {  // scale z + offset is `low` at -near and 1 at -far
             scale = (low - 1) / (far - near);
             offset = low + scale * near;
@@ -206,8 +206,8 @@ Stage depth_stage(const Sources& of, const Vertices& vertices) {
         for (std::size_t k = 0; k < 4; ++k) space.before.push_back({corners[k], corners[(k + 1) % 4]});
         add_plot(s, of, vertices, stretched ? "depth-mapping-model" : "depth-mapping", space);
     }
-    s.numbers["near"] = view.near;
-    s.numbers["far"] = cell(view.far);
+    s.numbers["near"] = view.z_near;
+    s.numbers["far"] = cell(view.z_far);
     s.numbers["matrix of steps 2 and 3, depth from 0 to 1"] = from_zero.rows(view);
     s.numbers["matrix of steps 2 and 3, depth from -1 to 1"] = from_minus.rows(view);
     add_table(

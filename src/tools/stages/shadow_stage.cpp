@@ -63,7 +63,8 @@ Stage shadow_stage(const Sources& of) {
         "Before the picture is drawn each light draws what it sees: a shadow map, which keeps how near the nearest "
         "surface is. A pixel compares the plane of its triangle with the texels about its place on the map; the share "
         "of those that nothing covers is how much of the light's diffuse and specular terms it keeps. Faces that look "
-        "away from the light have none of it. Height maps with --bump-self-shadow darken the hollows of their relief "
+        "away from the light have none of it. Height maps with the setting bump-self-shadow darken the hollows of "
+        "their relief "
         "here, too. Ambient light has no shadow. Flat and Gouraud shading throw shadows and receive none.";
     const std::vector<raster::ShadowMapView> maps = of.engine.shadow_maps();
     const RenderSettings& settings = of.engine.settings();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/words.h>
+#include <rakelight/tools/words.h>
 
 #include "math/functions.h"
 #include "tools/stages/label.h"

@@ -60,7 +60,7 @@ Stage world_stage(const Sources& of, const Vertices& vertices) {
                     "The objects in place, and in orange the camera with what it can see; turned about the vertical so "
                     "that the camera looks to the right.",
                 .place = [&](std::size_t d, std::uint32_t v) { return seen(vertices.world(d, v)); }};
-    const std::array<dvec3, 8> corners = frustum(view, std::min(view.far, vertices.farthest()));
+    const std::array<dvec3, 8> corners = frustum(view, std::min(view.z_far, vertices.farthest()));
     const auto at = [&](std::size_t i) { return seen(transform_point(view.camera_to_world, corners[i])); };
     for (std::size_t i = 0; i < 4; ++i) {
         space.before.push_back({at(i), at((i + 1) % 4)});
@@ -82,7 +82,7 @@ Stage camera_stage(const Sources& of, const Vertices& vertices) {
                 "along -z. "
                 "Seen from the right: the eye on the left, the near plane as a vertical line."};
     const shading::View& view = of.engine.view();
-    const double far = std::min(view.far, vertices.farthest());
+    const double far = std::min(view.z_far, vertices.farthest());
     const auto half_height = [&](double distance) { return (view.orthographic ? 1 : distance) / view.scale_y; };
     Space space{.caption = "Distance to the right, y up; in orange what the camera can see, from the near plane on.",
                 .place = [&](std::size_t d, std::uint32_t v) {
@@ -91,10 +91,10 @@ Stage camera_stage(const Sources& of, const Vertices& vertices) {
                 }};
     space.behind.push_back({{0, 0}, {far, 0}, axis});
     for (const double y : {-1.0, 1.0}) space.before.push_back({{0, y * half_height(0)}, {far, y * half_height(far)}});
-    for (const double at : {view.near, far}) space.before.push_back({{at, -half_height(at)}, {at, half_height(at)}});
+    for (const double at : {view.z_near, far}) space.before.push_back({{at, -half_height(at)}, {at, half_height(at)}});
     add_plot(s, of, vertices, "camera", space);
-    s.numbers["near"] = view.near;
-    s.numbers["far"] = cell(view.far);
+    s.numbers["near"] = view.z_near;
+    s.numbers["far"] = cell(view.z_far);
     add_table(s, vertices, false, {"x", "y", "z"},
               [&](std::size_t d, std::uint32_t v) { return list(vertices.camera(d, v)); });
     return s;
@@ -108,7 +108,7 @@ Stage device_stage(const Sources& of, const Vertices& vertices) {
                 "depth that is compared is near / distance "
                 "in perspective: 1 at the near plane, 0 at infinity, straight on the screen, so that it can be stepped "
                 "from pixel to pixel. Vertices behind the near plane have no place here (nan is listed)."};
-    const double near = of.engine.view().near, nan = std::nan("");
+    const double near = of.engine.view().z_near, nan = std::nan("");
     const auto device = [&](std::size_t d, std::uint32_t v) {
         return double(vertices.clip(d, v).distance) < near ? dvec3{nan, nan, nan} : vertices.device(d, v);
     };
@@ -139,7 +139,7 @@ Stage screen_stage(const Sources& of, const Vertices& vertices) {
     const double nan = std::nan("");
     const auto screen = [&](std::size_t d, std::uint32_t v) {
         const ClipVertex c = vertices.clip(d, v);
-        return double(c.distance) < view.near ? dvec2{nan, nan} : view.screen(c);
+        return double(c.distance) < view.z_near ? dvec2{nan, nan} : view.screen(c);
     };
     add_plot(s, of, vertices, "screen",
              {.caption = "The triangles as they lie on the picture.",

@@ -142,7 +142,7 @@ void add_model(Stage& s, const Sources& of, const ModelTriangles& triangles, std
             if (with_area != (fills && n > 0)) return;
             if (number++ % step != 0 && (n == 0 || behind > 150000)) return;
             draw_divided(wrong, t, with_area);
-            draw_clipped(right, t, of.engine.view().near, with_area);
+            draw_clipped(right, t, of.engine.view().z_near, with_area);
         });
     }
     const std::string note = step > 1 ? " Not all triangles are drawn." : "";

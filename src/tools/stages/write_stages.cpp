@@ -4,10 +4,11 @@
 #include <new>
 
 #include <rakelight/stages.h>
+#include <rakelight/tools/rows.h>
 
-#include "render/report_json.h"
 #include "scene/scene_tools.h"
 #include "tools/open_engine.h"
+#include "tools/report_json.h"
 #include "tools/stages/displacement_stage.h"
 #include "tools/stages/folder.h"
 #include "tools/stages/stage.h"
@@ -22,7 +23,8 @@ StagesResult write(const PictureRequest& request, Context& context) {
     const RenderSettings& settings = request.settings;
     if (std::int64_t(settings.width) * settings.height > most_pixels)
         throw Error(ErrorCode::usage, "the stages are shown of at most 16 million pixels", {},
-                    "give a smaller --resolution");
+                    "give a smaller 'resolution'")
+            .naming({"resolution"});
     stages::NewFolder folder(request.output);  // first: what stands in the way is said at once
     const Scene loaded = load_for_engine(request, context);
     const auto engine = open_engine(loaded, request, context);

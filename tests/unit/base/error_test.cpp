@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 #include <rakelight/error.h>
+#include <rakelight/tools/exit_code.h>
 
 using namespace rakelight;
 

@@ -36,7 +36,7 @@ TEST(Frame, AnEmptyWindowMeansTheWholePicture) {
     EXPECT_EQ(frame.color.size(), 12u);
     EXPECT_TRUE(std::isinf(frame.depth[11]));
     EXPECT_EQ(frame.normal[0], (vec3{0, 0, 0}));
-    EXPECT_EQ(frame.material[5], none);
+    EXPECT_EQ(frame.material[5], no_index);
     EXPECT_TRUE(frame.object.empty());
 }
 

@@ -162,7 +162,7 @@ TEST(GltfAssets, CamerasAreReadAtTheirNodes) {
     EXPECT_NEAR(scene.cameras[0].vertical_fov_rad, 0.7, 1e-12);
     EXPECT_EQ(scene.cameras[1].projection, Projection::orthographic);
     EXPECT_EQ(scene.cameras[1].half_height, 1);
-    EXPECT_NE(scene.cameras[0].node, none);
+    EXPECT_NE(scene.cameras[0].node, no_index);
 }
 
 TEST(GltfAssets, ModesBecomeTrianglesLinesAndPoints) {

@@ -21,7 +21,7 @@ TEST(GltfNodes, ParentsComeBeforeTheirChildren) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t n = 0; n < 5; ++n) {
         order.push_back(scene.nodes[n].source_node);
-        EXPECT_TRUE(scene.nodes[n].parent == none || scene.nodes[n].parent < n);
+        EXPECT_TRUE(scene.nodes[n].parent == no_index || scene.nodes[n].parent < n);
     }
     EXPECT_EQ(order, (std::vector<std::uint32_t>{3, 2, 0, 4, 1}));
     EXPECT_EQ(scene.nodes[4].name, "second root");
@@ -127,7 +127,7 @@ TEST(GltfCameras, AMissingFarPlaneIsInfinite) {
     EXPECT_EQ(scene.cameras[0].projection, Projection::orthographic);
     EXPECT_EQ(scene.cameras[0].node, 1u);
     EXPECT_EQ(*scene.cameras[0].aspect, 2);
-    EXPECT_EQ(scene.cameras[1].far, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(scene.cameras[1].z_far, std::numeric_limits<double>::infinity());
     EXPECT_EQ(*scene.cameras[1].aspect, 1.5);
 }
 
@@ -214,7 +214,7 @@ TEST(GltfSkins, ASkinWithJointsOutsideTheSceneIsLeftOut) {
     Context context({.threads = 1});
     const Scene scene = file.load(context);
     EXPECT_TRUE(scene.skins.empty());
-    EXPECT_EQ(scene.nodes[0].skin, none);
+    EXPECT_EQ(scene.nodes[0].skin, no_index);
     EXPECT_TRUE(is_said(context, Remark::dropped, "skin 0 is left out"));
 }
 

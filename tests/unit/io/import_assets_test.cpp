@@ -268,7 +268,7 @@ TEST_F(ImportAssets, ColladaCamerasHaveTheirAnglesAndPlanes) {
     for (const Camera& camera : scene.cameras) {
         EXPECT_NEAR(degrees(camera.vertical_fov_rad), 37.85, 0.01);
         EXPECT_EQ(camera.aspect, 1.0);
-        EXPECT_EQ(camera.near, 1.0);
+        EXPECT_EQ(camera.z_near, 1.0);
     }
 }
 

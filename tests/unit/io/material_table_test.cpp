@@ -289,7 +289,7 @@ TEST_F(MaterialRows, TexturesAreSetByTheirKeysOfWorldFilesInTheirRoleAlone) {
     for (const TextureRole& role : texture_roles()) {
         const Material m = changed_by(role.key, "'t.png'", use_of(role));
         for (const TextureRole& other : texture_roles())
-            EXPECT_EQ(other.in(m).texture, &other == &role ? use_of(role).texture : none) << role.key << other.name;
+            EXPECT_EQ(other.in(m).texture, &other == &role ? use_of(role).texture : no_index) << role.key << other.name;
     }
 }
 

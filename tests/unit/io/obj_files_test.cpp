@@ -73,7 +73,7 @@ TEST_P(ObjAssets, HaveTheirObjectsAndTriangles) {
     });
     EXPECT_EQ(std::size_t(without), expected.without_normals);
     for (const Mesh& m : l.scene.meshes) {
-        EXPECT_NE(m.material, none);
+        EXPECT_NE(m.material, no_index);
         for (const vec3& p : m.positions) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
         for (const vec3& n : m.normals) EXPECT_NEAR(n.x * n.x + n.y * n.y + n.z * n.z, 1, 1e-6);
     }

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <rakelight/world.h>
 
-#include <rakelight/words.h>
+#include <rakelight/tools/words.h>
 #include <cmath>
 #include <limits>
 

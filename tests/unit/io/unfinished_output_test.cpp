@@ -2,7 +2,7 @@
 #include "io/unfinished_output.h"
 
 #include <gtest/gtest.h>
-#include <rakelight/unfinished_outputs.h>
+#include <rakelight/tools/unfinished_outputs.h>
 
 #include <filesystem>
 #include <memory>

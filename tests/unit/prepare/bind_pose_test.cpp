@@ -76,7 +76,7 @@ TEST(Skinning, PartsOfOneModelAreSmoothedInTheBindPoseWhateverTheirNodes) {
     expect_no_seam(out);
     EXPECT_EQ(out.meshes[0].normals[1], out.meshes[1].normals[1]) << "one skin, one matrix: the same bits";
     Scene without = scene;
-    for (Node& node : without.nodes) node.skin = none;
+    for (Node& node : without.nodes) node.skin = no_index;
     EXPECT_EQ(smoothed(without, context).meshes[0].normals[1], (vec3{0, 0, 1})) << "apart they do not touch";
 }
 
@@ -108,7 +108,7 @@ TEST(Skinning, AnUnskinnedPartMeetsTheModelWhereTheBonesStand) {
     Scene scene = two_parts(radians(40));
     scene.nodes[2].local = at({1, 2, 3});
     scene.skins[0].inverse_bind[0] = translation(dvec3{-1, -2, -3});  // the joints are in the bind pose
-    scene.nodes[1].skin = none;
+    scene.nodes[1].skin = no_index;
     scene.nodes[1].local = {};
     Context context;
     expect_no_seam(smoothed(scene, context));

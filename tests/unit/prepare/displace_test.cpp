@@ -281,7 +281,7 @@ TEST(Displace, ReliefFinerThanTheTrianglesFadesAndIsSaid) {
         const auto [low, high] = std::minmax_element(p.begin(), p.end(), by_y);
         EXPECT_EQ(context.report().entries().size(), remarks);
         for (const ReportEntry& entry : context.report().entries())
-            EXPECT_NE(entry.message.find("--displacement-edge"), std::string::npos);
+            EXPECT_NE(entry.message.find("'displacement-edge'"), std::string::npos);
         return double(high->y - low->y);
     };
     EXPECT_NEAR(spread(0.02, 0), 0.2, 1e-3);  // checks of 1/16 m

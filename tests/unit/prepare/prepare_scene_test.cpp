@@ -84,7 +84,7 @@ TEST(PrepareScene, ANoteSaysWhyAFormatsMeshesAreFlat) {
         ASSERT_EQ(entries.size(), source == NormalSource::automatic ? 1u : 0u);
         if (!entries.empty()) {
             EXPECT_EQ(entries[0].remark, Remark::note);
-            EXPECT_NE(entries[0].message.find("--normals model"), std::string::npos);
+            EXPECT_NE(entries[0].message.find("'normals' model"), std::string::npos);
         }
     }
 }
@@ -278,7 +278,7 @@ TEST(PrepareScene, WarnsOfMapsThatPublishedTangentsInvert) {
                 warnings += entry.remark == Remark::warning && entry.place == "mesh 1 'right'" &&
                             entry.message.find(
                                 "on 2 of 4 triangles, where bumps look like dents; "
-                                "--tangents published-no-handedness") != std::string::npos;
+                                "'tangents' published-no-handedness") != std::string::npos;
             EXPECT_EQ(warnings, handedness ? 1u : 0u);
             EXPECT_EQ(out.meshes[1].tangents[0], handedness ? (vec4{1, 0, 0, 1}) : (vec4{-1, 0, 0, -1}));
         }

@@ -59,14 +59,14 @@ TEST(UnusableMaps, ATextureThatAMeshHasNoCoordinatesForIsWarnedOf) {
         TextureUse& use = test::give_texture(scene, role);
         prepare_scene(scene, {}, without);
         EXPECT_EQ(remarks(without, Remark::warning, words), 1u) << test::all_remarks(without);
-        EXPECT_EQ(remarks(without, Remark::warning, "--uv"), 1u);
+        EXPECT_EQ(remarks(without, Remark::warning, "'uv'"), 1u);
         prepare_scene(scene, {.uv = UvProjection::box}, made);
         EXPECT_EQ(remarks(made, Remark::warning, words), 0u) << test::all_remarks(made);
         scene.meshes[0].texcoords.emplace_back(std::vector<vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
         use.texcoord_set = 1;
         prepare_scene(scene, {}, other_set);
         EXPECT_EQ(remarks(other_set, Remark::warning, words), 1u);
-        EXPECT_EQ(remarks(other_set, Remark::warning, "--uv"), 0u) << "it makes none where there are some";
+        EXPECT_EQ(remarks(other_set, Remark::warning, "'uv'"), 0u) << "it makes none where there are some";
     }
     Scene unlit = scene_of({quad_mesh()});
     test::give_texture(unlit, &Material::emission_texture);

@@ -65,8 +65,8 @@ inline Scene busy_scene() {
 inline Camera busy_view() {
     Camera camera;
     camera.vertical_fov_rad = 1;
-    camera.near = 0.5;
-    camera.far = 50;
+    camera.z_near = 0.5;
+    camera.z_far = 50;
     camera.to_world = translation(dvec3{0.2, 0.1, 4});
     return camera;
 }

@@ -25,8 +25,8 @@ constexpr RenderSettings one_tile{.width = 64, .height = 64};
 Camera camera_at_origin() {
     Camera camera;
     camera.vertical_fov_rad = radians(60);
-    camera.near = 0.1;
-    camera.far = 1000;
+    camera.z_near = 0.1;
+    camera.z_far = 1000;
     return camera;
 }
 

@@ -17,7 +17,7 @@ namespace {
 using namespace test;
 
 /// A ball of radius 1 about `center`: `rings` x 2 `rings` quads, smooth normals, u around, v down.
-Mesh ball(int rings, dvec3 center, std::uint32_t material = none) {
+Mesh ball(int rings, dvec3 center, std::uint32_t material = no_index) {
     Mesh mesh;
     std::vector<vec3> positions, normals;
     std::vector<vec4> tangents;
@@ -51,8 +51,8 @@ Camera looking_from(dvec3 eye, dvec3 at) {
     Camera camera;
     camera.to_world = look_at(eye, at, {0, 1, 0});
     camera.vertical_fov_rad = radians(40);
-    camera.near = 0.1;
-    camera.far = 100;
+    camera.z_near = 0.1;
+    camera.z_far = 100;
     return camera;
 }
 
@@ -127,7 +127,7 @@ TEST(Channels, OfABallLieOnIt) {
     std::size_t seen = 0;
     const double snapped = 4.2 * 0.73 / 96 / 256;  // [m] 1/256 pixel: corners lie on that grid
     for (std::size_t p = 0; p < f.color.size(); ++p) {
-        if (f.object[p] == none) continue;
+        if (f.object[p] == no_index) continue;
         ++seen;
         const dvec3 from_center = cast<double>(f.position[p]) - center;
         EXPECT_NEAR(length(from_center), 1, 0.003);
@@ -166,7 +166,7 @@ TEST(Channels, LightingTermsAddUpToTheColorInEveryShading) {
         const Frame f = draw(two_objects(), looking_from({0, 0.5, 6}, {0, 0, 0}), settings);
         float most[4] = {0, 0, 0, 0};
         for (std::size_t p = 0; p < f.color.size(); ++p) {
-            if (f.object[p] == none) continue;
+            if (f.object[p] == no_index) continue;
             for (std::size_t c = 0; c < 3; ++c)
                 ASSERT_NEAR(sum(f, p, c), f.color[p][c], 2e-6f) << int(shading) << ' ' << p;
             most[0] = std::max(most[0], f.ambient[p].x), most[1] = std::max(most[1], f.diffuse[p].x);
@@ -225,7 +225,7 @@ TEST(Channels, HolesOfAMaskAreNoLayers) {
 TEST(Channels, WhereNothingIsTheyHoldWhatIsSaid) {
     const Frame f = draw(two_objects(), looking_from({0, 0, 16}, {0, 0, 0}), everything());
     EXPECT_EQ(f.depth[0], std::numeric_limits<float>::infinity());
-    for (const auto* numbers : {&f.object, &f.material, &f.mesh, &f.triangle}) EXPECT_EQ((*numbers)[0], none);
+    for (const auto* numbers : {&f.object, &f.material, &f.mesh, &f.triangle}) EXPECT_EQ((*numbers)[0], no_index);
     for (const auto* vectors : {&f.normal, &f.face_normal, &f.position, &f.barycentric, &f.base_color, &f.ambient,
                                 &f.diffuse, &f.specular, &f.emission})
         EXPECT_EQ((*vectors)[0], (vec3{0, 0, 0}));
@@ -299,7 +299,7 @@ TEST(Channels, AreFiniteWhereColorsAreNotAndAddUpToWhatIsShown) {
     const Frame f = draw(scene, looking_from({0, 0.5, 4}, {0, 0, 0}), everything());
     int seen = 0;
     for (std::size_t p = 0; p < f.color.size(); ++p) {
-        if (f.object[p] == none) continue;
+        if (f.object[p] == no_index) continue;
         ++seen;
         EXPECT_EQ(f.base_color[p], (vec3{1, 1, 0}));
         const vec3 sum = f.ambient[p] + f.diffuse[p] + f.specular[p] + f.emission[p];

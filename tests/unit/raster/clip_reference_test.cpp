@@ -48,8 +48,8 @@ Polygon cut(const Polygon& in, const Plane& plane) {
 View view_of(double near, double far) {
     Camera camera;
     camera.vertical_fov_rad = radians(90);
-    camera.near = near;
-    camera.far = far;
+    camera.z_near = near;
+    camera.z_far = far;
     return shading::make_view(camera, dmat4{}, {.width = 512, .height = 512});
 }
 
@@ -153,7 +153,7 @@ Meeting meet(const Triangle& t, double x, double y, const Camera& camera) {
     const dvec3 s = -t.corner[0], q = cross(s, e1);
     const double u = dot(s, p) / det, v = dot(direction, q) / det, at = dot(e2, q) / det;
     return {at, unsigned(u < 0) | unsigned(v < 0) << 1 | unsigned(u + v > 1) << 2 |
-                    unsigned(!(at >= camera.near)) << 3 | unsigned(!(at <= camera.far)) << 4};
+                    unsigned(!(at >= camera.z_near)) << 3 | unsigned(!(at <= camera.z_far)) << 4};
 }
 
 }  // namespace
@@ -163,8 +163,8 @@ TEST(ClipReference, TrianglesThroughThePlaneOfTheEyeCoverWhatRaysMeet) {
     std::uniform_real_distribution<double> place(-6, 6);
     Camera camera;
     camera.vertical_fov_rad = radians(90);
-    camera.near = 0.25;
-    camera.far = 1000;
+    camera.z_near = 0.25;
+    camera.z_far = 1000;
     int checked = 0, covered = 0;
     for (int n = 0; n < 400; ++n) {
         Triangle t;
@@ -226,8 +226,8 @@ TEST(ClipReference, TheNearPlaneEndsAFloorWhereItMeetsIt) {
         add_object(scene, floor);
         Camera camera;
         camera.vertical_fov_rad = radians(90);
-        camera.near = near;
-        camera.far = 40;
+        camera.z_near = near;
+        camera.z_far = 40;
         Context context({.threads = 1});
         const auto engine = make_engine();
         engine->prepare(scene, context);
@@ -235,7 +235,7 @@ TEST(ClipReference, TheNearPlaneEndsAFloorWhereItMeetsIt) {
         engine->render(camera, {.width = side, .height = side, .shading = Shading::unlit, .background = {0, 0, 0, 0}},
                        frame, context);
         // A point d away lies 1 / d below the middle; rows count from the top, the middle is at side / 2.
-        const double last = side / 2 * (1 + std::min(1.0, 1 / near)), first = side / 2 * (1 + 1.0 / camera.far);
+        const double last = side / 2 * (1 + std::min(1.0, 1 / near)), first = side / 2 * (1 + 1.0 / camera.z_far);
         for (int y = 0; y < side; ++y) {
             const double center = y + 0.5;
             if (std::fabs(center - last) < 0.01 || std::fabs(center - first) < 0.01) continue;
@@ -260,8 +260,8 @@ TEST(ClipReference, TheFarPlaneEndsAFloorWhereItMeetsIt) {
             camera.projection = orthographic ? Projection::orthographic : Projection::perspective;
             camera.vertical_fov_rad = radians(90);
             camera.half_height = 10;
-            camera.near = 0.5;
-            camera.far = far;
+            camera.z_near = 0.5;
+            camera.z_far = far;
             Context context({.threads = 1});
             const auto engine = make_engine();
             engine->prepare(scene, context);

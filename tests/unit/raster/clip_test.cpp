@@ -15,8 +15,8 @@ namespace {
 View view_of(int width = 640, int height = 480) {
     Camera camera;
     camera.vertical_fov_rad = radians(90);
-    camera.near = 0.5;
-    camera.far = 100;
+    camera.z_near = 0.5;
+    camera.z_far = 100;
     return shading::make_view(camera, dmat4{}, {.width = width, .height = height});
 }
 

@@ -17,7 +17,7 @@ constexpr DepthRange lecture{1, 1000, false};
 double stored_at(Visibility format, double distance, const DepthRange& r) {
     return stored_depth(format, reversed_depth(distance, r), r);
 }
-double distance_of_part(double part, const DepthRange& r) { return r.near + part * (r.far - r.near); }
+double distance_of_part(double part, const DepthRange& r) { return r.z_near + part * (r.z_far - r.z_near); }
 }  // namespace
 
 TEST(DepthFormats, TheFirst2PercentOfTheLecturesRangeGet95Point3PercentOfTheDepthsNot98) {
@@ -44,12 +44,12 @@ TEST(DepthFormats, ShareOfTheCodesInTheFirst2PercentIsCountedNotOnlyComputed) {
 TEST(DepthFormats, NearIsZeroAndFarIsTheLargestNumber) {
     for (const DepthRange& r : {lecture, DepthRange{0.1, 50, true}}) {
         for (const Visibility f : {Visibility::z16, Visibility::z24, Visibility::z32, Visibility::z_float})
-            EXPECT_EQ(stored_at(f, r.near, r), 0);
-        EXPECT_EQ(stored_at(Visibility::z16, r.far, r), 65535);
-        EXPECT_EQ(stored_at(Visibility::z24, r.far, r), 16777215);
-        EXPECT_EQ(stored_at(Visibility::z32, r.far, r), 4294967295.0);
-        EXPECT_EQ(stored_at(Visibility::z_float, r.far, r), 1);
-        EXPECT_EQ(stored_at(Visibility::z_reversed, r.near, r), -1);
+            EXPECT_EQ(stored_at(f, r.z_near, r), 0);
+        EXPECT_EQ(stored_at(Visibility::z16, r.z_far, r), 65535);
+        EXPECT_EQ(stored_at(Visibility::z24, r.z_far, r), 16777215);
+        EXPECT_EQ(stored_at(Visibility::z32, r.z_far, r), 4294967295.0);
+        EXPECT_EQ(stored_at(Visibility::z_float, r.z_far, r), 1);
+        EXPECT_EQ(stored_at(Visibility::z_reversed, r.z_near, r), -1);
     }
 }
 
@@ -80,7 +80,7 @@ TEST(DepthFormats, AStepIsTheDistanceInWhichTheStoredNumberChangesOnce) {
                 const double far_end = d + 20 * step,
                              slope = r.orthographic ? 1 : d / far_end;  // steps grow on the way
                 EXPECT_NEAR(changes, 20 * slope, 1.1)
-                    << int(f) << " at " << d << " of " << r.far << (r.orthographic ? " parallel" : "");
+                    << int(f) << " at " << d << " of " << r.z_far << (r.orthographic ? " parallel" : "");
             }
 }
 

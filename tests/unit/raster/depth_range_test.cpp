@@ -28,8 +28,8 @@ Scene two_squares() {
 Camera camera_of(Projection projection, double near, double far) {
     Camera camera = flat_camera();
     camera.projection = projection;
-    camera.near = near;
-    camera.far = far;
+    camera.z_near = near;
+    camera.z_far = far;
     return camera;
 }
 
@@ -53,8 +53,8 @@ const Camera unusual[] = {
 TEST(DepthRange, TheNearerSurfaceIsSeenAtItsDistanceHoweverFarNearAndFarAre) {
     for (const Camera& camera : unusual) {
         const Frame f = render(camera);
-        EXPECT_EQ(f.color[8 * 16 + 8], (vec4{0, 1, 0, 1})) << camera.near << " to " << camera.far;
-        EXPECT_NEAR(f.depth[8 * 16 + 8], 4.99, 1e-4) << camera.near << " to " << camera.far;
+        EXPECT_EQ(f.color[8 * 16 + 8], (vec4{0, 1, 0, 1})) << camera.z_near << " to " << camera.z_far;
+        EXPECT_NEAR(f.depth[8 * 16 + 8], 4.99, 1e-4) << camera.z_near << " to " << camera.z_far;
     }
 }
 

@@ -22,7 +22,7 @@ constexpr std::uint32_t untouched = 0x12345678;
 constexpr std::size_t margin = 5;  ///< [px] of the sink's memory on all sides of the picture
 
 /// Takes display values of a window, with or without memory that engines may write to.
-class DisplaySink final : public Sink {
+class DisplaySink final : public StripSink {
 public:
     explicit DisplaySink(bool has_memory) : has_memory_(has_memory) {}
     void begin(int width, int height, Window window, std::uint32_t) override {
@@ -34,13 +34,14 @@ public:
     DisplayRows display_rows(const Window& area) override {
         return has_memory_ ? DisplayRows{at(area.x - window_.x, area.y - window_.y), stride_} : DisplayRows{};
     }
-    void tile(const Tile& tile) override {
+    void tile(const Tile&) override { ADD_FAILURE() << "a tile of linear colors"; }
+    void display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) override {
         EXPECT_TRUE(tile.color.empty());
         const auto width = std::size_t(tile.area.width);
-        for (int y = 0; y < tile.area.height && !tile.srgb8.empty(); ++y)
-            std::copy_n(tile.srgb8.data() + std::size_t(y) * width, width,
+        for (int y = 0; y < tile.area.height && !srgb8.empty(); ++y)
+            std::copy_n(srgb8.data() + std::size_t(y) * width, width,
                         at(tile.area.x - window_.x, tile.area.y - window_.y + y));
-        from_memory += tile.srgb8.empty();
+        from_memory += srgb8.empty();
     }
     void end_pass(int) override {}
 

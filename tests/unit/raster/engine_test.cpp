@@ -42,7 +42,7 @@ std::size_t covered(const Frame& f) {
 Camera inside_camera() {
     Camera camera;
     camera.vertical_fov_rad = radians(80);
-    camera.near = 0.05;
+    camera.z_near = 0.05;
     camera.to_world = look_at({0.3, 0.2, 1}, {0, 0, -1}, {0, 1, 0});
     return camera;
 }
@@ -130,8 +130,8 @@ TEST(SoftEngine, AFloorThroughTheEyePlaneDoesNotWrapRound) {
     scene.meshes[0] = floor;
     Camera camera;
     camera.vertical_fov_rad = radians(90);
-    camera.near = 0.1;
-    camera.far = 1e5;
+    camera.z_near = 0.1;
+    camera.z_far = 1e5;
     const Frame f = render(scene, camera);
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x) EXPECT_EQ(pixel(f, x, y).w > 0, y >= 32) << x << ", " << y;
@@ -273,7 +273,7 @@ TEST(SoftEngine, ChannelsHoldDepthNormalObjectAndMaterial) {
     EXPECT_EQ(f.object[middle], 0u);
     EXPECT_EQ(f.material[middle], 0u);
     EXPECT_EQ(f.depth[0], std::numeric_limits<float>::infinity());
-    EXPECT_EQ(f.object[0], none);
+    EXPECT_EQ(f.object[0], no_index);
 }
 
 TEST(SoftEngine, CountsWhatHappensToTriangles) {
@@ -310,7 +310,7 @@ TEST(SoftEngine, CountsObjectsOfWhichNoMeshMayBeSeen) {
 
 TEST(SoftEngine, ImpossibleCamerasAndSettingsAreRefused) {
     Camera camera = flat_camera();
-    camera.far = camera.near;
+    camera.z_far = camera.z_near;
     EXPECT_THROW(render(lit_square(), camera), Error);
     RenderSettings s = small;
     s.width = 0;
@@ -328,8 +328,8 @@ TEST(SoftEngine, NothingIsNotANumberForDegenerateAndExtremeInput) {
         scene.meshes[0].positions = scaled;
         scene.meshes[0].normals = std::vector<vec3>(4, vec3{0, 0, 0});
         Camera camera;
-        camera.near = double(size) * 0.01;
-        camera.far = double(size) * 100;
+        camera.z_near = double(size) * 0.01;
+        camera.z_far = double(size) * 100;
         camera.to_world = translation(dvec3{0, 0, 4.0 * double(size)});
         RenderStats stats;
         const Frame f = render(scene, camera, small, 1, &stats);
@@ -345,8 +345,8 @@ TEST(SoftEngine, CornersAtAnyDistanceAndAnyNearPlaneDoNotWrapRound) {
             scene.meshes[0].positions =
                 std::vector<vec3>{{-size, -2, size}, {size, -2, 1}, {size, -2, -size}, {-size, -2, -size}};
             Camera camera;
-            camera.near = near;
-            camera.far = std::numeric_limits<double>::infinity();
+            camera.z_near = near;
+            camera.z_far = std::numeric_limits<double>::infinity();
             const Frame f = render(scene, camera);
             for (int x = 0; x < 64; ++x)
                 EXPECT_EQ(pixel(f, x, 4).w, 0) << "above the horizon: " << near << ", " << size;

@@ -276,7 +276,7 @@ TEST(ExplainPixel, CornersAreThoseThatTheEngineLitAndTheirTermsAddUpToTheirLight
                     float between[3][3] = {};
                     for (std::size_t k = 0; k < layer.corners.size(); ++k) {
                         const raster::TracedCorner& corner = layer.corners[k];
-                        EXPECT_EQ(corner.corner.vertex == none, shading == Shading::flat);
+                        EXPECT_EQ(corner.corner.vertex == no_index, shading == Shading::flat);
                         const float(*const light[])[3] = {&corner.corner.light.ambient, &corner.corner.light.diffuse,
                                                           &corner.corner.light.specular};
                         for (int c = 0; c < 3; ++c) {

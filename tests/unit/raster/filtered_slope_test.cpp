@@ -66,7 +66,7 @@ double kept(Axis axis, double k, Bump bump, double angle = 0, int anisotropy = 1
     const Frame f = draw(scene, tilted(angle), s);
     double sum = 0, squares = 0;
     for (std::size_t i = 0; i < f.normal.size(); ++i) {
-        if (f.object[i] == none) continue;
+        if (f.object[i] == no_index) continue;
         const vec3 n = f.normal[i];
         const double x = shrink * double(axis == Axis::u ? f.uv[i].x : f.uv[i].y), c = std::cos(2 * pi * k * x);
         sum += c * double(axis == Axis::u ? -n.x / n.z : n.y / n.z);

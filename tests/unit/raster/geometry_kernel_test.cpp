@@ -30,8 +30,8 @@ View view_of(Projection projection) {
     camera.projection = projection;
     camera.vertical_fov_rad = radians(70);
     camera.half_height = 3;
-    camera.near = 0.25;
-    camera.far = 50;
+    camera.z_near = 0.25;
+    camera.z_far = 50;
     return shading::make_view(camera, dmat4{}, {.width = 1920, .height = 1080});
 }
 
@@ -48,7 +48,7 @@ VertexJob job_of(const View& view, std::vector<vec3>& positions, std::vector<Cli
     job.to_clip[0][0] = job.to_clip[1][1] = 1;
     job.to_clip[2][2] = -1;
     job.orthographic = view.orthographic;
-    job.near = 0.25f, job.far = 50;
+    job.z_near = 0.25f, job.z_far = 50;
     job.guard_x = volume.guard_x, job.guard_y = volume.guard_y;
     job.scale_x = map.scale_x, job.offset_x = map.offset_x, job.scale_y = map.scale_y, job.offset_y = map.offset_y;
     job.key_scale = map.key_scale, job.key_offset = map.key_offset;

@@ -37,8 +37,8 @@ Frame draw(const Scene& scene, AttributeInterpolation interpolation, bool parall
     engine->prepare(scene, context);
     Camera camera;
     camera.vertical_fov_rad = pi / 2;  // at distance w the picture is 2 w high
-    camera.near = 0.5;
-    camera.far = 100;
+    camera.z_near = 0.5;
+    camera.z_far = 100;
     if (parallel) {
         camera.projection = Projection::orthographic;
         camera.half_height = 2;

@@ -37,7 +37,7 @@ Camera camera_at(double distance) {
     Camera camera = flat_camera(distance);
     camera.projection = Projection::perspective;
     camera.vertical_fov_rad = radians(60);
-    camera.near = 0.1, camera.far = 100;
+    camera.z_near = 0.1, camera.z_far = 100;
     return camera;
 }
 

@@ -40,7 +40,7 @@ TEST(MarkChannels, HoldALineOfTheSceneWhereItIsSeen) {
     EXPECT_EQ(f.object[seen], 1u);
     EXPECT_EQ(f.mesh[seen], 1u);
     EXPECT_EQ(f.material[seen], 1u);
-    EXPECT_EQ(f.triangle[seen], none);
+    EXPECT_EQ(f.triangle[seen], no_index);
     EXPECT_NEAR(f.position[seen].x, at(30.5), 1e-6f);
     EXPECT_NEAR(f.position[seen].y, -at(20.5), 1e-6f);
     EXPECT_NEAR(f.position[seen].z, 0.5f, 1e-5f);
@@ -55,7 +55,7 @@ TEST(MarkChannels, HoldALineOfTheSceneWhereItIsSeen) {
     for (const std::size_t p : {hidden, beside}) {
         EXPECT_NEAR(f.depth[p], 5, 1e-5f);
         EXPECT_EQ(f.object[p], 0u);
-        EXPECT_NE(f.triangle[p], none);
+        EXPECT_NE(f.triangle[p], no_index);
         EXPECT_EQ(f.emission[p], (vec3{1, 1, 1}));
     }
 }
@@ -67,7 +67,7 @@ TEST(MarkChannels, PlacesAreOnTheLineInPerspective) {
     const Frame f = draw(scene, eye(), everything());
     int seen = 0;
     for (std::size_t p = 0; p < f.depth.size(); ++p) {
-        if (f.object[p] == none) {
+        if (f.object[p] == no_index) {
             EXPECT_TRUE(std::isinf(f.depth[p]));
             continue;
         }
@@ -91,7 +91,7 @@ TEST(MarkChannels, TheNearestOfSeveralIsHeldWhateverTheirOrder) {
         const Frame f = draw(scene, flat_camera(), everything());
         EXPECT_NEAR(f.depth[at_pixel(32, 32)], 4.5f, 1e-5f);
         EXPECT_EQ(f.object[at_pixel(32, 32)], near_first ? 0u : 1u);
-        EXPECT_EQ(f.object[at_pixel(40, 32)], none);
+        EXPECT_EQ(f.object[at_pixel(40, 32)], no_index);
     }
 }
 
@@ -103,10 +103,10 @@ TEST(MarkChannels, EdgesOverASurfaceAreOfItsObjectAndOfTheirOwnColor) {
     s.line_color = {0, 0, 1, 1};
     const Frame f = draw(scene, flat_camera(), s);
     EXPECT_EQ(f.object[at_pixel(40, 16)], 0u);
-    EXPECT_EQ(f.triangle[at_pixel(40, 16)], none);
+    EXPECT_EQ(f.triangle[at_pixel(40, 16)], no_index);
     EXPECT_EQ(f.emission[at_pixel(40, 16)], (vec3{0, 0, 1}));
     EXPECT_NEAR(f.depth[at_pixel(40, 16)], 5, 1e-5f);
-    EXPECT_NE(f.triangle[at_pixel(40, 20)], none);
+    EXPECT_NE(f.triangle[at_pixel(40, 20)], no_index);
 }
 
 TEST(MarkChannels, ThinLinesAreWhole) {
@@ -116,7 +116,7 @@ TEST(MarkChannels, ThinLinesAreWhole) {
     s.line_width = 0.1f;
     const Frame f = draw(scene, flat_camera(), s);
     for (int x = 6; x < 59; ++x) EXPECT_EQ(f.object[at_pixel(x, 20)], 0u) << x;
-    EXPECT_EQ(f.object[at_pixel(30, 21)], none);
+    EXPECT_EQ(f.object[at_pixel(30, 21)], no_index);
 }
 
 TEST(MarkChannels, BlendedOnesAreSeenInTheColorAlone) {
@@ -139,7 +139,7 @@ TEST(MarkChannels, ALineBehindGlassIsHeldAsAnOpaqueSurfaceIs) {
         const Frame f = draw(scene, flat_camera(), s);
         EXPECT_NEAR(f.depth[at_pixel(30, 20)], 5, 1e-5f);
         EXPECT_EQ(f.object[at_pixel(30, 20)], 0u);
-        EXPECT_EQ(f.object[at_pixel(30, 30)], none);
+        EXPECT_EQ(f.object[at_pixel(30, 30)], no_index);
         EXPECT_NEAR(pixel(f, 30, 20).y, 0.5f, 1e-6f);
     }
 }

@@ -35,8 +35,8 @@ inline void add_marks(Scene& scene, Topology topology, std::vector<vec3> places,
 inline Camera eye() {
     Camera camera;
     camera.vertical_fov_rad = radians(50);
-    camera.near = 0.1;
-    camera.far = 100;
+    camera.z_near = 0.1;
+    camera.z_far = 100;
     camera.to_world = translation(dvec3{0.1, 0.2, 2.2});
     return camera;
 }

@@ -227,8 +227,8 @@ TEST(Marks, ColorsOfVerticesRunAlongALineWithPerspective) {
     add_marks(scene, Topology::lines, {{-1.5f, 0, 0}, {3, 0, -6}}, {1, 1, 1, 1}, {{0, 0, 0, 1}, {1, 1, 1, 1}});
     Camera camera;
     camera.vertical_fov_rad = radians(60);
-    camera.near = 0.1;
-    camera.far = 100;
+    camera.z_near = 0.1;
+    camera.z_far = 100;
     camera.to_world = translation(dvec3{0, 0.5 * std::tan(radians(30.0)) * 3.0 / 32.0, 3});
     RenderSettings s = settings();
     s.line_width = 4;

@@ -200,8 +200,8 @@ TEST(Multisample, DataChannelsAreThoseOfThePixelsCenters) {
     settings.channels = channels_of_centers;
     Camera camera;
     camera.vertical_fov_rad = 1;
-    camera.near = 0.5;
-    camera.far = 50;
+    camera.z_near = 0.5;
+    camera.z_far = 50;
     camera.to_world = translation(dvec3{0.2, 0.1, 4});
     const Frame one = draw(busy_scene(), settings, camera).frame;
     for (const int samples : {4, 8}) {

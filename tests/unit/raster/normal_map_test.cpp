@@ -171,7 +171,7 @@ TEST(NormalMapRemarks, AHeightMapThatIsANormalMapIsNamed) {
         return x % 2 == 0 ? std::array<int, 3>{160, 128, 251} : std::array<int, 3>{96, 128, 251};
     }));
     ASSERT_EQ(as_normals.size(), 1u);
-    EXPECT_EQ(as_normals[0].message, "the height map looks like a normal map; --texture-normal takes it as one");
+    EXPECT_EQ(as_normals[0].message, "the height map looks like a normal map; 'texture-normal' takes it as one");
     EXPECT_TRUE(remarks(rgb_pixels(16, 16, [](int x, int) {
                     return std::array<int, 3>{16 * x, 16 * x, 16 * x};
                 })).empty());
@@ -197,7 +197,7 @@ TEST(NormalMapRemarks, SuspiciousMapsAreNamedOnce) {
     };
     EXPECT_EQ(remarks(slanted(-1), false), "");
     EXPECT_EQ(remarks(slanted(1), false),
-              "warning: the normal map looks green-down; --normal-map-green down turns it\n");
+              "warning: the normal map looks green-down; 'normal-map-green' down turns it\n");
     EXPECT_EQ(remarks(slanted(1), true), "");
     const Pixels below = rgb_pixels(16, 16, [](int x, int) {
         return std::array<int, 3>{128, 128, x == 0 ? 100 : 255};
@@ -206,7 +206,7 @@ TEST(NormalMapRemarks, SuspiciousMapsAreNamedOnce) {
               "warning: 16 of 256 texels of the normal map (6.2 %) point into the surface: blue is below one half\n");
     const Pixels heights = rgb_pixels(16, 16, [](int x, int) { return std::array<int, 3>{9 * x, 9 * x, 9 * x}; });
     EXPECT_EQ(remarks(heights, false),  // and not that most of it points into the surface
-              "warning: the normal map looks like a height map: it is gray; --height-map takes it as one\n");
+              "warning: the normal map looks like a height map: it is gray; 'height-map' takes it as one\n");
     Pixels tagged = slanted(-1);
     tagged.is_tagged_srgb = true;
     EXPECT_EQ(remarks(tagged, false),

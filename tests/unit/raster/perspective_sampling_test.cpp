@@ -46,8 +46,8 @@ Scene floor_with(Pixels pixels, Sampler sampler, double turn = 0) {
 Camera above() {
     Camera camera;
     camera.vertical_fov_rad = radians(50);
-    camera.near = 0.1;
-    camera.far = 1000;
+    camera.z_near = 0.1;
+    camera.z_far = 1000;
     camera.to_world = translation(dvec3{0, eye_height, 0});
     return camera;
 }

@@ -57,7 +57,7 @@ public:
         for (std::uint32_t n = 0; n < scene_.nodes.size(); ++n)
             for (std::uint32_t t = 0; t < mesh(n).triangle_count(); ++t) {
                 const std::optional<Hit> hit = meet(r, n, t);
-                if (hit && hit->t >= camera_.near && hit->t <= camera_.far && !is_culled(r, n, t) &&
+                if (hit && hit->t >= camera_.z_near && hit->t <= camera_.z_far && !is_culled(r, n, t) &&
                     (!best || hit->t < best->t))
                     best = hit;
             }
@@ -267,8 +267,8 @@ Camera camera_of(Projection projection) {
     camera.projection = projection;
     camera.vertical_fov_rad = radians(55);
     camera.half_height = 1.6;
-    camera.near = 0.1;
-    camera.far = 15;  // cuts the floor
+    camera.z_near = 0.1;
+    camera.z_far = 15;  // cuts the floor
     camera.to_world = look_at(eye, {0.2, 0.2, 0}, {0.1, 1, 0});
     return camera;
 }
@@ -306,7 +306,7 @@ TEST_P(AgainstBruteForce, ColorsNormalsDepthsAndObjectsAgreeInsideTriangles) {
             if (!is_inside) continue;
             ++compared;
             const auto at = std::size_t(py * width + px);
-            ASSERT_EQ(frame.object[at], hit ? hit->node : none) << px << ", " << py;
+            ASSERT_EQ(frame.object[at], hit ? hit->node : no_index) << px << ", " << py;
             if (!hit) continue;
             ++seen[hit->node];
             const dvec3 color = reference.color(ray, *hit, x, y), normal = reference.normal(ray, *hit, x, y);

@@ -87,8 +87,8 @@ inline Scene square_with(const Pixels& heights, double z = 0) {
 inline Camera looking_from(dvec3 eye) {
     Camera camera;
     camera.vertical_fov_rad = 0.6;
-    camera.near = 0.1;
-    camera.far = 100;
+    camera.z_near = 0.1;
+    camera.z_far = 100;
     camera.to_world = look_at(eye, dvec3{0, 0, 0}, dvec3{0, 1, 0});
     return camera;
 }

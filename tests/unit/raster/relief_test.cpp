@@ -85,8 +85,8 @@ TEST(ReliefEngine, OutlinesStayThoseOfTheMeshUnlessTheyAreToBeLimited) {
         draw(scene, camera, settings_of({Bump::occlusion, {.depth = 0.1f, .limit_silhouette = true}}));
     std::size_t gone = 0, grown = 0;
     for (std::size_t i = 0; i < plain.object.size(); ++i) {
-        gone += plain.object[i] != none && limited.object[i] == none;
-        grown += plain.object[i] == none && limited.object[i] != none;
+        gone += plain.object[i] != no_index && limited.object[i] == no_index;
+        grown += plain.object[i] == no_index && limited.object[i] != no_index;
     }
     EXPECT_EQ(grown, 0u);
     EXPECT_GT(gone, 50u);

@@ -23,8 +23,8 @@ RenderSettings settings(Shading shading) {
 Frame draw(const Scene& scene, const RenderSettings& s, RenderStats* stats = nullptr) {
     Camera camera;
     camera.vertical_fov_rad = radians(40);
-    camera.near = 0.5;
-    camera.far = 50;
+    camera.z_near = 0.5;
+    camera.z_far = 50;
     camera.to_world = translation(dvec3{0, 0, 6});
     return test::draw(scene, camera, s, 2, stats);
 }

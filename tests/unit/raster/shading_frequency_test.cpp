@@ -53,7 +53,7 @@ Material single_sided() {
 Camera camera_at(dvec3 eye, double fov_deg = 40) {
     Camera camera;
     camera.vertical_fov_rad = radians(fov_deg);
-    camera.near = 0.1;
+    camera.z_near = 0.1;
     camera.to_world = look_at(eye, {0, 0, 0}, {0, 1, 0});
     return camera;
 }
@@ -215,7 +215,7 @@ TEST(ShadingFrequency, PiecesOfClippedTrianglesAndTilesAddNoEvaluations) {
     Mesh floor = square_mesh(0, 50);  // reaches behind the eye and over all tiles
     const Scene scene = scene_of(floor, matte());
     Camera camera;
-    camera.near = 0.1;
+    camera.z_near = 0.1;
     camera.to_world = look_at({0, 0, 1}, {10, 9, 0}, {0, 0, 1});  // about along the border of the two triangles
     const Picture flat = draw_picture(scene, camera, settings_for(Shading::flat, 300));
     EXPECT_GT(flat.stats.clipped, 0u);

@@ -46,8 +46,8 @@ inline Mesh sphere_mesh(int rings, int segments) {
 inline Camera looking(dvec3 from, dvec3 to, double fov = 0.9) {
     Camera camera;
     camera.vertical_fov_rad = fov;
-    camera.near = 0.01;
-    camera.far = 100;
+    camera.z_near = 0.01;
+    camera.z_far = 100;
     const dvec3 z = normalize_or(from - to, dvec3{0, 0, 1}), x = normalize_or(cross(dvec3{0, 1, 0}, z), dvec3{1, 0, 0});
     const dvec3 y = cross(z, x);
     camera.to_world[0] = {x.x, x.y, x.z, 0}, camera.to_world[1] = {y.x, y.y, y.z, 0};

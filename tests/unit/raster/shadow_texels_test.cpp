@@ -24,7 +24,7 @@ Scene floor_under(std::vector<Light> lights) {
 /// From so far above, with a field of view of 2 m in 10.
 Camera from_above(double height) {
     Camera camera = looking({0, height, 0.001}, {0, 0, 0}, 2 * std::atan(0.1));
-    camera.far = 1000;
+    camera.z_far = 1000;
     return camera;
 }
 
@@ -59,7 +59,7 @@ TEST(ShadowTexels, OfASunAreAsWideAsTheSceneOverTheMapAndSoManyPixelsOfThePictur
               "note: light 'sun': a texel of its shadow map covers 0.14 m (about 6.9 pixels)");
     // From 5 m they are half as wide.
     EXPECT_EQ(remark_of(floor_under({sun()}), from_above(5), shadowed(64)),
-              "warning: light 'sun': a texel of its shadow map covers 0.14 m (about 14 pixels); raise --shadow-size");
+              "warning: light 'sun': a texel of its shadow map covers 0.14 m (about 14 pixels); raise 'shadow-size'");
     EXPECT_EQ(remark_of(floor_under({sun()}), from_above(5), shadowed(256)),
               "note: light 'sun': a texel of its shadow map covers 0.032 m (about 3.2 pixels)");
 }
@@ -69,7 +69,7 @@ TEST(ShadowTexels, OfALampGrowWithTheDistance) {
     EXPECT_EQ(remark_of(floor_under({lamp({0, 4, 0})}), from_above(10), shadowed(64)),
               "note: light 0: a texel of its shadow map covers 0.14 m (about 6.9 pixels)");
     EXPECT_EQ(remark_of(floor_under({lamp({0, 8, 0})}), from_above(10), shadowed(64)),
-              "warning: light 0: a texel of its shadow map covers 0.28 m (about 14 pixels); raise --shadow-size");
+              "warning: light 0: a texel of its shadow map covers 0.28 m (about 14 pixels); raise 'shadow-size'");
     Light near_by = lamp({0, 8, 0});
     near_by.range = 7;  // and so lights nothing that is seen
     EXPECT_EQ(remark_of(floor_under({near_by}), from_above(10), shadowed(64)), "");
@@ -82,7 +82,7 @@ TEST(ShadowTexels, AreSaidOfTheWidestOnceWhateverTheThreadsAndSamplesAndNotWitho
     const Scene scene = floor_under({lamp({0, 4, 0}), sun(), lamp({0, 8, 0})});
     RenderSettings settings = shadowed(32);
     const std::string expected =
-        "warning: light 2: a texel of its shadow map covers 0.62 m (about 31 pixels); raise --shadow-size; so with 2 "
+        "warning: light 2: a texel of its shadow map covers 0.62 m (about 31 pixels); raise 'shadow-size'; so with 2 "
         "more";
     EXPECT_EQ(remark_of(scene, from_above(10), settings), expected);
     EXPECT_EQ(remark_of(scene, from_above(10), settings, 3), expected);

@@ -28,8 +28,8 @@ Camera pixel_camera() {
     Camera camera;
     camera.projection = Projection::orthographic;
     camera.half_height = side / 2;
-    camera.near = 1;
-    camera.far = 20000;
+    camera.z_near = 1;
+    camera.z_far = 20000;
     camera.to_world = translation(dvec3{side / 2, -side / 2, 10000});
     return camera;
 }
@@ -214,7 +214,7 @@ TEST(Tiling, APaneOfGlassOfManyTrianglesSeenInPerspectiveIsLaidOverEachPixelOnce
         add_object(scene, std::move(mesh), scaling(dvec3{3, 3, 3}));
         Camera camera;
         camera.vertical_fov_rad = radians(70);
-        camera.near = 0.05;
+        camera.z_near = 0.05;
         const double turn =
             0.5 * round;  // near the pane, so that most of these look along it and parts lie behind the eye
         camera.to_world =

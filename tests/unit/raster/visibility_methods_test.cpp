@@ -49,8 +49,8 @@ void add_screen(Scene& scene, vec4 color, double distance, float half = 10, Alph
 Camera camera_at_origin(double near = 0.1, double far = 1000) {
     Camera camera;
     camera.vertical_fov_rad = radians(60);
-    camera.near = near;
-    camera.far = far;
+    camera.z_near = near;
+    camera.z_far = far;
     return camera;
 }
 
@@ -107,8 +107,8 @@ void add_cube(Scene& scene, dvec3 middle) {
 Camera oblique_camera() {
     Camera camera;
     camera.vertical_fov_rad = radians(40);
-    camera.near = 0.1;
-    camera.far = 100;
+    camera.z_near = 0.1;
+    camera.z_far = 100;
     camera.to_world = look_at({2.5, 2, 4}, {0, 0, 0}, {0, 1, 0});
     return camera;
 }

@@ -99,7 +99,7 @@ TEST(BrushedEnvironment, AWhiteBrushedMetalVanishesInAWhiteFurnace) {
         });
         const Frame f = draw(scene, {.channels = channel_object, .multiple_scattering = true});
         for (std::size_t i = 0; i < f.color.size(); ++i)
-            if (f.object[i] != none) {
+            if (f.object[i] != no_index) {
                 ASSERT_NEAR(f.color[i].x, 1, 0.01) << strength;
             }
     }

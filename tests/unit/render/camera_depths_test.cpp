@@ -43,14 +43,14 @@ TEST(CameraDepths, NearAndFarOfTheRequestReplaceThoseOfEveryKindOfCamera) {
          {ViewRequest{}, ViewRequest{.camera = "0"}, ViewRequest{.side = "front"},
           ViewRequest{.position = dvec3{0, 0, 9}}, ViewRequest{.camera = "0", .orthographic = true}}) {
         ViewRequest asked = view;
-        asked.near = 0.25, asked.far = 2000;
+        asked.z_near = 0.25, asked.z_far = 2000;
         const Camera with = choose_camera(scene, asked, aspect, context),
                      without = choose_camera(scene, view, aspect, context);
-        EXPECT_EQ(with.near, 0.25);
-        EXPECT_EQ(with.far, 2000);
+        EXPECT_EQ(with.z_near, 0.25);
+        EXPECT_EQ(with.z_far, 2000);
         EXPECT_EQ(with.to_world[3], without.to_world[3]) << "the camera stays where it is";
-        asked.far.reset();
-        EXPECT_EQ(choose_camera(scene, asked, aspect, context).far, without.far);
+        asked.z_far.reset();
+        EXPECT_EQ(choose_camera(scene, asked, aspect, context).z_far, without.z_far);
     }
 }
 
@@ -60,7 +60,7 @@ TEST(CameraDepths, WhatIsNearerThanNearOrFartherThanFarIsNotDrawn) {
     scene.nodes[1].local.translation = {0, 0, -4};  // the right square is 11 m away, the left one 7
     scene.cameras = {camera_at({0, 0.5, 7}, {0, 0.5, 0})};
     const auto halves = [&](std::optional<double> near, std::optional<double> far) {
-        const Camera camera = choose_camera(scene, {.near = near, .far = far}, 1, context);
+        const Camera camera = choose_camera(scene, {.z_near = near, .z_far = far}, 1, context);
         const Frame frame = render(scene, camera, {.width = 40, .height = 40}, context);
         const vec4 background = frame.color[0];
         return std::pair{frame.color[20 * 40 + 18] != background, frame.color[20 * 40 + 21] != background};
@@ -83,12 +83,13 @@ TEST(CameraDepths, WhatCannotBeIsRefusedWithBothDistances) {
         }
         return "taken";
     };
-    EXPECT_EQ(refusal({.near = 0.0}), "the camera's near and far must be more than 0 m; ");
-    EXPECT_EQ(refusal({.far = -1.0}), "the camera's near and far must be more than 0 m; ");
-    EXPECT_EQ(refusal({.near = 3.0, .far = 3.0}), "the camera's near must be less than its far; ");
-    EXPECT_EQ(refusal({.near = 5000.0}),
+    EXPECT_EQ(refusal({.z_near = 0.0}), "the camera's near and far must be more than 0 m; ");
+    EXPECT_EQ(refusal({.z_far = -1.0}), "the camera's near and far must be more than 0 m; ");
+    EXPECT_EQ(refusal({.z_near = 3.0, .z_far = 3.0}), "the camera's near must be less than its far; ");
+    EXPECT_EQ(refusal({.z_near = 5000.0}),
               "near, 5000 m, is not less than the far of this camera, 1000 m; give a far too");
-    EXPECT_EQ(refusal({.far = 0.05}), "far, 0.05 m, is not more than the near of this camera, 0.1 m; give a near too");
+    EXPECT_EQ(refusal({.z_far = 0.05}),
+              "far, 0.05 m, is not more than the near of this camera, 0.1 m; give a near too");
 }
 
 TEST(CameraDepths, ACameraOfTheFileThatIsReplacedIsSaidToBeSoAndWhy) {
@@ -107,7 +108,7 @@ TEST(CameraDepths, ACameraOfTheFileThatIsReplacedIsSaidToBeSoAndWhy) {
 
 TEST(CameraDepths, ACameraThatSeesNothingByWhatWasAskedForIsKeptWithAWarning) {
     Context context;
-    const Camera camera = choose_camera(seen_from({0, 0, 7}), {.far = 5.0}, aspect, context);
+    const Camera camera = choose_camera(seen_from({0, 0, 7}), {.z_far = 5.0}, aspect, context);
     EXPECT_EQ(camera.to_world[3].xyz(), (dvec3{0, 0, 7}));
     EXPECT_EQ(only_remark(context),
               "the camera sees nothing of the model: all of it is 7 m away or more, and far is 5 m");
@@ -117,20 +118,20 @@ TEST(CameraDepths, ACameraBlindByItsOwnFaultIsReplacedWhateverDepthsWereAskedFor
     const Scene too_far = seen_from({0, 0, 4300});
     Context context;
     Camera fitted = choose_camera(two_squares(), {}, aspect, context);
-    const Camera camera = choose_camera(too_far, {.near = 0.01}, aspect, context);
+    const Camera camera = choose_camera(too_far, {.z_near = 0.01}, aspect, context);
     EXPECT_EQ(camera.to_world, fitted.to_world);
-    EXPECT_EQ(camera.near, 0.01);
-    EXPECT_EQ(camera.far, fitted.far);
+    EXPECT_EQ(camera.z_near, 0.01);
+    EXPECT_EQ(camera.z_far, fitted.z_far);
     EXPECT_EQ(only_remark(context),
               "the camera sees nothing of the model: all of it is 4300 m away or more, and far is 1000 m; the default "
               "view is used instead");
     Context helped;
-    EXPECT_EQ(choose_camera(too_far, {.far = 5000.0}, aspect, helped).to_world[3].xyz(), (dvec3{0, 0, 4300}));
+    EXPECT_EQ(choose_camera(too_far, {.z_far = 5000.0}, aspect, helped).to_world[3].xyz(), (dvec3{0, 0, 4300}));
     EXPECT_EQ(only_remark(helped), "0 remarks");
     Scene impossible = too_far;
     impossible.cameras[0].projection = Projection::orthographic;
-    impossible.cameras[0].far = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(choose_camera(impossible, {.near = 0.01}, aspect, context).near, 0.01);
+    impossible.cameras[0].z_far = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(choose_camera(impossible, {.z_near = 0.01}, aspect, context).z_near, 0.01);
 }
 
 }  // namespace

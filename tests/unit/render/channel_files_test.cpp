@@ -138,7 +138,7 @@ TEST(ChannelView, OverdrawDoublesStepByStep) {
 
 TEST(ChannelView, NumbersAreColorsAndNothingIsBlack) {
     EXPECT_EQ(shown(channel_triangle, 5u), color_of_number(5));
-    EXPECT_EQ(shown(channel_object, none), Code{});
+    EXPECT_EQ(shown(channel_object, no_index), Code{});
     EXPECT_EQ(shown(channel_barycentric, 0.25f, 0.75f, 0.0f), (Code{64, 191, 0}));
     EXPECT_EQ(shown(channel_diffuse, 1.0f, 0.5f, 0.0f), (Code{255, 188, 0}));
 }

@@ -52,7 +52,7 @@ Frame draw(const Scene& scene, Bump bump, std::uint32_t channels = 0, int thread
 
 /// Pixels of background that have something on both sides of them in their row, and above and below.
 int holes(const Frame& f) {
-    const auto is_background = [&](int x, int y) { return f.object[std::size_t(y * f.width + x)] == none; };
+    const auto is_background = [&](int x, int y) { return f.object[std::size_t(y * f.width + x)] == no_index; };
     int count = 0;
     for (int y = 1; y + 1 < f.height; ++y)
         for (int x = 1; x + 1 < f.width; ++x)
@@ -63,7 +63,7 @@ int holes(const Frame& f) {
 
 std::vector<bool> outline(const Frame& f) {
     std::vector<bool> out;
-    for (const std::uint32_t o : f.object) out.push_back(o != none);
+    for (const std::uint32_t o : f.object) out.push_back(o != no_index);
     return out;
 }
 

@@ -21,7 +21,7 @@ using namespace test;
 void expect_everywhere(const Frame& f, float wanted, double tolerance) {
     int covered = 0;
     for (std::size_t i = 0; i < f.color.size(); ++i) {
-        if (f.object[i] == none) continue;
+        if (f.object[i] == no_index) continue;
         ++covered;
         ASSERT_NEAR(f.color[i].x, wanted, tolerance);
         ASSERT_NEAR(f.color[i].z, wanted, tolerance);
@@ -92,7 +92,7 @@ TEST(EnvironmentLight, TermsOfTheLightAddUpToTheColor) {
     const Scene scene = sphere_in({}, [](Material&) {});
     const Frame f = draw(scene, {.channels = channel_object | channels_lighting});
     for (std::size_t i = 0; i < f.color.size(); ++i) {
-        if (f.object[i] == none) continue;
+        if (f.object[i] == no_index) continue;
         const vec3 sum = f.ambient[i] + f.diffuse[i] + f.specular[i] + f.emission[i];
         ASSERT_NEAR(sum.x, f.color[i].x, 1e-6);
     }
@@ -114,7 +114,7 @@ TEST(Sky, EveryUncoveredPixelShowsThePictureInItsDirection) {
         for (int y = 0; y < 150; ++y)
             for (int x = 0; x < 200; ++x) {
                 const std::size_t i = std::size_t(y * 200 + x);
-                if (f.object[i] != none || std::hypot(x - 100, y - 75) < 60) continue;  // and no pixel at its edge
+                if (f.object[i] != no_index || std::hypot(x - 100, y - 75) < 60) continue;  // and no pixel at its edge
                 const double t = std::tan(camera.vertical_fov_rad / 2) / 75;
                 const dvec3 ray{(x + 0.5 - 100) * t, (75 - y - 0.5) * t, -1};
                 const dvec3 d = normalize_or(transform_direction(camera.to_world, ray), {0, 0, 0});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An engine for tests of what stands around engines: pixel (x, y) is a known function of its place, tiles are 64 x 64.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/tools/strip_sink.h>
 
 #include <algorithm>
 #include <mutex>
@@ -22,8 +22,9 @@ public:
         const Window w = s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
         windows.push_back(w);
         sink.begin(s.width, s.height, w, s.channels);
-        const int tiles_x = (w.width + 63) / 64,
-                  at_once = sink.rows_at_once() == 0 ? w.height : sink.rows_at_once() / 64 * 64;
+        StripSink* const strip_sink = dynamic_cast<StripSink*>(&sink);
+        const int held = strip_sink ? strip_sink->rows_at_once() : 0, tiles_x = (w.width + 63) / 64;
+        const int at_once = held == 0 ? w.height : held / 64 * 64;
         for (int top = 0; top < w.height; top += at_once) {
             const int rows = std::min(at_once, w.height - top), tiles_y = (rows + 63) / 64;
             context.parallel_for(std::size_t(tiles_x * tiles_y), [&](std::size_t i) {
@@ -31,7 +32,7 @@ public:
                 deliver({w.x + x, w.y + y, std::min(64, w.width - x), std::min(64, w.height - y)}, s, sink);
             });
             strips.push_back(rows);
-            sink.rows_done(w.y + top, rows);
+            if (strip_sink) strip_sink->rows_done(w.y + top, rows);
         }
         context.progress("render", 1);
         sink.end_pass(0);
@@ -71,7 +72,7 @@ private:
                 color.push_back(color_at(x, y));
                 if (s.channels & channel_depth) depth.push_back(depth_at(x, y));
                 if (s.channels & channel_normal) normal.push_back({0, 0, 1});
-                if (s.channels & channel_object) object.push_back(x == 0 ? none : std::uint32_t(y));
+                if (s.channels & channel_object) object.push_back(x == 0 ? no_index : std::uint32_t(y));
             }
         sink.tile(
             {.area = area, .color = color, .depth = depth, .normal = normal, .object = object, .material = object});

@@ -355,7 +355,7 @@ TEST_F(LoadWorld, ShadingGoesToThePartThatSaysItAndToNoTwin) {
         "'a.obj'\nname = 'b'\nshading = 'unlit'\n");
     std::vector<std::optional<Shading>> of_parts;
     for (const Node& node : s.nodes)
-        if (node.parent == none) of_parts.push_back(node.shading);
+        if (node.parent == no_index) of_parts.push_back(node.shading);
     EXPECT_EQ(of_parts, (std::vector<std::optional<Shading>>{Shading::flat, std::nullopt, Shading::unlit}));
 }
 

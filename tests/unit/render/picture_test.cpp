@@ -2,7 +2,6 @@
 #include <rakelight/picture.h>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <bit>
 #include <filesystem>
@@ -104,7 +103,7 @@ TEST_F(Picture, DisplayValuesOfFourBytesMayBeWrittenIntoThePictureItself) {
     EXPECT_EQ(rows.stride, 100u);
     rows.first[1 * rows.stride + 2] = 0xff030201;  // pixel (72, 13)
     const float depth[6] = {1, 2, 3, 4, 5, 6};
-    sink.tile({.area = {70, 12, 3, 2}, .depth = depth});  // leaves the colors alone
+    sink.display_tile({.area = {70, 12, 3, 2}, .depth = depth}, {});  // leaves the colors alone
     const std::byte* const pixel = sink.color_row(13 - 10) + std::ptrdiff_t(4 * (72 - 64));
     for (int c = 0; c < 3; ++c) EXPECT_EQ(std::to_integer<int>(pixel[c]), c + 1);
     EXPECT_EQ(std::bit_cast<float>(sink.channel_row(0, 3)[72 - 64]), 6.0f);
@@ -261,24 +260,6 @@ TEST_F(Picture, AnUnknownBuiltinModelIsNotFound) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::not_found);
     }
-}
-
-TEST(PictureJson, HoldsResultsErrorsAndForeignBytes) {
-    std::vector<PictureRow> rows(2);
-    rows[0].result = {.file = "a\xFF\n\"b.glb", .output = "a.png", .width = 3, .triangles = 12, .isa = "avx2"};
-    rows[0].remarks = {{Remark::dropped, "a", "node 1", "something", 3}};
-    rows[1].result = {.file = "b.glb", .output = "b.png"};
-    rows[1].error = Error(ErrorCode::bad_file, "broken", "accessor 3").with_file("b.glb");
-    const auto json = nlohmann::json::parse(to_json(rows));
-    EXPECT_EQ(json["schema"], "rakelight.render/1");
-    ASSERT_EQ(json["rows"].size(), 2u);
-    EXPECT_EQ(json["rows"][0]["file"], "a\xEF\xBF\xBD\n\"b.glb");
-    EXPECT_EQ(json["rows"][0]["triangles"], 12);
-    EXPECT_EQ(json["rows"][0]["remarks"][0]["count"], 3);
-    EXPECT_EQ(json["rows"][1]["error"]["exit_code"], 4);
-    EXPECT_EQ(json["rows"][1]["error"]["place"], "accessor 3");
-    EXPECT_FALSE(json["rows"][1].contains("width"));
-    EXPECT_TRUE(nlohmann::json::parse(to_json(std::span<const PictureRow>()))["rows"].empty());
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST_F(TooDarkOrBright, AModelThatNoLightReachesIsSaidToBeBlackWithTheReason) {
     faint.units = LightUnits::photometric, faint.intensity = 0.01f;
     EXPECT_EQ(said({faint}), black +
                                  "too little of the light reaches it; see intensity and attenuation of lights, "
-                                 "--light-intensity, --exposure\n");
+                                 "'light-intensity', 'exposure'\n");
     EXPECT_EQ(said({faint}, [](PictureRequest& r) { r.tone.exposure_ev = 12; }), "");
     EXPECT_EQ(said({point({0, 0, 0})}),
               black + "no light falls on what is seen of it: that is turned away from the light\n");
@@ -75,20 +75,20 @@ TEST_F(TooDarkOrBright, LightsThatTheCutoffEndedAreSaidToBeSo) {
     EXPECT_EQ(said({lamp}), "");
     EXPECT_EQ(said({lamp}, cut_at(0.5 / 100)), "") << "10 m; it is 8 m to the sphere";
     EXPECT_EQ(said({lamp}, cut_at(0.5 / 49)),
-              black + "--light-cutoff ends the light before it; a smaller value reaches farther\n")
+              black + "'light-cutoff' ends the light before it; a smaller value reaches farther\n")
         << "7 m";
     EXPECT_EQ(said({lamp, lamp}, cut_at(0.5 / 49)),
-              black + "--light-cutoff ends all 2 lights before it; a smaller value reaches farther\n");
+              black + "'light-cutoff' ends all 2 lights before it; a smaller value reaches farther\n");
     EXPECT_EQ(said({lamp, point({0, 9, 0}, 3)}, cut_at(0.5 / 49)),
               black +
-                  "it is out of the range of all 2 lights; of 1 that is by --light-cutoff: a smaller value reaches "
+                  "it is out of the range of all 2 lights; of 1 that is by 'light-cutoff': a smaller value reaches "
                   "farther\n");
     EXPECT_EQ(said({point({0, 9, 0}, 3)}, cut_at(0.5 / 49)), black + "it is out of the range of the light\n")
         << "its own";
     EXPECT_EQ(said({lamp}, cut_at(0.5 / 64.0001)),
               black +
-                  "too little of the light reaches it; see intensity and attenuation of lights, --light-intensity, "
-                  "--light-cutoff, --exposure\n")
+                  "too little of the light reaches it; see intensity and attenuation of lights, 'light-intensity', "
+                  "'light-cutoff', 'exposure'\n")
         << "8 m, where next to nothing is left of it";
 }
 
@@ -147,11 +147,11 @@ TEST_F(TooDarkOrBright, FogOfThatColorIsNamedAndOtherFogIsNot) {
               black + "no light falls on what is seen of it: that is turned away from the light\n");
     const std::string white = " is white, 1 or more in red, green and blue";
     EXPECT_EQ(in_fog(front, {1, 1, 1}, 80), "100 % of what the model covers" + white +
-                                                ", and so is the fog: see --fog, --exposure, --tone-mapping, "
-                                                "--light-intensity\n");
+                                                ", and so is the fog: see 'fog', 'exposure', 'tone-mapping', "
+                                                "'light-intensity'\n");
     Light sun = front;
     sun.type = LightType::directional, sun.units = LightUnits::photometric, sun.intensity = 100000;
-    EXPECT_NE(in_fog(sun, {0.5f, 0.5f, 0.5f}, 1e-9f).find(white + ": see --exposure"), std::string::npos);
+    EXPECT_NE(in_fog(sun, {0.5f, 0.5f, 0.5f}, 1e-9f).find(white + ": see 'exposure'"), std::string::npos);
 }
 
 TEST_F(TooDarkOrBright, BlackTexturesAndVertexColorsAreLeftPossible) {
@@ -216,7 +216,7 @@ TEST_F(TooDarkOrBright, MoreThanTwoThirdsOfTheModelInWhiteAreSaidUnlessItIsNotLi
     lux.type = LightType::directional, lux.units = LightUnits::photometric, lux.intensity = 100000;
     const auto front = [](PictureRequest& r) { r.view.side = "front"; };
     const std::string remark = said({lux}, front);
-    EXPECT_NE(remark.find(" % of what the model covers is white, 1 or more in red, green and blue: see --exposure, "),
+    EXPECT_NE(remark.find(" % of what the model covers is white, 1 or more in red, green and blue: see 'exposure', "),
               remark.npos);
     EXPECT_GE(std::stoi(remark), 97) << "all but a rim of the half that faces the light";
     const auto on_white = [&](PictureRequest& r) { front(r), r.settings.background = {1, 1, 1, 1}; };

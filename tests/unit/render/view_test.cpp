@@ -32,7 +32,7 @@ bool shows(const Camera& c, dvec3 point) { return may_see(c, aspect, Bounds{poin
 TEST(ChooseCamera, FitsTheModelWhereTheFileHasNoCamera) {
     Context context;
     const Camera c = choose_camera(two_squares(), {}, aspect, context);
-    EXPECT_EQ(c.node, none);
+    EXPECT_EQ(c.node, no_index);
     for (const dvec3 corner : {dvec3{-1, 0, 0}, dvec3{1, 1, 0}, dvec3{-1, 1, 0}, dvec3{1, 0, 0}})
         EXPECT_TRUE(shows(c, corner));
     EXPECT_TRUE(context.report().entries().empty());
@@ -56,7 +56,7 @@ TEST(ChooseCamera, FindsACameraByItsNameAndPlacesItByItsNode) {
     scene.nodes[1].local.scale = {2, 2, 2};
     const Camera c = choose_camera(scene, {.camera = "on a node"}, aspect, context);
     EXPECT_EQ(eye_of(c), (dvec3{0, 0, 4}));
-    EXPECT_EQ(c.node, none);
+    EXPECT_EQ(c.node, no_index);
     EXPECT_NEAR(length(c.to_world[0].xyz()), 1, 1e-12);
 }
 
@@ -89,10 +89,10 @@ TEST(ChooseCamera, ReplacesACameraThatLooksAwayAndSaysSo) {
 TEST(ChooseCamera, ReplacesACameraWhoseFarPlaneEndsBeforeTheModelOrThatIsImpossible) {
     Scene scene = two_squares();
     Camera near_sighted = camera_at({0, 0, 7}, {0, 0, 0});
-    near_sighted.far = 5;
+    near_sighted.z_far = 5;
     Camera impossible = camera_at({0, 0, 7}, {0, 0, 0});
     impossible.projection = Projection::orthographic;
-    impossible.far = std::numeric_limits<double>::infinity();  // scenes may have it, engines cannot draw by it
+    impossible.z_far = std::numeric_limits<double>::infinity();  // scenes may have it, engines cannot draw by it
     for (const Camera& camera : {near_sighted, impossible}) {
         Context context;
         scene.cameras = {camera};
@@ -144,7 +144,7 @@ TEST(ChooseCamera, OrthographicShowsWhatPerspectiveShowsAtTheFocalPoint) {
     EXPECT_TRUE(shows(c, {-1, 0, 0}));
     EXPECT_TRUE(shows(c, {1, 1, 0}));
     EXPECT_LT(c.half_height, 2.0);
-    EXPECT_LT(c.near, c.far);
+    EXPECT_LT(c.z_near, c.z_far);
 }
 
 TEST(ChooseCamera, AnotherUpStillFitsTheModel) {
@@ -208,9 +208,9 @@ TEST(ChooseCamera, AViewAngleSizesParallelProjectionToo) {
 TEST(ChooseCamera, AFarPlaneLiesBehindTheModelEvenFromInside) {
     Context context;
     const Camera c = choose_camera(two_squares(), {.position = dvec3{0, 0.5, 0.01}}, aspect, context);
-    EXPECT_GT(c.near, 0);
-    EXPECT_LT(c.near, 0.01);
-    EXPECT_GT(c.far, 1);
+    EXPECT_GT(c.z_near, 0);
+    EXPECT_LT(c.z_near, 0.01);
+    EXPECT_GT(c.z_far, 1);
 }
 
 TEST(ChooseCamera, RefusesImpossiblePlacements) {
@@ -245,7 +245,7 @@ TEST(ChooseCamera, AnAngleThatNoDistanceServesIsRefusedByName) {
             }
         }
     const Camera narrow = choose_camera(two_squares(), {.vertical_fov_rad = radians(1e-5)}, aspect, context);
-    EXPECT_LT(float(narrow.near), float(narrow.far));
+    EXPECT_LT(float(narrow.z_near), float(narrow.z_far));
     const ViewRequest placed{.position = dvec3{0, 0, 5}, .vertical_fov_rad = radians(1e-12)};
     EXPECT_NO_THROW(choose_camera(two_squares(), placed, aspect, context)) << "a look through a pinhole";
 }
@@ -276,7 +276,7 @@ TEST(ChooseCamera, AModelFarFromTheOriginIsSeenLikeOneAtIt) {
     for (Node& node : scene.nodes) node.local.translation = away;
     const Camera there = choose_camera(scene, {.vertical_fov_rad = radians(30)}, aspect, context);
     EXPECT_NEAR(length(eye_of(there) - away - eye_of(here)), 0, 1e-8);
-    EXPECT_NEAR(there.near, here.near, 1e-6);
+    EXPECT_NEAR(there.z_near, here.z_near, 1e-6);
 }
 
 TEST(MaySee, TellsABoxBeyondEachPlane) {

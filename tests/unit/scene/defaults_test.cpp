@@ -34,17 +34,17 @@ void expect_all_corners_seen(const Camera& camera, double aspect, const Bounds& 
         const dvec3 s = seen_at(camera, aspect, p);
         EXPECT_LE(std::fabs(s.x), 1.0 + 1e-6);
         EXPECT_LE(std::fabs(s.y), 1.0 + 1e-6);
-        EXPECT_GE(s.z, camera.near);
-        EXPECT_LE(s.z, camera.far);
+        EXPECT_GE(s.z, camera.z_near);
+        EXPECT_LE(s.z, camera.z_far);
     }
 }
 
 void expect_sane(const Camera& camera) {
     for (const dvec4& column : camera.to_world.columns) EXPECT_TRUE(is_finite(column.xyz()));
-    EXPECT_GT(camera.near, 0);
-    EXPECT_GT(camera.far, camera.near);
-    EXPECT_TRUE(std::isfinite(camera.far));
-    EXPECT_LT(camera.far / camera.near, 10);
+    EXPECT_GT(camera.z_near, 0);
+    EXPECT_GT(camera.z_far, camera.z_near);
+    EXPECT_TRUE(std::isfinite(camera.z_far));
+    EXPECT_LT(camera.z_far / camera.z_near, 10);
     EXPECT_NEAR(determinant(upper_left(camera.to_world)), 1, 1e-9);
 }
 
@@ -96,9 +96,9 @@ TEST(DefaultCamera, IsFiniteForPointsNothingAndBrokenAspects) {
         for (const double aspect : {1.0, 0.0, -1.0, nan, inf, 1e300, 1e-300}) {
             const Camera camera = default_camera(b, aspect);
             for (const dvec4& column : camera.to_world.columns) EXPECT_TRUE(is_finite(column.xyz()));
-            EXPECT_GT(camera.near, 0);
-            EXPECT_GT(camera.far, camera.near);
-            EXPECT_TRUE(std::isfinite(camera.far));
+            EXPECT_GT(camera.z_near, 0);
+            EXPECT_GT(camera.z_far, camera.z_near);
+            EXPECT_TRUE(std::isfinite(camera.z_far));
         }
 }
 

@@ -20,7 +20,7 @@ Node child_of(std::uint32_t parent, dvec3 translation) {
 
 TEST(WorldMatrices, MultiplyAlongTheChain) {
     Scene scene;
-    scene.nodes = {child_of(none, {1, 2, 3}), child_of(0, {10, 0, 0}), child_of(1, {0, 100, 0}),
+    scene.nodes = {child_of(no_index, {1, 2, 3}), child_of(0, {10, 0, 0}), child_of(1, {0, 100, 0}),
                    child_of(0, {0, 0, 5})};
     scene.nodes[0].local.scale = {2, 2, 2};
     const auto world = world_matrices(scene);
@@ -32,14 +32,14 @@ TEST(WorldMatrices, MultiplyAlongTheChain) {
 
 TEST(WorldMatrices, AMatrixCountsAlone) {
     Scene scene;
-    scene.nodes = {child_of(none, {1, 2, 3})};
+    scene.nodes = {child_of(no_index, {1, 2, 3})};
     scene.nodes[0].local.matrix = scaling(dvec3{4, 5, 6});
     EXPECT_EQ(world_matrices(scene)[0], scaling(dvec3{4, 5, 6}));
 }
 
 TEST(WorldMatrices, AreExactAMillionMetersFromTheOrigin) {
     Scene scene;
-    scene.nodes = {child_of(none, {1e6, 0, 0}), child_of(0, {0.001, 0, 0})};
+    scene.nodes = {child_of(no_index, {1e6, 0, 0}), child_of(0, {0.001, 0, 0})};
     EXPECT_EQ(world_matrices(scene)[1][3].x, 1e6 + 0.001);
 }
 
@@ -55,7 +55,7 @@ TEST(WorldBounds, OfNothingIsEmpty) {
 TEST(WorldBounds, TakeInEveryInstanceWithItsMatrixAndTheOriginInDouble) {
     Scene scene = test::quad_scene();
     scene.meshes[0].origin = {1e9, 0, 0};
-    scene.nodes.push_back(child_of(none, {0, 0, -7}));
+    scene.nodes.push_back(child_of(no_index, {0, 0, -7}));
     scene.nodes[1].meshes = {0};
     const Bounds b = world_bounds(scene);
     EXPECT_EQ(b.low, (dvec3{1e9, 0, -7}));
@@ -125,7 +125,7 @@ TEST(CameraToWorld, IsARotationEvenForSingularAndBrokenMatrices) {
 
 TEST(CameraToWorld, OfACameraAtANodeIsThatNodesPlace) {
     Scene scene;
-    scene.nodes = {child_of(none, {1, 2, 3})};
+    scene.nodes = {child_of(no_index, {1, 2, 3})};
     scene.nodes[0].local.scale = {5, 5, 5};
     Camera camera;
     camera.node = 0;

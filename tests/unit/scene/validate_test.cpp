@@ -42,7 +42,7 @@ TEST(Validate, NamesTheMeshAndTheFirstIndexOutOfRange) {
     expect_fault("mesh 0 'quad': index 4 at corner 5 exceeds 4 vertices",
                  [](Scene& s) { s.meshes[0].indices = std::vector<std::uint32_t>{0, 1, 2, 0, 2, 4}; });
     expect_fault("index 4294967295 at corner 0", [](Scene& s) {
-        s.meshes[0].indices = std::vector<std::uint32_t>{none, 1, 2};
+        s.meshes[0].indices = std::vector<std::uint32_t>{no_index, 1, 2};
     });
     expect_fault("index 0 at corner 0 exceeds 0 vertices", [](Scene& s) { s.meshes[0].positions = {}; });
 }
@@ -138,8 +138,8 @@ TEST(Validate, LeavesPositionsAndNormalsThatAreNotFiniteToPrepare) {
 }
 
 TEST(Validate, RefusesImpossibleCamerasAndLights) {
-    expect_fault("near must be", [](Scene& s) { s.cameras[0].far = 0.05; });
-    expect_fault("near must be greater than 0", [](Scene& s) { s.cameras[0].near = 0; });
+    expect_fault("near must be", [](Scene& s) { s.cameras[0].z_far = 0.05; });
+    expect_fault("near must be greater than 0", [](Scene& s) { s.cameras[0].z_near = 0; });
     expect_fault("field of view", [](Scene& s) { s.cameras[0].vertical_fov_rad = pi; });
     for (const double angle : {0.0, -1.0, pi, double(nan_f), double(infinity)})
         expect_fault("horizontal field of view", [&](Scene& s) { s.cameras[0].horizontal_fov_rad = angle; });
@@ -157,10 +157,10 @@ TEST(Validate, RefusesImpossibleCamerasAndLights) {
         s.lights[0].type = LightType::spot;
         s.lights[0].direction = {0, 0, 0};
     });
-    EXPECT_EQ(fault([](Scene& s) { s.cameras[0].far = infinity; }), "");
+    EXPECT_EQ(fault([](Scene& s) { s.cameras[0].z_far = infinity; }), "");
     EXPECT_EQ(fault([](Scene& s) {
                   s.cameras[0].projection = Projection::orthographic;
-                  s.cameras[0].near = -5;
+                  s.cameras[0].z_near = -5;
               }),
               "");
 }

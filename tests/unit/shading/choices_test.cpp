@@ -54,7 +54,7 @@ TEST(ShadingChoice, TheLastRuleThatFitsRulesThenTheMaterialThenTheNode) {
     scene.materials[0].name = "paint";
     RenderSettings settings;
     settings.own_shading = true;
-    EXPECT_EQ(ShadingChoice(scene, settings).of(1, none), Shading::flat);  // of the node above
+    EXPECT_EQ(ShadingChoice(scene, settings).of(1, no_index), Shading::flat);  // of the node above
     scene.materials[0].shading = Shading::gouraud;
     EXPECT_EQ(ShadingChoice(scene, settings).of(1, 0), Shading::gouraud);
     settings.shading_rules = {{ShadingRule::Of::material, "paint", Shading::unlit},

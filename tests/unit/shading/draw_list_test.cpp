@@ -62,7 +62,7 @@ TEST(DrawList, PlacesMeshesWithTheirBoundsAndSaysWhichAreMirrored) {
     EXPECT_EQ(made.list.bounds.low.x, -1);
     EXPECT_EQ(made.list.bounds.high.x, 11);
     EXPECT_EQ(made.list.material(made.draw(0)).scene_material, 0u);
-    EXPECT_EQ(made.list.material(made.draw(1)).scene_material, none);
+    EXPECT_EQ(made.list.material(made.draw(1)).scene_material, no_index);
     EXPECT_EQ(made.list.scene_material(made.list.material(made.draw(1))).name, Material().name);
 }
 

@@ -22,7 +22,7 @@ using test::square_mesh;
 Camera looking_down_z(double distance) {
     Camera camera;
     camera.vertical_fov_rad = radians(90.0);
-    camera.near = 0.5, camera.far = 100;
+    camera.z_near = 0.5, camera.z_far = 100;
     camera.to_world = translation(dvec3{0, 0, distance});
     return camera;
 }
@@ -110,8 +110,8 @@ TEST(ShadowCameras, OfADirectionalLightSeesAllThatIsDrawn) {
         const dvec3 d = p - m.eye;
         EXPECT_LE(std::abs(dot(d, m.axes.x)), m.camera.half_height);
         EXPECT_LE(std::abs(dot(d, m.axes.y)), m.camera.half_height);
-        EXPECT_GE(dot(d, m.axes.z), m.camera.near);
-        EXPECT_LE(dot(d, m.axes.z), m.camera.far);
+        EXPECT_GE(dot(d, m.axes.z), m.camera.z_near);
+        EXPECT_LE(dot(d, m.axes.z), m.camera.z_far);
     }
 }
 
@@ -162,14 +162,14 @@ TEST(NarrowDepths, ParallelViewsOfAWideRangeComeToTheSceneOthersStay) {
     s.width = s.height = 8;
     View view = make_view(camera, camera.to_world, s);
     narrow_depths(view, drawn);
-    EXPECT_EQ(view.near, 0.1);
-    EXPECT_EQ(view.far, 100);
-    camera.far = 1e6;
+    EXPECT_EQ(view.z_near, 0.1);
+    EXPECT_EQ(view.z_far, 100);
+    camera.z_far = 1e6;
     view = make_view(camera, camera.to_world, s);
     narrow_depths(view, drawn);
-    EXPECT_LE(view.near, 4);
-    EXPECT_GE(view.far, 6);
-    EXPECT_LT(view.far - view.near, 10);
+    EXPECT_LE(view.z_near, 4);
+    EXPECT_GE(view.z_far, 6);
+    EXPECT_LT(view.z_far - view.z_near, 10);
 }
 
 TEST(MakeLights, OfANodeStandAndShineAsItDoesAboutTheEye) {

@@ -2,7 +2,7 @@
 // The scene that pictures are measured with is what its documentation says, and what is measured is reported. No time
 // is judged.
 #include <gtest/gtest.h>
-#include <rakelight/bench.h>
+#include <rakelight/tools/bench.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

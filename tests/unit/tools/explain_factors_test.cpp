@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include <rakelight/explain.h>
+#include <rakelight/tools/rows.h>
 #include <nlohmann/json.hpp>
 
 #include "support/temporary_folder.h"

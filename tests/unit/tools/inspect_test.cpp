@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/inspect.h>
 #include <rakelight/render.h>
+#include <rakelight/tools/rows.h>
 
 #include <gtest/gtest.h>
 
@@ -155,7 +156,7 @@ TEST(Inspect, TextAndJsonSurviveHostileNames) {
     scene.source = "two\n\033[31m.obj";
     scene.nodes[0].name = std::string(100000, 'x') + "\xFF";
     scene.cameras.resize(1);
-    scene.cameras[0].far = std::numeric_limits<double>::infinity();
+    scene.cameras[0].z_far = std::numeric_limits<double>::infinity();
     scene.lights.resize(2);
     Context context;
     std::vector<InspectionRow> rows(2);

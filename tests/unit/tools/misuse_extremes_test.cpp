@@ -130,7 +130,7 @@ const Fault extremes[] = {
              s,
              {.decode = [](const EncodedImage&, Context&) { return Pixels{2, 2, 1, Component::u8, false, zeros(4)}; }},
              Bump::automatic);
-         s.materials[0].base_color_texture.texcoord_set = none;
+         s.materials[0].base_color_texture.texcoord_set = no_index;
          s.materials[0].normal_texture.texcoord_set = 1u << 31;
      }},
     {"ZeroScale",
@@ -175,7 +175,7 @@ const Fault extremes[] = {
      }},
     {"SubdividedPolygons",
      [](Scene& s) {
-         s.meshes[0].polygons = Numbers{none};
+         s.meshes[0].polygons = Numbers{no_index};
          s.meshes[0].subdivision.emplace().level = 2;
      }},
     {"StrangeSpot",
@@ -215,14 +215,14 @@ const Fault extremes[] = {
     {"NarrowestCamera", [](Scene& s) { s.cameras[0].vertical_fov_rad = 5e-324; }},
     {"EndlessParallelCamera",
      [](Scene& s) {
-         s.cameras[0].projection = Projection::orthographic, s.cameras[0].far = inf_d, s.cameras[0].near = -1e300;
+         s.cameras[0].projection = Projection::orthographic, s.cameras[0].z_far = inf_d, s.cameras[0].z_near = -1e300;
      }},
     {"SmallestParallelCamera",
      [](Scene& s) {
          s.cameras[0].projection = Projection::orthographic;
          s.cameras[0].half_height = 5e-324, s.cameras[0].half_width = 1e308;
      }},
-    {"DeepestNear", [](Scene& s) { s.cameras[0].near = 5e-324, s.cameras[0].far = 1e308; }},
+    {"DeepestNear", [](Scene& s) { s.cameras[0].z_near = 5e-324, s.cameras[0].z_far = 1e308; }},
     {"NamesOfBytes", [](Scene& s) { s.nodes[0].name = s.meshes[0].name = s.materials[0].name = "\xff\n\x1b[31m"; }},
 };
 

@@ -160,14 +160,14 @@ const WrongCamera wrong_cameras[] = {
     {"NanWidth", [](Camera& c) { c.horizontal_fov_rad = nan_d; }, "the horizontal field of view"},
     {"NanAspect", [](Camera& c) { c.aspect = nan_d; }, "the aspect"},
     {"NoAspect", [](Camera& c) { c.aspect = 0; }, "the aspect"},
-    {"NanNear", [](Camera& c) { c.near = nan_d; }, "near must be"},
-    {"NoNear", [](Camera& c) { c.near = 0; }, "near must be greater than 0"},
-    {"NanFar", [](Camera& c) { c.far = nan_d; }, "near must be"},
-    {"FarBeforeNear", [](Camera& c) { c.far = 0.05; }, "near must be"},
+    {"NanNear", [](Camera& c) { c.z_near = nan_d; }, "near must be"},
+    {"NoNear", [](Camera& c) { c.z_near = 0; }, "near must be greater than 0"},
+    {"NanFar", [](Camera& c) { c.z_far = nan_d; }, "near must be"},
+    {"FarBeforeNear", [](Camera& c) { c.z_far = 0.05; }, "near must be"},
     {"NoProjection", [](Camera& c) { c.projection = no_such<Projection>(); }, "there is no such projection"},
     {"NoHeight", [](Camera& c) { make_parallel(c), c.half_height = 0; }, "the visible height"},
     {"InfiniteWidth", [](Camera& c) { make_parallel(c), c.half_width = inf_d; }, "the visible width"},
-    {"EndlessParallel", [](Camera& c) { make_parallel(c), c.far = inf_d; }, "far of a parallel projection"},
+    {"EndlessParallel", [](Camera& c) { make_parallel(c), c.z_far = inf_d; }, "far of a parallel projection"},
 };
 
 void PrintTo(const WrongCamera& wrong, std::ostream* out) { *out << wrong.name; }
@@ -191,8 +191,8 @@ TEST(MisusedCamera, AViewThatCannotBeIsRefused) {
                                  {.up = dvec3{0, 0, 0}},
                                  {.vertical_fov_rad = nan_d},
                                  {.horizontal_fov_rad = -1.0},
-                                 {.near = nan_d},
-                                 {.near = 5.0, .far = 1.0}};
+                                 {.z_near = nan_d},
+                                 {.z_near = 5.0, .z_far = 1.0}};
     for (const ViewRequest& view : views)
         expect_usage("a view", "", [&] { (void)choose_camera(triangle_scene(), view, 1.5, context); });
 }

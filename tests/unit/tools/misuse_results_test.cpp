@@ -2,6 +2,9 @@
 // Frames, sinks, engines and inspections in wrong hands.
 #include <filesystem>
 
+#include <rakelight/tools/rows.h>
+#include <rakelight/tools/strip_sink.h>
+
 #include "support/thrown_error.h"
 #include "unit/tools/misuse_support.h"
 
@@ -39,7 +42,7 @@ TEST(MisusedFrame, OneWhoseColorsDoNotFitIsNotSaved) {
 }
 
 /// Gives way, throws, or says strange things of itself.
-struct OddSink final : Sink {
+struct OddSink final : StripSink {
     int rows = 0;
     bool throws = false;
     void begin(int, int, Window, std::uint32_t) override {}

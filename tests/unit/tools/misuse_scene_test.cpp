@@ -33,7 +33,7 @@ const Fault indices_and_sizes[] = {
      "index 3 at corner 2 exceeds 3 vertices"},
     {"LargestIndex",
      [](Scene& s) {
-         s.meshes[0].indices = Numbers{0, 1, none};
+         s.meshes[0].indices = Numbers{0, 1, no_index};
      },
      "index 4294967295 at corner 2"},
     {"TwoIndices",
@@ -69,7 +69,7 @@ const Fault indices_and_sizes[] = {
          s.nodes[0].meshes = {0, 44};
      },
      "mesh 44 does not exist"},
-    {"MeshNone", [](Scene& s) { s.nodes[0].meshes = {none}; }, "mesh 4294967295 does not exist"},
+    {"MeshNone", [](Scene& s) { s.nodes[0].meshes = {no_index}; }, "mesh 4294967295 does not exist"},
     {"MaterialOutOfRange", [](Scene& s) { s.meshes[0].material = 1; }, "material 1 does not exist"},
     {"ParentItself", [](Scene& s) { s.nodes[0].parent = 0; }, "parent 0 does not come before its child"},
     {"ParentOutOfRange", [](Scene& s) { s.nodes[0].parent = 12; }, "parent 12 does not come"},
@@ -136,8 +136,8 @@ const Fault numbers[] = {
      "the intensity is not a number >= 0"},
     {"InfiniteTurn", [](Scene& s) { s.environment.emplace().rotation_rad = inf_d; }, "the rotation is not finite"},
     {"NanCamera", [](Scene& s) { s.cameras[0].vertical_fov_rad = nan_d; }, "the field of view"},
-    {"NanNear", [](Scene& s) { s.cameras[0].near = nan_d; }, "camera 0: near must be"},
-    {"NearBeyondFar", [](Scene& s) { s.cameras[0].near = 10, s.cameras[0].far = 1; }, "camera 0: near must be"},
+    {"NanNear", [](Scene& s) { s.cameras[0].z_near = nan_d; }, "camera 0: near must be"},
+    {"NearBeyondFar", [](Scene& s) { s.cameras[0].z_near = 10, s.cameras[0].z_far = 1; }, "camera 0: near must be"},
     {"NanCameraMatrix", [](Scene& s) { s.cameras[0].to_world[3].x = nan_d; }, "camera 0: the matrix is not finite"},
     {"NanMorphWeight", [](Scene& s) { add_target(s, Points(3), {nan_f}); }, "a morph weight is not finite"},
     {"NanJointWeight",

@@ -3,6 +3,8 @@
 #pragma once
 #include <gtest/gtest.h>
 #include <rakelight/rakelight.h>
+#include <rakelight/tools/bench.h>
+#include <rakelight/tools/check_scene.h>
 
 #include <cmath>
 #include <functional>

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include <rakelight/tools/rows.h>
+
 #include "io/glb_writer.h"
 #include "smooth_file_support.h"
 #include "tools/smooth_file_scene.h"
@@ -268,7 +270,7 @@ TEST(SmoothFile, SkinnedMeshesStandInTheirBindPoseWhereTheFormatHasNoSkins) {
     EXPECT_EQ(plain.nodes[3].name, "skinned");
     EXPECT_EQ(plain.nodes[3].meshes, (std::vector<std::uint32_t>{0}));
     EXPECT_EQ((*plain.nodes[3].local.matrix)[3].x, 5);
-    for (const Node& node : plain.nodes) EXPECT_EQ(node.skin, none);
+    for (const Node& node : plain.nodes) EXPECT_EQ(node.skin, no_index);
     const TemporaryFolder folder;
     io::write_glb(plain, folder.file("a.glb"), context);
 }

@@ -3,7 +3,7 @@
 #include "tools/stages/folder.h"
 
 #include <gtest/gtest.h>
-#include <rakelight/unfinished_outputs.h>
+#include <rakelight/tools/unfinished_outputs.h>
 
 #include <fstream>
 

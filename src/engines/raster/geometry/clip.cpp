@@ -13,9 +13,9 @@ double inside_by(const ClipVertex& v, unsigned plane, const ClipVolume& volume) 
     const double x = v.x, y = v.y, w = v.w;
     switch (plane) {
         case clip_near:
-            return double(v.distance) - volume.near;
+            return double(v.distance) - volume.z_near;
         case clip_far:
-            return volume.far - double(v.distance);
+            return volume.z_far - double(v.distance);
         case clip_left:
             return w + x;
         case clip_right:
@@ -62,8 +62,8 @@ std::size_t clip_by_plane(const ClipVertex* in, std::size_t count, ClipVertex* o
 }  // namespace
 
 ClipVolume::ClipVolume(const View& view)
-    : near(view.near),
-      far(view.far),
+    : z_near(view.z_near),
+      z_far(view.z_far),
       guard_x(float((guard_band_px - view.width) / (0.5 * view.width))),
       guard_y(float((guard_band_px - view.height) / (0.5 * view.height))) {}
 
@@ -71,8 +71,8 @@ unsigned outcode(const ClipVertex& v, const ClipVolume& volume) {
     // Written so that a comparison with NaN counts as outside. kernels/vertex_kernel.h has the same once more.
     const float x = v.x, y = v.y, w = v.w, gx = volume.guard_x * w, gy = volume.guard_y * w;
     unsigned code = 0;
-    if (!(v.distance >= volume.near)) code |= clip_near;
-    if (!(v.distance <= volume.far)) code |= clip_far;
+    if (!(v.distance >= volume.z_near)) code |= clip_near;
+    if (!(v.distance <= volume.z_far)) code |= clip_far;
     if (!(x >= -w)) code |= clip_left;
     if (!(x <= w)) code |= clip_right;
     if (!(y >= -w)) code |= clip_bottom;

@@ -13,7 +13,7 @@ using shading::ClipVertex, shading::View, shading::view_of;
 /// Limits of the clip volume of a view, in the numbers that ClipVertex holds.
 struct ClipVolume {
     explicit ClipVolume(const View& view);
-    double near, far;        ///< of ClipVertex::distance
+    double z_near, z_far;    ///< of ClipVertex::distance
     float guard_x, guard_y;  ///< |x| <= guard_x w
 };
 

@@ -41,7 +41,7 @@ using RunPlaces = std::vector<std::vector<std::uint32_t>>;
 RunPlaces list_tiles(Binned& binned, const std::vector<ChunkRange>& ranges, std::size_t tiles) {
     const std::vector<ChunkTriangles>& chunks = binned.memory->chunks;
     std::vector<std::uint64_t> count(tiles + 1, 0);
-    std::vector<std::uint32_t> last(tiles, none);  // the draw of the tile's last run
+    std::vector<std::uint32_t> last(tiles, no_index);  // the draw of the tile's last run
     binned.run_offsets.assign(tiles + 1, 0);
     for (std::size_t c = 0; c < ranges.size(); ++c)
         for (const ChunkRun& run : chunks[c].runs) {
@@ -58,7 +58,7 @@ RunPlaces list_tiles(Binned& binned, const std::vector<ChunkRange>& ranges, std:
     binned.runs.resize(binned.run_offsets[tiles]);
     binned.items.resize(std::size_t(count[tiles]));
     std::vector<std::uint32_t> next(binned.run_offsets.begin(), binned.run_offsets.end() - 1);
-    std::fill(last.begin(), last.end(), none);
+    std::fill(last.begin(), last.end(), no_index);
     RunPlaces places(ranges.size());
     for (std::size_t c = 0; c < ranges.size(); ++c)
         for (const ChunkRun& run : chunks[c].runs) {
@@ -105,7 +105,8 @@ void PictureMemory::add(std::uint64_t bytes) {
     throw Error(ErrorCode::bad_file,
                 "the picture's triangles, lines and points need more than " + std::to_string(limit_) +
                     " bytes, half of the limit",
-                {}, "raise the limit with --max-memory, or render a part with --window");
+                {}, "raise 'max-memory', or render a part of the picture with 'window'")
+        .naming({"max-memory", "window"});
 }
 
 TileGrid::TileGrid(int width, int height, Window w) : window(w.width == 0 ? Window{0, 0, width, height} : w) {

@@ -47,7 +47,7 @@ VertexJob vertex_job(const FrontEnd& front, const ToClip& to_clip, const ClipVol
     VertexJob job{};
     std::copy_n(&to_clip.m[0][0], 12, &job.to_clip[0][0]);
     job.orthographic = map.orthographic;
-    job.near = at_least(volume.near), job.far = at_most(volume.far);
+    job.z_near = at_least(volume.z_near), job.z_far = at_most(volume.z_far);
     job.guard_x = volume.guard_x, job.guard_y = volume.guard_y;
     job.scale_x = map.scale_x, job.offset_x = map.offset_x;
     job.scale_y = map.scale_y, job.offset_y = map.offset_y;
@@ -183,13 +183,13 @@ ScreenMap::ScreenMap(const View& view)
       offset_x(scale_x + 0.5 + snap_origin),
       scale_y(-0.5 * view.height * (1 << subpixel_bits)),
       offset_y(-scale_y + 0.5 + snap_origin),
-      key_scale(view.near),
+      key_scale(view.z_near),
       key_offset(0),
       orthographic(view.orthographic) {
     if (!orthographic) return;
-    const double range = view.far - view.near;
+    const double range = view.z_far - view.z_near;
     key_scale = -1 / range;
-    key_offset = 1 + view.near / range;
+    key_offset = 1 + view.z_near / range;
 }
 
 ScreenVertex snap_to_screen(const ScreenMap& map, const ClipVertex& v) {

@@ -35,12 +35,12 @@ struct CoveredSample {
 
 /// A triangle that covers a sample of a pixel.
 struct CoveringTriangle {
-    std::uint32_t draw = none, triangle = none;  ///< into DrawList::draws; which triangle of its mesh
-    std::array<std::uint32_t, 3> vertex{};       ///< into the mesh's arrays
-    bool is_back = false;                        ///< seen from behind
-    bool is_clipped = false;                     ///< this is a piece: the triangle passes a clipping plane
-    float depth_key = 0;                         ///< of the nearest sample, as distance and alpha
-    float distance = 0;                          ///< [m] along the view axis
+    std::uint32_t draw = no_index, triangle = no_index;  ///< into DrawList::draws; which triangle of its mesh
+    std::array<std::uint32_t, 3> vertex{};               ///< into the mesh's arrays
+    bool is_back = false;                                ///< seen from behind
+    bool is_clipped = false;                             ///< this is a piece: the triangle passes a clipping plane
+    float depth_key = 0;                                 ///< of the nearest sample, as distance and alpha
+    float distance = 0;                                  ///< [m] along the view axis
     float alpha = 1;
     Fate fate = Fate::hidden;
     std::vector<CoveredSample> samples;  ///< at least one, in their order

@@ -22,8 +22,8 @@ void allocate(PixelStageData& d, std::size_t pixels, std::size_t lights) {
     d.overdraw.assign(pixels, 0);
     d.faces.assign(pixels, 0);
     d.distance.assign(pixels, std::numeric_limits<float>::infinity());
-    d.draw.assign(pixels, none);
-    d.triangle.assign(pixels, none);
+    d.draw.assign(pixels, no_index);
+    d.triangle.assign(pixels, no_index);
     d.normal.assign(pixels, {});
     d.emission.assign(pixels, {});
     d.own_color.assign(pixels, {});
@@ -197,8 +197,8 @@ private:
         for_each_pixel([&](std::size_t pixel) {
             const std::size_t p = at(pixel);
             const vec4 background = is_sky ? s_.color[pixel] : of_.settings().background;
-            alpha_[pixel] = out_.draw[p] == none ? background.w : 1;
-            if (out_.draw[p] == none && out_.layer_count[p] > 0) out_.own_color[p] = background.xyz();
+            alpha_[pixel] = out_.draw[p] == no_index ? background.w : 1;
+            if (out_.draw[p] == no_index && out_.layer_count[p] > 0) out_.own_color[p] = background.xyz();
         });
         for (const std::uint32_t item : blending_order(job_, tile_)) {
             const ScreenTriangle& t = *drawn_.binned.items[item];

@@ -26,7 +26,7 @@ struct PixelStageData {
     std::vector<std::uint8_t> faces;  ///< bits, what covers the center: 1 a face seen from behind that culling dropped,
                                       ///< 2 one from the front, 4 one drawn
     std::vector<float> distance;      ///< [m] along the view axis; +infinity where nothing opaque is
-    std::vector<std::uint32_t> draw, triangle;  ///< the visible surface; `none` where nothing opaque is
+    std::vector<std::uint32_t> draw, triangle;  ///< the visible surface; `no_index` where nothing opaque is
     std::vector<vec3> normal;                   ///< that is lit
     /// As Scene::lights but at most `max_lights`: what the terms of the visible surface and of those that are laid over
     /// it come to in the picture. A layer's count by its alpha, those behind it by what it lets through.
@@ -57,7 +57,7 @@ struct PixelStageData {
 
     /// Something that is drawn shows at the pixel's center.
     bool shows(std::size_t pixel) const {
-        return draw[pixel] != none || (!layer_count.empty() && layer_count[pixel] > 0);
+        return draw[pixel] != no_index || (!layer_count.empty() && layer_count[pixel] > 0);
     }
     const std::vector<vec4>& centers() const { return center_color.empty() ? color : center_color; }
 };

@@ -52,7 +52,7 @@ struct VertexJob {
     int32_t total;        ///< vertices that may be read from `positions`
     float to_clip[3][4];  ///< object space -> clip x, y and the distance along the view axis
     int32_t orthographic;
-    float near, far;                              ///< limits of the distance: inside is near <= distance <= far
+    float z_near, z_far;                          ///< limits of the distance: inside is near <= distance <= far
     float guard_x, guard_y;                       ///< limits of |x| / w, |y| / w that are not cut
     double scale_x, offset_x, scale_y, offset_y;  ///< x / w -> screen, see snap_to_screen()
     double key_scale, key_offset;                 ///< key = scale / w or offset + scale * distance

@@ -19,11 +19,11 @@ inline integer bit_where(mask m, uint32_t bit) { return select(m, integer(int32_
 inline integer outcodes(const VertexJob& job, real x, real y, real w, real distance) {
     const real most(3.40282347e38f);
     const mask inside =
-        distance >= real(job.near) && distance <= min(real(job.far), most) && abs(x) <= min(w, most) && abs(y) <= w;
+        distance >= real(job.z_near) && distance <= min(real(job.z_far), most) && abs(x) <= min(w, most) && abs(y) <= w;
     if (all_lanes(inside)) return integer(0);
     const real gx = real(job.guard_x) * w, gy = real(job.guard_y) * w;
     integer code =
-        bit_where(!(distance >= real(job.near)), clip_near) | bit_where(!(distance <= real(job.far)), clip_far);
+        bit_where(!(distance >= real(job.z_near)), clip_near) | bit_where(!(distance <= real(job.z_far)), clip_far);
     code = code | bit_where(!(x >= -w), clip_left) | bit_where(!(x <= w), clip_right);
     code = code | bit_where(!(y >= -w), clip_bottom) | bit_where(!(y <= w), clip_top);
     code = code | bit_where(!(x >= -gx), clip_guard_left) | bit_where(!(x <= gx), clip_guard_right);

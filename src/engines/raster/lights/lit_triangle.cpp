@@ -74,7 +74,7 @@ std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& poi
     };
     if (light.per_face) {
         const DrawFrame::Face face = frame.face(s.triangle);
-        return {corner(none, face.centroid, face.normal, light.side[0][s.triangle])};
+        return {corner(no_index, face.centroid, face.normal, light.side[0][s.triangle])};
     }
     const std::size_t side = side_of(front, light, s);
     const std::uint32_t* const index =

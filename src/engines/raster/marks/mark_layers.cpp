@@ -29,9 +29,9 @@ void MarkLayers::take(const MarkFragment& f) {
     }
     List& list = lists_[f.pixel];
     const auto index = std::uint32_t(waiting_.size());
-    (list.last == none ? list.first : waiting_[list.last].next) = index;
+    (list.last == no_index ? list.first : waiting_[list.last].next) = index;
     list.last = index;
-    waiting_.push_back({f, none});
+    waiting_.push_back({f, no_index});
 }
 
 void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count) {
@@ -51,7 +51,7 @@ void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count, std::siz
     const DepthTolerance tolerance = plane.tolerance();
     for (std::size_t i = 0; i < count; ++i) {
         const auto p = std::size_t(s_.pixel[i]);
-        if (lists_[p].first == none) continue;
+        if (lists_[p].first == no_index) continue;
         const double key = plane.key(p);
         lay(p, colors_of(p), samples,
             [&](const MarkFragment& f) { return double(f.key) + tolerance.of(double(f.key), double(f.reach)) < key; });
@@ -72,13 +72,13 @@ void MarkLayers::lay(std::size_t pixel, vec4* to, std::size_t samples, const Cho
     };
     List& list = lists_[pixel];
     const List before = std::exchange(list, List{});
-    for (std::uint32_t i = before.first; i != none;) {
+    for (std::uint32_t i = before.first; i != no_index;) {
         Waiting& w = waiting_[i];
-        const std::uint32_t next = std::exchange(w.next, none);
+        const std::uint32_t next = std::exchange(w.next, no_index);
         if (is_chosen(w.fragment)) {
             pending.add(w.fragment, lay_color);
         } else {
-            (list.last == none ? list.first : waiting_[list.last].next) = i;
+            (list.last == no_index ? list.first : waiting_[list.last].next) = i;
             list.last = i;
         }
         i = next;

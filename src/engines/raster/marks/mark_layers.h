@@ -32,7 +32,7 @@ private:
         std::uint32_t next;  ///< of the same pixel
     };
     struct List {
-        std::uint32_t first = none, last = none;  ///< into waiting_
+        std::uint32_t first = no_index, last = no_index;  ///< into waiting_
     };
 
     void take(const MarkFragment& f);

@@ -137,7 +137,7 @@ private:
 
     ScreenEnd project(const ClipEnd& c) const {
         const auto [x, y, w, distance, part] = c;
-        const double key = reversed_depth(distance, {view_.near, view_.far, view_.orthographic});
+        const double key = reversed_depth(distance, {view_.z_near, view_.z_far, view_.orthographic});
         return {(x / w * 0.5 + 0.5) * view_.width, (0.5 - y / w * 0.5) * view_.height, key, part * weight(key)};
     }
     /// As 1 / w.
@@ -146,7 +146,7 @@ private:
     /// Near and far before the division, the sides of the whole picture, with room for the width, after it.
     void add(const Place& a, const Place& b, std::uint32_t vertex_a, std::uint32_t vertex_b) {
         ClipEnd from = {a.x, a.y, a.w, a.distance, 0}, to = {b.x, b.y, b.w, b.distance, 1};
-        if (!keep(from, to, 3, view_.near, 1) || !keep(from, to, 3, view_.far, -1)) return;
+        if (!keep(from, to, 3, view_.z_near, 1) || !keep(from, to, 3, view_.z_far, -1)) return;
         ScreenEnd p = project(from), q = project(to);
         if (!keep(p, q, 0, -reach_, 1) || !keep(p, q, 0, view_.width + reach_, -1) || !keep(p, q, 1, -reach_, 1) ||
             !keep(p, q, 1, view_.height + reach_, -1))

@@ -10,7 +10,7 @@
 
 namespace rakelight::raster {
 
-constexpr std::uint32_t no_color = none;
+constexpr std::uint32_t no_color = no_index;
 
 /// Which elements of a draw become marks.
 enum class MarkSource : std::uint8_t { lines, points, edges, vertices };

@@ -48,12 +48,12 @@ struct MarkFragment {
 struct PendingMark {
     vec4 color;
     float coverage = 0;  ///< 0: nothing waits
-    std::uint32_t color_number = none;
+    std::uint32_t color_number = no_index;
 
     /// @param lay  called with a color and its opacity
     template <class Lay>
     void add(const MarkFragment& f, const Lay& lay) {
-        if (f.color_number == none || f.color_number != color_number) finish(lay);
+        if (f.color_number == no_index || f.color_number != color_number) finish(lay);
         if (coverage == 0)
             *this = {f.color, f.coverage, f.color_number};
         else

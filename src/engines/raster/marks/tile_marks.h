@@ -86,7 +86,7 @@ private:
                 const double covered = shape.coverage(near);
                 if (!(covered > 1e-6)) continue;
                 if (!shown_.empty() && shape.has_center(near)) show(p, item, m, key, near.t);
-                take(MarkFragment{p, is_plain ? m.color[0] : none, float(key), float(covered), float(shape.reach()),
+                take(MarkFragment{p, is_plain ? m.color[0] : no_index, float(key), float(covered), float(shape.reach()),
                                   color_at(m, key, near.t)});
             }
         }

@@ -134,8 +134,8 @@ void set_background(const TileJob& job, std::size_t tile, bool to_srgb8, TileScr
         std::fill(s.color.begin(), s.color.end(), settings.background);
     }
     if (settings.channels & channel_normal) std::fill(s.normal.begin(), s.normal.end(), vec3{});
-    if (settings.channels & channel_object) std::fill(s.object.begin(), s.object.end(), none);
-    if (settings.channels & channel_material) std::fill(s.material.begin(), s.material.end(), none);
+    if (settings.channels & channel_object) std::fill(s.object.begin(), s.object.end(), no_index);
+    if (settings.channels & channel_material) std::fill(s.material.begin(), s.material.end(), no_index);
     if (settings.channels & further_channels) clear_channels(settings.channels, s);
 }
 

@@ -66,9 +66,9 @@ void put_tile(const TileJob& job, std::size_t tile, const TileScratch& s, const 
     const Window area = job.grid.pixels(tile);
     const int left = job.grid.origin_x(tile), top = job.grid.origin_y(tile);
     const ScreenTriangle* const* const list = job.binned.items.data() + job.binned.offsets[tile];
-    const double texels = 0.5 * view.width * view.scale_x, per_near = 1 / view.near;  // as ShadowView::texels
+    const double texels = 0.5 * view.width * view.scale_x, per_near = 1 / view.z_near;  // as ShadowView::texels
     // Depth d = near + (1 - key) (far - near), or near / key, where a texel is d / texels wide.
-    const double scale = view.orthographic ? -texels * (view.far - view.near) : -texels;
+    const double scale = view.orthographic ? -texels * (view.z_far - view.z_near) : -texels;
     clear_tile(view, area, map);
     std::int32_t last = -1;
     dvec2 slopes{};

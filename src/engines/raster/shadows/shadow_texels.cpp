@@ -99,9 +99,9 @@ void ShadowTexels::remark(const Scene& scene, std::span<const lighting::LightPar
     const bool is_wide = widest.pixels >= wide;
     std::string text = name_of(scene.lights[light], light) + ": a texel of its shadow map covers " +
                        rounded(widest.meters) + " m (about " + rounded(widest.pixels) + " pixels)";
-    if (is_wide) text += "; raise --shadow-size";
+    if (is_wide) text += "; raise 'shadow-size'";
     if (others > 1) text += "; so with " + std::to_string(others - 1) + " more";
-    context.report().add(is_wide ? Remark::warning : Remark::note, scene.source, {}, text);
+    context.report().add(is_wide ? Remark::warning : Remark::note, scene.source, {}, text, {"shadow-size"});
 }
 
 }  // namespace rakelight::raster

@@ -23,7 +23,7 @@ double largest_code(Visibility format) {
 }
 
 /// far / (far - near), the standard depth of what is infinitely far.
-double limit_of(const DepthRange& r) { return std::isinf(r.far) ? 1.0 : r.far / (r.far - r.near); }
+double limit_of(const DepthRange& r) { return std::isinf(r.z_far) ? 1.0 : r.z_far / (r.z_far - r.z_near); }
 
 /// From a float of 0..1 to the next one towards 0: what a change needs to be seen.
 double last_bit(double value) {
@@ -36,7 +36,7 @@ double last_bit(double value) {
 bool has_depth(Visibility m) { return m != Visibility::painter && m != Visibility::none && m != Visibility::back_face; }
 
 double reversed_depth(double distance, const DepthRange& r) {
-    return r.orthographic ? 1 - (distance - r.near) / (r.far - r.near) : r.near / distance;
+    return r.orthographic ? 1 - (distance - r.z_near) / (r.z_far - r.z_near) : r.z_near / distance;
 }
 
 double standard_of_reversed(double reversed, const DepthRange& r) {
@@ -44,8 +44,8 @@ double standard_of_reversed(double reversed, const DepthRange& r) {
 }
 
 double standard_depth(double distance, const DepthRange& r) {
-    if (r.orthographic) return (distance - r.near) / (r.far - r.near);
-    return limit_of(r) * (distance - r.near) / distance;
+    if (r.orthographic) return (distance - r.z_near) / (r.z_far - r.z_near);
+    return limit_of(r) * (distance - r.z_near) / distance;
 }
 
 double stored_depth(Visibility format, double reversed, const DepthRange& r) {
@@ -59,8 +59,8 @@ double depth_step(Visibility format, double distance, const DepthRange& r) {
     const double largest = largest_code(format),
                  z = is_reversed ? reversed_depth(distance, r) : standard_depth(distance, r);
     const double change = largest > 0 ? 1 / largest : last_bit(z);
-    if (r.orthographic) return change * (r.far - r.near);
-    return change * distance * distance / (r.near * (is_reversed ? 1.0 : limit_of(r)));
+    if (r.orthographic) return change * (r.z_far - r.z_near);
+    return change * distance * distance / (r.z_near * (is_reversed ? 1.0 : limit_of(r)));
 }
 
 }  // namespace rakelight::raster

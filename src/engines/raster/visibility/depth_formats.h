@@ -8,7 +8,7 @@ namespace rakelight::raster {
 
 /// The depth range of a view, distances along the view axis.
 struct DepthRange {
-    double near = 0.1, far = 1000;  ///< [m] far may be infinity in perspective
+    double z_near = 0.1, z_far = 1000;  ///< [m] far may be infinity in perspective
     bool orthographic = false;
 };
 

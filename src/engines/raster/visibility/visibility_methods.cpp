@@ -82,7 +82,7 @@ private:
 }  // namespace
 
 SurfaceOrder::SurfaceOrder(const FrontEnd& front, const ScreenTriangle& s)
-    : method_(front.settings.visibility), range_{front.view.near, front.view.far, front.view.orthographic} {
+    : method_(front.settings.visibility), range_{front.view.z_near, front.view.z_far, front.view.orthographic} {
     if (method_ == Visibility::none || method_ == Visibility::back_face) return;
     const std::uint32_t* const index =
         front.list.scene.meshes[front.list.draws[s.draw].mesh].indices.data() + 3 * std::size_t(s.triangle);
@@ -94,8 +94,8 @@ SurfaceOrder::SurfaceOrder(const FrontEnd& front, const ScreenTriangle& s)
     edge_planes(v, front.view, 0, 0, e);  // seen exactly from the edge: planes of 0, so the farthest corner counts
     double key[3];
     for (std::size_t i = 0; i < 3; ++i) {
-        key[i] = reversed_depth(std::max(double(v[i].distance), range_.near), range_);
-        const double weight = range_.orthographic ? reversed_depth(v[i].distance, range_) : range_.near;
+        key[i] = reversed_depth(std::max(double(v[i].distance), range_.z_near), range_);
+        const double weight = range_.orthographic ? reversed_depth(v[i].distance, range_) : range_.z_near;
         key_x_ += e.ex[i] * weight;
         key_y_ += e.ey[i] * weight;
         key_0_ += e.e0[i] * weight;

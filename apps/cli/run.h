@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line asks for, and the requests that come of it.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rakelight/picture.h>
+
+#include "../common/command_line.h"
+#include "console.h"
+
+namespace rakelight::cli {
+
+using apps::Command;
+using apps::Given;
+using apps::Option;
+
+/// One run of the program.
+struct Run {
+    const Command& command;
+    Given given;
+    std::vector<std::string> inputs;
+    int threads = 0;
+    std::uint64_t max_memory = 0;
+    bool is_json = false;
+    Loudness loudness = Loudness::normal;
+    PictureRequest picture;  ///< by the settings that were given; its output holds the name template
+};
+
+/// @throws Error usage, one line
+Run run_of(const Command& command, apps::CommandLine line);
+
+/// What is to be done with one input, or why nothing can be.
+struct InputRequest {
+    PictureRequest picture;
+    std::optional<Error> error;
+    std::optional<WorldRequest> world;  ///< of a world file
+};
+
+/// The request for an input: as the command line says, and for a world file by its [render], too.
+InputRequest request_for(const Run& run, const std::string& input);
+
+/// A request for each input: '{model}' in the output stands for the input's name without folder and ending.
+/// @throws Error usage: several inputs for one output, or two inputs for the same
+std::vector<InputRequest> picture_requests(const Run& run);
+
+/// How a world is drawn by its [render] and the settings that were given.
+/// @throws Error bad_file with line and column, usage
+WorldRequest world_request(const Run& run, const std::string& path, std::vector<WorldValue> given);
+
+/// About the run and not about the picture: a file that was sent by somebody does not say them.
+/// @throws Error bad_file: such a key in [render]
+void refuse_options_of_the_run(std::string_view key);
+
+/// Over all pictures: whether the command line says how the whole is shaded. Parts of a world then have no shading of their own.
+bool shades_the_whole(const Given& given);
+
+/// @throws Error usage: no such engine in this build
+void check_engine(const std::string& name);
+
+}  // namespace rakelight::cli

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The JSON reports of the program: one row a file, with what was made of it and the remarks, or the error instead. All are UTF-8,
+// foreign bytes replaced, with a line feed at the end.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rakelight/error.h>
+#include <rakelight/explain.h>
+#include <rakelight/inspect.h>
+#include <rakelight/picture.h>
+#include <rakelight/report.h>
+#include <rakelight/smooth_file.h>
+#include <rakelight/stages.h>
+#include <rakelight/tools/check_scene.h>
+
+namespace rakelight {
+
+/// What rows of all kinds have.
+struct ReportRow {
+    std::vector<ReportEntry> remarks;
+    std::uint64_t remarks_left_out = 0;
+    std::optional<Error> error;
+};
+
+struct PictureRow : ReportRow {
+    PictureResult result;  ///< at least `file` and `output`
+};
+
+struct CheckRow : ReportRow {
+    std::string file;
+    std::optional<SceneSummary> summary;
+};
+
+struct InspectionRow : ReportRow {
+    std::string file;
+    std::optional<Inspection> inspection;
+    std::optional<std::vector<CheckFailure>> check;  ///< when limits were checked
+    std::string heat_map;                            ///< the picture that was written, or empty
+};
+
+struct ExplainRow : ReportRow {
+    std::string file;
+    int x = 0, y = 0;
+    std::shared_ptr<const ExplainedPixel> pixel;
+};
+
+struct StagesRow : ReportRow {
+    StagesResult result;  ///< at least `file` and `folder`
+};
+
+struct SmoothedFileRow : ReportRow {
+    std::string file;
+    std::optional<SmoothedFile> result;
+};
+
+/// {"schema": "rakelight.render/1", "rows": [...]}
+std::string to_json(std::span<const PictureRow> rows);
+/// {"schema": "rakelight.check/1", "rows": [...]}
+std::string to_json(std::span<const CheckRow> rows);
+/// {"schema": "rakelight.inspect/1", "rows": [...]}
+std::string to_json(std::span<const InspectionRow> rows);
+/// {"schema": "rakelight.explain/1", "rows": [...]}; docs/explain.md says what is in it.
+std::string to_json(std::span<const ExplainRow> rows);
+/// {"schema": "rakelight.stages/1", "rows": [...]}
+std::string to_json(std::span<const StagesRow> rows);
+/// {"schema": "rakelight.smooth/1", "rows": [...]}
+std::string to_json(std::span<const SmoothedFileRow> rows);
+
+}  // namespace rakelight

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures as the program's JSON, schema rakelight.render/1: fields are added, never renamed.
+#include <rakelight/picture.h>
+#include <rakelight/tools/rows.h>
+
+#include "tools/report_json.h"
+
+namespace rakelight {
+
+Json stats_json(const RenderStats& s) {
+    return {{"triangles_in", s.triangles_in},
+            {"culled_back", s.culled_back},
+            {"culled_degenerate", s.culled_degenerate},
+            {"culled_outside", s.culled_outside},
+            {"objects_outside", s.objects_outside},
+            {"clipped", s.clipped},
+            {"drawn", s.drawn},
+            {"pixels_covered", s.pixels_covered},
+            {"samples_covered", s.samples_covered},
+            {"pixels_shaded", s.pixels_shaded},
+            {"lighting_evaluations", s.lighting_evaluations},
+            {"vertices_lit_twice", s.vertices_lit_twice},
+            {"depth_passes", s.depth_passes},
+            {"overdraw", s.overdraw()},
+            {"pixels_marked", s.pixels_marked},
+            {"shadow_maps", s.shadow_maps},
+            {"shadow_bytes", s.shadow_bytes}};
+}
+
+namespace {
+
+void add_result(Json& row, const PictureResult& r) {
+    row["width"] = r.width;
+    row["height"] = r.height;
+    row["triangles"] = r.triangles;
+    row["objects"] = r.objects;
+    row["engine"] = r.engine;
+    row["isa"] = r.isa;
+    row["threads"] = r.threads;
+    row["load_ms"] = r.load_ms;
+    row["prepare_ms"] = r.prepare_ms;
+    row["render_ms"] = r.render_ms;
+    row["write_ms"] = r.write_ms;
+    row["black_pixels"] = r.black_pixels;
+    row["white_pixels"] = r.white_pixels;
+    row["channel_files"] = r.channel_files;
+    const ViewRange& range = r.view_range;
+    row["view_range"] = {
+        {"depth_m", {range.depth_low, range.depth_high}},
+        {"position_m", {{range.low.x, range.low.y, range.low.z}, {range.high.x, range.high.y, range.high.z}}}};
+    row["stats"] = stats_json(r.stats);
+}
+
+}  // namespace
+
+std::string to_json(std::span<const PictureRow> rows) {
+    Json list = Json::array();
+    for (const PictureRow& r : rows) {
+        Json row = {{"file", r.result.file}, {"output", r.result.output}};
+        if (r.error)
+            row["error"] = error_json(*r.error);
+        else
+            add_result(row, r.result);
+        row["remarks"] = remarks_json(r.remarks);
+        row["remarks_left_out"] = r.remarks_left_out;
+        list.push_back(std::move(row));
+    }
+    return document("rakelight.render/1", std::move(list));
+}
+
+}  // namespace rakelight

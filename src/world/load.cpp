@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a scene comes from.
+#include <rakelight/load.h>
+
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "io/reader.h"
+#include "world/load_world.h"
+#include "world/make_shape.h"
+
+namespace rakelight {
+namespace {
+constexpr const char* builtin_prefix = "builtin:";
+
+Scene load_shape(const std::string& words, const std::string& path, Context& context) {
+    try {
+        return make_shape(request_of(shape_of_words(words)), &context.memory());
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
+}
+}  // namespace
+
+Scene load(const std::string& path, const LoadOptions& options, Context& context) {
+    if (path.starts_with(builtin_prefix)) {
+        const std::string words = path.substr(std::strlen(builtin_prefix)), name = words.substr(0, words.find(':'));
+        if (name == "teapot" || primitive_named(name)) return load_shape(words, path, context);
+        throw Error(ErrorCode::not_found, "there is no such built-in model", {},
+                    "builtin:teapot, sphere, cylinder, cone, torus and plane are there")
+            .with_file(path);
+    }
+    if (is_world_file(path)) return load_world(path, read_world(path, context), options, context);
+    return io::read_scene(path, {.allow_outside = options.allow_outside}, context);
+}
+
+Scene load(std::vector<std::byte> bytes, const std::string& path, const LoadOptions& options, Context& context) {
+    try {
+        if (is_world_file(path)) {
+            const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+            return load_world(path, parse_world(text), options, context);
+        }
+        MemoryCharge charge = MemoryCharge::of_file(context.memory(), bytes.size(), "the file");
+        return io::read_scene(path, io::charged_bytes(std::move(bytes), std::move(charge)),
+                              {.allow_outside = options.allow_outside}, context);
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
+}
+
+}  // namespace rakelight

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/load_world.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "io/file.h"
+#include "io/image_io.h"
+#include "io/reader.h"
+#include "math/functions.h"
+#include "math/linear.h"
+#include "scene/merge_scenes.h"
+#include "scene/scene_tools.h"
+#include "world/make_shape.h"
+#include "world/scene_of_request.h"
+
+namespace rakelight {
+namespace {
+
+constexpr std::uint64_t bytes_beside_name = 32;  ///< what an allocation takes more than is asked for
+
+dquat turn(dvec3 axis, double angle_rad) {
+    const double s = math::sin(0.5 * angle_rad);
+    return {axis.x * s, axis.y * s, axis.z * s, math::cos(0.5 * angle_rad)};
+}
+
+dquat product(const dquat& a, const dquat& b) {
+    return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+            a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+
+Node root_node(const std::string& name, const WorldPlacement& placement) {
+    const dvec3 d = placement.rotation_deg;
+    Node node;
+    node.name = name;
+    node.local.translation = placement.position;
+    node.local.rotation =
+        product(turn({0, 0, 1}, radians(d.z)), product(turn({0, 1, 0}, radians(d.y)), turn({1, 0, 0}, radians(d.x))));
+    node.local.scale = placement.scale;
+    return node;
+}
+
+NormalSource normals_of(const std::string& word) {
+    if (word == "file") return NormalSource::file;
+    if (word == "flat") return NormalSource::flat;
+    if (word == "object") return NormalSource::object;
+    return word == "model" ? NormalSource::model : NormalSource::automatic;
+}
+
+/// What the part's normals are to be: the world's word, or what only the format of its file means.
+template <class Part>
+std::optional<NormalChoice> choice_of(const Part& part, bool missing_are_flat) {
+    if (part.normals.empty() && !part.crease_angle_rad && !missing_are_flat) return std::nullopt;
+    NormalChoice choice{normals_of(part.normals), missing_are_flat, part.crease_angle_rad};
+    if (part.normals.empty() && part.crease_angle_rad) choice.source = NormalSource::model;
+    return choice;
+}
+
+/// A fault of a file that the world names, with the place where it does.
+Error at_place(const Error& error, const std::string& name, WorldPlace place) {
+    const std::string file = error.file().empty() ? "" : "'" + one_line(name, 80) + "': ";
+    const std::string inner = error.place().empty() ? "" : error.place() + ": ";
+    const ErrorCode code = error.code() == ErrorCode::usage ? ErrorCode::bad_file : error.code();  // words of the file
+    return Error(code, file + inner + error.reason(), to_text(place), error.advice());
+}
+
+/// Warns of names that stand twice where a name is what one asks by. Shapes without a name have their type's.
+void warn_of_twins(const WorldFile& world, const std::string& path, Report& report) {
+    std::set<std::string_view> cameras, shapes;
+    for (const Camera& c : world.cameras)
+        if (!c.name.empty() && !cameras.insert(c.name).second)
+            report.add(Remark::warning, path, {},
+                       "two cameras are named '" + one_line(c.name, 40) + "': the first is found");
+    for (const WorldPrimitive& p : world.primitives)
+        if (p.name != p.type && !shapes.insert(p.name).second)
+            report.add(Remark::warning, path, to_text(p.place),
+                       "two primitives are named '" + one_line(p.name, 40) + "': what goes by name goes to both");
+}
+
+/// What the world says of a part beside where it stands.
+struct PartWish {
+    const std::string& name;
+    const std::string& material;
+    const std::optional<Subdivision>& subdivision;
+    std::optional<NormalChoice> normals;
+    const WorldPrimitive* shape = nullptr;  ///< null: a model
+};
+
+/// Gives a shape's nodes and meshes its name in place of its type's: 'tyre', or 'tyre 2' of one cut in pieces.
+void rename(Scene& scene, const LoadedPart& part, const WorldPrimitive& shape, MemoryCharge& names) {
+    if (shape.name == shape.type) return;
+    const auto change = [&](std::string& name) {
+        if (!name.starts_with(shape.type)) return;
+        names.grow(shape.name.size() + name.size() + bytes_beside_name, "the names of shapes");
+        name.replace(0, shape.type.size(), shape.name);
+    };
+    for (std::uint32_t i = part.first_node + 1; i < part.end_node; ++i) change(scene.nodes[i].name);
+    for (std::uint32_t i = part.first_mesh; i < part.end_mesh; ++i) change(scene.meshes[i].name);
+}
+
+/// The parts of a world, put together into one scene when all are known, so that what this takes is known before.
+class Assembly {
+public:
+    Assembly(const std::string& path, const LoadOptions& options, Context& context)
+        : path_(path), options_(options), context_(context) {}
+
+    void add_model(const WorldModel& model) { add(load_file(model), model, {model.lights, model.cameras}); }
+
+    void add_primitive(const WorldPrimitive& shape) {
+        try {
+            add(make_shape(shape), shape, {true, true});
+        } catch (const Error& error) {  // lengths that do not fit together
+            const bool is_of_objects = error.reason().starts_with("the objects of ");
+            throw Error(ErrorCode::bad_file, error.reason(), to_text(is_of_objects ? shape.objects_place : shape.place),
+                        error.advice());
+        }
+        wishes_.back().shape = &shape;
+    }
+
+    /// Cameras of the world stand before those of its models.
+    Scene finish(const WorldFile& world) {
+        put_together();
+        apply_materials(scene_, world, parts_, path_, options_, context_);
+        scene_.lights.insert(scene_.lights.begin(), world.lights.begin(), world.lights.end());
+        scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
+        check_render(world);
+        warn_of_twins(world, path_, context_.report());
+        if (world.fog) scene_.fog = *world.fog;
+        if (world.environment) scene_.environment = surroundings(*world.environment);
+        validate(scene_);
+        return std::move(scene_);
+    }
+
+private:
+    /// A file that stands several times in the world is read once; its arrays are shared.
+    const Scene& load_file(const WorldModel& model) {
+        const auto known = loaded_.find(model.file);
+        if (known != loaded_.end()) return known->second;
+        context_.throw_if_cancelled();
+        try {
+            const bool is_builtin = model.file.starts_with("builtin:");
+            const std::string file =
+                is_builtin ? model.file : io::resolve_reference(path_, model.file, options_.allow_outside);
+            Scene scene = load(file, options_, context_);
+            name_default_material(scene);  // so that [[material]] finds it
+            return loaded_.emplace(model.file, std::move(scene)).first->second;
+        } catch (const Error& error) {
+            throw at_place(error, model.file, model.place);
+        }
+    }
+
+    /// Equal shapes share their arrays.
+    const Scene& make_shape(const WorldPrimitive& shape) {
+        const ShapeRequest request = request_of(shape);
+        const auto known = shapes_.find(request);
+        if (known != shapes_.end()) return known->second;
+        context_.throw_if_cancelled();
+        return shapes_.emplace(request, rakelight::make_shape(request, &context_.memory())).first->second;
+    }
+
+    struct Taken {
+        bool lights, cameras;
+    };
+
+    /// @param scene  stays where it is until all parts are put together
+    template <class Part>
+    void warn_of_crease(const Part& of) {
+        if (!of.crease_angle_rad || (of.normals != "flat" && of.normals != "file")) return;
+        context_.report().add(Remark::warning, path_, to_text(of.place),
+                              "'crease_angle_deg' has no effect beside normals = \"" + of.normals + "\"");
+    }
+
+    template <class Part>
+    void add(const Scene& scene, const Part& of, Taken taken) {
+        warn_of_crease(of);
+        Node root = root_node(of.name, of.placement);
+        root.shading = of.shading;
+        additions_.push_back({scene, std::move(root), taken.lights, taken.cameras});
+        wishes_.push_back({of.name, of.material, of.subdivision, choice_of(of, scene.missing_normals_are_flat)});
+    }
+
+    void put_together() {
+        MergedScene merged = merge_scenes(additions_, context_);
+        scene_ = std::move(merged.scene);
+        scene_.source = path_;
+        MemoryCharge names(context_.memory());
+        for (std::size_t i = 0; i < wishes_.size(); ++i) {
+            const Scene& part = additions_[i].scene;
+            const MergeOffsets& by = merged.offsets[i];
+            const PartWish& wish = wishes_[i];
+            const auto end = [](std::uint32_t first, std::size_t count) { return std::uint32_t(first + count); };
+            parts_.push_back({wish.name, by.materials, end(by.materials, part.materials.size()), by.meshes,
+                              end(by.meshes, part.meshes.size()), by.nodes - 1, end(by.nodes, part.nodes.size()),
+                              wish.material});
+            for (std::uint32_t m = by.meshes; m < parts_.back().end_mesh; ++m) {
+                if (wish.subdivision) scene_.meshes[m].subdivision = wish.subdivision;
+                scene_.meshes[m].normal_choice = wish.normals;
+            }
+            if (wish.shape) rename(scene_, parts_.back(), *wish.shape, names);
+        }
+        scene_.charges.push_back(share(std::move(names)));
+    }
+
+    /// What [render] names is there: the camera and the pictures.
+    void check_render(const WorldFile& world) const {
+        for (const WorldValue& value : world.render) {
+            const std::vector<std::string>& others = options_.overridden;
+            if (value.words.size() != 1 || std::find(others.begin(), others.end(), value.key) != others.end()) continue;
+            if (value.key == "camera-index") check_camera(value);
+            for (const char* key : {"texture-base-color", "texture-normal", "height-map", "hdri-file"})
+                if (value.key == key) checked_picture(path_, value.words[0], value.place, options_, context_);
+        }
+    }
+
+    void check_camera(const WorldValue& value) const {
+        try {
+            find_camera(scene_, value.words[0]);
+        } catch (const Error& error) {
+            throw Error(ErrorCode::bad_file, error.reason(), to_text(value.place), error.advice());
+        }
+    }
+
+    Environment surroundings(const WorldEnvironment& from) {
+        Environment out = from.environment;
+        if (from.file.empty()) return out;
+        std::pair<int, int> size;
+        const std::string file = checked_picture(path_, from.file, from.place, options_, context_, &size);
+        if (size.first != 2 * size.second)
+            context_.report().add(Remark::warning, path_, to_text(from.place),
+                                  "the environment is " + std::to_string(size.first) + " x " +
+                                      std::to_string(size.second) +
+                                      " pixels: equirectangular pictures are twice as wide as high");
+        out.image = io::image_from_file(from.file, path_, file);
+        return out;
+    }
+
+    const std::string& path_;
+    const LoadOptions& options_;
+    Context& context_;
+    std::map<std::string, Scene> loaded_;
+    std::map<ShapeRequest, Scene> shapes_;
+    std::vector<ScenePart> additions_;
+    std::vector<PartWish> wishes_;  ///< [additions]
+    Scene scene_;
+    std::vector<LoadedPart> parts_;  ///< [additions]
+};
+
+}  // namespace
+
+Scene load_world(const std::string& path, const WorldFile& world, const LoadOptions& options, Context& context) {
+    for (const WorldRemark& r : world.remarks) context.report().add(r.kind, path, to_text(r.place), r.message);
+    try {
+        Assembly assembly(path, options, context);
+        for (const WorldModel& model : world.models) assembly.add_model(model);
+        for (const WorldPrimitive& shape : world.primitives) assembly.add_primitive(shape);
+        return assembly.finish(world);
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
+}
+
+}  // namespace rakelight

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene_of_request.h"
+
+#include <utility>
+
+#include "engines/check_settings.h"
+
+namespace rakelight {
+
+Scene scene_of_request(const PictureRequest& request, Context& context) {
+    check_settings(request.settings);
+    return as_asked(load(request.input, request.load, context), request, context);
+}
+
+Scene as_asked(Scene scene, const PictureRequest& request, Context& context) {
+    if (!(request.materials == MaterialOverrides{}))
+        scene = valid::override_materials(std::move(scene), request.materials, context);
+    return with_environment(std::move(scene), request, context);
+}
+
+}  // namespace rakelight

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// [[material]] of world files: changes to the models' materials, and materials of the world's own.
+#include <algorithm>
+#include <map>
+
+#include <rakelight/tools/words.h>
+
+#include "io/file.h"
+#include "io/image_io.h"
+#include "io/world/material_keys.h"
+#include "scene/material_table.h"
+#include "scene/scene_tools.h"
+#include "world/change_material.h"
+#include "world/load_world.h"
+
+namespace rakelight {
+namespace {
+
+using namespace io::world;
+
+void convert(Material& m, Of of) {
+    if (m.model == MaterialModel::unlit || of == Of::all) return;
+    m = of == Of::classical ? classical_from_metallic_roughness(m) : metallic_roughness_from_classical(m);
+}
+
+class MaterialWork {
+public:
+    MaterialWork(Scene& scene, const std::string& path, const LoadOptions& options, Context& context)
+        : scene_(scene), path_(path), options_(options), context_(context) {}
+
+    void change(Material& m, const WorldMaterial& by) {
+        change_material(m, by.values, [this](const WorldValue& value) { return picture(value); });
+    }
+
+    /// Says what is wrong with the pictures of a [[material]] that nothing has.
+    void check(const WorldMaterial& unused) {
+        for (const WorldValue& value : unused.values)
+            if (find_material_key(value.key)->key.kind == Kind::file) checked(value);
+    }
+
+private:
+    /// The texture of a file, made once: but once more as a normal and as a height map, so that what is said of those
+    /// has the place where they are named as such.
+    TextureUse picture(const WorldValue& value) {
+        const std::string& name = value.words[0];
+        const bool is_looked_at = value.key == "normal_texture" || value.key == "height_texture";
+        const auto [known, is_new] =
+            textures_.emplace(std::pair(name, is_looked_at ? value.key : ""), std::uint32_t(scene_.textures.size()));
+        if (is_new)
+            scene_.textures.push_back(
+                {name, io::image_from_file(name, path_, checked(value), to_text(value.place)), {}});
+        TextureUse use;
+        use.texture = known->second;
+        return use;
+    }
+
+    std::string checked(const WorldValue& value) {
+        return checked_picture(path_, value.words[0], value.place, options_, context_);
+    }
+
+    Scene& scene_;
+    const std::string& path_;
+    const LoadOptions& options_;
+    Context& context_;
+    std::map<std::pair<std::string, std::string>, std::uint32_t> textures_;  ///< file and, of some, key
+};
+
+/// A material of the world's own before its values: white, of no metal.
+Material new_material(const WorldMaterial& from) {
+    Material m;
+    m.name = from.name;
+    m.metallic_roughness.metallic = 0;
+    m.metallic_roughness.roughness = 0.5f;
+    for (const WorldValue& value : from.values)
+        if (find_material_key(value.key)->of == Of::classical) m.model = MaterialModel::classical;
+    return m;
+}
+
+/// Material colors are linear and reflect at most all light; numbers like 255 are meant for a display.
+void warn_of_display_colors(const WorldMaterial& from, const std::string& path, Report& report) {
+    for (const WorldValue& value : from.values) {
+        const bool is_color = find_material_key(value.key)->key.kind == Kind::color && value.key != "emission";
+        if (is_color && *std::max_element(value.numbers.begin(), value.numbers.end()) > 1)
+            report.add(Remark::warning, path, to_text(value.place),
+                       "'" + value.key + "' is more than 1: colors of materials are linear, 0 to 1, or '#rrggbb'");
+    }
+}
+
+/// A [[material]] and the materials of the scene that it acted on.
+struct Changed {
+    const WorldMaterial* by;
+    std::vector<std::uint32_t> materials;
+};
+
+/// A picture shows nothing where what it multiplies is 0, as it is unless said: there or in another [[material]].
+/// @param scene  after all of them
+void warn_of_idle_pictures(const Scene& scene, const Changed& changed, const std::string& path, Report& report) {
+    if (changed.materials.empty()) return;
+    const auto is_idle = [&](const TextureFactor& factor) {
+        return factor.key && std::all_of(changed.materials.begin(), changed.materials.end(),
+                                         [&](std::uint32_t i) { return factor.is_zero(scene.materials[i]); });
+    };
+    for (const WorldValue& value : changed.by->values)
+        for (const TextureRole& role : texture_roles()) {
+            if (value.key != role.key) continue;
+            const TextureFactor& why = is_idle(role.layer) ? role.layer : role.factor;
+            if (is_idle(why))
+                report.add(Remark::warning, path, to_text(value.place),
+                           "'" + value.key + "' has no effect: '" + why.key + "' is 0");
+        }
+}
+
+/// @param covered  a part that has such materials under one of the world's own; null: none
+std::string why_unused(const WorldMaterial& from, const LoadedPart* covered, const Scene& scene) {
+    const std::string name = one_line(from.name, 40);
+    if (covered)
+        return "[[material]] '" + name + "' has no effect: all of '" + one_line(covered->name, 40) + "' is of '" +
+               one_line(covered->material, 40) + "'";
+    std::vector<std::string_view> names;
+    for (const Material& m : scene.materials) names.push_back(m.name);
+    const std::string near = nearest_word(from.name, names);
+    return "no model has a material named '" + name + "'" +
+           (near.empty() ? "" : "; did you mean '" + one_line(near, 40) + "'?");
+}
+
+}  // namespace
+
+void change_material(Material& material, std::span<const WorldValue> values,
+                     const std::function<TextureUse(const WorldValue&)>& picture) {
+    for (const WorldValue& value : values) convert(material, find_material_key(value.key)->of);
+    for (const MaterialKey& key : material_setters())  // in the table's order
+        for (const WorldValue& value : values)
+            if (value.key == key.key.name && key.set) {
+                MaterialChange change{material, value, key.key.kind == Kind::file ? picture(value) : TextureUse{}};
+                key.set(change);
+            }
+}
+
+std::string checked_picture(const std::string& path, const std::string& name, WorldPlace place,
+                            const LoadOptions& options, Context& context, std::pair<int, int>* size) {
+    try {
+        std::string file = io::resolve_reference(path, name, options.allow_outside);
+        const Pixels pixels = io::decode_image(*io::read_file(file, context), context);
+        if (size) *size = {pixels.width, pixels.height};
+        return file;
+    } catch (const Error& error) {
+        throw Error(error.code(), "'" + one_line(name, 80) + "': " + error.reason(), to_text(place), error.advice());
+    }
+}
+
+void apply_materials(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts,
+                     const std::string& path, const LoadOptions& options, Context& context) {
+    if (world.materials.empty()) return;
+    MaterialWork work(scene, path, options, context);
+    std::map<std::string, std::uint32_t> own;
+    std::vector<Changed> all_changed;
+    for (const WorldMaterial& from : world.materials) {
+        warn_of_display_colors(from, path, context.report());
+        bool is_used = false;
+        std::vector<std::uint32_t>& changed = all_changed.emplace_back(Changed{&from, {}}).materials;
+        const LoadedPart* covered = nullptr;  // has what is to be changed, but all of it is the world's own
+        for (const LoadedPart& part : parts) {
+            if (!from.model.empty() && from.model != part.name) continue;
+            for (std::uint32_t i = part.first_material; i < part.end_material; ++i) {
+                if (from.name != "*" && from.name != scene.materials[i].name) continue;
+                work.change(scene.materials[i], from);
+                changed.push_back(i);
+                if (part.material.empty())
+                    is_used = true;
+                else
+                    covered = &part;
+            }
+        }
+        const bool is_asked_for =
+            std::any_of(parts.begin(), parts.end(), [&](const LoadedPart& p) { return p.material == from.name; });
+        if (is_asked_for && !own.contains(from.name)) {
+            own.emplace(from.name, std::uint32_t(scene.materials.size()));
+            Material made = new_material(from);
+            work.change(made, from);
+            changed.push_back(std::uint32_t(scene.materials.size()));
+            scene.materials.push_back(std::move(made));
+        }
+        if (is_used || is_asked_for) continue;
+        work.check(from);
+        context.report().add(Remark::warning, path, to_text(from.place), why_unused(from, covered, scene));
+    }
+    for (const Changed& changed : all_changed) warn_of_idle_pictures(scene, changed, path, context.report());
+    for (const LoadedPart& part : parts)
+        if (const auto material = own.find(part.material); material != own.end())
+            for (std::uint32_t i = part.first_mesh; i < part.end_mesh; ++i) scene.meshes[i].material = material->second;
+}
+
+}  // namespace rakelight
