@@ -26,12 +26,6 @@ void refuse_options_of_the_run(std::string_view key) {
             throw Error(ErrorCode::bad_file, "'" + std::string(key) + "' is for the command line alone");
 }
 
-bool shades_the_whole(const Given& given) {
-    return std::ranges::any_of(given.words("shading"), [](const std::string& word) {
-        return !word.starts_with("material:") && !word.starts_with("object:");
-    });
-}
-
 void check_engine(const std::string& name) {
     std::string all;
     for (const std::string& known : build_info().engines) {
@@ -54,7 +48,7 @@ Run run_of(const Command& command, apps::CommandLine line) {
     run.picture.output = given.word("output");
     read_render_keys(given.settings(), run.picture);
     check_engine(run.picture.engine);
-    run.picture.settings.own_shading = !shades_the_whole(given);
+    run.picture.settings.own_shading = !shades_the_whole(given.settings());
     return run;
 }
 
@@ -68,7 +62,6 @@ WorldRequest world_request(const Run& run, const std::string& path, std::vector<
         throw at_world_value(error, world);
     }
     world.picture.output = run.picture.output;
-    world.picture.settings.own_shading = run.picture.settings.own_shading;
     return world;
 }
 

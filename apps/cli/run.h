@@ -54,9 +54,6 @@ WorldRequest world_request(const Run& run, const std::string& path, std::vector<
 /// @throws Error bad_file: such a key in [render]
 void refuse_options_of_the_run(std::string_view key);
 
-/// Over all pictures: whether the command line says how the whole is shaded. Parts of a world then have no shading of their own.
-bool shades_the_whole(const Given& given);
-
 /// @throws Error usage: no such engine in this build
 void check_engine(const std::string& name);
 

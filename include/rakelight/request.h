@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -100,6 +101,10 @@ struct PictureRequest {
     std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits
     bool half_colors = false;  ///< colors in EXR files, those of channels too, as 16-bit halves; data stays at 32 bits
 };
+
+/// Whether settings say how all of a picture is shaded. Given from outside they take the shading of materials and parts of a world away
+/// (RenderSettings::own_shading).
+bool shades_the_whole(std::span<const WorldValue> settings);
 
 /// Settings that go before those of a world file.
 struct RenderOverrides {

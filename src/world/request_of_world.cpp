@@ -101,6 +101,13 @@ std::optional<Error> disagreement(const Error& error, const WorldRequest& world,
 
 }  // namespace
 
+bool shades_the_whole(std::span<const WorldValue> settings) {
+    const auto shading = std::ranges::find(settings, "shading", &WorldValue::key);
+    return shading != settings.end() && std::ranges::any_of(shading->words, [](const std::string& word) {
+               return !word.starts_with("material:") && !word.starts_with("object:");
+           });
+}
+
 Error at_world_value(const Error& error, const WorldRequest& world) {
     for (const std::string& setting : settings_of(error))
         if (const auto value = std::ranges::find(world.taken, setting, &WorldValue::key); value != world.taken.end())
@@ -126,6 +133,7 @@ WorldRequest read_world_request(const std::string& path, const LoadOptions& opti
         if (const auto both = disagreement(error, world, overrides.values)) throw Error(*both);
         throw at_world_value(error, world);
     }
+    world.picture.settings.own_shading = !shades_the_whole(overrides.values);
     std::vector<std::string>& overridden = world.picture.load.overridden;
     overridden.insert(overridden.end(), taking.overridden.begin(), taking.overridden.end());
     return world;
