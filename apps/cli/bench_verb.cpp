@@ -10,6 +10,7 @@
 #include <rakelight/tools/values.h>
 
 #include "../common/picture_options.h"
+#include "help_texts.h"
 #include "interrupt.h"
 
 namespace rakelight::cli {
@@ -61,7 +62,7 @@ std::vector<Option> options_of_measurement() {
 Command bench_command() {
     return {"bench",
             "Measure the program itself, beside what it is compared with",
-            nullptr,
+            bench_footer,
             {{"WHAT", "What to measure: smooth (normals and tangents) or render (pictures)", true, false},
              {"SCENE", "For render: a model or world file, or builtin:teapot (default: a scene made by formulas)",
               false, false}},

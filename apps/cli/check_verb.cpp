@@ -30,7 +30,6 @@ void check_render(const Run& run, const std::string& input, const Scene& scene, 
     const auto takes = [](std::string_view key) { return refuse_options_of_the_run(key), true; };
     const WorldRequest world = read_world_request(input, run.picture.load, {.values = {}, .takes = takes}, context);
     try {
-        check_engine(world.picture.engine);
         check_picture(scene, world.picture, context);
     } catch (const Error& error) {
         throw at_world_value(error, world);

@@ -77,10 +77,13 @@ double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock:
 }  // namespace
 
 std::string text_of(const Error& error) {
-    std::string text = error.what();
-    const std::size_t at = error.setting().empty() ? text.npos : text.find(one_line(error.setting(), 60) + ": ");
-    if (at != text.npos) text.insert(at, "--");
-    return with_options(std::move(text), error.related());
+    if (error.code() == ErrorCode::bad_file && is_world_file(error.file())) return error.what();  // its keys
+    const std::string setting = error.setting().empty() ? "" : "--" + error.setting();
+    const auto named = [&](const std::string& text) { return with_options(text, error.related()); };
+    return Error(error.code(), named(error.reason()), error.place(), named(error.advice()))
+        .about(setting)
+        .with_file(error.file())
+        .what();
 }
 
 void print_error(const Error& error) { print_line("error", "\033[31m", text_of(error)); }

@@ -114,6 +114,14 @@ Examples:
   rakelight explain builtin:teapot --resolution 320,240 --pixel 100,120 --json
       Schema rakelight.explain/1.)";
 
+inline constexpr const char* bench_footer =
+    R"(Examples:
+  rakelight bench smooth --triangles 10M --with all
+      Normals and tangents beside the plain loop that everybody writes.
+  rakelight bench render helmet.glb --samples 4 --json
+      Schema rakelight.bench/1.
+  rakelight bench render --lights 8,1000 --roughness 0.4)";
+
 inline constexpr const char* check_footer =
     R"(Examples:
   rakelight check world.scene.toml

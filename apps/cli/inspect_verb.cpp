@@ -96,6 +96,8 @@ std::optional<CheckLimits> limits_of(const Given& given) {
     if (of_surfaces && given.has("no-surfaces"))
         throw Error(ErrorCode::usage, "--no-surfaces leaves nothing to check the limits of surfaces by");
     if (no_borders && has_seam) throw Error(ErrorCode::usage, "--no-borders and --max-seam exclude each other");
+    if (no_borders && !of_surfaces)
+        throw Error(ErrorCode::usage, "--no-borders leaves nothing to check", {}, "ask for a limit of surfaces");
     if (no_borders) limits.max_seam_deg.reset();
     if (has_seam) limits.max_seam_deg = values::number("max-seam", given.word("max-seam"));
     if (limits.max_seam_deg && !(*limits.max_seam_deg >= 0 && *limits.max_seam_deg <= 180))
@@ -106,7 +108,10 @@ std::optional<CheckLimits> limits_of(const Given& given) {
 void check_heat_map(const Run& run) {
     const RenderSettings& s = run.picture.settings;
     if (!run.given.has("heatmap")) {
-        if (run.picture.view.is_placed() || !run.given.first_of({"resolution", "view", "camera-index"}).empty())
+        const bool is_given = std::ranges::any_of(run.command.options, [&](const Option& option) {
+            return option.is_setting && std::string_view(option.group) == "Heat map" && run.given.has(option.name);
+        });
+        if (is_given)
             throw Error(ErrorCode::usage, "the view and its resolution are for --heatmap", {}, "add --heatmap FILE");
         return;
     }
@@ -165,8 +170,7 @@ std::vector<InputRequest> requests_of(Run run) {
         return requests;
     }
     requests = picture_requests(run);
-    for (const InputRequest& request : requests)
-        if (!request.error) check_request(request.picture);
+    check_requests(requests);
     return requests;
 }
 

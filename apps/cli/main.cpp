@@ -17,12 +17,19 @@
 namespace rakelight::cli {
 namespace {
 
-constexpr int (*runs[])(const Run&) = {run_render,  run_inspect, run_smooth, run_bench,
-                                       run_explain, run_stages,  run_check};
+/// A command, and what it does.
+struct Verb {
+    Command command;
+    int (*run)(const Run&);
+};
 
 int run(int argc, const char* const* argv) {
-    const std::vector<Command> commands = {render_command(),  inspect_command(), smooth_command(), bench_command(),
-                                           explain_command(), stages_command(),  check_command()};
+    const Verb verbs[] = {{render_command(), run_render},   {inspect_command(), run_inspect},
+                          {smooth_command(), run_smooth},   {bench_command(), run_bench},
+                          {explain_command(), run_explain}, {stages_command(), run_stages},
+                          {check_command(), run_check}};
+    std::vector<Command> commands;
+    for (const Verb& verb : verbs) commands.push_back(verb.command);
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",
                                 main_footer, commands};
     apps::CommandLine line = apps::read_command_line(program, argc, argv);
@@ -31,7 +38,7 @@ int run(int argc, const char* const* argv) {
         return 0;
     }
     const std::size_t number = line.command;
-    return runs[number](run_of(commands[number], std::move(line)));
+    return verbs[number].run(run_of(commands[number], std::move(line)));
 }
 
 }  // namespace

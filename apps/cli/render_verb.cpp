@@ -17,21 +17,24 @@ Command render_command() {
     const Option picture = {.name = "output",
                             .group = "Output",
                             .type = "FILE",
-                            .help = "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for "
-                                    "the model's name",
+                            .help =
+                                "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for "
+                                "the model's name",
                             .is_required = true,
                             .letter = 'o'};
     const Option stats = {"stats", "Output", "",
                           "Say what the engine counted: lighting evaluations, triangles, pixels, overdraw",
                           apps::Form::flag};
-    return {"render", "Draw models to picture files", render_footer, {{"MODEL", models_help}},
+    return {"render",
+            "Draw models to picture files",
+            render_footer,
+            {{"MODEL", models_help}},
             apps::joined({{picture}, apps::picture_options(), {stats}, apps::common_options()})};
 }
 
 int run_render(const Run& run) {
-    const std::vector<InputRequest> requests = picture_requests(run);
-    for (const InputRequest& request : requests)
-        if (!request.error) check_request(request.picture);
+    std::vector<InputRequest> requests = picture_requests(run);
+    check_requests(requests);
     std::vector<PictureRow> rows;
     int worst = 0;
     for (const InputRequest& input : requests) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <rakelight/tools/values.h>
-#include <rakelight/version.h>
 
 namespace rakelight::cli {
 namespace {
@@ -17,22 +16,20 @@ bool takes(const Run& run, std::string_view key) {
     return std::string_view(option->group) != "Heat map" || run.given.has("heatmap");
 }
 
+/// Then what several settings can only get wrong together depends on what the worlds say.
+bool are_all_worlds(const Run& run) {
+    const auto models =
+        std::ranges::count_if(run.inputs, [](const std::string& input) { return !is_world_file(input); });
+    const bool is_bench = std::string_view(run.command.name) == "bench";  // its first word is no input
+    return !run.inputs.empty() && models == (is_bench ? 1 : 0) && run.inputs.size() > (is_bench ? 1u : 0u);
+}
+
 }  // namespace
 
 void refuse_options_of_the_run(std::string_view key) {
     for (const std::string_view name :
-         {"output", "help", "json", "quiet", "verbose", "stats", "threads", "max-memory", "allow-outside", "material"})
-        if (key == name)
-            throw Error(ErrorCode::bad_file, "'" + std::string(key) + "' is for the command line alone");
-}
-
-void check_engine(const std::string& name) {
-    std::string all;
-    for (const std::string& known : build_info().engines) {
-        if (name == known) return;
-        all += (all.empty() ? "" : ", ") + known;
-    }
-    throw values::wrong("engine", "'" + one_line(name, 40) + "' is not built in", "this build has: " + all);
+         {"output", "help", "json", "quiet", "verbose", "stats", "threads", "max-memory", "allow-outside"})
+        if (key == name) throw Error(ErrorCode::bad_file, "'" + std::string(key) + "' is for the command line alone");
 }
 
 Run run_of(const Command& command, apps::CommandLine line) {
@@ -46,8 +43,7 @@ Run run_of(const Command& command, apps::CommandLine line) {
     if (given.has("max-memory")) run.max_memory = values::byte_size("max-memory", given.word("max-memory"));
     run.picture.load.allow_outside = given.has("allow-outside");
     run.picture.output = given.word("output");
-    read_render_keys(given.settings(), run.picture);
-    check_engine(run.picture.engine);
+    if (!are_all_worlds(run)) read_render_keys(given.settings(), run.picture);
     run.picture.settings.own_shading = !shades_the_whole(given.settings());
     return run;
 }
@@ -56,13 +52,18 @@ WorldRequest world_request(const Run& run, const std::string& path, std::vector<
     Context quiet({.threads = 1});
     const RenderOverrides overrides{std::move(given), [&run](std::string_view key) { return takes(run, key); }};
     WorldRequest world = read_world_request(path, run.picture.load, overrides, quiet);
-    try {
-        check_engine(world.picture.engine);
-    } catch (const Error& error) {
-        throw at_world_value(error, world);
-    }
     world.picture.output = run.picture.output;
     return world;
+}
+
+void check_requests(std::vector<InputRequest>& requests) {
+    for (InputRequest& request : requests) try {
+            if (!request.error) check_request(request.picture);
+        } catch (const Error& error) {
+            const bool is_of_world = request.world && at_world_value(error, *request.world).file() != error.file();
+            if (!is_of_world) throw;
+            request.error = at_world_value(error, *request.world);
+        }
 }
 
 InputRequest request_for(const Run& run, const std::string& input) {

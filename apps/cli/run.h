@@ -50,11 +50,11 @@ std::vector<InputRequest> picture_requests(const Run& run);
 /// @throws Error bad_file with line and column, usage
 WorldRequest world_request(const Run& run, const std::string& path, std::vector<WorldValue> given);
 
+/// check_request() of all. @throws Error usage, failed; what is wrong with a world's settings becomes its error
+void check_requests(std::vector<InputRequest>& requests);
+
 /// About the run and not about the picture: a file that was sent by somebody does not say them.
 /// @throws Error bad_file: such a key in [render]
 void refuse_options_of_the_run(std::string_view key);
-
-/// @throws Error usage: no such engine in this build
-void check_engine(const std::string& name);
 
 }  // namespace rakelight::cli

@@ -61,7 +61,7 @@ SmoothFileOptions smooth_options(const Run& run) {
         a.weld_distance = values::number("weld-distance", run.given.word("weld-distance"));
         if (!(a.weld_distance >= 0)) throw values::wrong("weld-distance", "must be 0 or more");
     }
-    options.keep_instances = run.given.has("keep-instances");
+    options.keep_instances = run.picture.prepare.keep_instances;
     options.load = run.picture.load;
     return options;
 }

@@ -55,6 +55,8 @@ struct Target {
         WorldValue out{.key = option->name};
         if (option->form == Form::flag) out.words = {"on"};
         if (option->form == Form::list) out.words = words;
+        if (option->form == Form::switched)
+            out.words = {word == "true" ? "on" : word == "false" ? "off" : word};  // "true": it stands alone
         if (out.words.empty()) out.words = {word};
         return out;
     }

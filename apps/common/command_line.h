@@ -16,9 +16,9 @@ struct Program {
 };
 
 struct CommandLine {
-    std::string help;          ///< what is to be printed in place of anything else; empty: nothing
-    bool is_version = false;   ///< likewise
-    std::size_t command = 0;   ///< into Program::commands
+    std::string help;         ///< what is to be printed in place of anything else; empty: nothing
+    bool is_version = false;  ///< likewise
+    std::size_t command = 0;  ///< into Program::commands
     Given given;
     std::vector<std::string> positionals;  ///< those of the list, or the single ones in their order
 };

@@ -67,17 +67,17 @@ enum class GroupKind : std::uint8_t { none, masks, numbers };
 /// One mesh, placed in the world. Meshes with the same `object` number form one object (scope `object` smooths over them).
 struct AttributeMesh {
     std::uint32_t object = 0;
-    std::span<const vec3> positions;           ///< [V] about `origin`; a face with a non-finite corner has no vote
-    std::span<const std::uint32_t> indices;    ///< [3T] each < V; counter-clockwise seen from outside
-    std::span<const vec2> texcoords;           ///< [V] or empty; v down
-    std::span<const vec3> normals;             ///< [V] or empty; read only when AttributeOptions::normals is false
-    std::span<const std::uint32_t> smoothing;  ///< [T] or empty
+    std::span<const vec3> positions{};           ///< [V] about `origin`; a face with a non-finite corner has no vote
+    std::span<const std::uint32_t> indices{};    ///< [3T] each < V; counter-clockwise seen from outside
+    std::span<const vec2> texcoords{};           ///< [V] or empty; v down
+    std::span<const vec3> normals{};             ///< [V] or empty; read only when AttributeOptions::normals is false
+    std::span<const std::uint32_t> smoothing{};  ///< [T] or empty
     GroupKind group_kind = GroupKind::none;
     std::span<const vec3>
-        smoothing_hint;  ///< [3T] or empty: corners of one position whose hints are equal were one group
-    dmat4 to_world;      ///< object -> world, affine, including `origin`; det < 0 mirrors
+        smoothing_hint{};  ///< [3T] or empty: corners of one position whose hints are equal were one group
+    dmat4 to_world{};      ///< object -> world, affine, including `origin`; det < 0 mirrors
     /// [V] or empty: not 0: the vertex keeps its entry of `normals` (which must then be there); ignored where that is zero or not finite.
-    std::span<const std::uint8_t> locked;
+    std::span<const std::uint8_t> locked{};
     /// [m] in object space, >= 0: the step on which positions were rounded (quantized files), 0: none. A position may then be half a
     /// step off in every axis: AttributeOptions::weld_distance < 0 takes half of its diagonal for this mesh, and welds it with
     /// any other mesh but one that has a vertex at that very place already (the next code then is another place).
@@ -89,16 +89,16 @@ struct AttributeMesh {
 
 /// Result for one mesh: vertex v < V keeps its number; a vertex whose corners differ is appended. Object space.
 struct MeshAttributes {
-    std::vector<vec3> normals;  ///< [V'] unit, finite; (0, 0, 1) where no face with a vote touches a vertex's place
+    std::vector<vec3> normals{};  ///< [V'] unit, finite; (0, 0, 1) where no face with a vote touches a vertex's place
     /// [V'] xyz unit and perpendicular to the normal, w = +1 or -1 as seen in object space (a mirroring matrix flips it on the
     /// way to the world); empty without texcoords. Without texture area: the axis farthest from the world normal, made
     /// perpendicular to it, w = +1.
-    std::vector<vec4> tangents;
-    std::vector<vec3> bitangents;              ///< [V'] unit, towards decreasing v; filled only by the published modes
-    std::vector<std::uint32_t> indices;        ///< [3T] each < V'; empty when no vertex was split (the input's hold)
-    std::vector<std::uint32_t> source_vertex;  ///< [V' - V] the vertex that each appended one copies
-    std::uint32_t degenerate_faces = 0;        ///< faces without a vote: zero area or a non-finite corner
-    std::uint32_t isolated_vertices = 0;       ///< vertices that no face with a vote touches
+    std::vector<vec4> tangents{};
+    std::vector<vec3> bitangents{};        ///< [V'] unit, towards decreasing v; filled only by the published modes
+    std::vector<std::uint32_t> indices{};  ///< [3T] each < V'; empty when no vertex was split (the input's hold)
+    std::vector<std::uint32_t> source_vertex{};  ///< [V' - V] the vertex that each appended one copies
+    std::uint32_t degenerate_faces = 0;          ///< faces without a vote: zero area or a non-finite corner
+    std::uint32_t isolated_vertices = 0;         ///< vertices that no face with a vote touches
     /// [degrees] how far summed tangents were from perpendicular to their normals in the world, before Gram-Schmidt; 0 unless
     /// AttributeOptions::measure_orthogonality.
     double orthogonality_loss_max_deg = 0, orthogonality_loss_mean_deg = 0;
@@ -148,8 +148,8 @@ std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> me
 
 /// Where compute_attributes_into() writes for one mesh, by the input's vertex numbers; entries beyond V are left alone.
 struct AttributeBuffers {
-    std::span<vec3> normals;   ///< [>= V]
-    std::span<vec4> tangents;  ///< [>= V] where the mesh has texcoords and tangents are asked for; else not looked at
+    std::span<vec3> normals{};   ///< [>= V]
+    std::span<vec4> tangents{};  ///< [>= V] where the mesh has texcoords and tangents are asked for; else not looked at
 };
 
 /// A corner (3 * triangle + 0, 1 or 2) that uses another vertex than the input's index says.
@@ -161,11 +161,11 @@ struct CornerVertex {
 /// What the buffers of one mesh have no place for: the vertices that had to be split. All empty where none was (V' = V); else
 /// append normals and tangents to the buffers' first V entries and change the listed corners, and MeshAttributes is complete.
 struct SplitAttributes {
-    std::vector<std::uint32_t> source_vertex;  ///< [V' - V] the vertex that each appended one copies; ascending
-    std::vector<vec3> normals;                 ///< [V' - V]
-    std::vector<vec4> tangents;                ///< [V' - V], or empty as the mesh has none
-    std::vector<CornerVertex> corners;         ///< ascending; each vertex is >= V
-    std::uint32_t degenerate_faces = 0;        ///< as in MeshAttributes
+    std::vector<std::uint32_t> source_vertex{};  ///< [V' - V] the vertex that each appended one copies; ascending
+    std::vector<vec3> normals{};                 ///< [V' - V]
+    std::vector<vec4> tangents{};                ///< [V' - V], or empty as the mesh has none
+    std::vector<CornerVertex> corners{};         ///< ascending; each vertex is >= V
+    std::uint32_t degenerate_faces = 0;          ///< as in MeshAttributes
     std::uint32_t isolated_vertices = 0;
 };
 

@@ -20,7 +20,7 @@ struct ContextOptions {
     int threads = 0;               ///< worker threads, the calling one included; 0: as many as the machine has. 1..1024
     std::uint64_t max_memory = 0;  ///< [bytes] limit for data that files ask for; 0: the default rule of MemoryBudget
     /// Called now and then with a stage ("load", "render") and how far it is, 0..1. From any thread, one call at a time.
-    std::function<void(std::string_view stage, double fraction)> progress;
+    std::function<void(std::string_view stage, double fraction)> progress{};
     const Context* parent = nullptr;  ///< cancelling it cancels this one too; must outlive it
 };
 

@@ -25,7 +25,7 @@ inline constexpr double automatic_gouraud_px = 2;
 struct ShadingRule {
     enum class Of : std::uint8_t { object, material };  ///< object: a node of this name and all that hangs from it
     Of of = Of::object;
-    std::string name;
+    std::string name{};
     Shading shading = Shading::phong;
     bool operator==(const ShadingRule&) const = default;
 };
@@ -41,7 +41,7 @@ enum class Cull : std::uint8_t {
     front
 };  ///< automatic: back faces of closed single-sided surfaces as glTF says
 
-/// How hidden surfaces are taken away. A z-buffer of reversed depth (near / distance, float: what the engine is made
+/// Hidden-surface removal. A z-buffer of reversed depth (near / distance, float: what the engine is made
 /// for), of the textbook's depth 0..1 in whole numbers of 16, 24 or 32 bits or in float; painter's algorithm, triangles
 /// sorted by the mean distance of their corners; not at all: the last that is drawn stays; the same with back faces
 /// left out where Cull is automatic.
@@ -92,11 +92,11 @@ inline constexpr std::uint32_t channels_all = (channel_emission << 1) - 1;
 
 struct RenderSettings {
     int width = 1280, height = 720;  ///< [px] of the whole picture, 1..65536
-    Window window;                   ///< what to render of it; default all
+    Window window{};                 ///< what to render of it; default all
     std::uint32_t channels = 0;      ///< Channel bits
     Shading shading = Shading::phong;
     /// Go before what materials and nodes say, as that goes before `shading`; of several that fit the last counts.
-    std::vector<ShadingRule> shading_rules;
+    std::vector<ShadingRule> shading_rules{};
     bool own_shading = true;  ///< false: what materials and nodes say of it does not count
     Lighting lighting = Lighting::automatic;
     SpecularForm specular_form = SpecularForm::automatic;
@@ -105,7 +105,7 @@ struct RenderSettings {
     bool viewer_at_infinity = false;   ///< the direction to the viewer is the same at every point
     Bump bump = Bump::automatic;
     BumpTerms bump_terms = BumpTerms::automatic;
-    Relief relief;  ///< of materials that have none of their own
+    Relief relief{};  ///< of materials that have none of their own
     TangentSpace tangent_space = TangentSpace::world;
     /// Normal maps: the interpolated normal and tangent are made unit before the map acts; false: they are used as they
     /// come, as maps baked by MikkTSpace expect.
@@ -136,21 +136,22 @@ struct RenderSettings {
     vec4 background{0.18f, 0.18f, 0.2f, 1};  ///< linear RGB and alpha
     bool specular_horizon = true;            ///< no highlight where the light is below the surface (false: as printed)
     bool orthogonalize = true;  ///< normal maps: the tangent is made perpendicular to the normal at every pixel
+    bool operator==(const RenderSettings&) const = default;
 };
 
 /// A finished rectangle: arrays are [width * height], row by row; those not asked for are empty.
 struct Tile {
-    Window area;
-    std::span<const vec4> color;  ///< linear RGB, not clamped; alpha is coverage of the background's complement
-    std::span<const float> depth;
-    std::span<const vec3> normal;
-    std::span<const std::uint32_t> object, material;
-    std::span<const std::uint16_t> samples;  ///< samples taken a pixel; empty: one each
-    std::span<const std::uint32_t> mesh, triangle, overdraw;
-    std::span<const vec3> face_normal, position, barycentric;
-    std::span<const vec4> tangent;
-    std::span<const vec2> uv, uv1;
-    std::span<const vec3> base_color, ambient, diffuse, specular, emission;
+    Window area{};
+    std::span<const vec4> color{};  ///< linear RGB, not clamped; alpha is coverage of the background's complement
+    std::span<const float> depth{};
+    std::span<const vec3> normal{};
+    std::span<const std::uint32_t> object{}, material{};
+    std::span<const std::uint16_t> samples{};  ///< samples taken a pixel; empty: one each
+    std::span<const std::uint32_t> mesh{}, triangle{}, overdraw{};
+    std::span<const vec3> face_normal{}, position{}, barycentric{};
+    std::span<const vec4> tangent{};
+    std::span<const vec2> uv{}, uv1{};
+    std::span<const vec3> base_color{}, ambient{}, diffuse{}, specular{}, emission{};
 };
 
 /// Takes finished tiles. Bit-equal results whatever the order of the tiles. Progressive engines deliver passes.
@@ -167,13 +168,13 @@ public:
 
 /// One array a channel, [pixels] of some rectangle; those not asked for are empty.
 struct ChannelArrays {
-    std::vector<float> depth;
-    std::vector<vec3> normal;
-    std::vector<std::uint32_t> object, material, mesh, triangle, overdraw;
-    std::vector<vec3> face_normal, position, barycentric;
-    std::vector<vec4> tangent;
-    std::vector<vec2> uv, uv1;
-    std::vector<vec3> base_color, ambient, diffuse, specular, emission;
+    std::vector<float> depth{};
+    std::vector<vec3> normal{};
+    std::vector<std::uint32_t> object{}, material{}, mesh{}, triangle{}, overdraw{};
+    std::vector<vec3> face_normal{}, position{}, barycentric{};
+    std::vector<vec4> tangent{};
+    std::vector<vec2> uv{}, uv1{};
+    std::vector<vec3> base_color{}, ambient{}, diffuse{}, specular{}, emission{};
 };
 
 /// The sink that keeps everything of a window. Pixel (x, y) of the picture is at (y - window.y) * window.width + x - window.x.
@@ -219,7 +220,7 @@ struct RenderStats {
     std::uint64_t pixels_marked = 0;      ///< pixels that lines or points cover, each color of them counted
     std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
     std::uint64_t shadow_maps = 0, shadow_bytes = 0;  ///< that the picture read, kept ones too, and their memory
-    StageTimes times;                                 ///< never the same twice
+    StageTimes times{};                               ///< never the same twice
 };
 
 /// What an engine can do beyond colors, once a pixel, of filled triangles. What is asked for and not there is refused by
@@ -229,7 +230,7 @@ struct EngineAbilities {
     std::vector<int> samples = {1};     ///< RenderSettings::samples
     bool visibility_methods = false;    ///< all of Visibility, not its default alone
     bool screen_interpolation = false;  ///< AttributeInterpolation::screen
-    bool lines_and_points = false;      ///< edges, points, and the scene's own
+    bool lines_and_points = false;      ///< edges, points
     bool shadows = false;               ///< RenderSettings::shadows
     bool progressive = false;           ///< delivers passes: Sink::end_pass() comes more than once
 };

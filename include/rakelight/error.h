@@ -7,7 +7,7 @@
 
 namespace rakelight {
 
-/// What went wrong, in the classes that the exit codes of the program tell apart.
+/// What went wrong, in the classes that callers tell apart; the program ends with their numbers.
 enum class ErrorCode {
     failed,        ///< 1: the work could not be done (disk full, out of memory, cancelled)
     usage,         ///< 2: a wrong option or argument
@@ -41,6 +41,10 @@ public:
     Error with_file(const std::string& file) const;
     /// The same error with where it is in the file.
     Error at(const std::string& place) const;
+    /// The same error of another class.
+    Error as(ErrorCode code) const;
+    /// The same error with more advice behind what it has.
+    Error advising(const std::string& advice) const;
     /// The same error about a setting, in place of another one that it was about.
     Error about(const std::string& setting, std::vector<std::string> related = {}) const;
     /// The same error whose text names settings in quotes.

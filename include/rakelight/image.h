@@ -22,7 +22,7 @@ struct Pixels {
     int channels = 0;           ///< 1..4
     Component component = Component::u8;
     bool is_linear = false;  ///< the file holds linear light (EXR, HDR); else the role of the texture decides
-    std::vector<std::byte> bytes;
+    std::vector<std::byte> bytes{};
     /// The file says that its numbers are sRGB codes (PNG's sRGB chunk, or gAMA of 45455): normal maps are warned of.
     bool is_tagged_srgb = false;
     SharedCharge charge{};  ///< pays for `bytes`; null: nobody counts them
@@ -35,14 +35,14 @@ struct Pixels {
 /// A picture as it lies in a file, a buffer or a data URI. Immutable and shared; compared by identity. io makes it and
 /// installs `decode`; engines and prepare call it, so neither of them sees a file library.
 struct EncodedImage {
-    std::string name;  ///< for people: "textures/body.png" or "image 3 'body' (embedded)"
-    std::string file;  ///< the file it came from (the model for embedded ones), for messages
-    std::string path;  ///< where the encoded bytes lie when they are a file of their own, else empty
-    std::shared_ptr<const std::vector<std::byte>> bytes;  ///< the encoded bytes when embedded, else null
-    std::string mime_type;                                ///< as the file claims, may be empty; the content decides
+    std::string name{};  ///< for people: "textures/body.png" or "image 3 'body' (embedded)"
+    std::string file{};  ///< the file it came from (the model for embedded ones), for messages
+    std::string path{};  ///< where the encoded bytes lie when they are a file of their own, else empty
+    std::shared_ptr<const std::vector<std::byte>> bytes{};  ///< the encoded bytes when embedded, else null
+    std::string mime_type{};                                ///< as the file claims, may be empty; the content decides
     /// Decodes. Reentrant. @throws Error bad_file or not_found: broken, too large for the memory budget, not a picture.
-    std::function<Pixels(const EncodedImage&, Context&)> decode;
-    std::string place;  ///< where `file` names it, for messages: "line 9, column 18" of a world file, else empty
+    std::function<Pixels(const EncodedImage&, Context&)> decode{};
+    std::string place{};  ///< where `file` names it, for messages: "line 9, column 18" of a world file, else empty
     /// What decode() will give, but without its bytes, so that a picture that is too large is refused before it is decoded.
     /// Null: not known before. Of a file of its own it tells the budget how much was read, which decode() does not: decode
     /// by decoded(). Reentrant. @throws Error as decode()

@@ -15,14 +15,14 @@ namespace rakelight {
 
 /// One node that owns meshes.
 struct ObjectSummary {
-    std::string name;  ///< of the node; of what a world file places "NAME/name" with its name there, or that alone
+    std::string name{};  ///< of the node; of what a world file places "NAME/name" with its name there, or that alone
     std::uint32_t node = no_index;
     std::uint64_t meshes = 0, triangles = 0, vertices = 0, lines = 0, points = 0;
     /// What its meshes have: yes on all, on some, on none of them.
     enum class Has : std::uint8_t { no, some, yes };
     Has normals = Has::no, tangents = Has::no, texcoords = Has::no, colors = Has::no, smoothing_groups = Has::no,
         skin = Has::no, morph_targets = Has::no;
-    std::vector<std::string> materials;  ///< names, each once, in the order of the meshes
+    std::vector<std::string> materials{};  ///< names, each once, in the order of the meshes
 };
 
 /// The surface of one object as its triangles make it, over positions welded as AttributeOptions::weld_distance < 0
@@ -43,7 +43,7 @@ struct SurfaceSummary {
 
 /// A vertex on the inside of an open edge (an edge of one face in the whole model), which has no vertex there.
 struct TJunctionPlace {
-    dvec3 position;                             ///< [m] world
+    dvec3 position{};                           ///< [m] world
     std::uint32_t object = 0, edge_object = 0;  ///< the vertex's and the edge's, into Inspection::objects
 };
 
@@ -66,9 +66,9 @@ struct BorderSummary {
     std::uint64_t positions = 0;               ///< how many they share
     std::uint64_t continuous = 0;              ///< of these, where the angle before is at most continuous_deg
     std::uint64_t joined = 0;                  ///< of these, where the angle after is: the others are creases
-    AngleSummary before, after;
+    AngleSummary before{}, after{};
     double seam_deg = 0;                     ///< the largest angle before at the joined positions
-    dvec3 seam_position;                     ///< [m] world: where that is
+    dvec3 seam_position{};                   ///< [m] world: where that is
     double median_deg = 0, largest_deg = 0;  ///< of the angles before; largest_deg == before.max_deg
     std::uint64_t inconsistent_edges = 0;    ///< common edges along which a face of each goes the same way
 };
@@ -82,7 +82,7 @@ struct InconsistentPair {
 /// Over all positions that objects share; where several pairs meet, the pair with the largest angle counts.
 struct SeamTotals {
     std::uint64_t positions = 0, continuous = 0, joined = 0;
-    AngleSummary before, after;
+    AngleSummary before{}, after{};
     double seam_deg = 0;
     std::uint64_t pairs = 0;  ///< of objects, that were looked at
     /// Where more than 8 objects meet, only the 7 whose normals turn farthest from the mean and the nearest one are
@@ -90,41 +90,41 @@ struct SeamTotals {
     std::uint64_t crowded_positions = 0;
     std::uint64_t pairings_left_out = 0;   ///< pairs at crowded positions that were not looked at
     std::uint64_t inconsistent_edges = 0;  ///< between two objects: one of them is inside out
-    std::string normals_before;            ///< whose normals `before` are, for people
+    std::string normals_before{};          ///< whose normals `before` are, for people
     /// Of `after`: the smallest and the largest; different where parts have their own.
     double crease_angle_deg = 0, crease_angle_most_deg = 0;
 };
 
 /// A piece of a border with a seam; a == b where objects share a position but no edge.
 struct SeamLine {
-    dvec3 a, b;  ///< [m] world
+    dvec3 a{}, b{};  ///< [m] world
     float deg_a = 0, deg_b = 0;
 };
 
 /// A closed body, of one object or of several whose parts close together, all of whose faces look inwards.
 struct InsideOutBody {
     std::uint64_t triangles = 0;
-    std::vector<std::uint32_t> objects;  ///< that it is made of, into Inspection::objects
+    std::vector<std::uint32_t> objects{};  ///< that it is made of, into Inspection::objects
 };
 
 struct Inspection {
-    std::string file;
+    std::string file{};
     std::uint64_t triangles = 0;  ///< instances counted each time
-    std::vector<ObjectSummary> objects;
-    std::vector<std::uint32_t> material_objects;    ///< [scene.materials] how many objects have it; 0: unused
-    std::vector<SurfaceSummary> surfaces;           ///< [objects], or empty when not asked for
-    std::uint64_t t_junctions = 0;                  ///< each position once
-    std::vector<TJunctionPlace> t_junction_places;  ///< at most 1000
-    std::vector<InsideOutBody> inside_out;          ///< at most 1000
-    std::uint64_t edges_not_searched = 0;           ///< open edges at which the search for T-junctions gave up
-    dvec3 low, high;  ///< world bounding box [m]; meaningful when triangles, lines or points are drawn
+    std::vector<ObjectSummary> objects{};
+    std::vector<std::uint32_t> material_objects{};    ///< [scene.materials] how many objects have it; 0: unused
+    std::vector<SurfaceSummary> surfaces{};           ///< [objects], or empty when not asked for
+    std::uint64_t t_junctions = 0;                    ///< each position once
+    std::vector<TJunctionPlace> t_junction_places{};  ///< at most 1000
+    std::vector<InsideOutBody> inside_out{};          ///< at most 1000
+    std::uint64_t edges_not_searched = 0;             ///< open edges at which the search for T-junctions gave up
+    dvec3 low{}, high{};  ///< world bounding box [m]; meaningful when triangles, lines or points are drawn
     std::uint64_t shared_positions = 0;  ///< world positions that two or more objects draw
-    SeamTotals seams;
-    std::vector<BorderSummary> borders;  ///< the largest seam first, then the largest angle; at most 10,000
+    SeamTotals seams{};
+    std::vector<BorderSummary> borders{};  ///< the largest seam first, then the largest angle; at most 10,000
     std::uint64_t borders_left_out = 0;
-    std::vector<InconsistentPair> inconsistent_pairs;  ///< the most edges first; at most 10,000
-    std::vector<SeamLine> seam_lines;                  ///< when asked for
-    Scene scene;  ///< as loaded, but without its nodes and meshes: materials, textures, lights, cameras, animations
+    std::vector<InconsistentPair> inconsistent_pairs{};  ///< the most edges first; at most 10,000
+    std::vector<SeamLine> seam_lines{};                  ///< when asked for
+    Scene scene{};  ///< as loaded, but without its nodes and meshes: materials, textures, lights, cameras, animations
 };
 
 struct InspectOptions {
@@ -135,7 +135,7 @@ struct InspectOptions {
     /// `normals`: whose the angles `before` are. Automatic: the file's, smoothed per object where it has none. Crease
     /// angle and weight hold for these and for `after`. measure_orthogonality: the report says how far from
     /// perpendicular to their normals the tangents are that these options make.
-    PrepareOptions prepare;
+    PrepareOptions prepare{};
 };
 
 /// Looks a loaded scene over. Decodes no texture. Skinned models in bind pose. Expected O(n log n) at borders, O(n)
@@ -155,8 +155,8 @@ std::string to_text(const CheckLimits& limits);
 
 /// A limit that was passed.
 struct CheckFailure {
-    std::string limit;    ///< "max-seam", "no-degenerate", ...: the option's name
-    std::string message;  ///< one line: where it is passed most, how much, how many more there are
+    std::string limit{};    ///< "max-seam", "no-degenerate", ...: the option's name
+    std::string message{};  ///< one line: where it is passed most, how much, how many more there are
 };
 
 /// One entry for each limit that is passed, in the order of CheckLimits; empty: all is well.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arithmetic on the vectors and matrices of <rakelight/vector.h>: operators, products, inverse, look-at, projections.
-// Only + - * / and sqrt, so the same bits everywhere (angles come in as their sine and cosine or go through math/functions.h).
+// Only + - * / and sqrt, so the same bits everywhere (angles come in as their sine and cosine or go through functions of our own).
 #pragma once
 #include <cmath>
 #include <limits>
@@ -193,9 +193,9 @@ bool inverse_affine(const dmat4& m, dmat4& out);
 /// fixed other direction, so the result is always a rotation and a translation.
 dmat4 look_at(dvec3 eye, dvec3 target, dvec3 up);
 
-/// Clip space with -w <= x, y, z <= w, camera looking along -Z. `far` may be infinity. near > 0, fov in (0, pi), aspect = width / height.
-dmat4 perspective(double vertical_fov_rad, double aspect, double near, double far);
+/// Clip space with -w <= x, y, z <= w, camera looking along -Z. `z_far` may be infinity. z_near > 0, fov in (0, pi), aspect = width / height.
+dmat4 perspective(double vertical_fov_rad, double aspect, double z_near, double z_far);
 /// The same for parallel projection; half_height > 0 is half of the visible height.
-dmat4 orthographic(double half_height, double aspect, double near, double far);
+dmat4 orthographic(double half_height, double aspect, double z_near, double z_far);
 
 }  // namespace rakelight

@@ -14,7 +14,8 @@ struct LoadOptions {
     bool allow_outside = false;  ///< references may leave the model's own folder tree
     /// Settings in [render] of a world file whose place others have taken, such as "camera-index": what they name need
     /// not be there.
-    std::vector<std::string> overridden;
+    std::vector<std::string> overridden{};
+    bool operator==(const LoadOptions&) const = default;
 };
 
 /// Loads a model file, a world file, or one of builtin:teapot, sphere, cylinder, cone, torus, plane, with what shape_of_words() takes

@@ -40,7 +40,7 @@ public:
     /// An empty charge that can grow.
     explicit MemoryCharge(MemoryBudget& budget) : account_(budget.account_) {}
     /// To be made before memory is asked for whose size a file decides.
-    /// @throws Error bad_file "WHAT: N bytes beside U in use, more than the limit of M"; advice: --max-memory. Nothing is charged then.
+    /// @throws Error bad_file "WHAT: N bytes beside U in use, more than the limit of M". Nothing is charged then.
     MemoryCharge(MemoryBudget& budget, std::uint64_t bytes, std::string_view what);
     /// The charge of bytes that are read from a file, which raise the allowance before they count.
     /// @throws Error bad_file, as the constructor

@@ -26,21 +26,21 @@ Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect,
 /// picture, so that windows fit together.
 struct ViewRange {
     double depth_low = 0, depth_high = 0;  ///< [m] along the view axis, cut to the camera's near and far
-    dvec3 low, high;                       ///< [m] world
+    dvec3 low{}, high{};                   ///< [m] world
 };
 
 /// What was made of one PictureRequest.
 struct PictureResult {
-    std::string file, output;
+    std::string file{}, output{};
     std::vector<std::string>
-        channel_files;          ///< EXR files in the order of the Channel bits, the one of layers, PNG files
-    ViewRange view_range;       ///< of PNG channels
+        channel_files{};        ///< EXR files in the order of the Channel bits, the one of layers, PNG files
+    ViewRange view_range{};     ///< of PNG channels
     int width = 0, height = 0;  ///< [px] of the file
     std::uint64_t triangles = 0, objects = 0;
-    std::string engine, isa;  ///< the instruction set is empty for engines that do not choose one
+    std::string engine{}, isa{};  ///< the instruction set is empty for engines that do not choose one
     int threads = 0;
     double load_ms = 0, prepare_ms = 0, render_ms = 0, write_ms = 0;
-    RenderStats stats;
+    RenderStats stats{};
     /// Of 8-bit pictures: pixels whose red, green and blue are all 0, or all 255, the background's too.
     std::uint64_t black_pixels = 0, white_pixels = 0;
 };
@@ -49,6 +49,8 @@ struct PictureResult {
 /// own. Either all files appear, whole, or none. Remarks go to context.report().
 /// @throws Error usage, not_found, bad_file, failed; those about the model carry its name.
 PictureResult render_picture(const PictureRequest& request, Context& context);
+/// The same of a scene that is there; `request.input` is its name in what is returned. @throws Error as above; bad_file: see validate()
+PictureResult render_picture(const Scene& scene, const PictureRequest& request, Context& context);
 
 /// Linear light of a display value (sRGB, 0..1), for backgrounds and light colors that people write as they see them.
 vec3 linear_from_srgb(vec3 s);

@@ -15,7 +15,7 @@ enum class UvProjection : std::uint8_t { none, box, sphere, cylinder };
 /// Height maps as geometry.
 struct Displacement {
     bool is_on = false;  ///< for materials that name no bump technique; those that name displacement are in any case
-    Relief relief;       ///< depth, bias and polarity for materials that have none of their own
+    Relief relief{};     ///< depth, bias and polarity for materials that have none of their own
     double edge = 0;     ///< [m] in the world: longer edges of triangles are cut; 0: a 250th of the model's diagonal
     std::uint64_t most_triangles = 4'000'000;  ///< of the displaced meshes; cutting stops before, with a warning
     bool operator==(const Displacement&) const = default;
@@ -28,7 +28,7 @@ struct PrepareOptions {
     UvProjection uv = UvProjection::none;   ///< for meshes without texture coordinates
     /// How tangents are made, in place of the file's too. Unset: the file's; else as MikkTSpace where the file's normals are kept
     /// (that is what its maps were baked for); else averaged.
-    std::optional<TangentMode> tangents;
+    std::optional<TangentMode> tangents{};
     Orthogonalize orthogonalize = Orthogonalize::attribute;
     /// Say in the report how far from perpendicular to the normals the tangents were, before that was put right.
     bool measure_orthogonality = false;
@@ -41,8 +41,8 @@ struct PrepareOptions {
     /// side. Goes with RenderSettings::front_face; render() and render_picture() set it by that.
     bool clockwise_fronts = false;
     Bump bump = Bump::automatic;  ///< of materials that name no technique: which maps act, and so must have a place
-    Subdivision subdivision;      ///< of meshes that say nothing of their own; before displacement
-    Displacement displacement;
+    Subdivision subdivision{};    ///< of meshes that say nothing of their own; before displacement
+    Displacement displacement{};
     bool operator==(const PrepareOptions&) const = default;
 };
 

@@ -10,7 +10,7 @@
 namespace rakelight {
 
 /// What kind of remark an entry is. `changed`, `guessed` and `dropped` are about the model's data; they and `warning` are
-/// printed by the program as one warning line each; `note` only with --verbose and in --json.
+/// for everyone to see, `note` for who asks.
 enum class Remark { note, changed, guessed, dropped, warning };
 
 /// The name of a remark in JSON: "note", "changed", "guessed", "dropped", "warning".
@@ -18,23 +18,23 @@ const char* name_of(Remark remark) noexcept;
 
 struct ReportEntry {
     Remark remark = Remark::note;
-    std::string file;         ///< as the caller named it; may be empty
-    std::string place;        ///< "mesh 3 'body'", "line 12"; that of the first occurrence
-    std::string message;      ///< one sentence without a full stop
+    std::string file{};       ///< as the caller named it; may be empty
+    std::string place{};      ///< "mesh 3 'body'", "line 12"; that of the first occurrence
+    std::string message{};    ///< one sentence without a full stop
     std::uint64_t count = 1;  ///< how often the same remark was made for the same file
     /// Settings that `message` names in quotes, by their keys in [render] of world files: "normal-map-green".
-    std::vector<std::string> settings;
+    std::vector<std::string> settings{};
 };
 
-/// Collects remarks. Thread-safe. Equal remarks (kind, file, message) are counted, not repeated; at most 1000 distinct ones
-/// are kept, the rest only counted, so that a hostile file cannot fill memory with warnings. Entries keep the order in
+/// Collects remarks. Thread-safe. Equal remarks (kind, file, message) are counted, not repeated; at most 1000 distinct notes
+/// and 1000 others are kept, the rest only counted, so that a hostile file cannot fill memory with warnings. Entries keep the order in
 /// which they were first made.
 class Report {
 public:
     void add(Remark remark, std::string file, std::string place, std::string message,
              std::vector<std::string> settings = {});
     std::vector<ReportEntry> entries() const;
-    std::uint64_t left_out() const;        ///< remarks beyond the first 1000 distinct ones
+    std::uint64_t left_out() const;        ///< remarks beyond the first 1000 distinct ones of notes, and of others
     std::uint64_t notes_left_out() const;  ///< how many of them are notes, which are no warnings
     void clear();
 
@@ -43,6 +43,7 @@ private:
     std::vector<ReportEntry> entries_;
     /// Kind, file and message -> place in entries_. Ordered: files choose the texts and could make all hashes equal.
     std::map<std::string, std::size_t> known_;
+    std::size_t notes_ = 0;  ///< among entries_
     std::uint64_t left_out_ = 0, notes_left_out_ = 0;
 };
 

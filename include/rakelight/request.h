@@ -21,37 +21,38 @@ namespace rakelight {
 /// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
 /// and where the file has none a camera fitted to the model's bounding box.
 struct ViewRequest {
-    std::string side;    ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default", or empty
-    std::string camera;  ///< number (from 0) or name of a camera of the file, or empty
-    std::optional<dvec3> position;           ///< [m] world
-    std::optional<dvec3> focal_point;        ///< [m] world; what the camera looks at
-    std::optional<dvec3> up;                 ///< any length; default +Y; the default view turns along
-    std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
+    std::string side{};    ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default", or empty
+    std::string camera{};  ///< number (from 0) or name of a camera of the file, or empty
+    std::optional<dvec3> position{};           ///< [m] world
+    std::optional<dvec3> focal_point{};        ///< [m] world; what the camera looks at
+    std::optional<dvec3> up{};                 ///< any length; default +Y; the default view turns along
+    std::optional<double> vertical_fov_rad{};  ///< 0..pi, both exclusive
     /// 0..pi, both exclusive. Alone: pixels stay square, the vertical one follows. With the vertical one: pixels are as wide as both say.
-    std::optional<double> horizontal_fov_rad;
+    std::optional<double> horizontal_fov_rad{};
     /// [m] more than 0, z_near < z_far: nothing nearer, nothing farther is drawn. Absent: the camera's own, or about the
     /// model where the camera is fitted or placed.
-    std::optional<double> z_near, z_far;
+    std::optional<double> z_near{}, z_far{};
     bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
 
     bool is_placed() const {
         return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic;
     }
+    bool operator==(const ViewRequest&) const = default;
 };
 
-/// What takes the place of all materials' own; texture pictures lie on the first texture coordinate set.
+/// Overrides applied to every material; texture pictures lie on the first texture coordinate set.
 struct MaterialOverrides {
-    std::string base_color, normal, height;  ///< picture files, as the caller names them; empty: the model's own
-    std::optional<double> normal_scale;      ///< of all normal maps
-    std::optional<bool> green_down;          ///< Material::green_down
-    std::optional<bool> centered_normals;    ///< Material::centered_normals
-    std::optional<vec3> color;               ///< linear; the factor that base color textures are multiplied by
-    std::optional<double> opacity;           ///< 0..1, the factor of alpha; below 1 surfaces are blended
+    std::string base_color{}, normal{}, height{};  ///< picture files, as the caller names them; empty: the model's own
+    std::optional<double> normal_scale{};          ///< of all normal maps
+    std::optional<bool> green_down{};              ///< Material::green_down
+    std::optional<bool> centered_normals{};        ///< Material::centered_normals
+    std::optional<vec3> color{};                   ///< linear; the factor that base color textures are multiplied by
+    std::optional<double> opacity{};               ///< 0..1, the factor of alpha; below 1 surfaces are blended
     /// 0..1, factors of metallic-roughness materials; classical ones are converted to such first.
-    std::optional<double> roughness, metallic;
+    std::optional<double> roughness{}, metallic{};
     /// Keys of [[material]] in world files, of material_values(); pictures as the caller names them. They act before
     /// all above but the pictures.
-    std::vector<WorldValue> values;
+    std::vector<WorldValue> values{};
 
     bool operator==(const MaterialOverrides&) const = default;
 };
@@ -69,37 +70,39 @@ enum ChannelFiles : std::uint32_t {
     channel_files_png = 1u << 2,     ///< a picture for the eye each, NAME.depth.png
 };
 
-/// The Channel bits of "depth", "face-normal", ..., of "lighting" or of "all". @throws Error usage
+/// The Channel bits of "depth", "face-normal", ..., of "lighting", of "all" or of "none". @throws Error usage
 std::uint32_t channels_by_name(std::string_view name);
 
 /// One picture to be made.
 struct PictureRequest {
-    std::string input;   ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
-    std::string output;  ///< ending .png, .jpg, .webp (sRGB, 8 bit), .exr or .hdr (linear)
+    std::string input{};   ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
+    std::string output{};  ///< ending .png, .jpg, .webp (sRGB, 8 bit), .exr or .hdr (linear)
     std::string engine = "soft";
-    LoadOptions load;
-    MaterialOverrides materials;
-    PrepareOptions prepare;
-    ViewRequest view;
+    LoadOptions load{};
+    MaterialOverrides materials{};
+    PrepareOptions prepare{};
+    ViewRequest view{};
     std::optional<std::vector<Light>>
-        lights;  ///< replace all lights; else the file's, else, where no environment lights the scene, the default rig
+        lights{};  ///< replace all lights; else the file's, else, where no environment lights the scene, the default rig
     bool default_lights = false;  ///< the default rig although the file has lights; `lights` goes first
     double light_intensity = 1;   ///< >= 0; multiplies every light
     /// [radiance of a white Lambert surface that faces the light] 0..1: point and spot lights without a range get one
     /// where less than this is left of them; no surface loses more of a light than this. 0: none does.
     double light_cutoff = 0;
-    std::optional<Fog> fog;  ///< in place of the scene's
-    ToneSettings tone;       ///< of 8-bit pictures; EXR and HDR stay linear
-    std::string hdri_file;   ///< equirectangular picture, takes the place of the scene's environment; empty: none
+    std::optional<Fog> fog{};  ///< in place of the scene's
+    ToneSettings tone{};       ///< of 8-bit pictures; EXR and HDR stay linear
+    std::string hdri_file{};   ///< equirectangular picture, takes the place of the scene's environment; empty: none
     /// Whether the environment (without a file: the scene's, else the built-in studio) gives light, and whether it is
     /// the background; absent: as the scene says, else not.
-    std::optional<bool> hdri_ambient, hdri_skybox;
-    std::optional<double> hdri_intensity;     ///< >= 0; of the environment, in place of the scene's
-    std::optional<double> hdri_rotation_rad;  ///< about +Y, likewise
-    RenderSettings settings;  ///< channels go into files by `channel_files`; a window makes the picture as large as the
-                              ///< window; alpha is written when background.w < 1
+    std::optional<bool> hdri_ambient{}, hdri_skybox{};
+    std::optional<double> hdri_intensity{};     ///< >= 0; of the environment, in place of the scene's
+    std::optional<double> hdri_rotation_rad{};  ///< about +Y, likewise
+    RenderSettings
+        settings{};  ///< channels go into files by `channel_files`; a window makes the picture as large as the
+                     ///< window; alpha is written when background.w < 1
     std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits
     bool half_colors = false;  ///< colors in EXR files, those of channels too, as 16-bit halves; data stays at 32 bits
+    bool operator==(const PictureRequest&) const = default;
 };
 
 /// Whether settings say how all of a picture is shaded. Given from outside they take the shading of materials and parts of a world away
@@ -109,15 +112,15 @@ bool shades_the_whole(std::span<const WorldValue> settings);
 /// Settings that go before those of a world file.
 struct RenderOverrides {
     /// Each takes the place of the file's of the same key; one that says where the camera stands that of all such.
-    std::vector<WorldValue> values;
+    std::vector<WorldValue> values{};
     /// Whether a setting of the file is wanted; empty: all are. What it throws gets the place in the file.
-    std::function<bool(std::string_view key)> takes;
+    std::function<bool(std::string_view key)> takes{};
 };
 
 /// The picture that a world file asks for, and how it says so.
 struct WorldRequest {
-    PictureRequest picture;         ///< LoadOptions::overridden names what others took the place of
-    std::vector<WorldValue> taken;  ///< of the file's [render], names of files resolved
+    PictureRequest picture{};         ///< LoadOptions::overridden names what others took the place of
+    std::vector<WorldValue> taken{};  ///< of the file's [render], names of files resolved
 };
 
 /// What [render] of a world file says, files from the world's folder, behind `overrides`. Where to write the picture is the caller's.

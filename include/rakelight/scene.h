@@ -36,9 +36,9 @@ struct Sampler {
 };
 
 struct Texture {
-    std::string name;
-    ImageHandle image;  ///< never null in a validated scene
-    Sampler sampler;
+    std::string name{};
+    ImageHandle image{};  ///< never null in a validated scene
+    Sampler sampler{};
     bool operator==(const Texture&) const = default;
 };
 
@@ -54,7 +54,7 @@ struct TextureTransform {
 struct TextureUse {
     std::uint32_t texture = no_index;  ///< into Scene::textures
     std::uint32_t texcoord_set = 0;
-    TextureTransform transform;
+    TextureTransform transform{};
     explicit operator bool() const { return texture != no_index; }
     bool operator==(const TextureUse&) const = default;
 };
@@ -90,7 +90,7 @@ struct Relief {
     bool holds_depth = false;           ///< the map's 1 is the deepest, not the highest point
     int min_steps = 8, max_steps = 32;  ///< steep and occlusion: layers, seen from above and at a grazing angle
     int refinement_steps = 5;           ///< occlusion: bisections after the march
-    bool self_shadow = false;           ///< heights throw shadows upon each other
+    bool self_shadow = false;           ///< heights cast shadows upon each other
     bool limit_silhouette = false;      ///< nothing is drawn where the ray leaves the texture's 0..1
     bool operator==(const Relief&) const = default;
 };
@@ -100,7 +100,7 @@ struct ClassicalParameters {
     vec3 ambient{1, 1, 1};   ///< k_a, linear; multiplies the ambient light. Loaders use k_d where the file has none
     vec3 specular{0, 0, 0};  ///< k_s, linear
     float shininess = 32;    ///< exponent n >= 1 of the specular lobe
-    TextureUse specular_texture;  ///< color, multiplies k_s
+    TextureUse specular_texture{};  ///< color, multiplies k_s
     /// k_s is a share of the light, as the reflectance of a metallic-roughness material is: SpecularForm::automatic is
     /// the normalized form then, else the textbook's, whose k_s says how bright the highlight's center is.
     bool is_normalized = false;
@@ -110,19 +110,19 @@ struct ClassicalParameters {
 /// glTF 2.0 metallic-roughness, with the extensions that are kept as data.
 struct MetallicRoughnessParameters {
     float metallic = 1, roughness = 1;  ///< 0..1
-    TextureUse texture;                 ///< data: G roughness, B metallic
+    TextureUse texture{};               ///< data: G roughness, B metallic
     float ior = 1.5f;                   ///< KHR_materials_ior
     float specular = 1;                 ///< KHR_materials_specular
     vec3 specular_color{1, 1, 1};
-    TextureUse specular_texture, specular_color_texture;
+    TextureUse specular_texture{}, specular_color_texture{};
     float anisotropy = 0, anisotropy_rotation_rad = 0;  ///< KHR_materials_anisotropy
-    TextureUse anisotropy_texture;
+    TextureUse anisotropy_texture{};
     float clearcoat = 0, clearcoat_roughness = 0;  ///< KHR_materials_clearcoat
-    TextureUse clearcoat_texture, clearcoat_roughness_texture, clearcoat_normal_texture;
+    TextureUse clearcoat_texture{}, clearcoat_roughness_texture{}, clearcoat_normal_texture{};
     float clearcoat_normal_scale = 1;
     vec3 sheen_color{0, 0, 0};  ///< KHR_materials_sheen, linear
     float sheen_roughness = 0;
-    TextureUse sheen_color_texture, sheen_roughness_texture;
+    TextureUse sheen_color_texture{}, sheen_roughness_texture{};
     bool operator==(const MetallicRoughnessParameters&) const = default;
 };
 
@@ -131,36 +131,36 @@ struct MetallicRoughnessParameters {
 enum class Shading : std::uint8_t { unlit, flat, gouraud, phong, automatic };
 
 struct Material {
-    std::string name;
+    std::string name{};
     MaterialModel model = MaterialModel::metallic_roughness;
-    vec4 base_color{1, 1, 1, 1};    ///< linear RGB (k_d of classical materials) and alpha
-    TextureUse base_color_texture;  ///< sRGB color and alpha, multiplies base_color
-    TextureUse normal_texture;      ///< tangent space, green up
+    vec4 base_color{1, 1, 1, 1};      ///< linear RGB (k_d of classical materials) and alpha
+    TextureUse base_color_texture{};  ///< sRGB color and alpha, multiplies base_color
+    TextureUse normal_texture{};      ///< tangent space, green up
     float normal_scale = 1;
-    TextureUse height_texture;  ///< gray height (classical bump map)
+    TextureUse height_texture{};  ///< gray height (classical bump map)
     float height_scale = 1;
-    TextureUse opacity_texture;    ///< data: its first channel multiplies alpha (MTL map_d)
-    TextureUse occlusion_texture;  ///< data: R multiplies ambient light
+    TextureUse opacity_texture{};    ///< data: its first channel multiplies alpha (MTL map_d)
+    TextureUse occlusion_texture{};  ///< data: R multiplies ambient light
     float occlusion_strength = 1;
-    vec3 emission{0, 0, 0};       ///< linear, already multiplied by its strength; may exceed 1
-    TextureUse emission_texture;  ///< sRGB
+    vec3 emission{0, 0, 0};         ///< linear, already multiplied by its strength; may exceed 1
+    TextureUse emission_texture{};  ///< sRGB
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
     Lighting lighting = Lighting::automatic;  ///< automatic: as the picture's settings say
     SpecularForm specular_form = SpecularForm::automatic;
-    std::optional<WardForm> ward_form;
-    std::optional<Shading> shading;  ///< absent: as its node, or as the picture's settings say
-    Bump bump = Bump::automatic;     ///< automatic: as the picture's settings say
+    std::optional<WardForm> ward_form{};
+    std::optional<Shading> shading{};  ///< absent: as its node, or as the picture's settings say
+    Bump bump = Bump::automatic;       ///< automatic: as the picture's settings say
     BumpTerms bump_terms = BumpTerms::automatic;
-    std::optional<Relief> relief;    ///< absent: as the picture's settings say
-    bool green_down = false;         ///< the normal map's green points to increasing v
-    bool centered_normals = false;   ///< the normal map's byte 128 means exactly 0
-    std::optional<float> sigma_rad;  ///< Oren-Nayar: standard deviation of the facets' angles; absent: from roughness
+    std::optional<Relief> relief{};    ///< absent: as the picture's settings say
+    bool green_down = false;           ///< the normal map's green points to increasing v
+    bool centered_normals = false;     ///< the normal map's byte 128 means exactly 0
+    std::optional<float> sigma_rad{};  ///< Oren-Nayar: standard deviation of the facets' angles; absent: from roughness
     std::optional<vec2>
-        ward_alpha;                 ///< Ward: widths along tangent and bitangent; absent: from roughness and anisotropy
-    ClassicalParameters classical;  ///< meaningful when model is classical
-    MetallicRoughnessParameters metallic_roughness;  ///< meaningful when model is metallic_roughness
+        ward_alpha{};  ///< Ward: widths along tangent and bitangent; absent: from roughness and anisotropy
+    ClassicalParameters classical{};                   ///< meaningful when model is classical
+    MetallicRoughnessParameters metallic_roughness{};  ///< meaningful when model is metallic_roughness
     bool operator==(const Material&) const = default;
 };
 
@@ -183,9 +183,9 @@ struct Subdivision {
     double edge = 0;  ///< [m] in the world: fewer levels where that makes every edge as short; 0: always `level`
     SubdivisionScheme scheme = SubdivisionScheme::automatic;
     SubdivisionUv uv = SubdivisionUv::boundaries;
-    bool round_corners = false;              ///< boundary vertices of a single face are rounded off too
-    std::optional<double> crease_angle_rad;  ///< 0..pi: edges bent more are creases; absent: none are
-    double sharpness = 10;                   ///< of creases: s levels long; 10: for ever
+    bool round_corners = false;                ///< boundary vertices of a single face are rounded off too
+    std::optional<double> crease_angle_rad{};  ///< 0..pi: edges bent more are creases; absent: none are
+    double sharpness = 10;                     ///< of creases: s levels long; 10: for ever
     bool operator==(const Subdivision&) const = default;
 };
 
@@ -196,8 +196,8 @@ struct JointInfluence {
 };
 
 struct MorphTarget {
-    std::string name;
-    Block<vec3> positions, normals, tangents;  ///< [V] offsets; each may be empty
+    std::string name{};
+    Block<vec3> positions{}, normals{}, tangents{};  ///< [V] offsets; each may be empty
     bool operator==(const MorphTarget&) const = default;
 };
 
@@ -208,38 +208,38 @@ enum class NormalSource : std::uint8_t { automatic, file, flat, object, model };
 /// What one part of a scene says of its normals, for pictures whose options leave it open.
 struct NormalChoice {
     NormalSource source = NormalSource::automatic;
-    bool missing_are_flat = false;           ///< Scene::missing_normals_are_flat of the file that the part is from
-    std::optional<double> crease_angle_rad;  ///< 0..pi; absent: as the picture's options say
+    bool missing_are_flat = false;             ///< Scene::missing_normals_are_flat of the file that the part is from
+    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: as the picture's options say
     bool operator==(const NormalChoice&) const = default;
 };
 
 /// Primitives of one topology and one material. Vertex arrays are [V] or empty.
 struct Mesh {
-    std::string name;
+    std::string name{};
     Topology topology = Topology::triangles;
     dvec3 origin{0, 0,
                  0};  ///< positions count from here; one for all meshes of a file, zero unless its numbers need it
-    Block<vec3> positions;  ///< [V] about `origin`
+    Block<vec3> positions{};  ///< [V] about `origin`
     /// [m] object space: the step between two codes where the file stores positions as codes (KHR_mesh_quantization, Draco); each
     /// then stands up to half a step from where it was, in every axis. 0: stored as floats, or not known.
     double position_step = 0;
-    Block<std::uint32_t> indices;        ///< [3T], [2L] or [P], each < V
-    Block<vec3> normals;                 ///< [V] unit, or empty; those of the file until prepare replaces them
-    Block<vec4> tangents;                ///< [V] xyz unit, w = +1 or -1, or empty
-    std::vector<Block<vec2>> texcoords;  ///< sets, each [V], v down
-    Block<vec4> colors;                  ///< [V] linear RGBA or empty
-    Block<std::uint32_t> smoothing;      ///< [T] smoothing group or mask of each triangle, or empty
+    Block<std::uint32_t> indices{};        ///< [3T], [2L] or [P], each < V
+    Block<vec3> normals{};                 ///< [V] unit, or empty; those of the file until prepare replaces them
+    Block<vec4> tangents{};                ///< [V] xyz unit, w = +1 or -1, or empty
+    std::vector<Block<vec2>> texcoords{};  ///< sets, each [V], v down
+    Block<vec4> colors{};                  ///< [V] linear RGBA or empty
+    Block<std::uint32_t> smoothing{};      ///< [T] smoothing group or mask of each triangle, or empty
     SmoothingKind smoothing_kind = SmoothingKind::none;
     /// [3T] corner normals that the file's *reader* made from smoothing groups (3DS, ASE through Assimp), or empty: equal
     /// across an edge exactly where the groups joined. A hint for grouping, never shown as the file's normals.
-    Block<vec3> smoothing_hint;
+    Block<vec3> smoothing_hint{};
     /// [T] triangles with equal numbers, one after another, are one polygon of the file; empty: all are triangles
     /// there.
-    Block<std::uint32_t> polygons;
-    std::optional<Subdivision> subdivision;     ///< absent: as the picture's settings say
-    std::optional<NormalChoice> normal_choice;  ///< absent: as the picture's options say
-    Block<JointInfluence> influences;           ///< [V] or empty
-    std::vector<MorphTarget> targets;
+    Block<std::uint32_t> polygons{};
+    std::optional<Subdivision> subdivision{};     ///< absent: as the picture's settings say
+    std::optional<NormalChoice> normal_choice{};  ///< absent: as the picture's options say
+    Block<JointInfluence> influences{};           ///< [V] or empty
+    std::vector<MorphTarget> targets{};
     std::uint32_t material = no_index;  ///< into Scene::materials; none: the default material
     std::uint32_t source_mesh = no_index,
                   source_primitive = no_index;  ///< where the file has it (glTF mesh and primitive)
@@ -252,28 +252,28 @@ struct Mesh {
 /// Local placement: translation * rotation * scale, or any matrix. Kept apart so that animation can set the parts.
 struct Transform {
     dvec3 translation{0, 0, 0};
-    dquat rotation;
+    dquat rotation{};
     dvec3 scale{1, 1, 1};
-    Rare<dmat4> matrix;  ///< when set, it alone counts
+    Rare<dmat4> matrix{};  ///< when set, it alone counts
     bool operator==(const Transform&) const = default;
 };
 
 struct Node {
-    std::string name;
+    std::string name{};
     std::uint32_t parent = no_index;  ///< always less than the node's own index in a validated scene
-    Transform local;
-    std::vector<std::uint32_t> meshes;  ///< into Scene::meshes; empty: a group
+    Transform local{};
+    std::vector<std::uint32_t> meshes{};  ///< into Scene::meshes; empty: a group
     std::uint32_t skin = no_index;
-    std::vector<float> morph_weights;
+    std::vector<float> morph_weights{};
     std::uint32_t source_node = no_index;  ///< index in the file (glTF)
-    std::optional<Shading> shading;        ///< of it and of all that hangs from it; absent: as its parent
+    std::optional<Shading> shading{};      ///< of it and of all that hangs from it; absent: as its parent
     bool operator==(const Node&) const = default;
 };
 
 struct Skin {
-    std::string name;
-    std::vector<std::uint32_t> joints;  ///< nodes
-    std::vector<dmat4> inverse_bind;    ///< [joints]
+    std::string name{};
+    std::vector<std::uint32_t> joints{};  ///< nodes
+    std::vector<dmat4> inverse_bind{};    ///< [joints]
     bool operator==(const Skin&) const = default;
 };
 
@@ -284,14 +284,14 @@ struct AnimationChannel {
     std::uint32_t node = no_index;
     AnimationPath path = AnimationPath::translation;
     Interpolation interpolation = Interpolation::linear;
-    Block<float> times;   ///< [K] seconds, ascending
-    Block<float> values;  ///< [K * width], times 3 for cubic splines (in-tangent, value, out-tangent)
+    Block<float> times{};   ///< [K] seconds, ascending
+    Block<float> values{};  ///< [K * width], times 3 for cubic splines (in-tangent, value, out-tangent)
     bool operator==(const AnimationChannel&) const = default;
 };
 
 struct Animation {
-    std::string name;
-    std::vector<AnimationChannel> channels;
+    std::string name{};
+    std::vector<AnimationChannel> channels{};
     bool operator==(const Animation&) const = default;
 };
 
@@ -304,7 +304,7 @@ enum class LightUnits : std::uint8_t { classical, photometric };
 /// A light at its node (position: the node's origin, direction: along its -Z), or at `position` / `direction` in the
 /// world. Classical: color 1 at attenuation 1 means irradiance pi, so a white Lambert surface facing it has radiance 1.
 struct Light {
-    std::string name;
+    std::string name{};
     LightType type = LightType::point;
     LightUnits units = LightUnits::classical;
     std::uint32_t node = no_index;
@@ -337,7 +337,7 @@ struct Fog {
 
 /// Light from all around, from an equirectangular picture (row 0 is up, its middle column lies along -Z).
 struct Environment {
-    ImageHandle image;        ///< null: the built-in neutral studio
+    ImageHandle image{};      ///< null: the built-in neutral studio
     float intensity = 1;      ///< multiplies the picture: 1 on a white Lambert surface gives the picture's own radiance
     double rotation_rad = 0;  ///< about +Y
     bool is_light = true, is_background = true;
@@ -348,17 +348,17 @@ enum class Projection : std::uint8_t { perspective, orthographic };
 
 /// A camera at its node (looking along -Z, up +Y), or placed by `to_world`.
 struct Camera {
-    std::string name;
+    std::string name{};
     Projection projection = Projection::perspective;
     std::uint32_t node = no_index;
-    dmat4 to_world;  ///< used when node is none: a rotation and a translation
+    dmat4 to_world{};  ///< used when node is none: a rotation and a translation
     double vertical_fov_rad =
         radians(40);  ///< perspective, 0..pi; of a scene, 0 beside a horizontal one: square pixels
     /// Perspective, 0..pi: the field of view across, whatever the picture's aspect: pixels need not be square then. Absent: square pixels.
-    std::optional<double> horizontal_fov_rad;
-    std::optional<double> aspect;      ///< width / height that the file wants; the picture's own when absent
-    double half_height = 1;            ///< orthographic: half the visible height [m]
-    std::optional<double> half_width;  ///< orthographic: half the visible width [m]; absent: square pixels
+    std::optional<double> horizontal_fov_rad{};
+    std::optional<double> aspect{};      ///< width / height that the file wants; the picture's own when absent
+    double half_height = 1;              ///< orthographic: half the visible height [m]
+    std::optional<double> half_width{};  ///< orthographic: half the visible width [m]; absent: square pixels
     double z_near = 0.1,
            z_far = 1000;  ///< 0 < z_near < z_far (orthographic: z_near may be <= 0); z_far may be infinity
     bool operator==(const Camera&) const = default;
@@ -367,21 +367,21 @@ struct Camera {
 // --- scene ---------------------------------------------------------------------------------------------------------------
 
 struct Scene {
-    std::string source;  ///< the file it came from, as the caller named it
-    std::vector<Node> nodes;
-    std::vector<Mesh> meshes;
-    std::vector<Material> materials;
-    std::vector<Texture> textures;
-    std::vector<Light> lights;
-    std::vector<Camera> cameras;
-    std::vector<Skin> skins;
-    std::vector<Animation> animations;
-    Fog fog;
-    std::optional<Environment> environment;
-    /// How missing normals are to be understood by `--normals auto`: glTF says flat, others smooth.
+    std::string source{};  ///< the file it came from, as the caller named it
+    std::vector<Node> nodes{};
+    std::vector<Mesh> meshes{};
+    std::vector<Material> materials{};
+    std::vector<Texture> textures{};
+    std::vector<Light> lights{};
+    std::vector<Camera> cameras{};
+    std::vector<Skin> skins{};
+    std::vector<Animation> animations{};
+    Fog fog{};
+    std::optional<Environment> environment{};
+    /// How missing normals are to be understood by NormalSource::automatic: glTF says flat, others smooth.
     bool missing_normals_are_flat = false;
     /// What pays for the tables above where a file decided their size; copies share it. Blocks have their own.
-    std::vector<SharedCharge> charges;
+    std::vector<SharedCharge> charges{};
 };
 
 }  // namespace rakelight

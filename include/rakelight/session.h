@@ -14,7 +14,8 @@ namespace rakelight {
 class PreparedScene;
 
 /// An engine with a scene. The same pictures as render() of render.h gives, without its cost for each: decoded textures, mip chains,
-/// shadow maps, made normals and the engine's own memory stay. One thread at a time; different sessions are independent.
+/// shadow maps, made normals and the engine's own memory stay. One thread at a time; different sessions are independent. One that was
+/// moved from can only be assigned to or destroyed.
 ///
 ///     Session session;
 ///     session.set(load("helmet.glb", {}, context));
@@ -24,7 +25,7 @@ public:
     /// @throws Error usage: no such engine
     explicit Session(const std::string& engine = "soft");
     /// With an engine of the caller's.
-    explicit Session(std::unique_ptr<Engine> engine);
+    explicit Session(std::unique_ptr<Engine> engine);  ///< @throws Error usage: null
     ~Session();
     Session(Session&&) noexcept;
     Session& operator=(Session&&) noexcept;
@@ -33,8 +34,8 @@ public:
     /// cameras, fog or environment differ, nothing is made anew.
     /// @throws Error bad_file: see validate(), or there is nothing to draw; the scene before stays
     void set(Scene scene, const PrepareOptions& options = {});
-    /// Draws a scene that was made ready before, here or by another session, as it is: with its lights alone, whatever the settings
-    /// of a picture would prepare. Given by its last owner it is not copied.
+    /// Draws a scene that was made ready before, here or by another session, as it was prepared, whatever the settings of a
+    /// picture would ask for.
     void set(std::shared_ptr<const PreparedScene> scene);
 
     /// The scene as pictures with these settings need it; made where it is not there yet.
@@ -49,6 +50,7 @@ public:
     const Engine& engine() const;
 
 private:
+    friend void give(Session& session, std::shared_ptr<PreparedScene> scene);  // of the library itself
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -20,15 +20,15 @@ enum class TangentChoice : std::uint8_t { automatic, always, never };
 
 struct SmoothFileOptions {
     AttributeOptions
-        attributes;  ///< `normals` and `tangents` are not read: normals are always made, tangents by the choice
+        attributes{};  ///< `normals` and `tangents` are not read: normals are always made, tangents by the choice
     TangentChoice tangents = TangentChoice::automatic;
     bool keep_instances = false;  ///< glTF: placements of one mesh go on sharing it, with the first one's attributes
-    LoadOptions load;
+    LoadOptions load{};
 };
 
 /// What happened to one mesh of the output (glTF: one primitive).
 struct SmoothedMesh {
-    std::string name;
+    std::string name{};
     std::uint32_t mesh = no_index, primitive = no_index;  ///< its numbers in the output where it is glTF
     std::uint64_t vertices = 0;                           ///< before
     std::uint64_t vertices_split = 0;  ///< copies that were added because corners of one vertex differ
@@ -37,10 +37,10 @@ struct SmoothedMesh {
 };
 
 struct SmoothedFile {
-    std::string file, output;
+    std::string file{}, output{};
     bool changed = false;  ///< false: the normals and tangents were these already; the file was copied byte by byte
     std::uint32_t meshes_added = 0;  ///< glTF: copies for placements that need normals of their own
-    std::vector<SmoothedMesh> meshes;
+    std::vector<SmoothedMesh> meshes{};
 };
 
 /// Reads `input`, computes normals and tangents over all its objects (skinned models in bind pose) and writes `output`:

@@ -13,8 +13,8 @@ namespace rakelight {
 
 /// What was written.
 struct StagesResult {
-    std::string file, folder;
-    std::vector<std::string> files;  ///< names in the folder, index.html first
+    std::string file{}, folder{};
+    std::vector<std::string> files{};  ///< names in the folder, index.html first
 };
 
 /// Writes a folder with index.html (readable without scripts), a JSON table for each stage and PNG pictures: model, world,

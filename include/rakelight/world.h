@@ -23,11 +23,11 @@ std::string to_text(WorldPlace place);
 
 /// A key with its value: words as people write them ("1.5", "on", "red"), and numbers where they are such.
 struct WorldValue {
-    std::string key;
-    std::vector<std::string> words;  ///< one, or as many as the array has elements
-    std::vector<double> numbers;     ///< as many as `words`, or empty: some are no numbers
+    std::string key{};
+    std::vector<std::string> words{};  ///< one, or as many as the array has elements
+    std::vector<double> numbers{};     ///< as many as `words`, or empty: some are no numbers
     bool is_array = false;
-    WorldPlace place;  ///< of the value
+    WorldPlace place{};  ///< of the value; in [render] of the key
     bool operator==(const WorldValue&) const = default;
 };
 
@@ -38,82 +38,85 @@ struct WorldPlacement {
 
 /// A model file in the world.
 struct WorldModel {
-    std::string name;  ///< of the node that carries it; the file's name without ending by default
-    std::string file;  ///< as written: from the world file's folder, or "builtin:teapot"
-    WorldPlacement placement;
-    std::string material;  ///< of the world, for all of it; empty: its own
-    std::string normals;   ///< "auto", "file", "flat", "object", "model"; empty: as the picture's options say
-    std::optional<double> crease_angle_rad;
-    std::optional<Subdivision> subdivision;  ///< absent: as the picture's options say
-    bool lights = false, cameras = false;    ///< whether the model's own come along
-    std::optional<Shading> shading;
-    WorldPlace place, material_place;  ///< of `file`, `material`
+    std::string name{};  ///< of the node that carries it; the file's name without ending by default
+    std::string file{};  ///< as written: from the world file's folder, or "builtin:teapot"
+    WorldPlacement placement{};
+    std::string material{};  ///< of the world, for all of it; empty: its own
+    std::string normals{};   ///< "auto", "file", "flat", "object", "model"; empty: as the picture's options say
+    std::optional<double> crease_angle_rad{};
+    std::optional<Subdivision> subdivision{};  ///< absent: as the picture's options say
+    bool lights = false, cameras = false;      ///< whether the model's own come along
+    std::optional<Shading> shading{};
+    WorldPlace place{}, material_place{};  ///< of `file`, `material`
 };
 
 /// A shape that is made by formula.
 struct WorldPrimitive {
-    std::string name, type;  ///< "teapot", "sphere", "cylinder", "cone", "torus", "plane"
-    WorldPlacement placement;
+    std::string name{}, type{};  ///< "teapot", "sphere", "cylinder", "cone", "torus", "plane"
+    WorldPlacement placement{};
     double radius = 1, tube_radius = 0.35, height = 2;  ///< [m] tube: of the torus
     double width = 2, depth = 2;                        ///< [m] of the plane
     int divisions = 1;                                  ///< quads along a side of the plane or of the teapot's patches
     int objects = 1;                                    ///< it is cut into so many
     double tolerance = 0;  ///< [m] farthest that a facet is from the surface; 0: a thousandth of the largest radius,
                            ///< teapot: `divisions`
-    std::string material;
-    std::string normals;
-    std::optional<double> crease_angle_rad;
-    std::optional<Subdivision> subdivision;  ///< absent: as the picture's options say
-    std::optional<Shading> shading;
-    WorldPlace place, material_place, objects_place;
+    std::string material{};
+    std::string normals{};
+    std::optional<double> crease_angle_rad{};
+    std::optional<Subdivision> subdivision{};  ///< absent: as the picture's options say
+    std::optional<Shading> shading{};
+    WorldPlace place{}, material_place{}, objects_place{};
 };
 
 /// Changes to materials, or a material of the world's own.
 struct WorldMaterial {
-    std::string name;   ///< of the material; "*": all of `model`
-    std::string model;  ///< changes this model's materials only; empty: those of all models
-    std::vector<WorldValue> values;
-    WorldPlace place;
+    std::string name{};   ///< of the material; "*": all of `model`
+    std::string model{};  ///< changes this model's materials only; empty: those of all models
+    std::vector<WorldValue> values{};
+    WorldPlace place{};
 };
 
 struct WorldEnvironment {
-    std::string file;         ///< as written; empty: the built-in studio
-    Environment environment;  ///< without its picture
-    WorldPlace place;
+    std::string file{};         ///< as written; empty: the built-in studio
+    Environment environment{};  ///< without its picture
+    WorldPlace place{};
 };
 
 /// What is to be told of a world file that is not refused.
 struct WorldRemark {
     Remark kind = Remark::note;
-    WorldPlace place;
-    std::string message;
+    WorldPlace place{};
+    std::string message{};
 };
 
 /// What a world file says, in its order. Numbers are finite and in range; files are not looked at.
 struct WorldFile {
-    std::vector<WorldModel> models;
-    std::vector<WorldPrimitive> primitives;
-    std::vector<Light> lights;
-    std::vector<Camera> cameras;
-    std::vector<WorldMaterial> materials;
-    std::optional<Fog> fog;
-    std::optional<WorldEnvironment> environment;
-    std::vector<WorldValue> render;    ///< settings of the picture: render_keys()
-    std::vector<WorldRemark> remarks;  ///< load() adds them to the report
+    std::vector<WorldModel> models{};
+    std::vector<WorldPrimitive> primitives{};
+    std::vector<Light> lights{};
+    std::vector<Camera> cameras{};
+    std::vector<WorldMaterial> materials{};
+    std::optional<Fog> fog{};
+    std::optional<WorldEnvironment> environment{};
+    std::vector<WorldValue> render{};    ///< settings of the picture: render_keys()
+    std::vector<WorldRemark> remarks{};  ///< load() adds them to the report
 };
 
 /// Whether a file is named as a world: "*.scene.toml" in any case.
 bool is_world_file(std::string_view path);
 
 /// @param text  of the whole file, UTF-8. At most 10 000 entries of a kind, and 4 MiB.
-/// @throws Error bad_file: what is wrong, with line and column; unknown keys with the nearest that there is
+/// @throws Error bad_file: what is wrong, with line and column; unknown keys with the nearest that there is, but for those of [render]:
+///         read_world_request() looks at them
 WorldFile parse_world(std::string_view text);
 
 /// Reads and parses. @throws Error not_found; and as parse_world(), with the file's name
 WorldFile read_world(const std::string& path, Context& context);
 
 /// The text of a world file that parse_world() reads as this world (of cameras with the rounding of one look_at()), without comments.
-/// @throws Error usage: lights or cameras that no world file can have, such as those on a node; bad_file: what parse_world() refuses
+/// Names of files are written as they are: from the folder of the world that is to be.
+/// @throws Error usage: what no world file can have, such as lights on a node, an environment's picture without a file, unknown or wrong
+///         settings; bad_file: what parse_world() refuses
 std::string to_toml(const WorldFile& world);
 /// Writes it; the file appears when it is whole. @throws Error as to_toml(); usage: another ending; failed: cannot be written
 void save_world(const WorldFile& world, const std::string& path);
@@ -122,7 +125,7 @@ void save_world(const WorldFile& world, const std::string& path);
 /// @throws Error bad_file: it would leave the world's folder, unless `allow_outside`
 std::string resolve_in_world(const std::string& path, const std::string& name, bool allow_outside);
 
-/// What "KEY=VALUE" of a command line says of a material: keys of [[material]] with their checks, numbers of a list
+/// What "KEY=VALUE" says of a material: keys of [[material]] with their checks, numbers of a list
 /// separated by commas, flags on or off. Colors are linear or "#rrggbb".
 /// @throws Error usage
 std::vector<WorldValue> material_values(std::span<const std::string> words);
@@ -147,8 +150,8 @@ struct RenderKey {
         list,      ///< any number of values, in their order
     };
     const char* name;  ///< "crease-angle"
-    Kind kind;
-    /// @param words  one, or of a list as many as there are; flags: "on", "off". @throws Error usage about the key
+    Kind kind{};
+    /// @param words  one, or of a list as many as there are, at least one; flags: "on", "off". @throws Error usage about the key
     void (*read)(PictureRequest& to, std::span<const std::string> words);
     /// Words that read() makes the field of again; empty: it is as by default.
     std::vector<std::string> (*write)(const PictureRequest& of);
@@ -158,12 +161,16 @@ struct RenderKey {
 std::span<const RenderKey> render_keys();
 /// Null: there is none of that name.
 const RenderKey* find_render_key(std::string_view name);
+/// @throws Error usage with the nearest name: there is none
+const RenderKey& require_render_key(const std::string& name);
 
 /// Sets what the values say, each key once, and checks what only several of them together can get wrong. Files are taken as
 /// they are named. @throws Error usage about the key: an unknown one, a wrong value, or keys that exclude each other
 void read_render_keys(std::span<const WorldValue> values, PictureRequest& to);
 
-/// What read_render_keys() makes the same request of: the keys whose fields are not as by default.
+/// What read_render_keys() makes the same request of: the keys whose fields are not as by default. Colors come back as near as their
+/// display values are (1e-6), directions of lights at length 1, their names not at all; files and LoadOptions are no keys.
+/// @throws Error usage: the request asks for what no key says, such as no lights at all or one on a node
 std::vector<WorldValue> written_render_keys(const PictureRequest& of);
 
 }  // namespace rakelight

@@ -75,6 +75,19 @@ Error Error::about(const std::string& setting, std::vector<std::string> related)
     return copy;
 }
 
+Error Error::as(ErrorCode code) const {
+    Error copy = *this;
+    copy.code_ = code;
+    return copy;
+}
+
+Error Error::advising(const std::string& advice) const {
+    Error copy = *this;
+    copy.advice_ += advice;
+    copy.compose();
+    return copy;
+}
+
 Error Error::naming(std::vector<std::string> settings) const {
     Error copy = *this;
     copy.related_.insert(copy.related_.end(), settings.begin(), settings.end());

@@ -30,11 +30,12 @@ void Report::add(Remark remark, std::string file, std::string place, std::string
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(key); known != known_.end()) {
         ++entries_[known->second].count;
-    } else if (entries_.size() >= max_entries) {
+    } else if ((remark == Remark::note ? notes_ : entries_.size() - notes_) >= max_entries) {
         ++left_out_;
         notes_left_out_ += remark == Remark::note;
     } else {
         known_.emplace(std::move(key), entries_.size());
+        notes_ += remark == Remark::note;
         entries_.push_back({remark, std::move(file), std::move(place), std::move(message), 1, std::move(settings)});
     }
 }
@@ -58,6 +59,7 @@ void Report::clear() {
     const std::lock_guard lock(mutex_);
     entries_.clear();
     known_.clear();
+    notes_ = 0;
     left_out_ = notes_left_out_ = 0;
 }
 

@@ -27,11 +27,13 @@ int minify_code(const Sampler& s) {
     return s.mip == MipFilter::none ? 9728 + linear : (s.mip == MipFilter::nearest ? 9984 : 9986) + linear;
 }
 
-/// A picture that is there as pixels alone; nothing of one that PNG cannot hold.
+/// A picture that is there as pixels alone. @throws Error bad_file: PNG cannot hold it
 Bytes png_of(const EncodedImage& image, Context& context) {
+    if (!image.decode) throw Error(ErrorCode::bad_file, "there is no picture in it");
     const Pixels pixels = image.decode(image, context);
+    if (pixels.component == Component::f32) throw Error(ErrorCode::bad_file, "glTF holds no picture of 32-bit floats");
     std::vector<std::byte> bytes;
-    if (pixels.component != Component::f32) write_image({"texture.png", bytes}, pixels);
+    write_image({"texture.png", bytes}, pixels);
     return std::make_shared<const std::vector<std::byte>>(std::move(bytes));
 }
 

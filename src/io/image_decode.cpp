@@ -91,7 +91,7 @@ Pixels read_embedded(const EncodedImage& image, Context& context) {
     try {
         return read(*image.bytes, want, context);
     } catch (const Error& error) {
-        throw Error(error.code(), error.reason(), image.name, error.advice()).with_file(image.file);
+        throw error.at(image.name).with_file(image.file);
     }
 }
 

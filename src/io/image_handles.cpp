@@ -4,6 +4,7 @@
 
 #include <rakelight/image_sources.h>
 
+#include "base/enumerators.h"
 #include "io/image_codecs.h"
 
 namespace rakelight {
@@ -12,7 +13,7 @@ namespace {
 void check(const Pixels& p, const std::string& name) {
     const bool fits = p.width > 0 && p.height > 0 && p.width <= int(io::codec::max_side) &&
                       p.height <= int(io::codec::max_side) && p.channels >= 1 && p.channels <= 4 &&
-                      p.bytes.size() == p.row_bytes() * std::size_t(p.height);
+                      exists(p.component, Component::f32) && p.bytes.size() == p.row_bytes() * std::size_t(p.height);
     if (!fits)
         throw Error(ErrorCode::usage, "a picture of " + std::to_string(p.width) + " x " + std::to_string(p.height) +
                                           " pixels of " + std::to_string(p.channels) + " components with " +
@@ -33,7 +34,12 @@ ImageHandle image_from_pixels(Pixels pixels, const std::string& name) {
     EncodedImage image;
     image.name = image.file = name;
     const auto shared = std::make_shared<const Pixels>(std::move(pixels));
-    image.decode = [shared](const EncodedImage&, Context&) { return *shared; };
+    image.decode = [shared](const EncodedImage&, Context& context) {
+        MemoryCharge charge(context.memory(), shared->bytes.size(), "the picture");
+        Pixels copy = *shared;
+        copy.charge = share(std::move(charge));
+        return copy;
+    };
     return std::make_shared<const EncodedImage>(std::move(image));
 }
 

@@ -181,7 +181,7 @@ private:
             context_.memory().check(triangles * 60 + at_once,
                                     "subdivision into " + std::to_string(triangles) + " triangles");
         } catch (const Error& error) {
-            throw Error(error.code(), error.reason(), error.place(), error.advice() + ", or subdivide by fewer levels");
+            throw error.advising(", or subdivide by fewer levels");
         }
     }
 

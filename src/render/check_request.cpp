@@ -14,11 +14,13 @@ namespace {
 
 void check_output(const PictureRequest& request) {
     const PixelFormat format = format_for(request.output, request.settings.background.w < 1);
-    std::string ending = std::filesystem::path(request.output).extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    if (format.channels == 4 && (ending == ".jpg" || ending == ".jpeg" || ending == ".hdr"))
-        throw Error(ErrorCode::usage, "this format has no alpha for a transparent background", {},
-                    "use .png, .webp or .exr");
+    check_alpha(request.output, format);
+    const bool has_exr_channels =
+        request.settings.channels != 0 && (request.channel_files & ~std::uint32_t(channel_files_png)) != 0;
+    if (request.half_colors && !has_exr_channels && !is_exr(request.output))
+        throw Error(ErrorCode::usage, "is about EXR files, but none is written", {},
+                    "let the output end in .exr, or ask for data channels")
+            .about("exr-colors", {"channels"});
     std::error_code ignored;
     const std::filesystem::path path(request.output);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
@@ -34,9 +36,9 @@ void check_request(const PictureRequest& request) {
     check_engine_name(request.engine);
     check_settings(request.settings);
     if (!(request.light_cutoff >= 0 && request.light_cutoff <= 1))
-        throw Error(ErrorCode::usage, "the light cutoff must be 0 to 1");
+        throw Error(ErrorCode::usage, "must be 0 to 1").about("light-cutoff");
     if (!(request.light_intensity >= 0 && std::isfinite(request.light_intensity)))
-        throw Error(ErrorCode::usage, "the intensity of the lights must be a number >= 0");
+        throw Error(ErrorCode::usage, "must be a number >= 0").about("light-intensity");
     (void)ToneCurve(request.tone);  // an exposure that cannot be
     try {
         check_output(request);

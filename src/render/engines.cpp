@@ -19,7 +19,8 @@ void check_engine_name(const std::string& name) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
     std::string list;
     for (const std::string& n : names) list += (list.empty() ? "" : ", ") + n;
-    throw Error(ErrorCode::usage, "engine '" + one_line(name, 40) + "' is not built in", {}, "this build has: " + list);
+    throw Error(ErrorCode::usage, "'" + one_line(name, 40) + "' is not built in", {}, "this build has: " + list)
+        .about("engine");
 }
 
 void check_abilities(const Engine& engine, const RenderSettings& s) {

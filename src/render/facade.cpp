@@ -50,6 +50,7 @@ void write(const Frame& frame, const io::OutputTarget& target, const ToneSetting
     const ToneCurve curve(tone);
     const bool transparent = std::any_of(frame.color.begin(), frame.color.end(), [](const vec4& c) { return c.w < 1; });
     const PixelFormat format = format_for(target.path, transparent);
+    check_alpha(target.path, format);
     const auto writer = make_color_writer(target, frame.window.width, frame.window.height, format);
     const std::size_t width = std::size_t(frame.window.width);
     std::vector<std::byte> row(width * format.bytes());
@@ -79,7 +80,13 @@ void save(const Scene& scene, const std::string& path, Context& context) {
 
 std::vector<std::byte> encode(const Frame& frame, const std::string& ending, const ToneSettings& tone) {
     std::vector<std::byte> bytes;
-    write(frame, {"frame" + ending, bytes}, tone);
+    try {
+        if (!ending.starts_with('.')) throw Error(ErrorCode::usage, "endings begin with a dot: \".png\"");
+        write(frame, {"frame" + ending, bytes}, tone);
+    } catch (const Error& error) {  // there is no file that it could be of
+        throw Error(error.code(), error.reason(), error.place(), error.advice())
+            .about(error.setting(), error.related());
+    }
     return bytes;
 }
 

@@ -29,7 +29,7 @@ ImageHandle as_image(Pixels pixels, const EncodedImage& from) {
     return image;
 }
 
-std::string said(double depth) {
+std::string text_of(double depth) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "height map made from the normal map, whose slopes make it %.3g of the texture's width deep", depth);
@@ -63,7 +63,7 @@ private:
     std::uint32_t make(const Texture& normal, const Material& m) {
         try {
             HeightsFromNormals made = heights_of(*normal.image, m.green_down);
-            context_.report().add(Remark::guessed, scene_.source, m.name, said(made.depth));
+            context_.report().add(Remark::guessed, scene_.source, m.name, text_of(made.depth));
             scene_.textures.push_back(
                 {normal.name + " (heights)", as_image(std::move(made.heights), *normal.image), normal.sampler});
             return std::uint32_t(scene_.textures.size() - 1);

@@ -26,7 +26,7 @@ std::uint64_t count_objects(const Scene& scene) {
         std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
 }
 
-void strengthen(Light& light, float factor) {
+void scale_light(Light& light, float factor) {
     light.ambient = light.ambient * factor;
     light.diffuse = light.diffuse * factor;
     light.specular = light.specular * factor;
@@ -34,7 +34,7 @@ void strengthen(Light& light, float factor) {
 }
 
 /// What the scales of PNG channels mean.
-std::string said(const ViewRange& r) {
+std::string text_of(const ViewRange& r) {
     char text[240];
     std::snprintf(text, sizeof text,
                   "PNG channels: depth from %.6g m (white) to %.6g m (dark gray), position from %.6g,%.6g,%.6g to "
@@ -53,7 +53,7 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
     else
         scene.lights = lights_of(scene, camera);
     if (request.light_intensity != 1)
-        for (Light& light : scene.lights) strengthen(light, float(request.light_intensity));
+        for (Light& light : scene.lights) scale_light(light, float(request.light_intensity));
     if (request.fog) scene.fog = *request.fog;
     return scene;
 }
@@ -68,7 +68,9 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
     if (request.light_cutoff > 0)
         context.report().add(Remark::note, scene.source, "",
                              said(cut_lights(scene.lights, request.light_cutoff), request.light_cutoff));
-    return {make_prepared(std::move(scene), request.prepare, request.settings, context), camera};
+    ReadyScene ready{make_prepared(std::move(scene), request.prepare, request.settings, context), camera};
+    ready.prepared->has_chosen_lights = true;
+    return ready;
 }
 
 Window whole_window(const RenderSettings& s) {
@@ -106,35 +108,45 @@ void draw_to_files(Session& session, const Camera& camera, const PictureRequest&
 }
 
 PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context) {
-    PictureResult result{.file = request.input, .output = request.output};
     Stopwatch watch;
     context.progress("load", 0);
     Scene loaded = scene_of_request(request, context);
-    result.load_ms = watch.lap_ms();
+    const double load_ms = watch.lap_ms();
+    PictureResult result = draw_picture(std::move(loaded), request, session, context);
+    result.load_ms = load_ms;
+    return result;
+}
 
+PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session& session, Context& context) {
+    PictureResult result{.file = request.input, .output = request.output};
+    Stopwatch watch;
     context.progress("prepare", 0);
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);
     result.view_range = view_range(ready->scene, camera);
     result.triangles = triangle_count(ready->scene);
     result.objects = count_objects(ready->scene);
-    session.set(std::move(ready));
+    give(session, std::move(ready));
     result.prepare_ms = watch.lap_ms();
 
     context.progress("render", 0);
     draw_to_files(session, camera, request, result, context);
     if (request.settings.channels && (request.channel_files & channel_files_png))
-        context.report().add(Remark::note, request.input, "", said(result.view_range));
+        context.report().add(Remark::note, request.input, "", text_of(result.view_range));
     if (result.stats.pixels_shaded + result.stats.pixels_marked == 0)  // blended surfaces cover nothing, but are seen
         context.report().add(Remark::warning, request.input, "", "no pixel of the picture shows the model");
     remark_extremes(session.engine().scene(), request, result, context.report());
     return result;
 }
 
-PictureResult render_picture(const PictureRequest& request, Context& context) {
+namespace {
+
+/// @param draw  with a session of the engine that is asked for
+template <class Draw>
+PictureResult picture_by(const PictureRequest& request, Context& context, const Draw& draw) {
     check_request(request);
     try {
         Session session(request.engine);
-        PictureResult result = draw_picture(request, session, context);
+        PictureResult result = draw(session);
         result.engine = session.engine().name();
         result.isa = engine_isa(request.engine);
         result.threads = context.threads();
@@ -144,6 +156,19 @@ PictureResult render_picture(const PictureRequest& request, Context& context) {
     } catch (const Error& error) {
         throw error.with_file(request.input);
     }
+}
+
+}  // namespace
+
+PictureResult render_picture(const PictureRequest& request, Context& context) {
+    return picture_by(request, context, [&](Session& session) { return draw_picture(request, session, context); });
+}
+
+PictureResult render_picture(const Scene& scene, const PictureRequest& request, Context& context) {
+    return picture_by(request, context, [&](Session& session) {
+        validate(scene);
+        return draw_picture(as_asked(scene, request, context), request, session, context);
+    });
 }
 
 }  // namespace rakelight

@@ -20,10 +20,11 @@ auto named(const std::string& path, const Step& step) {
     }
 }
 
-bool is_exr(const std::string& path) {
+/// With its dot, ASCII letters in lower case.
+std::string ending_of(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return ending == ".exr";
+    return ending;
 }
 
 io::ExrType type_of(const ChannelInfo& info, bool half) {
@@ -53,6 +54,15 @@ PixelFormat format_for(const std::string& output, bool transparent) {
         return PixelFormat{io::component_for(output) == Component::f32 ? Component::f32 : Component::u8,
                            transparent ? 4 : 3};
     });
+}
+
+bool is_exr(const std::string& path) { return ending_of(path) == ".exr"; }
+
+void check_alpha(const std::string& path, const PixelFormat& format) {
+    const std::string ending = ending_of(path);
+    if (format.channels == 4 && (ending == ".jpg" || ending == ".jpeg" || ending == ".hdr"))
+        throw Error(ErrorCode::usage, "this format has no alpha for a transparent background", {},
+                    "use .png, .webp or .exr");
 }
 
 std::unique_ptr<io::ImageWriter> make_color_writer(const io::OutputTarget& target, int width, int height,

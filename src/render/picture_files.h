@@ -17,6 +17,12 @@ namespace rakelight {
 /// Format of the color file for an output name: @throws Error usage for an unknown ending.
 PixelFormat format_for(const std::string& output, bool transparent);
 
+/// By the ending of its name.
+bool is_exr(const std::string& path);
+
+/// @throws Error usage: a transparent picture in a format without alpha
+void check_alpha(const std::string& path, const PixelFormat& format);
+
 /// Takes rows of convert_row(). @throws Error usage, failed
 std::unique_ptr<io::ImageWriter> make_color_writer(const io::OutputTarget& target, int width, int height,
                                                    PixelFormat format, bool half = false, io::ExrPlace place = {});

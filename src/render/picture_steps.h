@@ -16,7 +16,7 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
 
 /// What a picture is drawn of.
 struct ReadyScene {
-    std::shared_ptr<const PreparedScene> prepared;
+    std::shared_ptr<PreparedScene> prepared;
     Camera camera;
 };
 /// Chooses the camera, sets the lights and prepares. @param scene  of scene_of_request()
@@ -32,5 +32,7 @@ void draw_to_files(Session& session, const Camera& camera, const PictureRequest&
 
 /// Everything but the choice of the engine and the checks.
 PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context);
+/// @param loaded  as_asked()
+PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session& session, Context& context);
 
 }  // namespace rakelight

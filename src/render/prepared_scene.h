@@ -9,14 +9,19 @@ class PreparedScene {
 public:
     Scene scene;
     PrepareOptions options;  ///< that it was made with
+    /// The lights are those of the picture, none where it has none: the default rig does not come in.
+    bool has_chosen_lights = false;
 };
 
-/// `options`, with what the settings of a picture ask for.
-PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings);
+/// `options`, with what the settings of a picture of the scene ask for.
+PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings, const Scene& scene);
 
 /// The one way from a scene to what engines draw. @param scene  passed validate()
-std::shared_ptr<const PreparedScene> make_prepared(Scene scene, const PrepareOptions& options,
-                                                   const RenderSettings& settings, Context& context);
+std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& options, const RenderSettings& settings,
+                                             Context& context);
+
+/// Draws this scene from now on; its owner is the session, which hands it to the engine uncopied.
+void give(Session& session, std::shared_ptr<PreparedScene> scene);
 
 /// A camera of the scene, by its node or placed, as engines take it in a picture of that aspect.
 Camera camera_in_world(const Scene& scene, Camera camera, double aspect);

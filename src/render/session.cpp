@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include <rakelight/render.h>
 #include <rakelight/session.h>
 
@@ -24,19 +26,22 @@ bool are_prepared_alike(const Scene& a, const Scene& b) {
 
 }  // namespace
 
-PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings) {
+PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings, const Scene& scene) {
     options.all_tangents |= (settings.channels & channel_tangent) != 0;
     options.clockwise_fronts |= settings.front_face == FrontFace::clockwise;
     options.bump = settings.bump;
     options.displacement.is_on |= settings.bump == Bump::displacement;
-    options.displacement.relief = settings.relief;
+    const bool displaces = options.displacement.is_on || std::ranges::any_of(scene.materials, [](const Material& m) {
+                               return m.bump == Bump::displacement;
+                           });
+    if (displaces) options.displacement.relief = settings.relief;
     return options;
 }
 
-std::shared_ptr<const PreparedScene> make_prepared(Scene scene, const PrepareOptions& options,
-                                                   const RenderSettings& settings, Context& context) {
+std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& options, const RenderSettings& settings,
+                                             Context& context) {
     auto out = std::make_shared<PreparedScene>();
-    out->options = options_for(options, settings);
+    out->options = options_for(options, settings, scene);
     scene = with_height_maps(std::move(scene), settings, context);
     out->scene = valid::prepare_scene(std::move(scene), out->options, context);
     return out;
@@ -56,17 +61,22 @@ struct Session::State {
     std::unique_ptr<Engine> engine;
     Scene scene;             ///< as set; empty where a prepared one was
     PrepareOptions options;  ///< likewise
-    bool is_set = false;
-    bool is_fixed = false;                          ///< `prepared` was set, and is drawn as it is
-    bool is_given_away = false;                     ///< to the engine, by its last owner
-    std::shared_ptr<const PreparedScene> prepared;  ///< of `scene`; null: not made yet
-    std::shared_ptr<const PreparedScene> taken;     ///< what the engine has
+    /// Where pictures come from: nowhere, `scene`, a prepared one that is drawn as it is, or one that the session owns,
+    /// before and after the engine has got it.
+    enum class Source { none, scene, prepared, owned, given } source = Source::none;
+    std::shared_ptr<const PreparedScene> prepared;  ///< of `scene`, or as set; null: not made yet
+    std::shared_ptr<PreparedScene> owned;
+    std::shared_ptr<const PreparedScene> taken;  ///< what the engine has
 
+    void begin(Source from) { scene = {}, prepared.reset(), owned.reset(), source = from; }
+    const Scene& current() const;
+    void hand_over(Context& context);
     const Scene& take_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context);
 };
 
 Session::Session(const std::string& engine) : Session(make_engine(engine)) {}
 Session::Session(std::unique_ptr<Engine> engine) : state_(std::make_unique<State>()) {
+    if (!engine) throw Error(ErrorCode::usage, "a session needs an engine");
     state_->engine = std::move(engine);
 }
 Session::~Session() = default;
@@ -78,7 +88,8 @@ const Engine& Session::engine() const { return *state_->engine; }
 void Session::set(Scene scene, const PrepareOptions& options) {
     State& s = *state_;
     validate_changes(scene, s.scene);
-    const bool is_alike = s.prepared && !s.is_fixed && s.options == options && are_prepared_alike(scene, s.scene);
+    const bool is_alike =
+        s.source == State::Source::scene && s.prepared && s.options == options && are_prepared_alike(scene, s.scene);
     if (!is_alike) check_drawable(scene);
     std::shared_ptr<PreparedScene> next;
     if (is_alike) {
@@ -88,50 +99,76 @@ void Session::set(Scene scene, const PrepareOptions& options) {
         next->scene.fog = scene.fog;
         next->scene.environment = scene.environment;
     }
+    s.begin(State::Source::scene);
     s.scene = std::move(scene);
     s.options = options;
     s.prepared = std::move(next);
-    s.is_set = true, s.is_fixed = s.is_given_away = false;
 }
 
 void Session::set(std::shared_ptr<const PreparedScene> scene) {
     if (!scene) throw Error(ErrorCode::usage, "there is no prepared scene to draw");
-    State& s = *state_;
-    s.scene = {};
-    s.prepared = std::move(scene);
-    s.is_set = s.is_fixed = true, s.is_given_away = false;
+    state_->begin(State::Source::prepared);
+    state_->prepared = std::move(scene);
+}
+
+void give(Session& session, std::shared_ptr<PreparedScene> scene) {
+    session.state_->begin(Session::State::Source::owned);
+    session.state_->owned = std::move(scene);
+}
+
+/// What is drawn, before it is prepared where that is still to be done.
+const Scene& Session::State::current() const {
+    switch (source) {
+        case Source::none:
+            break;
+        case Source::scene:
+            return scene;
+        case Source::prepared:
+            return prepared->scene;
+        case Source::owned:
+            return owned->scene;
+        case Source::given:
+            return engine->scene();
+    }
+    throw Error(ErrorCode::usage, "the session has no scene");
 }
 
 std::shared_ptr<const PreparedScene> Session::prepared(const RenderSettings& settings, Context& context) {
     check_settings(settings);
     State& s = *state_;
-    if (!s.is_set) throw Error(ErrorCode::usage, "the session has no scene");
-    if (s.is_given_away) return std::make_shared<const PreparedScene>(PreparedScene{s.engine->scene(), {}});
-    if (s.is_fixed || (s.prepared && s.prepared->options == options_for(s.options, settings))) return s.prepared;
-    s.prepared = make_prepared(s.scene, s.options, settings, context);
+    const Scene& current = s.current();
+    if (s.source == State::Source::owned || s.source == State::Source::given)
+        return std::make_shared<const PreparedScene>(PreparedScene{current, {}, true});
+    const bool is_ready = s.source == State::Source::prepared ||
+                          (s.prepared && s.prepared->options == options_for(s.options, settings, s.scene));
+    if (!is_ready) s.prepared = make_prepared(s.scene, s.options, settings, context);
     return s.prepared;
 }
 
-/// The scene that the engine has now, with these lights.
+/// The scene that the session owns goes to the engine; where that fails there is none any more.
+void Session::State::hand_over(Context& context) {
+    const std::shared_ptr<PreparedScene> scene_to_give = std::move(owned);
+    begin(Source::none);
+    taken.reset();
+    engine->prepare(std::move(scene_to_give->scene), context);
+    source = Source::given;
+}
+
+/// The scene that the engine has now, with the lights of the picture.
 const Scene& Session::State::take_up(const RenderSettings& settings, const Camera& camera, Session& session,
                                      Context& context) {
-    if (is_given_away) return engine->scene();
+    if (source == Source::owned) hand_over(context);
+    if (source == Source::given) return engine->scene();
     const std::shared_ptr<const PreparedScene> ready = session.prepared(settings, context);
     const double aspect = double(settings.width) / double(settings.height);
-    std::vector<Light> lights = ready->scene.lights;
-    if (!is_fixed) lights = lights_of(ready->scene, camera_in_world(ready->scene, camera, aspect));
+    std::vector<Light> lights = ready->has_chosen_lights
+                                    ? ready->scene.lights
+                                    : lights_of(ready->scene, camera_in_world(ready->scene, camera, aspect));
     if (taken == ready) {
         if (lights != engine->scene().lights) engine->set_lights(std::move(lights));
         return engine->scene();
     }
-    taken.reset();                                // what fails leaves the engine with another scene, or none
-    if (is_fixed && prepared.use_count() == 2) {  // here and in `ready`: nobody else wants it, so it is not copied
-        Scene scene = std::move(const_cast<PreparedScene&>(*ready).scene);
-        prepared.reset();
-        is_given_away = true;
-        engine->prepare(std::move(scene), context);
-        return engine->scene();
-    }
+    taken.reset();  // what fails leaves the engine with another scene, or none
     Scene drawn = ready->scene;
     drawn.lights = std::move(lights);
     engine->prepare(std::move(drawn), context);
@@ -143,11 +180,7 @@ RenderStats Session::render(const Camera& camera, const RenderSettings& settings
     State& s = *state_;
     check_settings(settings);
     check_abilities(*s.engine, settings);
-    if (!s.is_set) throw Error(ErrorCode::usage, "the session has no scene");
-    const std::size_t nodes = s.is_given_away ? s.engine->scene().nodes.size()
-                              : s.is_fixed    ? s.prepared->scene.nodes.size()
-                                              : s.scene.nodes.size();
-    check_camera(camera, nodes, CameraUse::in_scene);
+    check_camera(camera, s.current().nodes.size(), CameraUse::in_scene);
     const Scene& scene = s.take_up(settings, camera, *this, context);
     const double aspect = double(settings.width) / double(settings.height);
     return s.engine->render(camera_in_world(scene, camera, aspect), settings, sink, context);

@@ -77,7 +77,7 @@ bool is_painted(const Scene& scene) {
 struct Reach {
     bool is_on = false;        ///< has any brightness at all
     bool ends_before = false;  ///< its range is shorter than the way to the model
-    bool is_cut = false;       ///< that range is the one of --light-cutoff
+    bool is_cut = false;       ///< that range is the one of PictureRequest::light_cutoff
     double at_most = 0;        ///< radiance of a white surface that it could make anywhere in the model's box
 };
 

@@ -5,6 +5,7 @@
 #include <rakelight/world.h>
 
 #include "engines/check_settings.h"
+#include "render/engines.h"
 #include "render/picture_steps.h"
 #include "scene/scene_tools.h"
 #include "shading/shadow_cameras.h"
@@ -16,7 +17,7 @@ namespace {
 
 std::string quoted(const std::string& name) { return "'" + one_line(name, 60) + "'"; }
 
-std::string said(const Light& light) {
+std::string text_of(const Light& light) {
     std::string text = light.units == LightUnits::photometric ? "photometric " : "";
     text += name_of(light.type);
     return light.name.empty() ? text : text + " " + quoted(light.name);
@@ -54,7 +55,7 @@ SceneSummary summarize(const Scene& scene) {
     out.skins = scene.skins.size();
     out.animations = scene.animations.size();
     for (const Camera& camera : scene.cameras) out.cameras.push_back(camera.name);
-    for (const Light& light : scene.lights) out.lights.push_back(said(light));
+    for (const Light& light : scene.lights) out.lights.push_back(text_of(light));
     out.has_fog = scene.fog.kind != FogKind::none;
     out.has_environment = scene.environment.has_value();
     return out;
@@ -62,6 +63,7 @@ SceneSummary summarize(const Scene& scene) {
 
 void check_picture(const Scene& scene, const PictureRequest& request, Context& context) {
     validate(scene);
+    check_engine_name(request.engine);
     check_settings(request.settings);
     Scene lit;  // without objects, of which there may be millions
     lit.lights = scene.lights, lit.environment = scene.environment;

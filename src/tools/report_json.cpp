@@ -40,8 +40,8 @@ Json remarks_json(const std::vector<ReportEntry>& remarks) {
 Json error_json(const Error& error) {
     return {{"code", name_of(error.code())}, {"exit_code", exit_code(error.code())},
             {"message", error.reason()},     {"setting", error.setting()},
-            {"file", error.file()},          {"place", error.place()},
-            {"advice", error.advice()}};
+            {"settings", error.related()},   {"file", error.file()},
+            {"place", error.place()},        {"advice", error.advice()}};
 }
 
 std::string json_text(const Json& whole, int spaces_a_level) {

@@ -54,6 +54,7 @@ std::uint32_t channels_by_name(std::string_view name) {
         if (name == c.word) return c.channel;
     if (name == "lighting") return channels_lighting;
     if (name == "all") return channels_all;
+    if (name == "none") return 0;
     std::string words;
     for (const ChannelInfo& c : channels) words += std::string(c.word) + ", ";
     throw Error(ErrorCode::usage, "unknown channel '" + one_line(std::string(name), 40) + "'", {},

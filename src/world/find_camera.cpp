@@ -31,7 +31,8 @@ std::size_t find_camera(const Scene& scene, const std::string& wanted) {
     }
     const std::string meant = nearest_word(wanted, names);
     throw Error(ErrorCode::usage, "there is no camera '" + one_line(wanted, 60) + "'", {},
-                meant.empty() ? list_of_cameras(scene) : "did you mean '" + one_line(meant, 60) + "'?");
+                meant.empty() ? list_of_cameras(scene) : "did you mean '" + one_line(meant, 60) + "'?")
+        .about("camera-index");
 }
 
 }  // namespace rakelight

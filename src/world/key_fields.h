@@ -25,6 +25,8 @@ std::string degrees_of_float(float radians);
 std::string text_of(dvec3 v);
 /// A display color: "#rrggbb" where that is the same color, else "r,g,b".
 std::string color_of(vec3 linear);
+/// "photometric-spot"
+const char* name_of(const Light& light);
 /// "point:0,2,3:color=1,0.9,0.8": what values::light() reads; and fog.
 std::string text_of(const Light& light);
 std::string text_of(const Fog& fog);

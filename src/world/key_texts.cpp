@@ -41,14 +41,6 @@ void add(std::string& text, const char* name, const std::string& value) {
     text += std::string(":") + name + "=" + value;
 }
 
-const char* name_of(const Light& light) {
-    if (light.type == LightType::ambient) return "ambient";
-    const bool is_classical = light.units == LightUnits::classical;
-    if (light.type == LightType::directional) return is_classical ? "directional" : "photometric-directional";
-    if (light.type == LightType::spot) return is_classical ? "spot" : "photometric-spot";
-    return is_classical ? "point" : "photometric-point";
-}
-
 void add_classical(const Light& l, std::string& text) {
     const Light plain;
     if (l.diffuse != plain.diffuse) add(text, "color", text_of(l.diffuse));
@@ -72,6 +64,14 @@ void add_photometric(const Light& l, std::string& text) {
 }
 
 }  // namespace
+
+const char* name_of(const Light& light) {
+    if (light.type == LightType::ambient) return "ambient";
+    const bool is_classical = light.units == LightUnits::classical;
+    if (light.type == LightType::directional) return is_classical ? "directional" : "photometric-directional";
+    if (light.type == LightType::spot) return is_classical ? "spot" : "photometric-spot";
+    return is_classical ? "point" : "photometric-point";
+}
 
 const PictureRequest& defaults() {
     static const PictureRequest plain;

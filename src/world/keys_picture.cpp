@@ -154,7 +154,7 @@ constexpr RenderKey table[] = {
     RL_WORD_KEY("cull", r.settings.cull, cull_words),
     RL_WORD_KEY("visibility", r.settings.visibility, visibility_words),
     RL_WORD_KEY("interpolation", r.settings.interpolation, interpolation_words),
-    RL_KEY("edges", flag, r.settings.edges, r.settings.edges || w[0] == "on", {"on"}),
+    RL_KEY("edges", flag, r.settings.edges, w[0] == "on", {"on"}),
     {"wireframe", Kind::flag, read_wireframe,
      [](const PictureRequest& r) -> Written {
          return !r.settings.surfaces && r.settings.edges ? Written{"on"} : Written{};

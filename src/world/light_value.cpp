@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// --light.
+// Lights as people write them.
 #include <rakelight/tools/values.h>
 
 #include <algorithm>

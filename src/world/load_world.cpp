@@ -62,7 +62,7 @@ Error at_place(const Error& error, const std::string& name, WorldPlace place) {
     const std::string file = error.file().empty() ? "" : "'" + one_line(name, 80) + "': ";
     const std::string inner = error.place().empty() ? "" : error.place() + ": ";
     const ErrorCode code = error.code() == ErrorCode::usage ? ErrorCode::bad_file : error.code();  // words of the file
-    return Error(code, file + inner + error.reason(), to_text(place), error.advice());
+    return Error(code, file + inner + error.reason(), to_text(place), error.advice()).naming(error.related());
 }
 
 /// Warns of names that stand twice where a name is what one asks by. Shapes without a name have their type's.
@@ -217,7 +217,7 @@ private:
         try {
             find_camera(scene_, value.words[0]);
         } catch (const Error& error) {
-            throw Error(ErrorCode::bad_file, error.reason(), to_text(value.place), error.advice());
+            throw error.as(ErrorCode::bad_file).at(to_text(value.place));
         }
     }
 

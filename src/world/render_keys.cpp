@@ -37,12 +37,6 @@ private:
         .about(one, {other});
 }
 
-bool is_exr(const std::string& file) {
-    std::string ending = std::filesystem::path(file).extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return ending == ".exr";
-}
-
 void check_picture(const PictureRequest& r, const Given& given) {
     const RenderSettings& s = r.settings;
     const Window& w = s.window;
@@ -57,11 +51,6 @@ void check_picture(const PictureRequest& r, const Given& given) {
     if (given.has("channel-files") && s.channels == 0)
         throw Error(ErrorCode::usage, "says how data channels are written, but 'channels' asks for none")
             .about("channel-files", {"channels"});
-    const bool has_exr_channels = s.channels != 0 && (r.channel_files & ~std::uint32_t(channel_files_png)) != 0;
-    if (given.has("exr-colors") && !has_exr_channels && !is_exr(r.output))
-        throw Error(ErrorCode::usage, "is about EXR files, but none is written", {},
-                    "let the output end in .exr, or ask for data channels")
-            .about("exr-colors", {"channels"});
 }
 
 void check_view(const PictureRequest& r, const Given& given) {
@@ -80,13 +69,16 @@ void check_subdivision(const Given& given) {
             .about(how, {"subdivide"});
 }
 
-void check_known(const WorldValue& value) {
-    if (find_render_key(value.key)) return;
-    std::vector<std::string_view> names;
-    for (const RenderKey& key : render_keys()) names.emplace_back(key.name);
-    const std::string near = nearest_word(value.key, names);
-    throw Error(ErrorCode::usage, "there is no setting '" + one_line(value.key, 40) + "'", {},
-                near.empty() ? "" : "did you mean '" + near + "'?");
+void check_flag(const RenderKey& key, const WorldValue& value) {
+    const bool is_flag = key.kind == RenderKey::Kind::flag;
+    if (is_flag && value.words != std::vector<std::string>{"on"} && value.words != std::vector<std::string>{"off"})
+        throw values::wrong(key.name, "must be on or off");
+}
+
+void check_once(std::span<const WorldValue> values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (values[i].key == values[k].key) throw values::wrong(values[i].key, "is given more than once");
 }
 
 /// A list of a world file as the command line has it: "1280,720".
@@ -109,12 +101,23 @@ const RenderKey* find_render_key(std::string_view name) {
     return found == render_keys().end() ? nullptr : &*found;
 }
 
+const RenderKey& require_render_key(const std::string& name) {
+    if (const RenderKey* const key = find_render_key(name)) return *key;
+    std::vector<std::string_view> names;
+    for (const RenderKey& key : render_keys()) names.emplace_back(key.name);
+    const std::string nearest = nearest_word(name, names);
+    throw Error(ErrorCode::usage, "unknown key '" + one_line(name, 40) + "' in [render]", {},
+                nearest.empty() ? "" : "did you mean '" + nearest + "'?");
+}
+
 void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
-    for (const WorldValue& value : values) check_known(value);
+    for (const WorldValue& value : values) require_render_key(value.key);
+    check_once(values);
     for (const RenderKey& key : render_keys())
         for (const WorldValue& value : values) {
             if (value.key != key.name) continue;
             if (value.words.empty()) throw values::wrong(key.name, "a value is needed");
+            check_flag(key, value);
             const std::string one = joined(value.words);
             key.read(to, key.kind == RenderKey::Kind::list ? value.words : std::span(&one, 1));
         }
@@ -124,6 +127,33 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
     check_subdivision(given);
 }
 
+namespace {
+
+/// What no key has is left out of a comparison: files and what words round.
+PictureRequest comparable(PictureRequest r) {
+    r.input.clear(), r.output.clear(), r.load = {};
+    for (vec4* const color : {&r.settings.background, &r.settings.line_color})
+        if (color->w == 0 || color->w == 1) *color = {0, 0, 0, color->w};
+    if (r.materials.color) r.materials.color = vec3{};
+    if (r.fog) r.fog->color = {};
+    for (WorldValue& value : r.materials.values) value = {.key = value.key, .words = value.words};
+    if (r.lights)
+        for (Light& light : *r.lights) {
+            light.name.clear();
+            if (light.type != LightType::point && light.type != LightType::ambient) light.direction = {};
+        }
+    return r;
+}
+
+void check_written(const std::vector<WorldValue>& values, const PictureRequest& of) {
+    PictureRequest back;
+    read_render_keys(values, back);
+    if (!(comparable(back) == comparable(of)))
+        throw Error(ErrorCode::usage, "the request asks for something that no key of [render] says");
+}
+
+}  // namespace
+
 std::vector<WorldValue> written_render_keys(const PictureRequest& of) {
     std::vector<WorldValue> values;
     for (const RenderKey& key : render_keys())
@@ -132,6 +162,7 @@ std::vector<WorldValue> written_render_keys(const PictureRequest& of) {
             value.is_array = key.kind == RenderKey::Kind::list;
             values.push_back(std::move(value));
         }
+    check_written(values, of);
     return values;
 }
 

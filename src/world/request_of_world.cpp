@@ -4,7 +4,6 @@
 #include <optional>
 
 #include <rakelight/request.h>
-#include <rakelight/tools/words.h>
 
 namespace rakelight {
 namespace {
@@ -32,17 +31,12 @@ void resolve(WorldValue& value, const std::string& world, bool allow_outside) {
 }
 
 const RenderKey& known(const WorldValue& value) {
-    if (value.key == "material")
-        throw Error(ErrorCode::bad_file, "'material' is no key of [render]", {}, "[[material]] changes materials");
-    if (const RenderKey* const key = find_render_key(value.key)) return *key;
-    std::vector<std::string_view> names;
-    for (const RenderKey& key : render_keys()) names.emplace_back(key.name);
-    const std::string nearest = nearest_word(value.key, names);
-    throw Error(ErrorCode::bad_file, "unknown key '" + one_line(value.key, 40) + "' in [render]", {},
-                nearest.empty() ? "" : "did you mean '" + nearest + "'?");
+    if (value.key != "material") return require_render_key(value.key);
+    throw Error(ErrorCode::bad_file, "'material' is no key of [render]", {}, "[[material]] changes materials");
 }
 
-void check(const WorldValue& value, const RenderKey& key) {
+/// In a file flags are no words.
+void check_flag(const WorldValue& value, const RenderKey& key) {
     const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
     if (is_flag && value.words != std::vector<std::string>{"on"} && value.words != std::vector<std::string>{"off"})
         throw Error(ErrorCode::bad_file, "'" + value.key + "' must be true or false");
@@ -60,11 +54,12 @@ public:
             const RenderKey& key = known(value);
             if (is_overridden(overrides_.values, value.key)) return overridden.push_back(value.key);
             if (!is_wanted) return;
-            check(value, key);
+            check_flag(value, key);
             if (key.kind == RenderKey::Kind::file) resolve(value, path_, allow_outside_);
             taken.push_back(std::move(value));
         } catch (const Error& error) {
-            throw Error(error.code(), error.reason(), to_text(value.place), error.advice()).with_file(path_);
+            const ErrorCode code = error.code() == ErrorCode::usage ? ErrorCode::bad_file : error.code();
+            throw error.as(code).at(to_text(value.place)).about(value.key, error.related()).with_file(path_);
         }
     }
 
@@ -111,9 +106,7 @@ bool shades_the_whole(std::span<const WorldValue> settings) {
 Error at_world_value(const Error& error, const WorldRequest& world) {
     for (const std::string& setting : settings_of(error))
         if (const auto value = std::ranges::find(world.taken, setting, &WorldValue::key); value != world.taken.end())
-            return Error(ErrorCode::bad_file, error.reason(), to_text(value->place), error.advice())
-                .about(error.setting(), error.related())
-                .with_file(world.picture.input);
+            return error.as(ErrorCode::bad_file).at(to_text(value->place)).with_file(world.picture.input);
     return error;
 }
 

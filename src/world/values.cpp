@@ -22,6 +22,18 @@ bool parse(std::string_view text, T& value) {
 
 }  // namespace
 
+std::size_t word_number(const std::string& setting, std::string_view text, std::span<const char* const> names) {
+    std::string all;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (text == names[i]) return i;
+        all += (i > 0 ? ", " : "") + std::string(names[i]);
+    }
+    if (is_number(text)) throw wrong(setting, "'" + one_line(std::string(text), 40) + "' is not one of " + all);
+    const std::string nearest = nearest_word(text, {names.begin(), names.end()});
+    throw wrong(setting, "unknown word '" + one_line(std::string(text), 40) + "'",
+                (nearest.empty() ? "" : "did you mean '" + nearest + "'? ") + "use one of: " + all);
+}
+
 Error wrong(const std::string& setting, std::string reason, std::string advice) {
     return Error(ErrorCode::usage, std::move(reason), {}, std::move(advice)).about(setting);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands all around a picture's scene: the file's own, or what the caller asked for.
+// The environment of a picture's scene.
 #include "io/file.h"
 #include "io/image_io.h"
 #include "world/scene_of_request.h"

@@ -144,7 +144,8 @@ std::string checked_picture(const std::string& path, const std::string& name, Wo
         if (size) *size = {pixels.width, pixels.height};
         return file;
     } catch (const Error& error) {
-        throw Error(error.code(), "'" + one_line(name, 80) + "': " + error.reason(), to_text(place), error.advice());
+        throw Error(error.code(), "'" + one_line(name, 80) + "': " + error.reason(), to_text(place), error.advice())
+            .naming(error.related());
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <rakelight/linear.h>
 
+#include "base/enumerators.h"
 #include "io/beside.h"
 #include "io/world/material_keys.h"
 #include "world/key_fields.h"
@@ -131,12 +132,6 @@ void write_primitive(Writer& to, const WorldPrimitive& shape) {
     to.put_number("objects", shape.objects, 1);
 }
 
-std::string type_of(const Light& light) {
-    const bool is_photometric = light.units == LightUnits::photometric;
-    const char* const names[] = {"ambient", "directional", "point", "spot"};
-    return (is_photometric ? "photometric-" : "") + std::string(names[std::size_t(light.type)]);
-}
-
 void write_classical(Writer& to, const Light& light) {
     if (light.type == LightType::ambient) return to.put("ambient", array_of(light.ambient));
     to.put_color("ambient", light.ambient, {0, 0, 0});
@@ -162,7 +157,7 @@ void write_light(Writer& to, const Light& light) {
     if (light.node != no_index) refuse("light", light.name, "it hangs on a node");
     const bool is_spot = light.type == LightType::spot, is_placed = is_spot || light.type == LightType::point;
     to.section("[[light]]");
-    to.put_text("type", type_of(light));
+    to.put_text("type", keys::name_of(light));
     to.put_text("name", light.name);
     if (is_placed) to.put("position", array_of(light.position));
     if (is_spot || light.type == LightType::directional) to.put("direction", array_of(light.direction));
@@ -246,13 +241,42 @@ void write_render(Writer& to, const std::vector<WorldValue>& values) {
         std::vector<std::string> items;
         for (const std::string& word : value.words)
             items.push_back(is_flag && (word == "on" || word == "off") ? flag(word == "on") : bare_or_quoted(word));
-        to.put(value.key, value.is_array ? array_of(items) : items.at(0));
+        to.put(value.key, value.is_array || items.size() != 1 ? array_of(items) : items[0]);
     }
+}
+
+void check(const WorldMaterial& material) {
+    for (const WorldValue& value : material.values)
+        if (!io::world::find_material_key(value.key) || (value.words.empty() && value.numbers.empty()))
+            refuse("material", material.name, "it has no '" + one_line(value.key, 40) + "'");
+}
+
+/// What the sections below cannot say.
+void check(const WorldFile& world) {
+    const auto check_shading = [](const auto& part) {
+        if (part.shading && !exists(*part.shading, Shading::automatic))
+            refuse("part", part.name, no_such("shading", *part.shading));
+    };
+    std::ranges::for_each(world.models, check_shading);
+    std::ranges::for_each(world.primitives, check_shading);
+    for (const WorldMaterial& material : world.materials) check(material);
+    for (const Light& light : world.lights)
+        if (!exists(light.type, LightType::spot) || !exists(light.units, LightUnits::photometric))
+            refuse("light", light.name, "there is no such type");
+    if (world.fog && !exists(world.fog->kind, FogKind::exponential_squared))
+        throw Error(ErrorCode::usage, no_such("kind of fog", world.fog->kind));
+    if (world.environment && world.environment->file.empty() && world.environment->environment.image)
+        throw Error(ErrorCode::usage, "the environment's picture is no file that a world file could name");
+    if (std::ranges::find(world.render, "material", &WorldValue::key) != world.render.end())
+        throw Error(ErrorCode::usage, "'material' is no key of [render]", {}, "WorldFile::materials says it");
+    PictureRequest ignored;
+    read_render_keys(world.render, ignored);
 }
 
 }  // namespace
 
 std::string to_toml(const WorldFile& world) {
+    check(world);
     Writer to;
     for (const WorldModel& model : world.models) write_model(to, model);
     for (const WorldPrimitive& shape : world.primitives) write_primitive(to, shape);

@@ -203,10 +203,12 @@ class Cli(program.Case):
         render = ("render", "a.obj", "-o", "a.png")
         self.check_refused(self.run_program(*render, "--resolution", "8,8", "--resolution=9,9"), 2, "--resolution is given more than once")
         self.check_refused(self.run_program(*render, "-o", "b.png"), 2, "--output is given more than once")
-        for flag in ("--edges=5", "--edges=true", "--json=x", "--wireframe=0"):
+        for flag in ("--json=x", "--quiet=true"):
             with self.subTest(flag=flag):
                 name, value = flag.split("=")
                 self.check_refused(self.run_program(*render, flag), 2, f"{name} takes no value, but is given '{value}'")
+        for switch in ("--edges=5", "--wireframe=0", "--camera-orthographic=yes"):
+            self.check_refused(self.run_program(*render, switch), 2, switch.split("=")[0] + ": must be on or off")
         self.assertEqual(self.files(), ["a.obj"])
 
     def test_a_small_measurement_has_as_many_objects_as_its_triangles_allow(self):

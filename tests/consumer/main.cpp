@@ -29,6 +29,17 @@ int main() {
     request.settings.height = 48;
     const PictureResult result = render_picture(request, context);
     if (result.width != 64 || result.stats.pixels_covered == 0) return std::puts("empty picture"), 1;
+    // As the README has it, with warnings as errors.
+    Scene scene = load("builtin:teapot", {}, context);
+    scene = smooth(scene, {.scope = Scope::model}, context);
+    scene.lights.push_back({.type = LightType::point, .position = {0, 3, 4}, .diffuse = {1, 0.9f, 0.8f}});
+    Session session;
+    session.set(scene);
+    const Camera camera = choose_camera(scene, {.side = "isometric"}, 4.0 / 3, context);
+    Frame frame;
+    session.render(camera, {.width = 64, .height = 48, .samples = 4}, frame, context);
+    if (encode(frame, ".png").empty() || to_srgb8(frame).size() != 64 * 48) return std::puts("no picture"), 1;
+
     if (build_info().version != RAKELIGHT_VERSION) return std::puts("header and library differ"), 1;
     std::puts("ok");
     return 0;

@@ -30,7 +30,7 @@ struct SmoothBenchOptions {
 
 /// One thing measured. Times are wall clock; repetitions of all rows are interleaved.
 struct BenchRow {
-    std::string what;
+    std::string what{};
     int threads = 1;
     double ns_per_triangle = 0;  ///< median over the repetitions
     double fastest_ns = 0, slowest_ns = 0;
@@ -44,10 +44,10 @@ struct BenchRow {
 struct SmoothBenchReport {
     std::uint64_t triangles = 0, vertices = 0;
     std::uint32_t objects = 0;
-    std::string order, isa;
+    std::string order{}, isa{};
     double copy_gb_per_s = 0;  ///< bytes read plus bytes written by memcpy on all threads
     bool huge_pages = false;   ///< asked for (madvise) for buffers and scratch
-    std::vector<BenchRow> rows;
+    std::vector<BenchRow> rows{};
 };
 
 /// Makes the model and measures: the plain loop (one thread, objects apart, face normals summed per vertex and
@@ -63,23 +63,23 @@ std::string to_text(const SmoothBenchReport& report);
 
 /// What to draw, how, and how often.
 struct RenderBenchOptions {
-    std::string scene;  ///< model file or "builtin:teapot"; empty: the built-in scene of the three numbers below
-    LoadOptions load;
+    std::string scene{};  ///< model file or "builtin:teapot"; empty: the built-in scene of the three numbers below
+    LoadOptions load{};
     std::uint64_t triangles = 100'000;  ///< about; 100 to 10^8
     std::uint32_t objects = 100;        ///< 1 to 100 000, at most one for each 20 triangles
     std::uint32_t lights = 2;  ///< 0 to 8 point lights that reach everywhere; 9 to 10 000 small ones of a range of 1 m
-    std::vector<std::uint32_t> other_lights;      ///< of the built-in scene: also with so many, pictures interleaved
+    std::vector<std::uint32_t> other_lights{};    ///< of the built-in scene: also with so many, pictures interleaved
     std::vector<std::string> engines = {"soft"};  ///< see make_engine(); each once or more often
     std::uint32_t frames = 15;  ///< counted pictures of each engine, 1 to 10 000, after one that is not counted
     RenderSettings settings = full_hd();  ///< of the built-in scene back faces are culled unless it says else
     /// Its materials, normals, view, lights, surroundings and tone, as a picture of the scene would have
     /// them. Input, load options, settings and output are those of here.
-    PictureRequest picture;
-    std::string output;       ///< picture file for what the first engine drew; empty: none
-    std::string export_file;  ///< .glb file for the scene; empty: none
+    PictureRequest picture{};
+    std::string output{};       ///< picture file for what the first engine drew; empty: none
+    std::string export_file{};  ///< .glb file for the scene; empty: none
 
     static RenderSettings full_hd() {
-        RenderSettings settings;
+        RenderSettings settings{};
         settings.width = 1920;
         settings.height = 1080;
         return settings;
@@ -88,7 +88,7 @@ struct RenderBenchOptions {
 
 /// One engine's pictures. Times are wall clock; pictures of all engines are interleaved.
 struct RenderBenchRow {
-    std::string engine, isa;
+    std::string engine{}, isa{};
     int threads = 0;
     std::uint32_t lights = 0;
     double median_ms = 0, fastest_ms = 0, slowest_ms = 0;  ///< from vertices to 8-bit display values
@@ -97,17 +97,17 @@ struct RenderBenchRow {
     double prepare_ms = 0;  ///< taking up the scene, once: mip chains and the like
     double mtri_per_s = 0;  ///< million triangles of the scene a second, by the median
     double mpix_per_s = 0;  ///< million shaded pixels a second, by the median
-    StageTimes stages;      ///< medians [s], each for itself
-    RenderStats stats;      ///< of the last picture
+    StageTimes stages{};    ///< medians [s], each for itself
+    RenderStats stats{};    ///< of the last picture
 };
 
 struct RenderBenchReport {
-    std::string scene;
+    std::string scene{};
     std::uint64_t triangles = 0, vertices = 0;
     std::uint32_t objects = 0, lights = 0;
     int width = 0, height = 0;
     std::uint32_t frames = 0;
-    std::vector<RenderBenchRow> rows;
+    std::vector<RenderBenchRow> rows{};
 };
 
 /// Draws the scene again and again, through its first camera or one fitted to it unless `picture` says else, into

@@ -18,9 +18,9 @@ struct SceneSummary {
     bool is_world = false;
     std::uint64_t objects = 0, meshes = 0, triangles = 0;  ///< objects and triangles: instances counted each time
     std::uint64_t materials = 0, textures = 0, skins = 0, animations = 0;
-    std::vector<std::string> parts;    ///< of a world: names of its models and primitives
-    std::vector<std::string> cameras;  ///< names, by number
-    std::vector<std::string> lights;   ///< "photometric point 'lamp'", "ambient"
+    std::vector<std::string> parts{};    ///< of a world: names of its models and primitives
+    std::vector<std::string> cameras{};  ///< names, by number
+    std::vector<std::string> lights{};   ///< "photometric point 'lamp'", "ambient"
     bool has_fog = false, has_environment = false;
 };
 

@@ -22,40 +22,40 @@ namespace rakelight {
 
 /// What rows of all kinds have.
 struct ReportRow {
-    std::vector<ReportEntry> remarks;
+    std::vector<ReportEntry> remarks{};
     std::uint64_t remarks_left_out = 0;
-    std::optional<Error> error;
+    std::optional<Error> error{};
 };
 
 struct PictureRow : ReportRow {
-    PictureResult result;  ///< at least `file` and `output`
+    PictureResult result{};  ///< at least `file` and `output`
 };
 
 struct CheckRow : ReportRow {
-    std::string file;
-    std::optional<SceneSummary> summary;
+    std::string file{};
+    std::optional<SceneSummary> summary{};
 };
 
 struct InspectionRow : ReportRow {
-    std::string file;
-    std::optional<Inspection> inspection;
-    std::optional<std::vector<CheckFailure>> check;  ///< when limits were checked
-    std::string heat_map;                            ///< the picture that was written, or empty
+    std::string file{};
+    std::optional<Inspection> inspection{};
+    std::optional<std::vector<CheckFailure>> check{};  ///< when limits were checked
+    std::string heat_map{};                            ///< the picture that was written, or empty
 };
 
 struct ExplainRow : ReportRow {
-    std::string file;
+    std::string file{};
     int x = 0, y = 0;
-    std::shared_ptr<const ExplainedPixel> pixel;
+    std::shared_ptr<const ExplainedPixel> pixel{};
 };
 
 struct StagesRow : ReportRow {
-    StagesResult result;  ///< at least `file` and `folder`
+    StagesResult result{};  ///< at least `file` and `folder`
 };
 
 struct SmoothedFileRow : ReportRow {
-    std::string file;
-    std::optional<SmoothedFile> result;
+    std::string file{};
+    std::optional<SmoothedFile> result{};
 };
 
 /// {"schema": "rakelight.render/1", "rows": [...]}

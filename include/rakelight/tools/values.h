@@ -55,20 +55,15 @@ bool switched(const std::string& setting, std::string_view text);
 /// Whether a text is meant as a number, for which no word is near.
 bool is_number(std::string_view text);
 
+/// Which of some words a text is. @throws Error usage with the nearest, and all of them
+std::size_t word_number(const std::string& setting, std::string_view text, std::span<const char* const> names);
+
 /// The value of a word out of a fixed list.
 template <class T>
 T word(const std::string& setting, std::string_view text, std::span<const Word<T>> words) {
-    std::string all;
-    std::vector<std::string_view> names;
-    for (const auto& [name, value] : words) {
-        if (text == name) return value;
-        all += (all.empty() ? "" : ", ") + std::string(name);
-        names.push_back(name);
-    }
-    if (is_number(text)) throw wrong(setting, "'" + one_line(std::string(text), 40) + "' is not one of " + all);
-    const std::string near = nearest_word(text, names);
-    throw wrong(setting, "unknown word '" + one_line(std::string(text), 40) + "'",
-                (near.empty() ? "" : "did you mean '" + near + "'? ") + "use one of: " + all);
+    std::vector<const char*> names;
+    for (const Word<T>& word : words) names.push_back(word.name);
+    return words[word_number(setting, text, names)].value;
 }
 template <class T, std::size_t n>
 T word(const std::string& setting, std::string_view text, const Word<T> (&words)[n]) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words by which people name choices, on the command line and in world files.
+// The words by which people name choices, in settings and in world files.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -13,7 +13,7 @@ namespace rakelight {
 template <class T>
 struct Word {
     const char* name;
-    T value;
+    T value{};
 };
 
 inline constexpr Word<Lighting> lighting_words[] = {

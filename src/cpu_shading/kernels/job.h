@@ -21,6 +21,7 @@ enum class Models { classical, pbr, every };
 
 /// All that a job can ask for.
 struct EveryMaterial {
+    using UnderLight = EveryMaterial;  ///< the kind whose code finds one light's terms: kinds that do so alike share it
     static constexpr Models models = Models::every;
     static constexpr bool has_bump_choices =
         true;                                 ///< relief, tangent spaces, bumps on some terms, other readings of maps
@@ -32,6 +33,7 @@ struct EveryMaterial {
 
 /// Lambert, Phong and Blinn-Phong with textures and normal maps.
 struct ClassicalMaterial {
+    using UnderLight = ClassicalMaterial;
     static constexpr Models models = Models::classical;
     static constexpr bool has_bump_choices = false, has_layers = false, has_environment = false, has_fog = false;
     static constexpr TexelFormats formats = TexelFormats::codes;
@@ -39,6 +41,7 @@ struct ClassicalMaterial {
 
 /// GGX with textures and normal maps: glTF's own material.
 struct PbrMaterial {
+    using UnderLight = PbrMaterial;
     static constexpr Models models = Models::pbr;
     static constexpr bool has_bump_choices = false, has_layers = false, has_environment = false, has_fog = false;
     static constexpr TexelFormats formats = TexelFormats::codes;

@@ -215,13 +215,14 @@ template <class Kind, int32_t most, class Source, class Seen, class Add>
 inline void for_each_light(const Job<Kind>& job, const Source& source, const Points<Kind, most>& b, const Seen& seen,
                            const Add& add) {
     const lit::MaterialTraits traits = job.traits();
+    const Job<typename Kind::UnderLight> under_light{job.of};
     lit::LightSample light[most];
     for (int32_t i = 0; i < job.of.light_count; ++i) {
         for (int32_t k = 0; k < b.count; ++k) light[k] = sample_light_at(job, source, b.of[k], k, i);
         for (int32_t k = 0; k < b.count; ++k) {
             if (Kind::models != Models::classical && no_lane(light[k].attenuation > real(0.0f))) continue;
             const real part = seen_of(job, b.of[k], k, i, light[k], seen);
-            add(k, i, material_terms(job, b.of[k].surface, light[k], part, traits));
+            add(k, i, material_terms(under_light, b.of[k].surface, light[k], part, traits));
         }
     }
 }

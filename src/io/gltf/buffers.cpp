@@ -48,7 +48,7 @@ std::string resolve_uri(const Document& document, const std::string& uri, const 
         std::string literal = resolve_reference(document.path(), uri, document.options().allow_outside);
         return is_regular_file(literal) ? literal : path;
     } catch (const Error& error) {
-        throw Error(error.code(), error.reason(), from.place(), error.advice());
+        throw error.at(from.place());
     }
 }
 

@@ -14,8 +14,9 @@
 namespace rakelight::io {
 
 TemporaryFile::TemporaryFile(const std::string& name, std::span<const std::byte> bytes) {
-    std::error_code ignored;
-    folder_ = (std::filesystem::temp_directory_path(ignored) / "rakelight-XXXXXX").string();
+    std::error_code fault, ignored;
+    folder_ = (std::filesystem::temp_directory_path(fault) / "rakelight-XXXXXX").string();
+    if (fault) throw Error(ErrorCode::failed, "there is no folder for temporary files: " + fault.message());
     if (::mkdtemp(folder_.data()) == nullptr)
         throw Error(ErrorCode::failed, "no temporary folder can be made: " + system_message(errno));
     path_ = folder_ + "/" + name;

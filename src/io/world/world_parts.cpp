@@ -18,7 +18,7 @@ WorldPlacement read_placement(const SectionValues& v) {
     return placement;
 }
 
-/// As `--subdivide` and its companions have it.
+/// As `subdivide` of [render] and its companions have it.
 std::optional<Subdivision> read_subdivision(const SectionValues& v) {
     Subdivision s;
     if (v.has("subdivide_edge")) s.edge = v.number("subdivide_edge", 0), s.level = 8;

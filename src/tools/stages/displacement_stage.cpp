@@ -152,7 +152,7 @@ private:
     }
 
     void compare(const Scene& flat) {
-        const Displacement& options = options_for(fine_request_.prepare, fine_request_.settings).displacement;
+        const Displacement& options = options_for(fine_request_.prepare, fine_request_.settings, scene_).displacement;
         for (const shading::Draw& draw : of_.engine.list().draws) {
             const Mesh& fine = scene_.meshes[draw.mesh];
             const Mesh& coarse = same_place(scene_of(*base_.prepared), scene_, draw);
@@ -267,7 +267,8 @@ private:
 }  // namespace
 
 bool has_displacement(const Sources& of, const PictureRequest& request) {
-    return wants_displacement(of.engine.list().scene, options_for(request.prepare, request.settings).displacement);
+    const Scene& scene = of.engine.list().scene;
+    return wants_displacement(scene, options_for(request.prepare, request.settings, scene).displacement);
 }
 
 Stage displacement_stage(const Sources& of, const Scene& loaded, const PictureRequest& request, Context& context) {

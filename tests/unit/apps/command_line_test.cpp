@@ -17,7 +17,10 @@ using test::error_of;
 std::vector<Command> commands() {
     const Option output = {
         .name = "output", .group = "Output", .type = "FILE", .help = "Where", .is_required = true, .letter = 'o'};
-    return {{"draw", "Draws", "Behind the options.", {{"MODEL", "Models"}},
+    return {{"draw",
+             "Draws",
+             "Behind the options.",
+             {{"MODEL", "Models"}},
              joined({{output}, picture_options(), common_options()})},
             {"weigh", "Weighs", nullptr, {{"WHAT", "What", true, false}, {"WHERE", "Where", false, false}}, {}}};
 }
@@ -66,7 +69,7 @@ TEST(CommandLine, ASwitchStandsAloneOrWithOnOrOffBehindIt) {
         const CommandLine line = read(words);
         return line.given.word("shadows") + " " + std::to_string(line.positionals.size());
     };
-    EXPECT_EQ(shadows({"--shadows", "a.glb"}), "true 1");
+    EXPECT_EQ(shadows({"--shadows", "a.glb"}), "on 1");
     EXPECT_EQ(shadows({"--shadows", "off", "a.glb"}), "off 1");
     EXPECT_EQ(shadows({"a.glb", "--shadows=on"}), "on 1");
     EXPECT_EQ(refused({"draw", "-o", "x", "a.glb", "--shadows", "maybe"}),
@@ -85,7 +88,7 @@ TEST(CommandLine, MistakesAreSaidInOneLine) {
               "unknown option '--sampels'; did you mean --samples? see tool draw --help");
     EXPECT_EQ(refused({"draw", "a", "-o", "b", "--samples=4", "--samples=8"}),
               "--samples is given more than once; see tool draw --help");
-    EXPECT_EQ(refused({"draw", "a", "-o", "b", "--edges=5"}), "--edges takes no value, but is given '5'");
+    EXPECT_EQ(refused({"draw", "a", "-o", "b", "--json=5"}), "--json takes no value, but is given '5'");
     EXPECT_EQ(refused({"draw", "a", "-o", "b", "--view", ""}), "--view: the value is empty");
     EXPECT_EQ(refused({"draw", "a", "-o", "b", "--view="}), "--view=: the value is empty");
     EXPECT_EQ(refused({"draw", "", "-o", "b"}), "the name of a model is empty");

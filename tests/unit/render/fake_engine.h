@@ -14,7 +14,10 @@ public:
     std::string name() const override { return "fake"; }
     EngineAbilities abilities() const override { return can; }
     void set_lights(std::vector<Light> lights) override { prepared.lights = std::move(lights), ++lights_set; }
-    void prepare(Scene scene, Context&) override { prepared = std::move(scene), ++times_prepared; }
+    void prepare(Scene scene, Context&) override {
+        if (fails) throw Error(ErrorCode::failed, "it fails");
+        prepared = std::move(scene), ++times_prepared;
+    }
     const Scene& scene() const override { return prepared; }
 
     RenderStats render(const Camera& c, const RenderSettings& s, Sink& sink, Context& context) override {
@@ -59,7 +62,7 @@ public:
     Camera camera;
     std::vector<Window> windows;
     std::vector<int> strips;  ///< rows of each
-    bool covered = true;
+    bool covered = true, fails = false;
 
 private:
     static void deliver(Window area, const RenderSettings& s, Sink& sink) {

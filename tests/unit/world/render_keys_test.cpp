@@ -2,6 +2,11 @@
 // Keys of [render] read and write the same fields.
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <memory>
+
+#include <cmath>
+
 #include <map>
 
 #include <rakelight/request.h>
@@ -164,7 +169,9 @@ TEST(RenderKeys, WhatExcludesEachOtherNamesBoth) {
     EXPECT_EQ(fault_of({value("samples", {"4"}), value("visibility", {"painter"})}).setting(), "samples");
     EXPECT_EQ(fault_of({value("window", {"0,0,2000,10"})}).setting(), "window");
     EXPECT_EQ(fault_of({value("channel-files", {"png"})}).setting(), "channel-files");
-    EXPECT_EQ(fault_of({value("exr-colors", {"half"})}).setting(), "exr-colors");
+    EXPECT_EQ(fault_of({value("near", {"1"}), value("near", {"2"})}).setting(), "near");
+    EXPECT_EQ(fault_of({value("edges", {"yes"})}).setting(), "edges");
+    EXPECT_EQ(fault_of({value("edges", {})}).setting(), "edges");
     EXPECT_EQ(fault_of({value("subdivide-uv", {"smooth"})}).setting(), "subdivide-uv");
     EXPECT_EQ(fault_of({value("point-sprites", {"on"}), value("points", {"none"})}).setting(), "point-sprites");
     EXPECT_EQ(fault_of({value("light", {"default", "ambient:1,1,1"})}).setting(), "light");
@@ -174,6 +181,34 @@ TEST(RenderKeys, WhatExcludesEachOtherNamesBoth) {
     EXPECT_EQ(fault_of({value("channels", {"nonsense"})}).setting(), "channels");
     EXPECT_NE(std::string(fault_of({value("crease_angle", {"1"})}).what()).find("did you mean 'crease-angle'?"),
               std::string::npos);
+}
+
+TEST(RenderKeys, WhatNoKeySaysIsNotLeftOutInSilence) {
+    const auto is_refused = [](void (*change)(PictureRequest&)) {
+        const auto request = std::make_unique<PictureRequest>();
+        change(*request);
+        return test::error_of([&] { written_render_keys(*request); }).code() == ErrorCode::usage;
+    };
+    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.lights.emplace(); }));
+    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.lights.emplace(1)[0].node = 3; }));
+    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.surfaces = false; }));
+    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.own_shading = false; }));
+    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.background.w = 0.5f; }));
+    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.materials.opacity = std::numeric_limits<double>::quiet_NaN(); }));
+    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.width = 0; }));
+    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.prepare.displacement.is_on = true; }));
+}
+
+TEST(RenderKeys, ColorsComeBackAsNearAsDisplayValuesAre) {
+    PictureRequest request;
+    request.settings.background = {0.1234567f, 0.5f, 0.9f, 1};
+    std::vector<Light> lights(1);
+    lights[0].type = LightType::spot, lights[0].direction = {1, 2, 3};
+    request.lights = lights;
+    PictureRequest back;
+    read_render_keys(written_render_keys(request), back);
+    EXPECT_NEAR(back.settings.background.x, 0.1234567f, 1e-6);
+    EXPECT_NEAR(back.lights->at(0).direction.z, 3 / std::sqrt(14.0), 1e-15);
 }
 
 TEST(RenderKeys, NumbersThatAreNotOrOutOfRangeAreRefused) {

@@ -228,7 +228,7 @@ light = false
 [render]
 resolution = "640,480"
 samples = 4
-light = ["point:1,2,3", "ambient:0.1"]
+light = ["point:1,2,3", "ambient:0.1,0.1,0.1"]
 shadows = true
 hdri-ambient = false
 camera-index = "01"
@@ -261,12 +261,44 @@ TEST(WriteWorld, WhatNoFileCanHoldIsRefusedAndNothingIsWritten) {
     world.cameras[0] = {.z_far = std::numeric_limits<double>::infinity()};
     EXPECT_EQ(refused().code(), ErrorCode::usage);
     world.cameras.clear();
+    world.render = {{.key = "nonsense", .words = {"1"}}};
+    EXPECT_EQ(refused().code(), ErrorCode::usage);
+    world.render = {{.key = "material", .words = {"roughness=1"}}};
+    EXPECT_EQ(refused().code(), ErrorCode::usage);
+    world.render = {{.key = "samples", .words = {}}};
+    EXPECT_EQ(refused().setting(), "samples");
+    world.render.clear();
+    world.materials = {{.name = "m", .values = {{.key = "color = 1\n[fog]\nkind", .words = {"red"}}}}};
+    EXPECT_EQ(refused().code(), ErrorCode::usage);
+    world.materials.clear();
+    world.lights = {{.type = LightType(9)}};
+    EXPECT_EQ(refused().code(), ErrorCode::usage);
+    world.lights.clear();
+    world.fog = Fog{.kind = FogKind(7)};
+    EXPECT_EQ(refused().code(), ErrorCode::usage);
+    world.fog.reset();
+    world.primitives[0].shading = Shading(99);
+    EXPECT_EQ(refused().code(), ErrorCode::usage);
+    world.primitives[0].shading.reset();
+    world.environment.emplace();
+    world.environment->environment.image = std::make_shared<const EncodedImage>();
+    EXPECT_EQ(refused().code(), ErrorCode::usage);
+    world.environment.reset();
     world.primitives[0].material = "there is none";
     EXPECT_EQ(refused().code(), ErrorCode::bad_file);
     world.primitives.clear();
     EXPECT_EQ(refused().reason(), "the world is empty");
     EXPECT_FALSE(std::filesystem::exists(path));
     EXPECT_EQ(error_of([&] { save_world(world, folder.file("w.toml")); }).file(), folder.file("w.toml"));
+}
+
+TEST(WriteWorld, SeveralWordsAreAnArrayHoweverTheyCame) {
+    WorldFile world = parse_world("[[primitive]]\ntype = 'sphere'\n");
+    world.render = {{.key = "light", .words = {"point:0,2,3", "ambient:1,1,1"}},
+                    {.key = "resolution", .words = {"64", "48"}}};
+    const WorldFile again = parse_world(to_toml(world));
+    EXPECT_EQ(again.render.at(0).words, world.render[0].words);
+    EXPECT_EQ(again.render.at(1).words, world.render[1].words);
 }
 
 TEST(WriteWorld, ASavedWorldIsReadFromItsFile) {

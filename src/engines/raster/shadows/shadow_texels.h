@@ -13,7 +13,7 @@ namespace rakelight::raster {
 class ShadowTexels {
 public:
     /// [px] a texel that is as wide over a quarter of the places is worth a warning: an edge is blurred over
-    /// 2 --shadow-filter + 1 of them, 24 pixels by default.
+    /// 2 shadow_filter + 1 of them, 24 pixels by default.
     static constexpr double wide = 8;
 
     explicit ShadowTexels(const TileGrid& grid);

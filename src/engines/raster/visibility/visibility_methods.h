@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The other ways to find what is seen at a pixel (`--visibility`), by one general path: every surface gets a number at the pixel,
+// The other ways to find what is seen at a pixel (`Visibility`), by one general path: every surface gets a number at the pixel,
 // the least is seen. The default, reversed depth, has a path of its own (visibility.cpp).
 #pragma once
 #include <cstdint>
@@ -69,7 +69,7 @@ private:
     std::optional<SurfaceOrder> order_;
 };
 
-/// What a method says about culling: `back-face` leaves back faces out where --cull says nothing.
+/// What a method says about culling: `back-face` leaves back faces out where `cull` says nothing.
 RenderSettings settings_for_method(RenderSettings settings);
 
 }  // namespace rakelight::raster
