@@ -116,7 +116,7 @@ Examples:
 
 inline constexpr const char* bench_footer =
     R"(Examples:
-  rakelight bench smooth --triangles 10M --with all
+  rakelight bench smooth --triangles 100k --with all
       Normals and tangents beside the plain loop that everybody writes.
   rakelight bench render helmet.glb --samples 4 --json
       Schema rakelight.bench/1.
