@@ -1,4 +1,7 @@
-# A world file gives the same bytes by the program and by the library. WORLDS, PROGRAM, EXAMPLE, FOLDER.
+# A world file gives the same bytes by the program and by the library, data channels too. WORLDS, PROGRAM, EXAMPLE, FOLDER.
+file(WRITE ${FOLDER}/channels.scene.toml "[[primitive]]\ntype = 'torus'\nobjects = 3\nnormals = 'model'\n"
+  "[render]\nresolution = [96, 64]\nchannels = ['depth', 'normal', 'object']\nexr-colors = 'half'\n")
+list(APPEND WORLDS ${FOLDER}/channels.scene.toml)
 foreach(world ${WORLDS})
   get_filename_component(name ${world} NAME_WE)
   execute_process(COMMAND ${PROGRAM} render ${world} -o ${FOLDER}/program-${name}.png --quiet RESULT_VARIABLE by_program)
@@ -6,9 +9,15 @@ foreach(world ${WORLDS})
   if(NOT by_program EQUAL 0 OR NOT by_library EQUAL 0)
     message(FATAL_ERROR "${world}: program ${by_program}, library ${by_library}")
   endif()
-  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${FOLDER}/program-${name}.png ${FOLDER}/library-${name}.png
-    RESULT_VARIABLE differs)
-  if(differs)
-    message(FATAL_ERROR "${world}: the pictures of program and library differ")
+  set(files png)
+  if(name STREQUAL channels)
+    set(files png depth.exr normal.exr object.exr)
   endif()
+  foreach(file ${files})
+    execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${FOLDER}/program-${name}.${file} ${FOLDER}/library-${name}.${file}
+      RESULT_VARIABLE differs)
+    if(differs)
+      message(FATAL_ERROR "${world}: ${file} of program and library differ")
+    endif()
+  endforeach()
 endforeach()
