@@ -49,9 +49,9 @@ inline Written on_or_off(bool value) { return {value ? "on" : "off"}; }
         [[maybe_unused]] const PictureRequest& r = of;                                   \
         return Written writing;                                                          \
     }
-#define RL_KEY(name, kind, field, reading, writing)                                                     \
-    {                                                                                                   \
-        name, Kind::kind, [](PictureRequest& r, Words w) { field = reading; }, RL_WRITE(field, writing) \
+#define RL_KEY(name, kind, field, reading, writing)                                                       \
+    {                                                                                                     \
+        name, Kind::kind, [](PictureRequest& r, Words w) { (field) = reading; }, RL_WRITE(field, writing) \
     }
 /// A word out of a table.
 #define RL_WORD_KEY(name, field, words) \
