@@ -52,6 +52,7 @@ ROOMS = {
 DOORS = {
     "engines/raster": re.compile(r"engines/raster/(raster_engine|geometry/clip|kernels/clip_planes|geometry/sample_positions|visibility/depth_formats|"
                                  r"lights/lit_corner|inspect/(inspection|explanation|traced_pixel|inspect_pixels|inspect_samples|inspect_shading))\.h"),
+    "engines/opengl": re.compile(r"engines/opengl/opengl_engine\.h"),
 }
 
 # Public header -> the module that implements it (and whose layer it belongs to).

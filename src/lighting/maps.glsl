@@ -9,21 +9,23 @@
 //   edges as the sphere does (bordered_texel() of image/environment.h): no way to wrap does that, and its levels do not halve; linear
 //   filter, no mip levels; 16-bit floats do, bright suns ending at their greatest number;
 // - the sky repeated along u and ended along v, with mip levels mixed;
-// - nearness (32-bit floats) and slopes (the slopes themselves, change of depth along x and down y per width of a texel) of one light's
-//   shadow map, for one light a pass; faces of a cube below each other.
+// - the shadow maps of all lights in one picture of two 32-bit whole numbers a texel: the bits of the nearness, and the codes of the
+//   slopes along x and (above them) down y. Of a cube's faces three stand below each other, the other three to the right of them.
 #define RL_ENVIRONMENT_LEVELS 8
 
 struct Maps {
     float height_scale;   // height = height_offset + height_scale * texel: HeightSense of relief/relief.glsl
     float height_offset;
+    ivec2 shadow_origin;  // [texels] of the light's shadow map
 };
 
 uniform sampler2D rl_heights;
 uniform sampler2D rl_environment;      // each level prefiltered for a rougher surface
 uniform vec3 rl_environment_levels[RL_ENVIRONMENT_LEVELS];  // [texels] x, y of a level's first one behind its border; its size
 uniform sampler2D rl_sky;              // equirectangular
-uniform sampler2D rl_shadow_nearness;
-uniform sampler2D rl_shadow_slopes;
+uniform highp usampler2D rl_shadow_atlas;
+uniform int rl_shadow_size;            // [texels] a side of a map
+vec2 decode_slopes(vec2 codes);        // shadow/shadow_map.glsl
 
 float sample_height(Maps maps, vec2 uv, float level) { return maps.height_offset + maps.height_scale * textureLod(rl_heights, uv, level).x; }
 vec3 environment_level(vec2 uv, int level)
@@ -40,5 +42,17 @@ vec3 sample_environment(Maps maps, vec2 uv, float level)
 }
 vec3 sample_sky(Maps maps, vec2 uv, float level) { return textureLod(rl_sky, uv, level).xyz; }
 
-float fetch_nearness(Maps maps, float column, float row) { return texelFetch(rl_shadow_nearness, ivec2(int(column), int(row)), 0).x; }
-vec2 fetch_slopes(Maps maps, float column, float row) { return texelFetch(rl_shadow_slopes, ivec2(int(column), int(row)), 0).xy; }
+uvec2 shadow_texel(Maps maps, float column, float row)
+{
+    ivec2 place = ivec2(int(column), int(row));
+    if (place.y >= 3 * rl_shadow_size) {
+        place += ivec2(rl_shadow_size, -3 * rl_shadow_size);
+    }
+    return texelFetch(rl_shadow_atlas, maps.shadow_origin + place, 0).xy;
+}
+float fetch_nearness(Maps maps, float column, float row) { return uintBitsToFloat(shadow_texel(maps, column, row).x); }
+vec2 fetch_slopes(Maps maps, float column, float row)
+{
+    uint codes = shadow_texel(maps, column, row).y;
+    return decode_slopes(vec2(float(codes & 0xffffu), float(codes >> 16)));
+}

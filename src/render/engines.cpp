@@ -6,11 +6,20 @@
 #include <algorithm>
 
 #include "engines/raster/raster_engine.h"
+#ifdef RL_HAVE_OPENGL
+#include "engines/opengl/opengl_engine.h"
+#endif
 #include "world/channel_info.h"
 
 namespace rakelight {
 
-std::vector<std::string> engine_names() { return {"soft"}; }
+std::vector<std::string> engine_names() {
+#ifdef RL_HAVE_OPENGL
+    return {"soft", "gl"};
+#else
+    return {"soft"};
+#endif
+}
 
 std::string engine_isa(const std::string& name) { return name == "soft" ? raster::isa_name() : std::string(); }
 
@@ -44,6 +53,9 @@ void check_abilities(const Engine& engine, const RenderSettings& s) {
 
 std::unique_ptr<Engine> make_engine(const std::string& name) {
     check_engine_name(name);
+#ifdef RL_HAVE_OPENGL
+    if (name == "gl") return opengl::make_engine();
+#endif
     return raster::make_engine();
 }
 

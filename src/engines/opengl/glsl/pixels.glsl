@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pixel of a surface, stage by stage in the order of cpu_shading/kernels/shade_points.h: its point, the relief, what the
+// material is there, its directions; then the lights, the environment and the fog.
+struct Pixel {
+    Point point;
+    Bumps bumps;
+    BaseColor base;
+    MaterialSurface surface;
+    vec3 emission;
+    float alpha;  // < 0: it is not there
+};
+
+Point this_point()
+{
+    Point p;
+    p.position = v_position;
+    int turns = int(!gl_FrontFacing) + RL_FRONT_TURNS;
+#if RL_FROM_TRIANGLES
+    turns += v_triangle.y;
+#endif
+    p.side = (turns & 1) != 0 ? -1.0 : 1.0;
+#if RL_HAS_NORMALS
+    p.normal = v_normal;
+#else
+    p.normal = vec3(0.0, 0.0, 1.0);
+#endif
+#if RL_HAS_TANGENTS
+    p.tangent = v_tangent.xyz;
+    p.w = v_tangent.w < 0.0 ? -1.0 : 1.0;
+#else
+    p.tangent = vec3(0.0);
+    p.w = 1.0;
+#endif
+    p.color = vec4(1.0);
+#if RL_HAS_COLORS
+    p.color = v_color;
+#endif
+#if RL_HAS_TEXCOORDS
+    vec4 dx = dFdx(v_texcoords);
+    vec4 dy = dFdy(v_texcoords);
+    p.texcoords[0].uv = v_texcoords.xy;
+    p.texcoords[0].dx = dx.xy;
+    p.texcoords[0].dy = dy.xy;
+    p.texcoords[1].uv = v_texcoords.zw;
+    p.texcoords[1].dx = dx.zw;
+    p.texcoords[1].dy = dy.zw;
+#endif
+    return p;
+}
+
+// The first that is known: what masks and shadow maps ask for.
+void find_place(inout Pixel x)
+{
+    x.point = this_point();
+    x.bumps.frame = frame_at(x.point);
+#if RL_RELIEF != RL_RELIEF_NONE
+    enter_relief(x.point, x.bumps);
+#endif
+    x.base = base_color(x.point);
+    x.alpha = shown_alpha(x.bumps, x.base.color.w);
+}
+
+// All that is known of it before light falls on it.
+void find_surface(inout Pixel x)
+{
+    x.emission = emission_of(m_emission, emission_texel(x.point));
+#if !RL_IS_UNLIT
+    MaterialTexels texels = material_texels(x.point);
+    set_material(x.point, texels, x.base, x.surface);
+    vec3 even = x.bumps.frame.normal * x.bumps.frame.side;
+    set_normals(x.surface, normal_of_maps(x.point, x.bumps), even, RL_BUMP_TERMS);
+    x.surface.base.v = viewer_at(x.bumps.frame, x.point.position);
+    x.emission = finish_surface(x.point, texels, even, x.emission, x.surface);
+#else
+    x.surface.base.n = normal_of_maps(x.point, x.bumps);
+#endif
+}
+
+vec3 own_radiance(Pixel x)
+{
+#if RL_IS_UNLIT
+    return unlit(x.base.color.xyz, x.emission);
+#else
+    return x.emission;
+#endif
+}
+
+#if RL_HAS_SHADOWS
+// Normal of the triangle's plane, on the side that is seen.
+vec3 plane_normal_at(vec3 position)
+{
+    vec3 otherwise = to_viewer(position, rl_view_direction, RL_PARALLEL);
+#if RL_PARALLEL
+    float away = -dot(rl_view_direction, position);
+    return parallel_plane_normal(rl_ray[0].xyz, rl_ray[1].xyz, rl_view_direction, dFdx(away), dFdy(away), otherwise);
+#else
+    return plane_normal(rl_ray[0].xyz, rl_ray[1].xyz, position * gl_FragCoord.w, dFdx(gl_FragCoord.w), dFdy(gl_FragCoord.w), gl_FragCoord.w, otherwise);
+#endif
+}
+
+// 0..1: how much of light i arrives. Texels 7 to 10 of a light: its shadow map.
+float shadow_of(int i, vec3 position, vec3 normal)
+{
+    vec4 numbers = light_texel(i, 7);
+    if (numbers.x < 0.0) {
+        return 1.0;
+    }
+    vec4 right = light_texel(i, 8);
+    vec4 up = light_texel(i, 9);
+    vec4 ahead = light_texel(i, 10);
+    vec4 more = light_texel(i, 6);
+    Maps maps = plain_maps();
+    maps.shadow_origin = ivec2(int(numbers.x), int(more.z));
+    ShadowMap s;
+    s.size = RL_SHADOW_SIZE;
+    s.is_cube = int(numbers.y == 6.0);
+    s.is_parallel = int(numbers.z);
+    s.radius = RL_SHADOW_FILTER;
+    s.right = right.xyz;
+    s.up = up.xyz;
+    s.ahead = ahead.xyz;
+    s.origin = vec3(right.w, up.w, ahead.w);
+    s.texels = numbers.w;
+    set_reach(s, more.y);
+    return shadow_factor(maps, s, position, normal);
+}
+#endif
+
+LightTerms terms_of_light(Pixel x, int i, vec3 plane)
+{
+    LightSample light = light_sample(i, x.point.position);
+    light.l = light_direction_at(x.bumps.frame, i, light.l);
+    float seen = relief_shadow_of(x.bumps, i, light.l);
+#if RL_HAS_SHADOWS
+    seen = seen * shadow_of(i, x.point.position, plane);
+#endif
+    return material_terms(x.surface, light, seen, traits(1));
+}
+
+// The light of the vertices, of the side that is seen.
+LightTerms light_of_corners(float side)
+{
+    LightTerms received = no_terms();
+#if RL_LIT_AT != RL_AT_PIXELS
+    received.ambient = v_ambient;
+    received.diffuse = v_diffuse;
+    received.specular = v_specular;
+#if RL_LIT_AT == RL_AT_VERTICES && RL_TWO_SIDES
+    if (side < 0.0) {
+        received.ambient = v_turned_ambient;
+        received.diffuse = v_turned_diffuse;
+        received.specular = v_turned_specular;
+    }
+#endif
+#endif
+    return received;
+}
+
+#if RL_HAS_LISTS
+// The lights that may reach the square of pixels: where its list begins, and its end.
+ivec2 light_list()
+{
+    ivec2 square = ivec2(gl_FragCoord.xy) / rl_light_count.z;
+    vec4 range = light_table(rl_light_count.w + square.y * rl_light_count.y + square.x);
+    return ivec2(int(range.x), int(range.y));
+}
+int listed_light(int at)
+{
+    vec4 four = light_table(at / 4);
+    return int(four[at & 3]);
+}
+#endif
+
+// All that falls on the surface: the lights in their order, then the environment.
+LightTerms light_on(Pixel x)
+{
+    LightTerms sum = no_terms();
+#if !RL_IS_UNLIT
+#if RL_LIT_AT != RL_AT_PIXELS
+    sum = corner_terms(x.surface.base, light_of_corners(x.point.side));
+#else
+    vec3 plane = vec3(0.0, 0.0, 1.0);
+#if RL_HAS_SHADOWS
+    plane = plane_normal_at(x.point.position);
+#endif
+#if RL_HAS_LISTS
+    ivec2 list = light_list();
+    for (int at = list.x; at < list.y; ++at) {
+        sum = both_terms(sum, terms_of_light(x, listed_light(at), plane));
+    }
+#else
+    for (int i = 0; i < RL_LIGHT_COUNT; ++i) {
+        sum = both_terms(sum, terms_of_light(x, i, plane));
+    }
+#endif
+#endif
+#if RL_HAS_ENVIRONMENT
+    sum = both_terms(sum, environment_terms(plain_maps(), environment(), x.surface, traits(1), RL_MODEL));
+#endif
+#endif
+    return sum;
+}
+
+// 0..1: how much is seen through the fog.
+float fog_at(vec3 position)
+{
+    return fog_factor(RL_FOG, fog_distance(position, rl_view_direction, RL_PARALLEL), rl_fog[1].x, rl_fog[1].y, rl_fog[1].z);
+}
+
+vec3 in_fog(vec3 position, vec3 radiance)
+{
+#if RL_FOG != RL_NO_FOG
+    return behind_fog(radiance, rl_fog[0].xyz, fog_at(position));
+#else
+    return radiance;
+#endif
+}

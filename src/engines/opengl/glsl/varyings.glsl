@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the vertex stage hands to the pixels. RL_VARYING is `out` or `in`; RL_ATTRIBUTE how attributes are interpolated,
+// RL_PLACE how positions are, RL_CONSTANT: not at all. RL_HAS_...: the mesh has it, and the program reads it.
+RL_PLACE RL_VARYING vec3 v_position;  // about the eye, world axes
+#if RL_HAS_NORMALS
+RL_ATTRIBUTE RL_VARYING vec3 v_normal;  // of unit vectors: not unit
+#endif
+#if RL_HAS_TANGENTS
+RL_ATTRIBUTE RL_VARYING vec4 v_tangent;  // w: handedness in the world
+#endif
+#if RL_HAS_TEXCOORDS
+RL_ATTRIBUTE RL_VARYING vec4 v_texcoords;  // set 0, set 1
+#endif
+#if RL_HAS_COLORS
+RL_ATTRIBUTE RL_VARYING vec4 v_color;
+#endif
+#if RL_LIT_AT == RL_AT_VERTICES
+// Terms per unit of reflectance, for normals as they are, and turned round.
+RL_ATTRIBUTE RL_VARYING vec3 v_ambient;
+RL_ATTRIBUTE RL_VARYING vec3 v_diffuse;
+RL_ATTRIBUTE RL_VARYING vec3 v_specular;
+#if RL_TWO_SIDES
+RL_ATTRIBUTE RL_VARYING vec3 v_turned_ambient;
+RL_ATTRIBUTE RL_VARYING vec3 v_turned_diffuse;
+RL_ATTRIBUTE RL_VARYING vec3 v_turned_specular;
+#endif
+#endif
+#if RL_LIT_AT == RL_AT_FACES
+RL_CONSTANT RL_VARYING vec3 v_ambient;
+RL_CONSTANT RL_VARYING vec3 v_diffuse;
+RL_CONSTANT RL_VARYING vec3 v_specular;
+#endif
+#if RL_FROM_TRIANGLES
+RL_CONSTANT RL_VARYING ivec2 v_triangle;  // its number; 1: its normals are on the other side (LitSide::against)
+RL_ATTRIBUTE RL_VARYING vec3 v_barycentric;
+RL_CONSTANT RL_VARYING vec3 v_face_normal;  // towards the viewer
+#endif
+#if RL_HAS_CORNER_FRAMES
+RL_CONSTANT RL_VARYING vec3 v_corner_position[3];
+RL_CONSTANT RL_VARYING vec3 v_corner_normal[3];
+RL_CONSTANT RL_VARYING vec3 v_corner_tangent[3];
+#endif

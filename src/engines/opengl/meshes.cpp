@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/opengl/meshes.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <rakelight/error.h>
+
+#include "engines/opengl/program_text.h"
+
+namespace rakelight::opengl {
+namespace {
+
+const Block<vec2>& texcoords_of(const Mesh& mesh, std::size_t set) {
+    static const Block<vec2> none;
+    return set < mesh.texcoords.size() ? mesh.texcoords[set] : none;
+}
+
+/// Attributes by the places of vertices.glsl; one that the mesh lacks has what the lighting text takes as none.
+void set_attribute(GLuint place, GLint components, GLuint buffer, vec4 otherwise) {
+    if (buffer == 0) {
+        glDisableVertexAttribArray(place);
+        glVertexAttrib4f(place, otherwise.x, otherwise.y, otherwise.z, otherwise.w);
+        return;
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glEnableVertexAttribArray(place);
+    glVertexAttribPointer(place, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+template <class Texel>
+void upload_table(GlTexture& texture, GLint format, GLenum layout, GLenum type, std::vector<Texel> texels,
+                  const Driver& driver) {
+    const std::size_t rows = (texels.size() + fetch_width - 1) / fetch_width;
+    if (rows > std::size_t(driver.texture_size))
+        throw Error(ErrorCode::failed, "a mesh has more vertices than this OpenGL driver can look up for flat shading and channels");
+    texels.resize(std::max<std::size_t>(rows, 1) * fetch_width);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, format, fetch_width, GLsizei(std::max<std::size_t>(rows, 1)), 0, layout, type, texels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+/// In the order of fetch_vertex().
+std::vector<vec4> vertex_texels(const Mesh& mesh) {
+    const Block<vec2>&set0 = texcoords_of(mesh, 0), &set1 = texcoords_of(mesh, 1);
+    std::vector<vec4> out;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const vec3 p = mesh.positions[v];
+        out.push_back({p.x, p.y, p.z, 1});
+        if (!mesh.normals.empty()) out.push_back({mesh.normals[v].x, mesh.normals[v].y, mesh.normals[v].z, 0});
+        if (!mesh.tangents.empty()) out.push_back(mesh.tangents[v]);
+        const vec2 a = set0.empty() ? vec2{0, 0} : set0[v], b = set1.empty() ? vec2{0, 0} : set1[v];
+        if (!set0.empty() || !set1.empty()) out.push_back({a.x, a.y, b.x, b.y});
+        if (!mesh.colors.empty()) out.push_back(mesh.colors[v]);
+    }
+    return out;
+}
+
+}  // namespace
+
+MeshStore::Key MeshStore::key_of(const Mesh& mesh) {
+    return {mesh.positions.identity(),        mesh.indices.identity(),         mesh.normals.identity(),
+            mesh.tangents.identity(),         texcoords_of(mesh, 0).identity(), texcoords_of(mesh, 1).identity(),
+            mesh.colors.identity()};
+}
+
+void MeshStore::keep_only(const Scene& scene) {
+    std::set<Key> keys;
+    std::set<const void*> blocks;
+    for (const Mesh& mesh : scene.meshes) {
+        const Key key = key_of(mesh);
+        blocks.insert(key.begin(), key.end());
+        keys.insert(key);
+    }
+    std::erase_if(arrays_, [&](const auto& entry) { return !keys.contains(entry.first); });
+    std::erase_if(tables_, [&](const auto& entry) { return !keys.contains(entry.first); });
+    std::erase_if(buffers_, [&](const auto& entry) { return !blocks.contains(entry.first); });
+}
+
+template <class T>
+GLuint MeshStore::buffer_of(const Block<T>& block, GLenum target) {
+    if (block.empty()) return 0;
+    GlBuffer& buffer = buffers_[block.identity()];
+    if (buffer) return buffer.name();
+    glBindBuffer(target, buffer.get());
+    glBufferData(target, GLsizeiptr(block.size() * sizeof(T)), block.data(), GL_STATIC_DRAW);
+    check_gl("a mesh");
+    return buffer.name();
+}
+
+bool MeshStore::is_there(const Mesh& mesh) const { return arrays_.contains(key_of(mesh)); }
+
+GLuint MeshStore::vertex_array(const Mesh& mesh) {
+    GlVertexArray& array = arrays_[key_of(mesh)];
+    if (array) {
+        glBindVertexArray(array.name());
+    } else {
+        glBindVertexArray(array.get());
+        const GLuint positions = buffer_of(mesh.positions, GL_ARRAY_BUFFER), normals = buffer_of(mesh.normals, GL_ARRAY_BUFFER),
+                     tangents = buffer_of(mesh.tangents, GL_ARRAY_BUFFER),
+                     set0 = buffer_of(texcoords_of(mesh, 0), GL_ARRAY_BUFFER),
+                     set1 = buffer_of(texcoords_of(mesh, 1), GL_ARRAY_BUFFER),
+                     colors = buffer_of(mesh.colors, GL_ARRAY_BUFFER);
+        set_attribute(0, 3, positions, {0, 0, 0, 1});
+        set_attribute(1, 3, normals, {0, 0, 1, 0});
+        set_attribute(2, 4, tangents, {0, 0, 0, 1});
+        set_attribute(3, 2, set0, {0, 0, 0, 1});
+        set_attribute(4, 2, set1, {0, 0, 0, 1});
+        set_attribute(5, 4, colors, {1, 1, 1, 1});
+        const GLuint indices = buffer_of(mesh.indices, GL_ELEMENT_ARRAY_BUFFER);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+    }
+    // Values of attributes that are off belong to the context, not to the array.
+    glVertexAttrib4f(2, 0, 0, 0, 1);
+    glVertexAttrib4f(5, 1, 1, 1, 1);
+    return array.name();
+}
+
+const TriangleTable& MeshStore::table(const Mesh& mesh, const std::int32_t* against) {
+    TriangleTable& table = tables_[key_of(mesh)];
+    if (table.indices && (table.against >= 0) == (against != nullptr)) return table;
+    std::vector<std::uint32_t> indices(mesh.indices.begin(), mesh.indices.end());
+    table.against = -1;
+    if (against) {
+        table.against = std::int32_t(indices.size());
+        const std::size_t triangles = mesh.triangle_count();
+        indices.resize(indices.size() + (triangles + 31) / 32);
+        for (std::size_t t = 0; t < triangles; ++t)
+            if (against[t] != 0) indices[std::size_t(table.against) + t / 32] |= 1u << (t % 32);
+    }
+    upload_table(table.indices, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, std::move(indices), driver_);
+    upload_table(table.vertices, GL_RGBA32F, GL_RGBA, GL_FLOAT, vertex_texels(mesh), driver_);
+    check_gl("a mesh");
+    return table;
+}
+
+}  // namespace rakelight::opengl

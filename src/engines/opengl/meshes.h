@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes on the GPU: their arrays as buffers, and as textures for streams without indices. Kept by the identity of blocks.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <rakelight/scene.h>
+
+#include "engines/opengl/driver.h"
+#include "engines/opengl/gl_objects.h"
+
+namespace rakelight::opengl {
+
+/// A mesh whose triangles a vertex stage can look up.
+struct TriangleTable {
+    GlTexture indices, vertices;
+    std::int32_t against = -1;  ///< [texels] where its bits begin; -1: none
+};
+
+class MeshStore {
+public:
+    explicit MeshStore(const Driver& driver) : driver_(driver) {}
+
+    /// Drops what the scene has no more. @throws Error failed: no memory on the GPU
+    void keep_only(const Scene& scene);
+    /// Bound with its buffers and indices. Uploads what is not there yet.
+    GLuint vertex_array(const Mesh& mesh);
+    bool is_there(const Mesh& mesh) const;
+    GLuint no_arrays() { return no_arrays_.get(); }  ///< a vertex array without any
+    /// @param against  [triangles] LitSide::against(); null: none
+    const TriangleTable& table(const Mesh& mesh, const std::int32_t* against);
+private:
+    template <class T>
+    GLuint buffer_of(const Block<T>& block, GLenum target);
+
+    using Key = std::vector<const void*>;  ///< identities of its blocks
+    static Key key_of(const Mesh& mesh);
+
+    const Driver& driver_;
+    std::map<const void*, GlBuffer> buffers_;
+    std::map<Key, GlVertexArray> arrays_;
+    std::map<Key, TriangleTable> tables_;
+    GlVertexArray no_arrays_;
+};
+
+}  // namespace rakelight::opengl

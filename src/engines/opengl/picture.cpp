@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/opengl/picture.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "shading/draw_frame.h"
+
+namespace rakelight::opengl {
+namespace {
+
+std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> count{0};
+    return ++count;
+}
+
+/// Camera axes -> clip space of a part of the picture, upside down.
+dmat4 clip_matrix(const shading::View& view, Window pixels, const DepthRange& depth) {
+    const double wide = double(view.width) / pixels.width, high = double(view.height) / pixels.height;
+    const double x = (view.width - 2.0 * pixels.x) / pixels.width - 1, y = (view.height - 2.0 * pixels.y) / pixels.height - 1;
+    const DepthRange::Row z = depth.row(view);
+    // distance = -z of the camera; w = distance in perspective, else 1
+    const double w_z = view.orthographic ? 0 : -1, w_1 = view.orthographic ? 1 : 0;
+    dmat4 m;
+    m[0] = {view.scale_x * wide, 0, 0, 0};
+    m[1] = {0, -view.scale_y * high, 0, 0};
+    m[2] = {x * w_z, y * w_z, -z.scale + z.per_w * w_z, w_z};
+    m[3] = {x * w_1, y * w_1, z.offset + z.per_w * w_1, w_1};
+    return m;
+}
+
+void put_row(const dmat4& m, std::size_t row, float* to) {
+    for (std::size_t c = 0; c < 4; ++c) to[c] = float(m[c][row]);
+}
+
+void put_vec3(dvec3 v, float w, float* to) { to[0] = float(v.x), to[1] = float(v.y), to[2] = float(v.z), to[3] = w; }
+
+}  // namespace
+
+DepthRange::Row DepthRange::row(const shading::View& view) const {
+    const double near = view.z_near, far = view.z_far, length = far - near;
+    Row r{};  // of nearness: near / distance in perspective, 1 at the near plane, 0 at the far one
+    if (view.orthographic)
+        r = {-1 / length, far / length, 0};
+    else if (std::isfinite(far))
+        r = {-near / length, near * far / length, 0};
+    else
+        r = {0, near, 0};
+    return is_reversed ? r : Row{-2 * r.scale, -2 * r.offset, 1};
+}
+
+PictureDrawer::PictureDrawer(const PictureTools& tools, const PictureState& state, Window pixels)
+    : tools_(tools),
+      state_(state),
+      pixels_(pixels),
+      depth_(tools.driver),
+      camera_to_clip_(clip_matrix(state.view, pixels, depth_)),
+      number_(next_number()) {}
+
+void PictureDrawer::begin() const {
+    if (depth_.is_reversed) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(depth_.nearer());
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glActiveTexture(GL_TEXTURE0 + unit_tables);
+    glBindTexture(GL_TEXTURE_2D, tools_.albedos);
+    glActiveTexture(GL_TEXTURE0 + unit_shadows);
+    glBindTexture(GL_TEXTURE_2D, tools_.shadows.texture());
+    glActiveTexture(GL_TEXTURE0 + unit_environment);
+    glBindTexture(GL_TEXTURE_2D, tools_.environment.mirrored());
+    for (GLuint unit = 0; unit < engine_units; ++unit) glBindSampler(unit, 0);
+    state_.lights.bind();
+}
+
+bool PictureDrawer::is_outside(std::uint32_t number) const {
+    const shading::Draw& draw = state_.list.draws[number];
+    const dmat4 to_clip = camera_to_clip_ * (state_.view.world_to_camera * draw.to_world);
+    const Bounds box{cast<double>(draw.low), cast<double>(draw.high)};
+    unsigned common = ~0u;
+    for (int corner = 0; corner < 8; ++corner) {
+        const dvec3 p = box.corner(corner);
+        const dvec4 c = to_clip * dvec4{p.x, p.y, p.z, 1};
+        common &= unsigned(c.x < -c.w) | unsigned(c.x > c.w) << 1 | unsigned(c.y < -c.w) << 2 | unsigned(c.y > c.w) << 3;
+    }
+    return common != 0;
+}
+
+void PictureDrawer::set_picture(const Program& p) const {
+    if (p.picture == number_) return;
+    p.picture = number_;
+    const shading::View& view = state_.view;
+    const dvec3 back = view.camera_to_world[2].xyz();
+    glUniform3f(p.view_direction, float(back.x), float(back.y), float(back.z));
+    if (p.lights >= 0) glUniform4fv(p.lights, GLsizei(state_.lights.count()) * light_texels, state_.lights.numbers());
+    if (p.light_count >= 0) glUniform4iv(p.light_count, 1, state_.lights.counts());
+    if (p.map_texels >= 0) glUniform1f(p.map_texels, map_texels_);
+    if (p.shadow_size >= 0) glUniform1i(p.shadow_size, tools_.shadows.size());
+    if (p.ray >= 0) {
+        const shading::PixelRays rays = shading::pixel_rays(view, pixels_.x, pixels_.y);
+        float ray[12];
+        const bool is_sky_parallel = view.orthographic;
+        put_vec3(rays.along_x, is_sky_parallel ? 0.0f : float(2.0 / (view.height * view.scale_y)), ray);
+        put_vec3(rays.along_y, tools_.environment ? float(tools_.environment.levels().sky_height) : 1.0f, ray + 4);
+        put_vec3(rays.first, 0, ray + 8);
+        glUniform4fv(p.ray, 3, ray);
+    }
+    if (p.fog >= 0) {
+        const shading::FogFactors fog = shading::fog_factors(state_.list.scene.fog);
+        const float numbers[8] = {fog.color[0], fog.color[1], fog.color[2], 0, fog.start, fog.end, fog.density, 0};
+        glUniform4fv(p.fog, 2, numbers);
+    }
+    if (p.environment >= 0 && tools_.environment) {
+        const shading::EnvironmentFactors& e = tools_.environment.factors();
+        const float last = float(tools_.environment.levels().places.size() - 1);
+        const float beside[9] = {e.turn[0], e.turn[1], e.intensity, last};
+        float numbers[40]{};
+        for (std::size_t i = 0; i < 9; ++i) {
+            std::copy_n(e.irradiance[i], 3, numbers + 4 * i);
+            numbers[4 * i + 3] = beside[i];
+        }
+        glUniform4fv(p.environment, 10, numbers);
+        const std::vector<vec3>& places = tools_.environment.levels().places;
+        if (p.environment_levels >= 0) glUniform3fv(p.environment_levels, GLsizei(places.size()), &places[0].x);
+    }
+}
+
+void PictureDrawer::set_object(const Program& program, std::uint32_t number) const {
+    const shading::Draw& draw = state_.list.draws[number];
+    const dmat4 to_eye = state_.view.world_to_eye * draw.to_world;
+    const dmat4 to_clip = camera_to_clip_ * (state_.view.world_to_camera * draw.to_world);
+    const shading::DrawFrame frame(state_.list, draw, to_eye, state_.view, state_.settings.front_face);
+    float rows[44]{};
+    for (std::size_t r = 0; r < 4; ++r) put_row(to_clip, r, rows + 4 * r);
+    for (std::size_t r = 0; r < 3; ++r) put_row(to_eye, r, rows + 16 + 4 * r);
+    const dmat3& n = frame.to_normal();
+    double largest = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        largest = std::max({largest, std::fabs(n[c].x), std::fabs(n[c].y), std::fabs(n[c].z)});
+    const double scale = largest > 0 ? 1 / largest : 1;
+    for (std::size_t r = 0; r < 3; ++r)
+        for (std::size_t c = 0; c < 3; ++c) rows[28 + 4 * r + c] = float(n[c][r] * scale);
+    rows[40] = float(frame.mirror());
+    glUniform4fv(program.object, 11, rows);
+}
+
+const Program& PictureDrawer::use(std::uint32_t number, const DrawState& state) const {
+    const Program& program = tools_.programs.of(state.features);
+    glUseProgram(program.name.name());
+    set_picture(program);
+    set_object(program, number);
+    if (program.material >= 0) {
+        const PackedMaterial numbers = pack(state.numbers);
+        glUniform4fv(program.material, material_vectors, numbers.data());
+    }
+    for (const BoundMap& map : state.maps) {
+        const GLint unit = program.map_unit[std::size_t(map.role)];
+        if (unit < 0) continue;
+        glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+        glBindTexture(GL_TEXTURE_2D, map.texture);
+        glBindSampler(GLuint(unit), map.sampler);
+    }
+    const Mesh& mesh = state_.list.scene.meshes[state_.list.draws[number].mesh];
+    if (!state.features.from_triangles) {
+        tools_.meshes.vertex_array(mesh);
+    } else {
+        const TriangleTable& table = tools_.meshes.table(mesh, state.against);
+        glBindVertexArray(tools_.meshes.no_arrays());
+        for (GLint k = 0; k < vertex_units; ++k) {
+            glActiveTexture(GLenum(GL_TEXTURE0 + tools_.driver.texture_units + k));
+            glBindTexture(GL_TEXTURE_2D, k == 0 ? table.indices.name() : table.vertices.name());
+        }
+        if (program.against >= 0) glUniform1i(program.against, table.against);
+    }
+    glFrontFace(state.culling.front_is_negative ? GL_CW : GL_CCW);
+    const bool culls = state.culling.back || state.culling.front;
+    (culls ? glEnable : glDisable)(GL_CULL_FACE);
+    if (culls) glCullFace(state.culling.back && state.culling.front ? GL_FRONT_AND_BACK : state.culling.back ? GL_BACK : GL_FRONT);
+    return program;
+}
+
+void PictureDrawer::draw_triangles(std::uint32_t number, const DrawState& state, const Program& program, std::uint32_t first,
+                                   std::uint32_t count) const {
+    (void)number;
+    if (state.features.from_triangles) {
+        glUniform1i(program.first_corner, GLint(3 * first));
+        glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * count));
+    } else {
+        glDrawElements(GL_TRIANGLES, GLsizei(3 * count), GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(std::size_t(first) * 3 * sizeof(std::uint32_t)));
+    }
+}
+
+void PictureDrawer::draw(std::uint32_t number, const DrawState& state) const {
+    const Mesh& mesh = state_.list.scene.meshes[state_.list.draws[number].mesh];
+    const Program& program = use(number, state);
+    draw_triangles(number, state, program, 0, std::uint32_t(mesh.triangle_count()));
+}
+
+void PictureDrawer::draw_sky() const {
+    Features features;
+    features.output = Output::sky;
+    features.is_parallel = state_.view.orthographic;
+    const Program& program = tools_.programs.of(features);
+    glUseProgram(program.name.name());
+    set_picture(program);
+    glActiveTexture(GL_TEXTURE0 + unit_environment);
+    glBindTexture(GL_TEXTURE_2D, tools_.environment.sky());
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glBindVertexArray(tools_.meshes.no_arrays());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindTexture(GL_TEXTURE_2D, tools_.environment.mirrored());
+    glEnable(GL_DEPTH_TEST);
+}
+
+}  // namespace rakelight::opengl

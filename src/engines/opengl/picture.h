@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// One picture, or one shadow map, as it is drawn: numbers that all of its programs get, and the drawing of one draw.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "engines/opengl/draw_state.h"
+#include "engines/opengl/meshes.h"
+#include "engines/opengl/programs.h"
+#include "engines/opengl/shadow_atlas.h"
+
+namespace rakelight::opengl {
+
+/// Depth as this driver keeps it precise.
+struct DepthRange {
+    explicit DepthRange(const Driver& driver) : is_reversed(driver.has_reversed_depth) {}
+    bool is_reversed;
+    float far_depth() const { return is_reversed ? 0.0f : 1.0f; }
+    GLenum nearer() const { return is_reversed ? GL_GREATER : GL_LESS; }
+    GLenum not_farther() const { return is_reversed ? GL_GEQUAL : GL_LEQUAL; }
+    /// Clip-space depth as scale * distance + offset.
+    struct Row {
+        double scale, offset, per_w;  ///< per_w: times w, added
+    };
+    Row row(const shading::View& view) const;
+};
+
+/// What draws of a picture share on the GPU.
+struct PictureTools {
+    const Driver& driver;
+    Programs& programs;
+    MeshStore& meshes;
+    const EnvironmentStore& environment;
+    const ShadowAtlas& shadows;
+    GLuint albedos = 0;  ///< texture of the tables
+};
+
+class PictureDrawer {
+public:
+    /// All must outlive this. @param pixels  what of the picture is drawn; to the whole viewport
+    PictureDrawer(const PictureTools& tools, const PictureState& state, Window pixels);
+
+    /// Binds textures, sets the state that all draws have.
+    void begin() const;
+    /// A whole draw, or, with `indices`, other triangles of it: [3 * triangles] of its vertices.
+    void draw(std::uint32_t number, const DrawState& state) const;
+    /// Program, numbers and textures of a draw; then draw_triangles() any number of times.
+    const Program& use(std::uint32_t number, const DrawState& state) const;
+    void draw_triangles(std::uint32_t number, const DrawState& state, const Program& program, std::uint32_t first,
+                        std::uint32_t count) const;
+    void draw_sky() const;
+    /// Whether a draw's box is outside of what is drawn.
+    bool is_outside(std::uint32_t number) const;
+    void set_map_texels(float texels) { map_texels_ = texels; }
+
+private:
+    void set_picture(const Program& program) const;
+    void set_object(const Program& program, std::uint32_t number) const;
+
+    const PictureTools& tools_;
+    const PictureState& state_;
+    const Window pixels_;
+    const DepthRange depth_;
+    dmat4 camera_to_clip_;  ///< of the pixels that are drawn
+    std::uint64_t number_;  ///< of this picture
+    float map_texels_ = 0;
+};
+
+}  // namespace rakelight::opengl

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/opengl/program_cache.h"
+
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+namespace rakelight::opengl {
+namespace {
+
+constexpr std::size_t most_bytes = 64 << 20;
+
+/// FNV-1a (Fowler, Noll & Vo 1991): names, not secrets.
+std::uint64_t hash_of(std::string_view text, std::uint64_t hash = 0xcbf29ce484222325ull) {
+    for (const char c : text) hash = (hash ^ std::uint64_t(static_cast<unsigned char>(c))) * 0x100000001b3ull;
+    return hash;
+}
+
+std::filesystem::path folder() {
+    const char* const wish = std::getenv("RAKELIGHT_GL_CACHE");
+    if (wish && std::strcmp(wish, "off") == 0) return {};
+    if (const char* const cache = std::getenv("XDG_CACHE_HOME"); cache && cache[0] == '/')
+        return std::filesystem::path(cache) / "rakelight" / "gl";
+    const char* const home = std::getenv("HOME");
+    return home && home[0] == '/' ? std::filesystem::path(home) / ".cache" / "rakelight" / "gl" : std::filesystem::path();
+}
+
+std::string hexadecimal(std::uint64_t number) {
+    std::string digits;
+    for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[number >> shift & 15];
+    return digits;
+}
+
+}  // namespace
+
+ProgramCache::ProgramCache(const Driver& driver, const ProgramText& text) {
+    const std::filesystem::path in = driver.has_program_binaries ? folder() : std::filesystem::path();
+    if (in.empty()) return;
+    const std::uint64_t a = hash_of(text.pixels, hash_of(text.vertices, hash_of(driver.identity)));
+    const std::uint64_t b = hash_of(driver.identity, hash_of(text.vertices, hash_of(text.pixels)));
+    file_ = in / (hexadecimal(a) + hexadecimal(b) + ".bin");
+}
+
+bool ProgramCache::load(GLuint program) const {
+    if (file_.empty()) return false;
+    std::ifstream file(file_, std::ios::binary);
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+    GLenum format = 0;
+    if (bytes.size() <= sizeof format || bytes.size() > most_bytes) return false;
+    std::memcpy(&format, bytes.data(), sizeof format);
+    glProgramBinary(program, format, bytes.data() + sizeof format, GLsizei(bytes.size() - sizeof format));
+    return glGetError() == GL_NO_ERROR;
+}
+
+void ProgramCache::prepare(GLuint program) const {
+    if (!file_.empty()) glProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
+}
+
+void ProgramCache::store(GLuint program) const {
+    if (file_.empty()) return;
+    GLint size = 0;
+    glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &size);
+    if (size <= 0 || std::size_t(size) > most_bytes) return;
+    GLenum format = 0;
+    std::vector<char> bytes(sizeof format + std::size_t(size));
+    glGetProgramBinary(program, size, &size, &format, bytes.data() + sizeof format);
+    if (glGetError() != GL_NO_ERROR) return;
+    std::memcpy(bytes.data(), &format, sizeof format);
+    std::error_code fault;
+    std::filesystem::create_directories(file_.parent_path(), fault);
+    const std::filesystem::path part = file_.string() + "." + std::to_string(getpid()) + ".part";
+    {
+        std::ofstream file(part, std::ios::binary);
+        file.write(bytes.data(), std::streamsize(sizeof format) + size);
+        if (!file.flush()) fault = std::make_error_code(std::errc::io_error);
+    }
+    if (!fault) std::filesystem::rename(part, file_, fault);
+    if (fault) std::filesystem::remove(part, fault);
+}
+
+}  // namespace rakelight::opengl

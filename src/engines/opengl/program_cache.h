@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Linked programs as files, so that the next run need not compile them: in $XDG_CACHE_HOME/rakelight/gl (~/.cache). A file is
+// named by driver and text and holds both' hash; one that the driver refuses is made anew. RAKELIGHT_GL_CACHE=off: none.
+#pragma once
+#include <epoxy/gl.h>
+
+#include <filesystem>
+
+#include "engines/opengl/program_text.h"
+
+namespace rakelight::opengl {
+
+class ProgramCache {
+public:
+    /// Of one program.
+    ProgramCache(const Driver& driver, const ProgramText& text);
+    bool load(GLuint program) const;     ///< false: there is none that the driver takes
+    void prepare(GLuint program) const;  ///< before it is linked
+    void store(GLuint program) const;    ///< faults are nobody's concern: the program is there
+
+private:
+    std::filesystem::path file_;  ///< empty: no cache
+};
+
+}  // namespace rakelight::opengl

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The text of a program: version, choices, the lighting text as it stands in src/lighting, the engine's own stages.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engines/opengl/driver.h"
+#include "engines/opengl/features.h"
+
+namespace rakelight::opengl {
+
+inline constexpr int fetch_width = 4096;   ///< [texels] a row of textures that are tables
+inline constexpr int light_texels = 11;    ///< a light
+inline constexpr int most_near_lights = 8; ///< that a program has as uniforms
+
+/// Texts of both stages.
+struct ProgramText {
+    std::string vertices, pixels;
+    std::vector<std::string> files;  ///< by the numbers of #line
+};
+
+/// A lighting model of the user's: its name (file) and text; empty: none.
+struct UserLighting {
+    std::string name, text;
+};
+
+ProgramText program_text(const Features& features, const Driver& driver, const UserLighting& user);
+
+/// A compiler's words with the files' names in place of their numbers.
+std::string with_file_names(const std::string& log, const std::vector<std::string>& files);
+
+/// A file of the text by its path in src/, as it was when the program was built.
+/// @throws Error failed: there is none
+std::string_view embedded_text(std::string_view path);
+
+}  // namespace rakelight::opengl

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Programs by features: made when they are first needed, kept while the context lives, and as binaries from one run to the
+// next where the driver has a form for them.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "engines/opengl/gl_objects.h"
+#include "engines/opengl/program_text.h"
+
+namespace rakelight::opengl {
+
+/// Texture units of the engine's own; materials' maps follow.
+enum TextureUnit : GLint { unit_lights, unit_shadows, unit_environment, unit_tables, engine_units };
+/// Of the vertex stage alone, behind all of the pixels'.
+inline constexpr GLint vertex_units = 2;
+
+struct Program {
+    GlProgram name;
+    GLint object = -1, material = -1, lights = -1, light_count = -1, view_direction = -1, ray = -1, fog = -1, environment = -1,
+          environment_levels = -1, first_corner = -1, against = -1, map_texels = -1, shadow_size = -1, numbers = -1;
+    mutable std::uint64_t picture = 0;  ///< whose numbers it has been given
+    std::vector<GLint> map_unit;  ///< [texture_role_count] -1: it has none
+};
+
+class Programs {
+public:
+    explicit Programs(const Driver& driver) : driver_(driver) {}
+
+    /// @throws Error failed: it does not compile: the line names file and line of the text
+    const Program& of(const Features& features);
+    /// Another lighting model of the user's: programs with the one before are dropped.
+    void set_user(UserLighting user);
+    std::size_t count() const { return programs_.size(); }
+
+private:
+    std::unique_ptr<Program> make(const Features& features) const;
+
+    const Driver& driver_;
+    UserLighting user_;
+    std::map<Features, std::unique_ptr<Program>> programs_;
+};
+
+}  // namespace rakelight::opengl

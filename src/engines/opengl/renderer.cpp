@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/opengl/renderer.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "engines/opengl/blended.h"
+#include "lighting/albedo_tables.h"
+#include "scene/scene_tools.h"
+#include "shading/lights.h"
+#include "shading/shading_choice.h"
+
+namespace rakelight::opengl {
+namespace {
+
+constexpr float nothing_parallel = -3e38f;  ///< nearness where nothing is
+
+/// A picture's settings as far as a shadow map needs them.
+RenderSettings map_settings(int size) {
+    RenderSettings s;
+    s.width = s.height = size;
+    s.cull = Cull::none;
+    s.bump = Bump::none;
+    return s;
+}
+
+}  // namespace
+
+Renderer::Renderer() : driver_(ask_driver()) { make_albedos(); }
+
+void Renderer::make_albedos() {
+    const lighting::AlbedoTables t = lighting::albedo_tables();
+    const int columns = lighting::albedo_columns, rows = lighting::albedo_rows, sheen = lighting::sheen_rows;
+    std::vector<float> numbers(t.lobe_loss, t.lobe_loss + rows * columns);
+    numbers.insert(numbers.end(), t.grazing, t.grazing + rows * columns);
+    numbers.insert(numbers.end(), t.sheen, t.sheen + sheen * columns);
+    for (int i = 0; i < 2; ++i) numbers.insert(numbers.end(), t.loss, t.loss + columns);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, albedos_.get());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, columns, GLsizei(numbers.size()) / columns, 0, GL_RED, GL_FLOAT, numbers.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    check_gl("the tables of albedos");
+}
+
+void Renderer::upload_textures(Context& context) {
+    std::vector<TextureStore::Wish> wishes;
+    for (const shading::DrawMaterial& drawn : list_.materials)
+        for (const TextureRole& role : texture_roles()) {
+            if (!drawn.maps[std::size_t(role.number)]) continue;
+            const Texture& texture = list_.scene.textures[role.in(list_.scene_material(drawn)).texture];
+            const shading::LoadedTexture* const loaded = cache_.find(shading::key_of(texture, role.space));
+            wishes.push_back({std::static_pointer_cast<const TextureLevels>(loaded->packed), role.number == role_height,
+                              texture.image.get()});
+        }
+    textures_.update(wishes, context);
+}
+
+void Renderer::prepare(Scene scene, Context& context) {
+    validate_changes(scene, list_.scene);
+    list_ = {};
+    maps_.clear();
+    list_ = shading::make_draw_list(std::move(scene), cache_, LevelPacker(), context);
+    meshes_.keep_only(list_.scene);
+    upload_textures(context);
+    environment_.update(environments_.update(list_.scene, EnvironmentLevelPacker(), context));
+}
+
+void Renderer::set_lights(std::vector<Light> lights) {
+    validate_lights(lights, list_.scene.nodes.size());
+    if (lights == list_.scene.lights) return;
+    list_.scene.lights = std::move(lights);
+    maps_.clear();
+}
+
+PictureState Renderer::picture_state() const {
+    const bool is_lit = environment_ && list_.scene.environment && list_.scene.environment->is_light;
+    return {.list = list_,
+            .cache = cache_,
+            .textures = const_cast<TextureStore&>(textures_),
+            .settings = settings_,
+            .view = view_,
+            .shading = shading_,
+            .lights = lights_,
+            .has_environment = is_lit,
+            .has_shadows = !light_shadows_.empty(),
+            .units = driver_.texture_units - engine_units};
+}
+
+void Renderer::begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats, Context& context) {
+    settings_ = settings;
+    view_ = shading::view_of(list_, camera, settings);
+    shading_ = shading::choose_shading(list_, settings, nullptr, context);
+    const dvec3 eye = view_.camera_to_world[3].xyz();
+    light_parameters_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
+    update_shadows(settings, eye, light_parameters_, stats, context);
+}
+
+void Renderer::update_shadows(const RenderSettings& settings, dvec3 eye, std::vector<lighting::LightParameters>& lights,
+                              RenderStats& stats, Context& context) {
+    light_shadows_.clear();
+    if (!settings.shadows || !shading::has_shadow_range(list_.bounds)) {
+        maps_.clear();
+        return shadows_.forget();
+    }
+    if (maps_.empty() || map_size_ != settings.shadow_size || map_filter_ != settings.shadow_filter) {
+        shading::check_shadow_memory(list_.scene.lights, settings, context.memory());
+        maps_.clear();
+        std::vector<int> faces;
+        for (std::size_t i = 0; i < list_.scene.lights.size(); ++i) {
+            if (!shading::casts_shadow(list_.scene.lights[i])) continue;
+            maps_.push_back({i, shading::shadow_cameras(list_, list_.scene.lights[i], settings), {}, {}});
+            faces.push_back(int(maps_.back().cameras.size()));
+        }
+        if (maps_.empty()) return shadows_.forget();
+        map_size_ = settings.shadow_size, map_filter_ = settings.shadow_filter;
+        const std::vector<ShadowAtlas::Place> places = shadows_.reserve(faces, settings.shadow_size);
+        const RenderSettings for_maps = map_settings(settings.shadow_size);
+        for (std::size_t m = 0; m < maps_.size(); ++m) {
+            maps_[m].place = places[m];
+            for (std::size_t f = 0; f < maps_[m].cameras.size(); ++f) {
+                maps_[m].view = shading::view_of(list_, maps_[m].cameras[f].camera, for_maps);
+                draw_shadow_map(maps_[m].cameras[f], maps_[m].view, places[m], int(f), context);
+            }
+        }
+    }
+    for (const KeptMaps& m : maps_) {
+        lights[m.light].shadow = std::int32_t(light_shadows_.size());
+        light_shadows_.push_back(
+            {shading::shadow_factors(m.cameras[0], m.view, m.cameras.size(), settings, eye), m.place.x, m.place.y});
+        stats.shadow_maps += m.cameras.size();
+        stats.shadow_bytes += m.cameras.size() * std::uint64_t(map_size_) * std::uint64_t(map_size_) * shading::shadow_texel_bytes;
+    }
+}
+
+void Renderer::draw_shadow_map(const shading::MapCamera&, const shading::View& view, ShadowAtlas::Place place, int face,
+                               Context& context) {
+    const RenderSettings settings = map_settings(shadows_.size());
+    const std::vector<Shading> unlit(list_.draws.size(), Shading::unlit);
+    PictureState state = picture_state();
+    const LightTable no_lights;
+    const PictureState of_map{.list = state.list, .cache = state.cache, .textures = state.textures, .settings = settings,
+                              .view = view, .shading = unlit, .lights = no_lights, .units = state.units};
+    const PictureTools with = tools();
+    PictureDrawer drawer(with, of_map, {0, 0, settings.width, settings.height});
+    const float texels = float(0.5 * view.width * view.scale_x);
+    drawer.set_map_texels(view.orthographic ? -texels : texels);
+    shadows_.begin(place, face, std::bit_cast<std::uint32_t>(view.orthographic ? nothing_parallel : 0.0f), far_depth());
+    drawer.begin();
+    for (std::uint32_t d = 0; d < list_.draws.size(); ++d) {
+        context.throw_if_cancelled();
+        if (list_.material(list_.draws[d]).factors.blend || drawer.is_outside(d)) continue;
+        drawer.draw(d, draw_state(of_map, d, Output::shadow, false));
+    }
+    check_gl("a shadow map");
+}
+
+void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& state, const std::vector<std::uint32_t>& draws,
+                            Context& context) {
+    const std::vector<BlendedRun> runs = blending_order(list_, view_, draws, context);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    std::map<std::uint32_t, DrawState> states;
+    for (const std::uint32_t d : draws) states.emplace(d, draw_state(state, d, Output::color, false));
+    for (const BlendedRun& run : runs) {
+        context.throw_if_cancelled();
+        const DrawState& of = states.at(run.draw);
+        const Program& program = drawer.use(run.draw, of);
+        if (of.features.from_triangles) {
+            for (const std::uint32_t t : run.triangles) drawer.draw_triangles(run.draw, of, program, t, 1);
+            continue;
+        }
+        const Mesh& mesh = list_.scene.meshes[list_.draws[run.draw].mesh];
+        std::vector<std::uint32_t> indices;
+        indices.reserve(3 * run.triangles.size());
+        for (const std::uint32_t t : run.triangles)
+            for (std::size_t k = 0; k < 3; ++k) indices.push_back(mesh.indices[3 * std::size_t(t) + k]);
+        GLint own = 0;
+        glGetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &own);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, stream_.get());
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(indices[0])), indices.data(), GL_STREAM_DRAW);
+        drawer.draw_triangles(run.draw, of, program, 0, std::uint32_t(run.triangles.size()));
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(own));
+    }
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+}
+
+void Renderer::draw_colors(Window pixels, Context& context) {
+    lights_.set(light_parameters_, light_shadows_, view_, pixels);
+    const PictureState state = picture_state();
+    const PictureTools with = tools();
+    const PictureDrawer drawer(with, state, pixels);
+    drawer.begin();
+    if (environment_ && list_.scene.environment->is_background) drawer.draw_sky();
+    std::vector<std::uint32_t> blended;
+    for (std::uint32_t d = 0; d < list_.draws.size() && settings_.surfaces; ++d) {
+        context.throw_if_cancelled();
+        if (drawer.is_outside(d)) continue;
+        if (list_.material(list_.draws[d]).factors.blend)
+            blended.push_back(d);
+        else
+            drawer.draw(d, draw_state(state, d, Output::color, false));
+    }
+    if (!blended.empty()) draw_blended(drawer, state, blended, context);
+    check_gl("the picture");
+}
+
+void Renderer::draw_and_read(Window pixels, std::span<vec4> to, Context& context) {
+    target_.reserve(pixels.width, pixels.height, settings_.samples);
+    target_.begin(settings_.background, far_depth());
+    draw_colors(pixels, context);
+    target_.resolve();
+    target_.read(to);
+    to_straight_alpha(to, settings_.background);
+}
+
+}  // namespace rakelight::opengl

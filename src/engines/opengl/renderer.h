@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene on the GPU, and the passes that draw it. On one thread, whose context is current; the engine and the view of a
+// window share it.
+#pragma once
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rakelight/engine.h>
+
+#include "engines/opengl/picture.h"
+#include "engines/opengl/target.h"
+#include "shading/shadow_cameras.h"
+
+namespace rakelight::opengl {
+
+class Renderer {
+public:
+    Renderer();  ///< @throws Error failed: see ask_driver()
+
+    const Driver& driver() const { return driver_; }
+    /// As Engine::prepare().
+    void prepare(Scene scene, Context& context);
+    const Scene& scene() const { return list_.scene; }
+    void set_lights(std::vector<Light> lights);
+
+    /// What stays the same for all parts of a picture. After prepare() and set_lights().
+    void begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats, Context& context);
+    /// Colors of a part of it into a frame that is bound and as large as the part; its viewport too.
+    void draw_colors(Window pixels, Context& context);
+    /// The same into a target of its own, and from there. @param to  [pixels] straight alpha
+    void draw_and_read(Window pixels, std::span<vec4> to, Context& context);
+    float far_depth() const { return DepthRange(driver_).far_depth(); }
+
+private:
+    PictureState picture_state() const;
+    void update_shadows(const RenderSettings& settings, dvec3 eye, std::vector<lighting::LightParameters>& lights,
+                        RenderStats& stats, Context& context);
+    void draw_shadow_map(const shading::MapCamera& from, const shading::View& view, ShadowAtlas::Place place, int face,
+                         Context& context);
+    void upload_textures(Context& context);
+    void make_albedos();
+    void draw_blended(const PictureDrawer& drawer, const PictureState& state, const std::vector<std::uint32_t>& draws,
+                      Context& context);
+    PictureTools tools() { return {driver_, programs_, meshes_, environment_, shadows_, albedos_.name()}; }
+
+    Driver driver_;
+    Programs programs_{driver_};
+    MeshStore meshes_{driver_};
+    TextureStore textures_{driver_};
+    ShadowAtlas shadows_{driver_};
+    EnvironmentStore environment_;
+    shading::TextureCache cache_;
+    shading::EnvironmentCache environments_;
+    shading::DrawList list_;
+    GlTexture albedos_;
+    Target target_;
+    GlBuffer stream_;
+
+    // Of the picture that is drawn.
+    RenderSettings settings_;
+    shading::View view_;
+    std::vector<Shading> shading_;
+    std::vector<lighting::LightParameters> light_parameters_;
+    std::vector<LightShadow> light_shadows_;
+    LightTable lights_;
+
+    // Shadow maps that are there: of the list, for these settings.
+    struct KeptMaps {
+        std::size_t light;
+        std::vector<shading::MapCamera> cameras;
+        shading::View view;
+        ShadowAtlas::Place place;
+    };
+    std::vector<KeptMaps> maps_;
+    int map_size_ = 0, map_filter_ = 0;
+};
+
+}  // namespace rakelight::opengl

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a picture is drawn into: half floats, premultiplied, with depth; multisampled where it is asked for. Upside down: row 0
+// of the picture is row 0 of OpenGL's memory, so samples lie as the soft engine's do.
+#pragma once
+#include <span>
+
+#include <rakelight/vector.h>
+
+#include "engines/opengl/driver.h"
+#include "engines/opengl/gl_objects.h"
+
+namespace rakelight::opengl {
+
+class Target {
+public:
+    /// Room for a picture; what was there is lost. @throws Error failed: no memory on the GPU
+    void reserve(int width, int height, int samples);
+    /// Binds it, cleared. @param background  straight alpha
+    void begin(vec4 background, float far_depth) const;
+    /// Means of the samples, into what texture() and read() give.
+    void resolve() const;
+    /// [width * height] premultiplied, row by row from the top
+    void read(std::span<vec4> to) const;
+    GLuint texture() const { return color_.name(); }
+    GLuint frame() const { return samples_ > 1 ? sampled_frame_.name() : frame_.name(); }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+private:
+    int width_ = 0, height_ = 0, samples_ = 0;
+    GlTexture color_;
+    GlRenderbuffer depth_, sampled_color_;
+    GlFramebuffer frame_, sampled_frame_;
+};
+
+/// Of colors as Target::read() gives them: straight alpha; where nothing is, the background's own color.
+void to_straight_alpha(std::span<vec4> colors, vec4 background);
+
+}  // namespace rakelight::opengl

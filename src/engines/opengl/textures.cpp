@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/opengl/textures.h"
+
+#include <algorithm>
+#include <set>
+
+namespace rakelight::opengl {
+namespace {
+
+constexpr float most_half = 65504;  // the largest half float
+
+std::uint64_t bytes_of(const MipChain& chain) {
+    std::uint64_t bytes = 0;
+    for (const MipLevel& level : chain.levels) bytes += level.rgba8.size() * 4 + level.rgba32f.size() * 16;
+    return bytes;
+}
+
+float mean_green(const MipLevel& level) {
+    float sum = 0;
+    for (const std::uint32_t texel : level.rgba8) sum += float(texel >> 8 & 255u) * (1.0f / 255.0f);
+    for (const vec4& texel : level.rgba32f) sum += texel.y;
+    return sum / (float(level.width) * float(level.height));
+}
+
+void upload_level(GLint number, GLint format, const MipLevel& l, GLenum layout, GLenum type, const void* texels) {
+    glTexImage2D(GL_TEXTURE_2D, number, format, l.width, l.height, 0, layout, type, texels);
+}
+
+/// The first channel, as floats.
+void upload_heights(const std::vector<MipLevel>& levels, std::size_t skipped, GLint format) {
+    for (std::size_t i = skipped; i < levels.size(); ++i) {
+        std::vector<float> heights;
+        heights.reserve(levels[i].rgba8.size() + levels[i].rgba32f.size());
+        for (const std::uint32_t texel : levels[i].rgba8) heights.push_back(float(texel & 255u) * (1.0f / 255.0f));
+        for (const vec4& texel : levels[i].rgba32f) heights.push_back(texel.x);
+        upload_level(GLint(i - skipped), format, levels[i], GL_RED, GL_FLOAT, heights.data());
+    }
+}
+
+void upload_codes(const std::vector<MipLevel>& levels, std::size_t skipped, GLint format) {
+    for (std::size_t i = skipped; i < levels.size(); ++i)
+        upload_level(GLint(i - skipped), format, levels[i], GL_RGBA, GL_UNSIGNED_BYTE, levels[i].rgba8.data());
+}
+
+GLint wrap_of(Wrap wrap) {
+    switch (wrap) {
+        case Wrap::repeat:
+            return GL_REPEAT;
+        case Wrap::mirrored_repeat:
+            return GL_MIRRORED_REPEAT;
+        case Wrap::clamp_to_edge:
+            return GL_CLAMP_TO_EDGE;
+    }
+    return GL_REPEAT;
+}
+
+GLint minify_of(const Sampler& how) {
+    const bool is_linear = how.minify == Filter::linear;
+    switch (how.mip) {
+        case MipFilter::none:
+            return is_linear ? GL_LINEAR : GL_NEAREST;
+        case MipFilter::nearest:
+            return is_linear ? GL_LINEAR_MIPMAP_NEAREST : GL_NEAREST_MIPMAP_NEAREST;
+        case MipFilter::linear:
+            return is_linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_LINEAR;
+    }
+    return GL_LINEAR;
+}
+
+}  // namespace
+
+void upload_levels(const std::vector<MipLevel>& levels, std::size_t skipped, bool is_srgb) {
+    if (!levels[0].rgba8.empty()) return upload_codes(levels, skipped, is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8);
+    for (std::size_t i = skipped; i < levels.size(); ++i) {
+        std::vector<vec4> texels = levels[i].rgba32f;
+        for (vec4& t : texels)
+            t = {std::clamp(t.x, -most_half, most_half), std::clamp(t.y, -most_half, most_half),
+                 std::clamp(t.z, -most_half, most_half), t.w};
+        upload_level(GLint(i - skipped), GL_RGBA16F, levels[i], GL_RGBA, GL_FLOAT, texels.data());
+    }
+}
+
+std::uint64_t LevelPacker::packed_bytes(int width, int height, bool is_float, bool) const {
+    std::uint64_t texels = 0;
+    for (;; width = std::max(width / 2, 1), height = std::max(height / 2, 1)) {
+        texels += std::uint64_t(width) * std::uint64_t(height);
+        if (width <= 1 && height <= 1) return texels * (is_float ? 16 : 4);
+    }
+}
+
+std::shared_ptr<const shading::PackedTexture> LevelPacker::pack(const MipChain& chain, const shading::TextureKey&,
+                                                                MemoryCharge charge) const {
+    if (chain.levels.empty()) throw Error(ErrorCode::bad_file, "the picture has no texels");
+    const std::uint64_t bytes = bytes_of(chain);
+    if (charge.bytes() < bytes) charge.grow(bytes - charge.bytes(), "the texture");
+    auto out = std::make_shared<TextureLevels>();
+    out->is_srgb = chain.is_srgb, out->is_float = chain.is_float;
+    out->width = chain.levels[0].width, out->height = chain.levels[0].height;
+    out->mean_green = mean_green(chain.levels.back());
+    out->level_count = chain.levels.size();
+    out->levels = chain.levels;
+    out->charge = std::move(charge);
+    return out;
+}
+
+GlTexture TextureStore::upload(const Wish& wish, Context& context) const {
+    const TextureLevels& of = *wish.levels;
+    std::size_t skipped = 0;
+    while (skipped + 1 < of.levels.size() &&
+           std::max(of.levels[skipped].width, of.levels[skipped].height) > driver_.texture_size)
+        ++skipped;
+    if (skipped > 0)
+        context.report().add(Remark::warning, wish.image->file, wish.image->name,
+                             "texture of " + std::to_string(of.width) + " x " + std::to_string(of.height) +
+                                 " is drawn with fewer texels: the OpenGL driver has at most " +
+                                 std::to_string(driver_.texture_size) + " a side");
+    GlTexture texture;
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(of.levels.size() - skipped - 1));
+    if (wish.is_height)
+        upload_heights(of.levels, skipped, driver_.filters_floats ? GL_R32F : GL_R16F);
+    else
+        upload_levels(of.levels, skipped, of.is_srgb);
+    check_gl("a texture");
+    return texture;
+}
+
+void TextureStore::update(const std::vector<Wish>& wishes, Context& context) {
+    std::set<Wish> wanted(wishes.begin(), wishes.end());
+    std::erase_if(textures_, [&](const auto& entry) {
+        return !wanted.contains({entry.second.of, entry.first.second, nullptr});
+    });
+    for (const Wish& wish : wanted) {
+        context.throw_if_cancelled();
+        const std::pair key(wish.levels.get(), wish.is_height);
+        if (!textures_.contains(key)) textures_[key] = {wish.levels, upload(wish, context)};
+    }
+    for (const Wish& wish : wanted) wish.levels->levels = {}, wish.levels->charge = {};
+}
+
+GLuint TextureStore::find(const TextureLevels& levels, bool is_height) const {
+    const auto at = textures_.find({&levels, is_height});
+    return at == textures_.end() ? 0 : at->second.texture.name();
+}
+
+GLuint TextureStore::sampler(const Sampler& how, bool is_height) {
+    Sampler use = how;
+    if (is_height) use.magnify = use.minify = Filter::linear;  // a relief has no steps that its texels do not have
+    GlSampler& sampler = samplers_[{int(use.wrap_u), int(use.wrap_v), int(use.magnify), int(use.minify), int(use.mip)}];
+    if (sampler) return sampler.name();
+    const GLuint name = sampler.get();
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_S, wrap_of(use.wrap_u));
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_T, wrap_of(use.wrap_v));
+    glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, use.magnify == Filter::linear ? GL_LINEAR : GL_NEAREST);
+    glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, minify_of(use));
+    return name;
+}
+
+}  // namespace rakelight::opengl
