@@ -105,7 +105,7 @@ private:
         f_.fog = shading::fog_number(p_.list.scene.fog.kind);
         f_.is_parallel = p_.view.orthographic;
         f_.has_parallel_viewer = p_.view.orthographic || p_.settings.viewer_at_infinity;
-        f_.is_sampled = f_.output == Output::color && p_.settings.samples > 1;
+        f_.is_sampled = f_.output == Output::color && p_.settings.samples > 1 ? p_.settings.samples : 0;
         f_.is_screen_linear = p_.settings.interpolation == AttributeInterpolation::screen;
     }
 

@@ -11,6 +11,7 @@ struct Driver {
     std::string identity;         ///< vendor, renderer and version: what binary programs depend on
     bool is_software = false;     ///< llvmpipe and the like: no GPU
     bool has_reversed_depth = false;  ///< glClipControl: depth 0..1, so that reversed floats keep their precision
+    bool has_sample_mask = false;     ///< fragments know which of their samples are covered
     bool has_timer = false;
     bool has_program_binaries = false;
     bool filters_floats = false;  ///< textures of 32-bit floats can be filtered

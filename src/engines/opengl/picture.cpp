@@ -34,6 +34,16 @@ void put_row(const dmat4& m, std::size_t row, float* to) {
     for (std::size_t c = 0; c < 4; ++c) to[c] = float(m[c][row]);
 }
 
+/// [px] about the pixel's center, as the frame that is bound has them.
+void set_samples(GLint place, int samples) {
+    float at[2 * 8]{};
+    for (int i = 0; i < samples; ++i) {
+        glGetMultisamplefv(GL_SAMPLE_POSITION, GLuint(i), at + 2 * i);
+        at[2 * i] -= 0.5f, at[2 * i + 1] -= 0.5f;
+    }
+    glUniform2fv(place, 8, at);
+}
+
 void put_vec3(dvec3 v, float w, float* to) { to[0] = float(v.x), to[1] = float(v.y), to[2] = float(v.z), to[3] = w; }
 
 }  // namespace
@@ -97,6 +107,7 @@ void PictureDrawer::set_picture(const Program& p) const {
     if (p.light_count >= 0) glUniform4iv(p.light_count, 1, state_.lights.counts());
     if (p.map_texels >= 0) glUniform1f(p.map_texels, map_texels_);
     if (p.shadow_size >= 0) glUniform1i(p.shadow_size, tools_.shadows.size());
+    if (p.samples >= 0) set_samples(p.samples, state_.settings.samples);
     if (p.ray >= 0) {
         const shading::PixelRays rays = shading::pixel_rays(view, pixels_.x, pixels_.y);
         float ray[12];

@@ -43,14 +43,18 @@ private:
 };
 
 std::string version_of(const Driver& driver) {
-    if (!driver.is_es) return "#version 330 core\n";
-    return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp "
+    const std::string mask = driver.has_sample_mask ? "1\n" : "0\n";
+    if (!driver.is_es)
+        return "#version 330 core\n" + std::string(driver.has_sample_mask ? "#extension GL_ARB_gpu_shader5 : enable\n" : "") +
+               "#define RL_HAS_SAMPLE_MASK " + mask;
+    return std::string("#version 300 es\n") + (driver.has_sample_mask ? "#extension GL_OES_sample_variables : enable\n" : "") +
+           "#define RL_HAS_SAMPLE_MASK " + mask + "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp "
            "usampler2D;\n";
 }
 
 /// How what vertices hand on is interpolated.
-std::string qualifiers(const Features& f, bool is_vertex) {
-    const std::string place = f.is_sampled ? "centroid " : "";
+std::string qualifiers(const Features& f, const Driver& driver, bool is_vertex) {
+    const std::string place = f.is_sampled && !driver.has_sample_mask ? "centroid " : "";
     const std::string attribute = (f.is_screen_linear ? "noperspective " : "") + place;
     return "#define RL_VARYING " + std::string(is_vertex ? "out" : "in") + "\n#define RL_PLACE " + place +
            "\n#define RL_ATTRIBUTE " + attribute + "\n#define RL_CONSTANT flat\n";
@@ -106,7 +110,7 @@ const char* main_of(Output output) {
 
 /// What both stages begin with.
 void begin(StageText& stage, const Features& f, const Driver& driver, const UserLighting& user, bool is_vertex) {
-    stage.add(version_of(driver) + definitions_of(f) + qualifiers(f, is_vertex) + numbers_of(f) +
+    stage.add(version_of(driver) + definitions_of(f) + qualifiers(f, driver, is_vertex) + numbers_of(f) +
               "#define RL_OUTPUT " + std::to_string(int(f.output)) + "\n");
     stage.add_lighting();
     stage.add(material_text());

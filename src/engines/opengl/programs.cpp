@@ -85,6 +85,7 @@ void find_places(Program& program, const Driver& driver, const Features& feature
     program.map_texels = place("rl_map_texels");
     program.shadow_size = place("rl_shadow_size");
     program.numbers = place("rl_numbers");
+    program.samples = place("rl_samples");
     glUseProgram(name);
     const auto bind = [&place](const std::string& sampler, GLint unit) {
         const GLint at = place(sampler.c_str());

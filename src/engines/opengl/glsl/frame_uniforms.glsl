@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is the same for all of a picture, and the lights.
+uniform vec2 rl_samples[8];         // [px] places of a pixel's samples about its center
 uniform vec3 rl_view_direction;   // towards the viewer, in parallel views and for a viewer infinitely far away
 uniform vec4 rl_ray[3];           // rays of the pixels: change per pixel along x and down y; at the middle of the first one
 uniform vec4 rl_fog[2];           // color; start, end, density

@@ -10,22 +10,44 @@ struct Pixel {
     float alpha;  // < 0: it is not there
 };
 
+#if RL_SAMPLED && RL_HAS_SAMPLE_MASK
+// [px] from the pixel's center to the middle of the samples that the triangle covers: it is shaded there.
+vec2 middle_of_samples()
+{
+    vec2 sum = vec2(0.0);
+    float count = 0.0;
+    for (int i = 0; i < RL_SAMPLED; ++i) {
+        if ((gl_SampleMaskIn[0] >> i & 1) != 0) {
+            sum += rl_samples[i];
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? sum / count : vec2(0.0);
+}
+#define RL_MOVED(v) (v + dFdx(v) * middle.x + dFdy(v) * middle.y)
+#else
+#define RL_MOVED(v) v
+#endif
+
 Point this_point()
 {
     Point p;
-    p.position = v_position;
+#if RL_SAMPLED && RL_HAS_SAMPLE_MASK
+    vec2 middle = middle_of_samples();
+#endif
+    p.position = RL_MOVED(v_position);
     int turns = int(!gl_FrontFacing) + RL_FRONT_TURNS;
 #if RL_FROM_TRIANGLES
     turns += v_triangle.y;
 #endif
     p.side = (turns & 1) != 0 ? -1.0 : 1.0;
 #if RL_HAS_NORMALS
-    p.normal = v_normal;
+    p.normal = RL_MOVED(v_normal);
 #else
     p.normal = vec3(0.0, 0.0, 1.0);
 #endif
 #if RL_HAS_TANGENTS
-    p.tangent = v_tangent.xyz;
+    p.tangent = RL_MOVED(v_tangent).xyz;
     p.w = v_tangent.w < 0.0 ? -1.0 : 1.0;
 #else
     p.tangent = vec3(0.0);
@@ -33,15 +55,21 @@ Point this_point()
 #endif
     p.color = vec4(1.0);
 #if RL_HAS_COLORS
-    p.color = v_color;
+    p.color = RL_MOVED(v_color);
 #endif
 #if RL_HAS_TEXCOORDS
+#if RL_SAMPLED && !RL_HAS_SAMPLE_MASK
+    vec4 dx = dFdx(v_center_texcoords);
+    vec4 dy = dFdy(v_center_texcoords);
+#else
     vec4 dx = dFdx(v_texcoords);
     vec4 dy = dFdy(v_texcoords);
-    p.texcoords[0].uv = v_texcoords.xy;
+#endif
+    vec4 uv = RL_MOVED(v_texcoords);
+    p.texcoords[0].uv = uv.xy;
     p.texcoords[0].dx = dx.xy;
     p.texcoords[0].dy = dy.xy;
-    p.texcoords[1].uv = v_texcoords.zw;
+    p.texcoords[1].uv = uv.zw;
     p.texcoords[1].dx = dx.zw;
     p.texcoords[1].dy = dy.zw;
 #endif
@@ -94,7 +122,8 @@ vec3 plane_normal_at(vec3 position)
     float away = -dot(rl_view_direction, position);
     return parallel_plane_normal(rl_ray[0].xyz, rl_ray[1].xyz, rl_view_direction, dFdx(away), dFdy(away), otherwise);
 #else
-    return plane_normal(rl_ray[0].xyz, rl_ray[1].xyz, position * gl_FragCoord.w, dFdx(gl_FragCoord.w), dFdy(gl_FragCoord.w), gl_FragCoord.w, otherwise);
+    vec3 ray = rl_ray[0].xyz * (gl_FragCoord.x - 0.5) + rl_ray[1].xyz * (gl_FragCoord.y - 0.5) + rl_ray[2].xyz;
+    return plane_normal(rl_ray[0].xyz, rl_ray[1].xyz, ray, dFdx(gl_FragCoord.w), dFdy(gl_FragCoord.w), gl_FragCoord.w, otherwise);
 #endif
 }
 

@@ -35,7 +35,7 @@ float level_of_detail(vec2 size, TexCoords c)
 
 vec4 read_once(sampler2D map, TexCoords c)
 {
-#if RL_COORDS_ARE_MOVED
+#if RL_COORDS_ARE_MOVED || RL_SAMPLED
     return textureGrad(map, c.uv, c.dx, c.dy);
 #else
     return texture(map, c.uv);

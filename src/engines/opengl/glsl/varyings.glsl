@@ -10,6 +10,9 @@ RL_ATTRIBUTE RL_VARYING vec4 v_tangent;  // w: handedness in the world
 #endif
 #if RL_HAS_TEXCOORDS
 RL_ATTRIBUTE RL_VARYING vec4 v_texcoords;  // set 0, set 1
+#if RL_SAMPLED && !RL_HAS_SAMPLE_MASK
+RL_VARYING vec4 v_center_texcoords;  // at the pixel's center: what lies between centroids is no change from pixel to pixel
+#endif
 #endif
 #if RL_HAS_COLORS
 RL_ATTRIBUTE RL_VARYING vec4 v_color;

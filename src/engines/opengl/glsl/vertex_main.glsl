@@ -20,8 +20,8 @@ vec3 front_normal(vec3 position[3]) { return safe_normalize(cross(position[1] - 
 vec3 seen_normal(vec3 position[3])
 {
     vec3 n = safe_normalize(cross(position[1] - position[0], position[2] - position[0]));
-    vec3 centroid = (position[0] + position[1] + position[2]) / 3.0;
-    return dot(n, vertex_to_viewer(centroid, rl_view_direction, RL_PARALLEL)) < 0.0 ? -n : n;
+    vec3 middle = (position[0] + position[1] + position[2]) / 3.0;
+    return dot(n, vertex_to_viewer(middle, rl_view_direction, RL_PARALLEL)) < 0.0 ? -n : n;
 }
 #endif
 
@@ -77,6 +77,9 @@ void main()
 #endif
 #if RL_HAS_TEXCOORDS
     v_texcoords = v.texcoords;
+#if RL_SAMPLED && !RL_HAS_SAMPLE_MASK
+    v_center_texcoords = v.texcoords;
+#endif
 #endif
 #if RL_HAS_COLORS
     v_color = v.color;
