@@ -59,11 +59,18 @@ Point this_point()
 #endif
 #if RL_HAS_TEXCOORDS
 #if RL_SAMPLED && !RL_HAS_SAMPLE_MASK
-    vec4 dx = dFdx(v_center_texcoords);
-    vec4 dy = dFdy(v_center_texcoords);
+    vec4 at = v_center_texcoords;
 #else
-    vec4 dx = dFdx(v_texcoords);
-    vec4 dy = dFdy(v_texcoords);
+    vec4 at = v_texcoords;
+#endif
+#if RL_SCREEN_LINEAR
+    vec4 dx = dFdx(at);
+    vec4 dy = dFdy(at);
+#else
+    // Over w they are linear on the screen: so these are the changes at this very pixel, as the soft engine has them.
+    float per_w = gl_FragCoord.w;
+    vec4 dx = (dFdx(at * per_w) - at * dFdx(per_w)) / per_w;
+    vec4 dy = (dFdy(at * per_w) - at * dFdy(per_w)) / per_w;
 #endif
     vec4 uv = RL_MOVED(v_texcoords);
     p.texcoords[0].uv = uv.xy;
