@@ -42,14 +42,17 @@ GlContext::GlContext() {
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
-    if (context_ == EGL_NO_CONTEXT || !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
-        fail("no OpenGL 3.3 context");
+    if (context_ == EGL_NO_CONTEXT) fail("no OpenGL 3.3 context");
+    make_current();
+}
+
+void GlContext::make_current() const {
+    if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) fail("the OpenGL context cannot be used");
 }
 
 GlContext::~GlContext() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroyContext(display_, context_);
-    eglTerminate(display_);
+    eglDestroyContext(display_, context_);  // the display is the process's
 }
 
 std::string GlContext::renderer() const { return text(GL_RENDERER); }

@@ -10,7 +10,8 @@ namespace rakelight::bench {
 /// Mesa's software rasterizer unless LIBGL_ALWAYS_SOFTWARE says otherwise. One a thread.
 class GlContext {
 public:
-    GlContext();  ///< @throws Error failed: no EGL, no OpenGL 3.3
+    GlContext();  ///< and makes it current. @throws Error failed: no EGL, no OpenGL 3.3
+    void make_current() const;
     ~GlContext();
     GlContext(const GlContext&) = delete;
     GlContext& operator=(const GlContext&) = delete;

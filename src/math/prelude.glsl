@@ -7,6 +7,7 @@
 #define real float
 #define mask bool
 #define RL_MAP_FN
+#define RL_CAN_SKIP(lanes_that_need_it) false  // a branch for each pixel costs more than what it leaves out
 
 bool any_lane(bool m) { return m; }
 bool all_lanes(bool m) { return m; }

@@ -10,4 +10,6 @@
 #define RL_MAP_FN         \
     template <class Maps> \
     RL_FN
+// Whether what only lanes of the mask need may be left out now: where none is.
+#define RL_CAN_SKIP(lanes_that_need_it) no_lane(lanes_that_need_it)
 RL_USE_WIDE;

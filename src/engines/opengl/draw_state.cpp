@@ -55,6 +55,8 @@ private:
 
     void set_model() {
         f_.is_unlit = factors().unlit || shading_ == Shading::unlit;
+        const auto& emission = factors().emission;
+        f_.has_emission = emission[0] != 0 || emission[1] != 0 || emission[2] != 0;
         f_.is_metallic = factors().metallic_roughness != 0;
         if (f_.is_unlit) return;
         f_.model = shading::reflection_model(shading::lighting_of(p_.list, draw_, p_.settings));
@@ -111,12 +113,16 @@ private:
 
     void set_lit_at() {
         if (f_.is_unlit) return;
+        f_.paints_last = f_.has_classical_sum && !f_.is_metallic && !f_.has_environment && !f_.is_user &&
+                         !drawn_.maps[role_occlusion] && f_.output != Output::terms;
         const bool is_flat = shading_ == Shading::flat || mesh_.normals.empty();
         f_.lit_at = !is_lit_at_corners() ? lit_at_pixels : is_flat ? lit_at_faces : lit_at_vertices;
         f_.two_sides = f_.lit_at == lit_at_vertices &&
                        !(state_.culling.back && !side_.front_turns() && !state_.against);
         f_.lights_are_near = p_.lights.are_near() ? std::max(p_.lights.count(), 1) : 0;
         f_.light_count = p_.lights.are_near() ? p_.lights.count() : 0;
+        f_.light_kinds = p_.lights.kinds();
+        f_.lights_without_ambient = p_.lights.without_ambient();
         f_.has_lists = f_.lit_at == lit_at_pixels && p_.lights.has_lists();
         f_.has_shadows = f_.lit_at == lit_at_pixels && p_.has_shadows;
         if (!f_.has_shadows) return;
@@ -151,6 +157,7 @@ private:
         f_.from_triangles = wants_triangles || f_.lit_at == lit_at_faces || mesh_.normals.empty() || state_.against ||
                             f_.has_corner_frames;
         f_.front_turns = side_.front_turns();
+        f_.seen_sides = state_.culling.back ? seen_front : state_.culling.front ? seen_back : seen_both;
         f_.has_normals = 1;
         f_.has_tangents = reads_tangents;
         f_.has_colors = !mesh_.colors.empty() && factors().vertex_colors;
@@ -174,6 +181,7 @@ private:
             const bool is_height = role.number == role_height;
             state_.maps.push_back({role.number, p_.textures.find(levels, is_height), p_.textures.sampler(texture.sampler, is_height)});
             const shading::UvTransform t = shading::uv_transform(use);
+            if (!shading::is_identity(t)) f_.turned_maps |= 1u << role.number;
             const float turn[4] = {t.uu, t.uv, t.vu, t.vv}, offset[2] = {t.u0, t.v0};
             std::copy_n(turn, 4, state_.numbers.turn[role.number]);
             std::copy_n(offset, 2, state_.numbers.offset[role.number]);

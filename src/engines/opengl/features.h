@@ -18,7 +18,6 @@ enum class Output : std::int32_t { color, shadow, sky, numbers, directions, plac
     X(model, "MODEL")                            \
     X(form, "FORM")                              \
     X(horizon, "HORIZON")                        \
-    X(whole_exponent, "WHOLE_EXPONENT")          \
     X(ward_form, "WARD_FORM")                    \
     X(is_anisotropic, "IS_ANISOTROPIC")          \
     X(has_scattering, "HAS_SCATTERING")          \
@@ -29,6 +28,8 @@ enum class Output : std::int32_t { color, shadow, sky, numbers, directions, plac
     X(is_unlit, "IS_UNLIT")                      \
     X(is_user, "IS_USER")                        \
     X(has_classical_sum, "HAS_CLASSICAL_SUM")    \
+    X(has_emission, "HAS_EMISSION")              \
+    X(paints_last, "PAINTS_LAST")                \
     X(has_environment, "HAS_ENVIRONMENT")        \
     X(has_light_around, "HAS_LIGHT_AROUND")      \
     X(occlusion_in_metallic, "OCCLUSION_IN_METALLIC") \
@@ -77,7 +78,11 @@ enum class Output : std::int32_t { color, shadow, sky, numbers, directions, plac
     X(light_count, "LIGHT_COUNT_KNOWN")          \
     X(has_lists, "HAS_LISTS")                    \
     X(is_screen_linear, "SCREEN_LINEAR")         \
-    X(is_sampled, "SAMPLED")
+    X(is_sampled, "SAMPLED")                     \
+    X(seen_sides, "SEEN_SIDES")
+
+/// Sides of a surface that culling leaves.
+enum SeenSides : std::int32_t { seen_both, seen_front, seen_back };
 
 /// Where lighting is evaluated.
 enum LitAt : std::int32_t { lit_at_pixels, lit_at_vertices, lit_at_faces };
@@ -90,6 +95,9 @@ struct Features {
     std::uint32_t maps = 0;         ///< [bits by TextureRoleNumber] that are read
     std::uint32_t second_sets = 0;  ///< those of texture coordinate set 1
     std::uint32_t level_maps = 0;   ///< those with mip levels
+    std::uint32_t turned_maps = 0;  ///< those with a texture transform
+    std::uint32_t light_kinds = 0;  ///< four bits for each of few lights: LightTable::kinds()
+    std::uint32_t lights_without_ambient = 0;  ///< [bits] of few lights: those whose ambient term is 0
 
     bool has(TextureRoleNumber role) const { return (maps >> role & 1u) != 0; }
     auto operator<=>(const Features&) const = default;

@@ -11,10 +11,19 @@ namespace {
 
 vec4 with(const float (&v)[3], float w) { return {v[0], v[1], v[2], w}; }
 
+/// light_kind() of the text.
+std::uint32_t kind_bits(const lighting::LightParameters& p) {
+    return std::uint32_t(p.kind) | (p.is_photometric ? 4u : 0u) | (p.inverse_range > 0 ? 8u : 0u);
+}
+
+bool has_ambient(const lighting::LightParameters& p) {
+    return !p.is_photometric && (p.ambient[0] != 0 || p.ambient[1] != 0 || p.ambient[2] != 0);
+}
+
 /// light_texels of one light, in the order of light_sample() and shadow_of().
 void add_light(const lighting::LightParameters& p, const LightShadow* shadow, std::vector<vec4>& to) {
-    to.push_back(with(p.position, float(p.kind)));
-    to.push_back(with(p.direction, p.is_photometric ? 1.0f : 0.0f));
+    to.push_back(with(p.position, float(kind_bits(p))));
+    to.push_back(with(p.direction, 0));
     if (p.is_photometric)
         to.push_back({p.cone_scale, p.cone_offset, 0, p.inverse_range});
     else
@@ -39,7 +48,12 @@ void LightTable::set(const std::vector<lighting::LightParameters>& lights, const
     has_lists_ = false;
     std::fill(std::begin(counts_), std::end(counts_), 0);
     counts_[0] = count_;
+    kinds_ = without_ambient_ = 0;
     if (are_near()) {
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            kinds_ |= kind_bits(lights[i]) << 4 * i;
+            without_ambient_ |= (has_ambient(lights[i]) ? 0u : 1u) << i;
+        }
         texels_.resize(std::size_t(most_near) * light_texels);
         return;
     }

@@ -30,6 +30,10 @@ public:
     bool are_near() const { return count_ <= most_near; }
     bool has_lists() const { return has_lists_; }
     int count() const { return count_; }
+    /// Of few lights, four bits each: kind, then whether it is photometric, and whether it has a range. 0: they are many.
+    std::uint32_t kinds() const { return kinds_; }
+    /// Likewise a bit each: it has no ambient term.
+    std::uint32_t without_ambient() const { return without_ambient_; }
     const float* numbers() const { return &texels_[0].x; }
     const std::int32_t* counts() const { return counts_; }
     void bind() const;
@@ -41,6 +45,7 @@ private:
 
     int count_ = 0;
     bool has_lists_ = false;
+    std::uint32_t kinds_ = 0, without_ambient_ = 0;
     std::int32_t counts_[4]{};
     std::vector<vec4> texels_;
     GlTexture texture_;

@@ -72,21 +72,25 @@ private:
             const int height = std::min(rows, window.height - y);
             for (int x = 0; x < window.width; x += renderer_->driver().picture_size) {
                 const int width = std::min(window.width - x, renderer_->driver().picture_size);
-                deliver({window.x + x, window.y + y, width, height}, sink, context);
+                stats.pixels_not_finite += deliver({window.x + x, window.y + y, width, height}, sink, context);
             }
             if (strips) strips->rows_done(window.y + y, height);
             context.progress("render", double(y + height) / double(window.height));
         }
         sink.end_pass(0);
+        if (stats.pixels_not_finite > 0)
+            context.report().add(Remark::warning, renderer_->scene().source, {},
+                                 std::to_string(stats.pixels_not_finite) + " color values came out not finite and are shown black");
         return stats;
     }
 
-    void deliver(Window pixels, Sink& sink, Context& context) {
+    std::uint64_t deliver(Window pixels, Sink& sink, Context& context) {
         colors_.resize(std::size_t(pixels.width) * std::size_t(pixels.height));
-        renderer_->draw_and_read(pixels, colors_, context);
+        const std::uint64_t not_finite = renderer_->draw_and_read(pixels, colors_, context);
         Tile tile{.area = pixels};
         tile.color = colors_;
         sink.tile(tile);
+        return not_finite;
     }
 
     std::optional<HeadlessContext> context_;

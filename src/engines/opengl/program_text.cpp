@@ -60,6 +60,13 @@ std::string qualifiers(const Features& f, const Driver& driver, bool is_vertex) 
            "\n#define RL_ATTRIBUTE " + attribute + "\n#define RL_CONSTANT flat\n";
 }
 
+/// X(0) X(1) ...: the kind of each is a constant.
+std::string each_light(const Features& f) {
+    std::string text;
+    for (int i = 0; i < f.light_count; ++i) text += " X(" + std::to_string(i) + ")";
+    return text;
+}
+
 std::string numbers_of(const Features& f) {
     const auto define = [](const char* word, int value) {
         return std::string("#define ") + word + " " + std::to_string(value) + "\n";
@@ -69,7 +76,11 @@ std::string numbers_of(const Features& f) {
            define("RL_AT_FACES", lit_at_faces) + define("RL_SPACE_WORLD", shading::space_world) +
            define("RL_SPACE_TRANSPOSED", shading::space_transposed) + define("RL_FETCH_WIDTH", fetch_width) +
            define("RL_LIGHT_TEXELS", light_texels) + define("RL_VERTEX_TEXELS", texels) +
-           "#define RL_LIGHT_COUNT " + (f.lights_are_near ? std::to_string(f.light_count) : "rl_light_count.x") + "\n";
+           define("RL_SEEN_FRONT", seen_front) + define("RL_SEEN_BACK", seen_back) +
+           define("RL_HAS_SECOND_SET", f.second_sets != 0 || f.coords_are_moved || f.output == Output::places) +
+           "#define RL_LIGHT_KINDS " + std::to_string(f.light_kinds) + "u\n#define RL_LIGHTS_WITHOUT_AMBIENT " + std::to_string(f.lights_without_ambient) +
+           "u\n#define RL_EACH_LIGHT(X)" + each_light(f) + "\n" +
+           define("RL_OUTPUT", int(f.output)) + define("RL_OUTPUT_TERMS", int(Output::terms));
 }
 
 /// RL_HAS_<ROLE>_MAP and <role>_texel(p) of each role; a missing map is white.
@@ -87,8 +98,10 @@ std::string map_functions(const Features& f) {
         const bool is_height = role.number == role_height;
         const std::string sampler = is_height ? "rl_heights" : "rl_map_" + number;
         if (!is_height) text += "uniform sampler2D " + sampler + ";\n";
-        text += "TexCoords " + name + "_coords(Point p) { return transformed(p.texcoords[" +
-                std::to_string(f.second_sets >> role.number & 1u) + "], RL_TURN_" + number + ", RL_OFFSET_" + number + "); }\n";
+        const std::string set = "p.texcoords[" + std::to_string(f.second_sets >> role.number & 1u) + "]";
+        const bool is_turned = (f.turned_maps >> role.number & 1u) != 0;
+        text += "TexCoords " + name + "_coords(Point p) { return " +
+                (is_turned ? "transformed(" + set + ", RL_TURN_" + number + ", RL_OFFSET_" + number + ")" : set) + "; }\n";
         text += "vec4 " + name + "_texel(Point p) { return read_map(" + sampler + ", " + name + "_coords(p), " +
                 ((f.level_maps >> role.number & 1u) != 0 ? "true" : "false") + "); }\n";
     }
@@ -110,8 +123,7 @@ const char* main_of(Output output) {
 
 /// What both stages begin with.
 void begin(StageText& stage, const Features& f, const Driver& driver, const UserLighting& user, bool is_vertex) {
-    stage.add(version_of(driver) + definitions_of(f) + qualifiers(f, driver, is_vertex) + numbers_of(f) +
-              "#define RL_OUTPUT " + std::to_string(int(f.output)) + "\n");
+    stage.add(version_of(driver) + definitions_of(f) + qualifiers(f, driver, is_vertex) + numbers_of(f));
     stage.add_lighting();
     stage.add(material_text());
     stage.add_file("engines/opengl/glsl/frame_uniforms.glsl");

@@ -209,13 +209,13 @@ void Renderer::draw_colors(Window pixels, Context& context) {
     check_gl("the picture");
 }
 
-void Renderer::draw_and_read(Window pixels, std::span<vec4> to, Context& context) {
+std::uint64_t Renderer::draw_and_read(Window pixels, std::span<vec4> to, Context& context) {
     target_.reserve(pixels.width, pixels.height, settings_.samples);
     target_.begin(settings_.background, far_depth());
     draw_colors(pixels, context);
     target_.resolve();
     target_.read(to);
-    to_straight_alpha(to, settings_.background);
+    return to_straight_alpha(to, settings_.background);
 }
 
 }  // namespace rakelight::opengl

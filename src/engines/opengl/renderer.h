@@ -31,7 +31,8 @@ public:
     /// Colors of a part of it into a frame that is bound and as large as the part; its viewport too.
     void draw_colors(Window pixels, Context& context);
     /// The same into a target of its own, and from there. @param to  [pixels] straight alpha
-    void draw_and_read(Window pixels, std::span<vec4> to, Context& context);
+    /// @return pixels whose color is not a number, and shown black
+    std::uint64_t draw_and_read(Window pixels, std::span<vec4> to, Context& context);
     float far_depth() const { return DepthRange(driver_).far_depth(); }
 
 private:

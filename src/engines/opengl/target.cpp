@@ -2,6 +2,7 @@
 #include "engines/opengl/target.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <rakelight/error.h>
 
@@ -66,11 +67,18 @@ void Target::read(std::span<vec4> to) const {
     check_gl("the picture");
 }
 
-void to_straight_alpha(std::span<vec4> colors, vec4 background) {
+std::uint64_t to_straight_alpha(std::span<vec4> colors, vec4 background) {
+    constexpr float most_half = 65504;
+    std::uint64_t not_numbers = 0;
     for (vec4& c : colors) {
+        if (!(std::max({c.x, c.y, c.z}) <= most_half) || !(c.x + c.y + c.z + c.w <= 4 * most_half)) {
+            not_numbers += std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z) || std::isnan(c.w);
+            for (std::size_t i = 0; i < 4; ++i) c[i] = std::isnan(c[i]) ? 0 : std::min(c[i], most_half);
+        }
         if (c.w == 1) continue;
         c = c.w > 0 ? vec4{c.x / c.w, c.y / c.w, c.z / c.w, c.w} : vec4{background.x, background.y, background.z, 0};
     }
+    return not_numbers;
 }
 
 }  // namespace rakelight::opengl

@@ -2,6 +2,7 @@
 // What a picture is drawn into: half floats, premultiplied, with depth; multisampled where it is asked for. Upside down: row 0
 // of the picture is row 0 of OpenGL's memory, so samples lie as the soft engine's do.
 #pragma once
+#include <cstdint>
 #include <span>
 
 #include <rakelight/vector.h>
@@ -33,7 +34,8 @@ private:
     GlFramebuffer frame_, sampled_frame_;
 };
 
-/// Of colors as Target::read() gives them: straight alpha; where nothing is, the background's own color.
-void to_straight_alpha(std::span<vec4> colors, vec4 background);
+/// Of colors as Target::read() gives them: straight alpha; where nothing is, the background's own color. What is beyond half
+/// floats comes as the greatest of them, NaN as 0. @return pixels with a NaN
+std::uint64_t to_straight_alpha(std::span<vec4> colors, vec4 background);
 
 }  // namespace rakelight::opengl

@@ -58,7 +58,7 @@ RL_FN LightWeights light_weights(RL_IN(Surface) surface, RL_IN(LightSample) ligh
     weights.diffuse = 0.0f;
     weights.specular = 0.0f;
     real cosine = lambert_cosine(dot(surface.n, light.l));
-    if ((reflection.horizon != 0 || reflection.form == RL_NORMALIZED) && no_lane(cosine > 0.0f)) {
+    if ((reflection.horizon != 0 || reflection.form == RL_NORMALIZED) && RL_CAN_SKIP(cosine > 0.0f)) {
         return weights;
     }
     weights.diffuse = cosine * light.attenuation;

@@ -133,13 +133,14 @@ vec3 light_direction_at(Frame f, int i, vec3 l)
 {
 #if RL_HAS_BUMPS && RL_TANGENT_SPACE != RL_SPACE_WORLD
     vec4 place = light_texel(i, 0);
-    if (int(place.w) == RL_AMBIENT_LIGHT) {
+    int kind = light_kind(i) & 3;
+    if (kind == RL_AMBIENT_LIGHT) {
         return l;
     }
     vec3 to[3];
 #if RL_HAS_CORNER_FRAMES
     for (int k = 0; k < 3; ++k) {
-        to[k] = vertex_to_light(v_corner_position[k], place.xyz, light_texel(i, 1).xyz, int(int(place.w) == RL_DIRECTIONAL_LIGHT));
+        to[k] = vertex_to_light(v_corner_position[k], place.xyz, light_texel(i, 1).xyz, int(kind == RL_DIRECTIONAL_LIGHT));
     }
 #endif
     return in_tangent_space(f, l, to);

@@ -12,9 +12,15 @@ void main()
     }
 #endif
     find_surface(x);
-    vec3 radiance = shown_color(in_fog(x.point.position, own_radiance(x) + radiance_of_terms(light_on(x))));
+    vec3 radiance = own_radiance(x);
+#if RL_PAINTS_LAST
+    radiance += painted(x.point, x.base, light_on(x));
+#else
+    radiance += light_on(x);
+#endif
+    radiance = in_fog(x.point.position, radiance);
 #if RL_IS_BLENDED
-    float alpha = clamp(shown_number(x.alpha), 0.0, 1.0);
+    float alpha = clamp(x.alpha, 0.0, 1.0);
     o_color = vec4(radiance * alpha, alpha);
 #else
     o_color = vec4(radiance, 1.0);

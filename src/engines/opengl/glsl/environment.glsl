@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The environment as the lighting text has it, and colors as targets hold them.
+// The environment as the lighting text has it.
 Environment environment()
 {
     Environment e;
@@ -18,7 +18,3 @@ Environment environment()
     e.irradiance.by_xx_yy = n[8].xyz;
     return e;
 }
-
-// What half floats hold; what is not finite is shown black.
-float shown_number(float x) { return isnan(x) || isinf(x) ? 0.0 : min(x, 65504.0); }
-vec3 shown_color(vec3 c) { return vec3(shown_number(c.x), shown_number(c.y), shown_number(c.z)); }

@@ -15,17 +15,26 @@ vec4 light_table(int texel) { return texelFetch(rl_lights, ivec2(texel & (RL_FET
 vec4 light_texel(int i, int k) { return light_table(i * RL_LIGHT_TEXELS + k); }
 #endif
 
+// The kind of a light, RL_..._LIGHT, and 4: it is photometric, 8: it has a range.
+int light_kind(int i)
+{
+#if RL_LIGHTS_ARE_NEAR
+    return int(RL_LIGHT_KINDS >> uint(4 * i) & 15u);
+#else
+    return int(light_texel(i, 0).w);
+#endif
+}
+
 // Texels of a light: light_table.cpp writes them.
 LightSample light_sample(int i, vec3 position)
 {
-    vec4 place = light_texel(i, 0);
-    vec4 direction = light_texel(i, 1);
+    int kind = light_kind(i);
     vec4 reach = light_texel(i, 2);
-    if (direction.w != 0.0) {
+    if ((kind & 4) != 0) {
         PhotometricLight light;
-        light.type = int(place.w);
-        light.position = place.xyz;
-        light.direction = direction.xyz;
+        light.type = kind & 3;
+        light.position = light_texel(i, 0).xyz;
+        light.direction = light_texel(i, 1).xyz;
         light.intensity = light_texel(i, 3).xyz;
         light.inverse_range = reach.w;
         light.cone_scale = reach.x;
@@ -35,10 +44,15 @@ LightSample light_sample(int i, vec3 position)
     ClassicalLight light;
     vec4 ambient = light_texel(i, 4);
     vec4 specular = light_texel(i, 5);
-    light.type = int(place.w);
-    light.position = place.xyz;
-    light.direction = direction.xyz;
+    light.type = kind & 3;
+    light.position = light_texel(i, 0).xyz;
+    light.direction = light_texel(i, 1).xyz;
     light.ambient = ambient.xyz;
+#if RL_LIGHTS_ARE_NEAR
+    if ((RL_LIGHTS_WITHOUT_AMBIENT >> uint(i) & 1u) != 0u) {
+        light.ambient = vec3(0.0);  // what is multiplied by it goes away
+    }
+#endif
     light.diffuse = light_texel(i, 3).xyz;
     light.specular = specular.xyz;
     light.constant_term = reach.x;
@@ -46,7 +60,7 @@ LightSample light_sample(int i, vec3 position)
     light.quadratic_term = reach.z;
     light.cos_cutoff = ambient.w;
     light.exponent = specular.w;
-    light.has_range = reach.w > 0.0 ? 1 : 0;
+    light.has_range = kind & 8;
     light.inverse_range = reach.w;
     return sample_classical(light, position);
 }

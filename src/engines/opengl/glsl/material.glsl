@@ -44,6 +44,20 @@ MetallicRoughness metallic_roughness_at(Point p, MaterialTexels t)
     return at;
 }
 
+// Where lights fall on the material's factors alone (RL_PAINTS_LAST), what they give is multiplied by the texels after their
+// sum: fewer numbers live through it.
+vec3 painted(Point p, BaseColor base, MatteAndGloss sum)
+{
+    return base.paint.xyz * sum.matte + specular_texel(p).xyz * sum.gloss;
+}
+
+void set_factors(inout Surface s)
+{
+    s.diffuse = m_base_color.xyz;
+    set_classical_reflectance(s, m_ambient, m_specular, m_shininess, vec3(1.0), vec4(1.0));
+    s.lobe_scale = lobe_scale(s.exponent, reflection());
+}
+
 void set_classical(Point p, vec3 paint, inout Surface s)
 {
     set_classical_reflectance(s, m_ambient, m_specular, m_shininess, paint, specular_texel(p));

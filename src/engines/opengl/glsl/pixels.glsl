@@ -36,7 +36,13 @@ Point this_point()
     vec2 middle = middle_of_samples();
 #endif
     p.position = RL_MOVED(v_position);
+    #if RL_SEEN_SIDES == RL_SEEN_FRONT
+    int turns = RL_FRONT_TURNS;
+#elif RL_SEEN_SIDES == RL_SEEN_BACK
+    int turns = 1 + RL_FRONT_TURNS;
+#else
     int turns = int(!gl_FrontFacing) + RL_FRONT_TURNS;
+#endif
 #if RL_FROM_TRIANGLES
     turns += v_triangle.y;
 #endif
@@ -59,26 +65,30 @@ Point this_point()
 #endif
 #if RL_HAS_TEXCOORDS
 #if RL_SAMPLED && !RL_HAS_SAMPLE_MASK
-    vec4 at = v_center_texcoords;
+    RL_TEXCOORDS at = v_center_texcoords;
 #else
-    vec4 at = v_texcoords;
+    RL_TEXCOORDS at = v_texcoords;
 #endif
 #if RL_SCREEN_LINEAR
-    vec4 dx = dFdx(at);
-    vec4 dy = dFdy(at);
+    RL_TEXCOORDS dx = dFdx(at);
+    RL_TEXCOORDS dy = dFdy(at);
 #else
     // Over w they are linear on the screen: so these are the changes at this very pixel, as the soft engine has them.
     float per_w = gl_FragCoord.w;
-    vec4 dx = (dFdx(at * per_w) - at * dFdx(per_w)) / per_w;
-    vec4 dy = (dFdy(at * per_w) - at * dFdy(per_w)) / per_w;
+    RL_TEXCOORDS dx = (dFdx(at * per_w) - at * dFdx(per_w)) / per_w;
+    RL_TEXCOORDS dy = (dFdy(at * per_w) - at * dFdy(per_w)) / per_w;
 #endif
-    vec4 uv = RL_MOVED(v_texcoords);
+    RL_TEXCOORDS uv = RL_MOVED(v_texcoords);
     p.texcoords[0].uv = uv.xy;
     p.texcoords[0].dx = dx.xy;
     p.texcoords[0].dy = dy.xy;
+#if RL_HAS_SECOND_SET
     p.texcoords[1].uv = uv.zw;
     p.texcoords[1].dx = dx.zw;
     p.texcoords[1].dy = dy.zw;
+#else
+    p.texcoords[1] = p.texcoords[0];
+#endif
 #endif
     return p;
 }
@@ -98,10 +108,18 @@ void find_place(inout Pixel x)
 // All that is known of it before light falls on it.
 void find_surface(inout Pixel x)
 {
+    x.emission = vec3(0.0);
+#if RL_HAS_EMISSION
     x.emission = emission_of(m_emission, emission_texel(x.point));
+#endif
 #if !RL_IS_UNLIT
+#if RL_PAINTS_LAST
+    MaterialTexels texels;
+    set_factors(x.surface.base);
+#else
     MaterialTexels texels = material_texels(x.point);
     set_material(x.point, texels, x.base, x.surface);
+#endif
     vec3 even = x.bumps.frame.normal * x.bumps.frame.side;
     set_normals(x.surface, normal_of_maps(x.point, x.bumps), even, RL_BUMP_TERMS);
     x.surface.base.v = viewer_at(x.bumps.frame, x.point.position);
@@ -178,14 +196,18 @@ LightTerms light_of_corners(float side)
 {
     LightTerms received = no_terms();
 #if RL_LIT_AT != RL_AT_PIXELS
-    received.ambient = v_ambient;
     received.diffuse = v_diffuse;
     received.specular = v_specular;
+#if !RL_PAINTS_LAST || RL_LIT_AT == RL_AT_FACES
+    received.ambient = v_ambient;
+#endif
 #if RL_LIT_AT == RL_AT_VERTICES && RL_TWO_SIDES
     if (side < 0.0) {
-        received.ambient = v_turned_ambient;
         received.diffuse = v_turned_diffuse;
         received.specular = v_turned_specular;
+#if !RL_PAINTS_LAST
+        received.ambient = v_turned_ambient;
+#endif
     }
 #endif
 #endif
@@ -207,31 +229,55 @@ int listed_light(int at)
 }
 #endif
 
+// What is summed: channels need each term, colors their sum.
+#if RL_OUTPUT == RL_OUTPUT_TERMS
+#define RL_SUM LightTerms
+#define RL_NOTHING no_terms()
+#define RL_PLUS(sum, terms) both_terms(sum, terms)
+#elif RL_PAINTS_LAST
+#define RL_SUM MatteAndGloss
+#define RL_NOTHING MatteAndGloss(vec3(0.0), vec3(0.0))
+#define RL_PLUS(sum, terms) matte_and_gloss(sum, terms)
+#else
+#define RL_SUM vec3
+#define RL_NOTHING vec3(0.0)
+#define RL_PLUS(sum, terms) (sum + radiance_of_terms(terms))
+#endif
+#define RL_ADD_LIGHT(i) sum = RL_PLUS(sum, terms_of_light(x, i, plane));
+
 // All that falls on the surface: the lights in their order, then the environment.
-LightTerms light_on(Pixel x)
+RL_SUM light_on(Pixel x)
 {
-    LightTerms sum = no_terms();
+    RL_SUM sum = RL_NOTHING;
 #if !RL_IS_UNLIT
 #if RL_LIT_AT != RL_AT_PIXELS
-    sum = corner_terms(x.surface.base, light_of_corners(x.point.side));
+#if RL_PAINTS_LAST
+    LightTerms received = light_of_corners(x.point.side);
+    sum.matte = received.diffuse;
+    sum.gloss = received.specular;
+#else
+    sum = RL_PLUS(sum, corner_terms(x.surface.base, light_of_corners(x.point.side)));
+#endif
 #else
     vec3 plane = vec3(0.0, 0.0, 1.0);
 #if RL_HAS_SHADOWS
     plane = plane_normal_at(x.point.position);
 #endif
-#if RL_HAS_LISTS
+#if RL_LIGHTS_ARE_NEAR
+    RL_EACH_LIGHT(RL_ADD_LIGHT)
+#elif RL_HAS_LISTS
     ivec2 list = light_list();
     for (int at = list.x; at < list.y; ++at) {
-        sum = both_terms(sum, terms_of_light(x, listed_light(at), plane));
+        RL_ADD_LIGHT(listed_light(at))
     }
 #else
-    for (int i = 0; i < RL_LIGHT_COUNT; ++i) {
-        sum = both_terms(sum, terms_of_light(x, i, plane));
+    for (int i = 0; i < rl_light_count.x; ++i) {
+        RL_ADD_LIGHT(i)
     }
 #endif
 #endif
 #if RL_HAS_ENVIRONMENT
-    sum = both_terms(sum, environment_terms(plain_maps(), environment(), x.surface, traits(1), RL_MODEL));
+    sum = RL_PLUS(sum, environment_terms(plain_maps(), environment(), x.surface, traits(1), RL_MODEL));
 #endif
 #endif
     return sum;

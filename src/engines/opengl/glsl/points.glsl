@@ -8,7 +8,7 @@ Reflection reflection()
     r.model = RL_MODEL;
     r.form = RL_FORM;
     r.horizon = RL_HORIZON;
-    r.whole_exponent = RL_WHOLE_EXPONENT;
+    r.whole_exponent = 0;  // pow() is the faster one here
     return r;
 }
 
@@ -46,6 +46,19 @@ LightTerms material_terms(MaterialSurface s, LightSample light, float seen, Mate
 #endif
 }
 
+// Ambient and diffuse terms, specular terms.
+struct MatteAndGloss {
+    vec3 matte;
+    vec3 gloss;
+};
+
+MatteAndGloss matte_and_gloss(MatteAndGloss sum, LightTerms terms)
+{
+    sum.matte = sum.matte + (terms.ambient + terms.diffuse);
+    sum.gloss = sum.gloss + terms.specular;
+    return sum;
+}
+
 #if RL_LIT_AT != RL_AT_PIXELS
 // m_mean_roughness: of the material, with the mean of its map.
 MaterialSurface surface_of_vertex(vec3 position, vec3 normal)
@@ -67,9 +80,26 @@ LightTerms light_of_vertex(vec3 position, vec3 normal)
 {
     MaterialSurface s = surface_of_vertex(position, normal);
     LightTerms sum = no_terms();
-    for (int i = 0; i < RL_LIGHT_COUNT; ++i) {
-        sum = both_terms(sum, material_terms(s, light_sample(i, position), 1.0, traits(0)));
+#define RL_ADD_VERTEX_LIGHT(i) sum = both_terms(sum, material_terms(s, light_sample(i, position), 1.0, traits(0)));
+#if RL_LIGHTS_ARE_NEAR
+    RL_EACH_LIGHT(RL_ADD_VERTEX_LIGHT)
+#else
+    for (int i = 0; i < rl_light_count.x; ++i) {
+        RL_ADD_VERTEX_LIGHT(i)
     }
+#endif
     return sum;
+}
+
+// What the stage hands on: per unit of reflectance, or of the material's factors.
+void hand_on(LightTerms light, inout vec3 ambient, inout vec3 diffuse, inout vec3 specular)
+{
+    ambient = light.ambient;
+    diffuse = light.diffuse;
+    specular = light.specular;
+#if RL_PAINTS_LAST
+    diffuse = light.ambient * m_ambient + light.diffuse * m_base_color.xyz;
+    specular = light.specular * m_specular;
+#endif
 }
 #endif

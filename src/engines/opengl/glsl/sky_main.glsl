@@ -13,5 +13,5 @@ void main()
 #endif
     float scale = reciprocal(sqrt(max(dot(ray, ray), 1e-20)));
     vec3 color = sky_color(plain_maps(), environment(), ray * scale, rl_ray[0].w * scale, rl_ray[1].w);
-    o_color = vec4(shown_color(color), 1.0);
+    o_color = vec4(color, 1.0);
 }

@@ -9,21 +9,30 @@ RL_ATTRIBUTE RL_VARYING vec3 v_normal;  // of unit vectors: not unit
 RL_ATTRIBUTE RL_VARYING vec4 v_tangent;  // w: handedness in the world
 #endif
 #if RL_HAS_TEXCOORDS
-RL_ATTRIBUTE RL_VARYING vec4 v_texcoords;  // set 0, set 1
+#if RL_HAS_SECOND_SET
+#define RL_TEXCOORDS vec4  // set 0, set 1
+#else
+#define RL_TEXCOORDS vec2
+#endif
+RL_ATTRIBUTE RL_VARYING RL_TEXCOORDS v_texcoords;
 #if RL_SAMPLED && !RL_HAS_SAMPLE_MASK
-RL_VARYING vec4 v_center_texcoords;  // at the pixel's center: what lies between centroids is no change from pixel to pixel
+RL_VARYING RL_TEXCOORDS v_center_texcoords;  // at the pixel's center: what lies between centroids is no change from pixel to pixel
 #endif
 #endif
 #if RL_HAS_COLORS
 RL_ATTRIBUTE RL_VARYING vec4 v_color;
 #endif
 #if RL_LIT_AT == RL_AT_VERTICES
-// Terms per unit of reflectance, for normals as they are, and turned round.
+// Terms as hand_on() makes them, for normals as they are, and turned round.
+#if !RL_PAINTS_LAST
 RL_ATTRIBUTE RL_VARYING vec3 v_ambient;
+#endif
 RL_ATTRIBUTE RL_VARYING vec3 v_diffuse;
 RL_ATTRIBUTE RL_VARYING vec3 v_specular;
 #if RL_TWO_SIDES
+#if !RL_PAINTS_LAST
 RL_ATTRIBUTE RL_VARYING vec3 v_turned_ambient;
+#endif
 RL_ATTRIBUTE RL_VARYING vec3 v_turned_diffuse;
 RL_ATTRIBUTE RL_VARYING vec3 v_turned_specular;
 #endif

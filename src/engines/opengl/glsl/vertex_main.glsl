@@ -46,10 +46,11 @@ Vertex this_vertex()
     }
 #endif
 #if RL_LIT_AT == RL_AT_FACES
-    LightTerms light = light_of_vertex((position[0] + position[1] + position[2]) / 3.0, v_face_normal);
-    v_ambient = light.ambient;
-    v_diffuse = light.diffuse;
-    v_specular = light.specular;
+    vec3 ambient, diffuse, specular;
+    hand_on(light_of_vertex((position[0] + position[1] + position[2]) / 3.0, v_face_normal), ambient, diffuse, specular);
+    v_ambient = ambient;
+    v_diffuse = diffuse;
+    v_specular = specular;
 #endif
 #if RL_HAS_NORMALS && !RL_MESH_NORMALS
     v_normal = front_normal(position);
@@ -76,9 +77,9 @@ void main()
     v_tangent = vec4(tangent_in_world(v.tangent.xyz), v.tangent.w * rl_object[10].x);
 #endif
 #if RL_HAS_TEXCOORDS
-    v_texcoords = v.texcoords;
+    v_texcoords = RL_TEXCOORDS(v.texcoords);
 #if RL_SAMPLED && !RL_HAS_SAMPLE_MASK
-    v_center_texcoords = v.texcoords;
+    v_center_texcoords = RL_TEXCOORDS(v.texcoords);
 #endif
 #endif
 #if RL_HAS_COLORS
@@ -86,15 +87,20 @@ void main()
 #endif
 #if RL_LIT_AT == RL_AT_VERTICES
     vec3 n = normal_in_world(v.normal);
-    LightTerms light = light_of_vertex(v_position, n);
-    v_ambient = light.ambient;
-    v_diffuse = light.diffuse;
-    v_specular = light.specular;
+    vec3 ambient, diffuse, specular;
+    hand_on(light_of_vertex(v_position, n), ambient, diffuse, specular);
+#if !RL_PAINTS_LAST
+    v_ambient = ambient;
+#endif
+    v_diffuse = diffuse;
+    v_specular = specular;
 #if RL_TWO_SIDES
-    LightTerms turned = light_of_vertex(v_position, -n);
-    v_turned_ambient = turned.ambient;
-    v_turned_diffuse = turned.diffuse;
-    v_turned_specular = turned.specular;
+    hand_on(light_of_vertex(v_position, -n), ambient, diffuse, specular);
+#if !RL_PAINTS_LAST
+    v_turned_ambient = ambient;
+#endif
+    v_turned_diffuse = diffuse;
+    v_turned_specular = specular;
 #endif
 #endif
 }
