@@ -52,7 +52,7 @@ ROOMS = {
 DOORS = {
     "engines/raster": re.compile(r"engines/raster/(raster_engine|geometry/clip|kernels/clip_planes|geometry/sample_positions|visibility/depth_formats|"
                                  r"lights/lit_corner|inspect/(inspection|explanation|traced_pixel|inspect_pixels|inspect_samples|inspect_shading))\.h"),
-    "engines/opengl": re.compile(r"engines/opengl/opengl_engine\.h"),
+    "engines/opengl": re.compile(r"engines/opengl/(opengl_engine|window_view)\.h"),
 }
 
 # Public header -> the module that implements it (and whose layer it belongs to).
@@ -63,8 +63,8 @@ PUBLIC = {
     "attributes": "geometry",
     "scene": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "unfinished_outputs": "io",
     "prepare": "prepare",
-    "engine": "engines", "values": "world", "request": "world", "load": "world",
-    "render": "render", "session": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
+    "engine": "engines", "line": "engines", "values": "world", "request": "world", "load": "world",
+    "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
     "picture": "render", "version": "render",
     "check_scene": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
 }

@@ -165,6 +165,33 @@ ProgramText program_text(const Features& f, const Driver& driver, const UserLigh
     return out;
 }
 
+ProgramText display_text(const Driver& driver, int tone) {
+    ProgramText out;
+    StageText vertices(out.files), pixels(out.files);
+    vertices.add(version_of(driver));
+    vertices.add_file("engines/opengl/glsl/screen_vertex.glsl");
+    pixels.add(version_of(driver) + "#define RL_SHOWS_CODES " + (tone < 0 ? "1\n" : "0\n") + "#define RL_TONE " +
+               std::to_string(tone) + "\n");
+    pixels.add_file("math/prelude.glsl");
+    pixels.add("struct Maps { float unused; };\n");
+    for (const char* const path : {"image/agx_curves.glsl", "image/tone.glsl", "engines/opengl/glsl/display_main.glsl"})
+        pixels.add_file(path);
+    out.vertices = vertices.take(), out.pixels = pixels.take();
+    return out;
+}
+
+ProgramText line_text(const Driver& driver) {
+    ProgramText out;
+    StageText vertices(out.files), pixels(out.files);
+    for (StageText* const stage : {&vertices, &pixels}) {
+        stage->add(version_of(driver) + "#define RL_IS_VERTEX " + (stage == &vertices ? "1\n" : "0\n") +
+                   "#define RL_IS_REVERSED " + (driver.has_reversed_depth ? "1\n" : "0\n"));
+        stage->add_file("engines/opengl/glsl/lines_main.glsl");
+    }
+    out.vertices = vertices.take(), out.pixels = pixels.take();
+    return out;
+}
+
 std::string with_file_names(const std::string& log, const std::vector<std::string>& files) {
     // "12:34(5): error: ..." (Mesa) and "12(34) : error ..." (NVIDIA): file, line
     static const std::regex place(R"((^|\n)(ERROR: |WARNING: )?(\d+)[:(](\d+))");

@@ -26,6 +26,10 @@ struct UserLighting {
 
 ProgramText program_text(const Features& features, const Driver& driver, const UserLighting& user);
 
+/// A picture on the screen. @param tone  RL_TONE_...; -1: codes as they are
+ProgramText display_text(const Driver& driver, int tone);
+ProgramText line_text(const Driver& driver);
+
 /// A compiler's words with the files' names in place of their numbers.
 std::string with_file_names(const std::string& log, const std::vector<std::string>& files);
 

@@ -110,6 +110,12 @@ void find_places(Program& program, const Driver& driver, const Features& feature
 
 }  // namespace
 
+GlProgram link_program(const ProgramText& text, const UserLighting& user) {
+    GlProgram program;
+    compile(program.get(), text, user);
+    return program;
+}
+
 std::unique_ptr<Program> Programs::make(const Features& features) const {
     const ProgramText text = program_text(features, driver_, features.is_user ? user_ : UserLighting{});
     auto program = std::make_unique<Program>();

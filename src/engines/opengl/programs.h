@@ -25,6 +25,9 @@ struct Program {
     std::vector<GLint> map_unit;  ///< [texture_role_count] -1: it has none
 };
 
+/// A program of two texts. @throws Error failed: it does not compile
+GlProgram link_program(const ProgramText& text, const UserLighting& user = {});
+
 class Programs {
 public:
     explicit Programs(const Driver& driver) : driver_(driver) {}

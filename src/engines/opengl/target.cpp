@@ -11,10 +11,17 @@ namespace {
 
 void storage(GlRenderbuffer& buffer, GLenum format, int width, int height, int samples) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.get());
-    if (samples > 1)
-        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-    else
-        glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+}
+
+void make_texture(GlTexture& texture, GLint format, GLenum layout, GLenum type, int width, int height) {
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture.get());
+    glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, layout, type, nullptr);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 }  // namespace
@@ -23,21 +30,18 @@ void Target::reserve(int width, int height, int samples) {
     if (width == width_ && height == height_ && samples == samples_) return;
     *this = {};
     width_ = width, height_ = height, samples_ = samples;
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, color_.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    storage(depth_, GL_DEPTH_COMPONENT32F, width, height, samples);
+    make_texture(color_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width, height);
+    make_texture(depth_, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_.get());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
     if (samples > 1) {
         storage(sampled_color_, GL_RGBA16F, width, height, samples);
+        storage(sampled_depth_, GL_DEPTH_COMPONENT32F, width, height, samples);
         glBindFramebuffer(GL_FRAMEBUFFER, sampled_frame_.get());
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, sampled_color_.name());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sampled_depth_.name());
     }
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
     check_gl("the picture");
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(ErrorCode::failed, "this OpenGL driver cannot draw half floats", {}, "render with engine soft");
@@ -57,6 +61,14 @@ void Target::resolve() const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_frame_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_.name());
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+}
+
+void Target::resolve_depth() const {
+    if (samples_ <= 1) return;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_frame_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_.name());
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
 }
 

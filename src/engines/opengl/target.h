@@ -23,14 +23,16 @@ public:
     /// [width * height] premultiplied, row by row from the top
     void read(std::span<vec4> to) const;
     GLuint texture() const { return color_.name(); }
+    GLuint depth_texture() const { return depth_.name(); }  ///< of multisampled pictures after resolve_depth()
+    void resolve_depth() const;
     GLuint frame() const { return samples_ > 1 ? sampled_frame_.name() : frame_.name(); }
     int width() const { return width_; }
     int height() const { return height_; }
 
 private:
     int width_ = 0, height_ = 0, samples_ = 0;
-    GlTexture color_;
-    GlRenderbuffer depth_, sampled_color_;
+    GlTexture color_, depth_;
+    GlRenderbuffer sampled_depth_, sampled_color_;
     GlFramebuffer frame_, sampled_frame_;
 };
 

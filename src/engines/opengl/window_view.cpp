@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/opengl/window_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engines/opengl/renderer.h"
+#include "math/functions.h"
+
+namespace rakelight::opengl {
+namespace {
+
+constexpr int shows_codes = -1;
+
+/// A corner of a line's quadrangle, as lines_main.glsl reads it.
+struct LineVertex {
+    float place[4], color[4], line[2];
+};
+
+
+/// Cut at the near plane. False: nothing is left.
+bool keep_before(dvec4& a, dvec4& b, double least_w) {
+    if (a.w < least_w && b.w < least_w) return false;
+    if (a.w >= least_w && b.w >= least_w) return true;
+    const double t = (least_w - a.w) / (b.w - a.w);
+    const dvec4 cut = a + (b - a) * t;
+    (a.w < least_w ? a : b) = cut;
+    return true;
+}
+
+void add_line(const Line& line, const dmat4& to_clip, double least_w, int width, int height, std::vector<LineVertex>& to) {
+    dvec4 a = to_clip * dvec4{line.from.x, line.from.y, line.from.z, 1}, b = to_clip * dvec4{line.to.x, line.to.y, line.to.z, 1};
+    if (!keep_before(a, b, least_w)) return;
+    const dvec3 p{a.x / a.w, a.y / a.w, a.z / a.w}, q{b.x / b.w, b.y / b.w, b.z / b.w};
+    dvec2 along{(q.x - p.x) * width * 0.5, (q.y - p.y) * height * 0.5};
+    const double length = std::sqrt(dot(along, along));
+    if (!std::isfinite(length)) return;
+    along = length > 1e-9 ? along * (1 / length) : dvec2{1, 0};
+    const double half = std::max(0.5 * double(line.width_px), 0.5), reach = half + 1;
+    const dvec2 aside{-along.y * reach * 2 / width, along.x * reach * 2 / height};
+    const auto corner = [&](const dvec3& end, double side) {
+        return LineVertex{{float(end.x + aside.x * side), float(end.y + aside.y * side), float(end.z), float(reach * side)},
+                          {line.color.x, line.color.y, line.color.z, line.color.w},
+                          {float(half), line.is_overlay ? 1.0f : 0.0f}};
+    };
+    const LineVertex quad[4] = {corner(p, -1), corner(p, 1), corner(q, -1), corner(q, 1)};
+    for (const int k : {0, 1, 2, 2, 1, 3}) to.push_back(quad[k]);
+}
+
+/// What of the caller's is bound: pictures end there.
+struct Screen {
+    GLint frame = 0, viewport[4]{};
+
+    static Screen current() {
+        Screen s;
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &s.frame);
+        glGetIntegerv(GL_VIEWPORT, s.viewport);
+        return s;
+    }
+    void bind() const {
+        glBindFramebuffer(GL_FRAMEBUFFER, GLuint(frame));
+        glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+    }
+};
+
+}  // namespace
+
+struct WindowView::State {
+    Renderer renderer;
+    Target target;
+    GlTexture picture;
+    GlVertexArray no_arrays, line_array;
+    GlBuffer line_vertices;
+    std::map<int, GlProgram> display_programs;  ///< by tone curve
+    GlProgram line_program;
+    bool has_depth = false;  ///< `target` holds the depth of what is on the screen
+
+    const Driver& driver() const { return renderer.driver(); }
+    void draw_display(const Screen& screen, GLuint picturename, int tone, float gain);
+};
+
+WindowView::WindowView() : state_(std::make_unique<State>()) {}
+WindowView::~WindowView() = default;
+
+std::string WindowView::renderer() const { return state_->driver().renderer; }
+bool WindowView::has_gpu() const { return !state_->driver().is_software; }
+void WindowView::prepare(Scene scene, Context& context) { state_->renderer.prepare(std::move(scene), context); }
+void WindowView::set_lights(std::vector<Light> lights) { state_->renderer.set_lights(std::move(lights)); }
+
+void WindowView::State::draw_display(const Screen& screen, GLuint picturename, int tone, float gain) {
+    GlProgram& program = display_programs[tone];
+    if (!program) program = link_program(display_text(driver(), tone));
+    screen.bind();
+    if (!driver().is_es) glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glUseProgram(program.name());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, picturename);
+    glBindSampler(0, 0);
+    const auto place = [&](const char* name) { return glGetUniformLocation(program.name(), name); };
+    glUniform1i(place("rl_picture"), 0);
+    glUniform4f(place("rl_show"), float(screen.viewport[0]), float(screen.viewport[1]), 1.0f / float(screen.viewport[2]),
+                1.0f / float(screen.viewport[3]));
+    glUniform1f(place("rl_gain"), gain);
+    glBindVertexArray(no_arrays.get());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    check_gl("the window");
+}
+
+RenderStats WindowView::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context) {
+    State& s = *state_;
+    const Screen screen = Screen::current();
+    RenderStats stats;
+    s.renderer.begin_picture(camera, settings, stats, context);
+    s.target.reserve(settings.width, settings.height, settings.samples);
+    s.target.begin(settings.background, s.renderer.far_depth());
+    s.renderer.draw_colors({0, 0, settings.width, settings.height}, context);
+    s.target.resolve();
+    s.target.resolve_depth();
+    s.has_depth = true;
+    s.draw_display(screen, s.target.texture(), int(tone.mapping), float(math::exp2(tone.exposure_ev)));
+    return stats;
+}
+
+void WindowView::show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth) {
+    if (width <= 0 || height <= 0 || srgb8.size() != std::size_t(width) * std::size_t(height))
+        throw Error(ErrorCode::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                                          " pixels does not have " + std::to_string(srgb8.size()) + " of them");
+    State& s = *state_;
+    const Screen screen = Screen::current();
+    s.has_depth = false;
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, s.picture.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, srgb8.data());
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, smooth ? GL_LINEAR : GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    s.draw_display(screen, s.picture.name(), shows_codes, 1);
+}
+
+void WindowView::lines(const Camera& camera, std::span<const Line> lines) {
+    State& s = *state_;
+    const Screen screen = Screen::current();
+    const int width = screen.viewport[2], height = screen.viewport[3];
+    if (lines.empty() || width <= 0 || height <= 0) return;
+    RenderSettings settings;
+    settings.width = width, settings.height = height;
+    const shading::View view = shading::make_view(camera, camera.to_world, settings);
+    const DepthRange::Row z = DepthRange(s.driver()).row(view);
+    const double w_z = view.orthographic ? 0 : -1, w_1 = view.orthographic ? 1 : 0;
+    dmat4 projection;
+    projection[0] = {view.scale_x, 0, 0, 0};
+    projection[1] = {0, view.scale_y, 0, 0};
+    projection[2] = {0, 0, -z.scale + z.per_w * w_z, w_z};
+    projection[3] = {0, 0, z.offset + z.per_w * w_1, w_1};
+    const dmat4 to_clip = projection * view.world_to_camera;
+    std::vector<LineVertex> vertices;
+    for (const Line& line : lines)
+        add_line(line, to_clip, view.orthographic ? 0.5 : view.z_near, width, height, vertices);
+    if (vertices.empty()) return;
+    if (!s.line_program) s.line_program = link_program(line_text(s.driver()));
+    screen.bind();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glUseProgram(s.line_program.name());
+    const bool hides = s.has_depth && s.target.width() == width && s.target.height() == height;
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, hides ? s.target.depth_texture() : 0);
+    glBindSampler(0, 0);
+    const auto place = [&](const char* name) { return glGetUniformLocation(s.line_program.name(), name); };
+    glUniform1i(place("rl_depth"), 0);
+    glUniform4f(place("rl_show"), float(screen.viewport[0]), float(screen.viewport[1]), hides ? 1.0f : 0.0f, float(height));
+    glBindVertexArray(s.line_array.get());
+    glBindBuffer(GL_ARRAY_BUFFER, s.line_vertices.get());
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(LineVertex)), vertices.data(), GL_STREAM_DRAW);
+    const auto attribute = [](GLuint at, GLint components, std::size_t offset) {
+        glEnableVertexAttribArray(at);
+        glVertexAttribPointer(at, components, GL_FLOAT, GL_FALSE, sizeof(LineVertex), reinterpret_cast<const void*>(offset));
+    };
+    attribute(0, 4, offsetof(LineVertex, place));
+    attribute(1, 4, offsetof(LineVertex, color));
+    attribute(2, 2, offsetof(LineVertex, line));
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(vertices.size()));
+    glDisable(GL_BLEND);
+    check_gl("lines");
+}
+
+}  // namespace rakelight::opengl

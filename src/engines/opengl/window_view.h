@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures in a window, on the context that is current: what <rakelight/gl_view.h> is made of.
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rakelight/engine.h>
+#include <rakelight/line.h>
+
+namespace rakelight::opengl {
+
+class WindowView {
+public:
+    WindowView();  ///< @throws Error failed: the context is too old
+    ~WindowView();
+
+    std::string renderer() const;
+    bool has_gpu() const;
+    void prepare(Scene scene, Context& context);
+    void set_lights(std::vector<Light> lights);
+
+    /// As GlView has them. @param camera  of the world
+    RenderStats draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context);
+    void show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth);
+    void lines(const Camera& camera, std::span<const Line> lines);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace rakelight::opengl

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/gl_view.h>
+#include <rakelight/render.h>
+
+#include "engines/opengl/window_view.h"
+#include "render/prepared_scene.h"
+
+namespace rakelight {
+
+struct GlView::State {
+    opengl::WindowView view;
+    std::shared_ptr<const PreparedScene> whole;  ///< what is drawn
+};
+
+GlView::GlView() : state_(std::make_unique<State>()) {}
+GlView::~GlView() = default;
+
+std::string GlView::renderer() const { return state_->view.renderer(); }
+bool GlView::has_gpu() const { return state_->view.has_gpu(); }
+
+bool GlView::upload(std::shared_ptr<const PreparedScene> scene, double, Context& context) {
+    if (!scene) throw Error(ErrorCode::usage, "there is no prepared scene to draw");
+    if (scene == state_->whole) return true;
+    state_->view.prepare(scene->scene, context);
+    state_->whole = std::move(scene);
+    return true;
+}
+
+RenderStats GlView::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context) {
+    State& s = *state_;
+    if (!s.whole) return {};
+    const Camera at = camera_in_world(s.whole->scene, camera, double(settings.width) / double(settings.height));
+    s.view.set_lights(s.whole->has_chosen_lights ? s.whole->scene.lights : lights_of(s.whole->scene, at));
+    return s.view.draw(at, settings, tone, context);
+}
+
+void GlView::show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth) {
+    state_->view.show(width, height, srgb8, smooth);
+}
+
+void GlView::show(const Frame& frame, const ToneSettings& tone) {
+    state_->view.show(frame.window.width, frame.window.height, to_srgb8(frame, tone), true);
+}
+
+void GlView::lines(const Camera& camera, std::span<const Line> lines) { state_->view.lines(camera, lines); }
+
+}  // namespace rakelight
