@@ -108,6 +108,7 @@ private:
         f_.is_parallel = p_.view.orthographic;
         f_.has_parallel_viewer = p_.view.orthographic || p_.settings.viewer_at_infinity;
         f_.is_sampled = f_.output == Output::color && p_.settings.samples > 1 ? p_.settings.samples : 0;
+        if (f_.output == Output::directions) f_.orthogonalize = p_.settings.orthogonalize;
         f_.is_screen_linear = p_.settings.interpolation == AttributeInterpolation::screen;
     }
 
@@ -144,7 +145,8 @@ private:
         if (f_.is_unlit)
             drop(role_metallic_roughness), drop(role_occlusion), drop(role_specular), drop(role_specular_color),
                 drop(role_specular_strength), drop(role_anisotropy);
-        if (f_.output == Output::shadow) maps &= f_.is_masked ? 1u << role_base_color | 1u << role_opacity | 1u << role_height : 0u;
+        const bool is_alpha_alone = f_.output == Output::shadow || f_.output == Output::count || f_.output == Output::numbers;
+        if (is_alpha_alone) maps &= f_.is_masked ? 1u << role_base_color | 1u << role_opacity | 1u << role_height : 0u;
         f_.maps = maps & ~dropped_maps(maps, p_.units);
         if (!f_.has(role_height)) f_.relief = shading::relief_none;
     }
@@ -154,11 +156,12 @@ private:
                                                 f_.tangent_space == shading::space_transposed);
         const bool reads_tangents = f_.has_bumps || f_.is_anisotropic || f_.model == shading::reflects_ward ||
                                     f_.has(role_clearcoat_normal) || f_.output == Output::directions;
-        f_.from_triangles = wants_triangles || f_.lit_at == lit_at_faces || mesh_.normals.empty() || state_.against ||
-                            f_.has_corner_frames;
+        const bool reads_normals = f_.output != Output::shadow && f_.output != Output::count;
+        f_.from_triangles = wants_triangles || f_.lit_at == lit_at_faces ||
+                            (reads_normals && (mesh_.normals.empty() || state_.against)) || f_.has_corner_frames;
         f_.front_turns = side_.front_turns();
         f_.seen_sides = state_.culling.back ? seen_front : state_.culling.front ? seen_back : seen_both;
-        f_.has_normals = 1;
+        f_.has_normals = reads_normals;
         f_.has_tangents = reads_tangents;
         f_.has_colors = !mesh_.colors.empty() && factors().vertex_colors;
         const bool has_sets = std::any_of(mesh_.texcoords.begin(), mesh_.texcoords.begin() + std::min<std::ptrdiff_t>(2, std::ssize(mesh_.texcoords)),

@@ -11,7 +11,7 @@
 namespace rakelight::opengl {
 
 /// What a program writes.
-enum class Output : std::int32_t { color, shadow, sky, numbers, directions, places, colors, terms };
+enum class Output : std::int32_t { color, shadow, sky, numbers, directions, places, terms, count };
 
 // Field, its word in the text.
 #define RL_OPENGL_FEATURES(X)                    \

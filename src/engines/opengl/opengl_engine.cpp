@@ -9,6 +9,7 @@
 
 #include <rakelight/tools/strip_sink.h>
 
+#include "engines/channel_arrays.h"
 #include "engines/opengl/gl_thread.h"
 #include "engines/opengl/headless.h"
 #include "engines/opengl/renderer.h"
@@ -40,6 +41,7 @@ public:
     std::string name() const override { return "gl"; }
     EngineAbilities abilities() const override {
         EngineAbilities can;
+        can.channels = channels_all;
         if (renderer_->driver().samples >= 4) can.samples.push_back(4);
         if (renderer_->driver().samples >= 8) can.samples.push_back(8);
         can.screen_interpolation = !renderer_->driver().is_es;
@@ -89,6 +91,11 @@ private:
         const std::uint64_t not_finite = renderer_->draw_and_read(pixels, colors_, context);
         Tile tile{.area = pixels};
         tile.color = colors_;
+        if (const std::uint32_t channels = renderer_->channels(); channels != 0) {
+            renderer_->draw_channels(pixels, arrays_, context);
+            for_each_channel([&](std::uint32_t bit, auto& to, const auto& array) { if (channels & bit) to = array; }, tile,
+                             static_cast<const ChannelArrays&>(arrays_));
+        }
         sink.tile(tile);
         return not_finite;
     }
@@ -96,6 +103,7 @@ private:
     std::optional<HeadlessContext> context_;
     std::optional<Renderer> renderer_;
     std::vector<vec4> colors_;
+    ChannelArrays arrays_;
     GlThread thread_;
 };
 

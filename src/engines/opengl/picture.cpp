@@ -161,6 +161,10 @@ const Program& PictureDrawer::use(std::uint32_t number, const DrawState& state) 
     glUseProgram(program.name.name());
     set_picture(program);
     set_object(program, number);
+    if (program.numbers >= 0) {
+        const shading::Draw& draw = state_.list.draws[number];
+        glUniform4ui(program.numbers, draw.node, state_.list.material(draw).scene_material, draw.mesh, 0);
+    }
     if (program.material >= 0) {
         const PackedMaterial numbers = pack(state.numbers);
         glUniform4fv(program.material, material_vectors, numbers.data());

@@ -80,7 +80,9 @@ std::string numbers_of(const Features& f) {
            define("RL_HAS_SECOND_SET", f.second_sets != 0 || f.coords_are_moved || f.output == Output::places) +
            "#define RL_LIGHT_KINDS " + std::to_string(f.light_kinds) + "u\n#define RL_LIGHTS_WITHOUT_AMBIENT " + std::to_string(f.lights_without_ambient) +
            "u\n#define RL_EACH_LIGHT(X)" + each_light(f) + "\n" +
-           define("RL_OUTPUT", int(f.output)) + define("RL_OUTPUT_TERMS", int(Output::terms));
+           define("RL_OUTPUT", int(f.output)) + define("RL_OUTPUT_TERMS", int(Output::terms)) +
+           define("RL_OUTPUT_NUMBERS", int(Output::numbers)) + define("RL_OUTPUT_DIRECTIONS", int(Output::directions)) +
+           define("RL_OUTPUT_PLACES", int(Output::places)) + define("RL_OUTPUT_COUNT", int(Output::count));
 }
 
 /// RL_HAS_<ROLE>_MAP and <role>_texel(p) of each role; a missing map is white.

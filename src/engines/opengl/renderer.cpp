@@ -5,6 +5,7 @@
 #include <bit>
 #include <utility>
 
+#include "engines/channel_arrays.h"
 #include "engines/opengl/blended.h"
 #include "lighting/albedo_tables.h"
 #include "scene/scene_tools.h"
@@ -207,6 +208,31 @@ void Renderer::draw_colors(Window pixels, Context& context) {
     }
     if (!blended.empty()) draw_blended(drawer, state, blended, context);
     check_gl("the picture");
+}
+
+void Renderer::draw_channels(Window pixels, ChannelArrays& to, Context& context) {
+    clear(to, settings_.channels, std::size_t(pixels.width) * std::size_t(pixels.height));
+    if (!settings_.surfaces) return;
+    channel_target_.reserve(pixels.width, pixels.height);
+    const PictureState state = picture_state();
+    const PictureTools with = tools();
+    const PictureDrawer drawer(with, state, pixels);
+    for_each_group(settings_.channels, [&](Output group, bool wants_triangles) {
+        channel_target_.begin(group, far_depth());
+        drawer.begin();
+        if (group == Output::count) {
+            glDisable(GL_DEPTH_TEST);
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_ONE, GL_ONE);
+        }
+        for (std::uint32_t d = 0; d < list_.draws.size(); ++d) {
+            context.throw_if_cancelled();
+            if (drawer.is_outside(d) || list_.material(list_.draws[d]).factors.blend) continue;
+            drawer.draw(d, draw_state(state, d, group, wants_triangles));
+        }
+        glDisable(GL_BLEND);
+        channel_target_.read(group, settings_.channels, view_.camera_to_world[3].xyz(), to);
+    });
 }
 
 std::uint64_t Renderer::draw_and_read(Window pixels, std::span<vec4> to, Context& context) {

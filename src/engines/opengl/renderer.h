@@ -10,6 +10,7 @@
 
 #include <rakelight/engine.h>
 
+#include "engines/opengl/channels.h"
 #include "engines/opengl/picture.h"
 #include "engines/opengl/target.h"
 #include "shading/shadow_cameras.h"
@@ -24,6 +25,7 @@ public:
     /// As Engine::prepare().
     void prepare(Scene scene, Context& context);
     const Scene& scene() const { return list_.scene; }
+    std::uint32_t channels() const { return settings_.channels; }  ///< of the picture that is drawn
     void set_lights(std::vector<Light> lights);
 
     /// What stays the same for all parts of a picture. After prepare() and set_lights().
@@ -33,6 +35,8 @@ public:
     /// The same into a target of its own, and from there. @param to  [pixels] straight alpha
     /// @return pixels whose color is not a number, and shown black
     std::uint64_t draw_and_read(Window pixels, std::span<vec4> to, Context& context);
+    /// Data channels of a part of the picture, which are filled. After its colors.
+    void draw_channels(Window pixels, ChannelArrays& to, Context& context);
     float far_depth() const { return DepthRange(driver_).far_depth(); }
 
 private:
@@ -58,6 +62,7 @@ private:
     shading::DrawList list_;
     GlTexture albedos_;
     Target target_;
+    ChannelTarget channel_target_;
     GlBuffer stream_;
 
     // Of the picture that is drawn.
