@@ -69,4 +69,11 @@ DisplayPicture to_display(const Pixels& pixels, Context& context) {
     return out;
 }
 
+bool equal_within(const DisplayPicture& a, const DisplayPicture& b, int left, int top, int right, int bottom) {
+    left = std::max(left, 0), right = std::min(right, a.width);
+    for (int y = std::max(top, 0); y < std::min(bottom, a.height); ++y)
+        if (!std::equal(a.row(y) + left, a.row(y) + right, b.row(y) + left)) return false;
+    return true;
+}
+
 }  // namespace rakelight

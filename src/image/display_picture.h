@@ -22,4 +22,7 @@ struct DisplayPicture {
 /// @throws Error bad_file: too large for the memory budget
 DisplayPicture to_display(const Pixels& pixels, Context& context);
 
+/// Whether two pictures of one size are the same in a rectangle, cut to the picture.
+bool equal_within(const DisplayPicture& a, const DisplayPicture& b, int left, int top, int right, int bottom);
+
 }  // namespace rakelight

@@ -106,6 +106,8 @@ double pixel_error(double color, double feature) {
 Values errors(const DisplayPicture& a, const DisplayPicture& b, const PictureWindow& w, const ContrastKernels& contrast,
               const FeatureKernels& feature) {
     const int margin = std::max(contrast.radius, feature.radius);
+    if (equal_within(a, b, w.x - margin, w.y - margin, w.x + w.width + margin, w.y + w.height + margin))
+        return {w.width, w.height};  // what all that follows would give, too
     const Opponent in_a = opponent_of(a, w, margin), in_b = opponent_of(b, w, margin);
     const SeenColors seen_a = seen_colors(in_a, margin, contrast), seen_b = seen_colors(in_b, margin, contrast);
     const Features features_a = features_of(in_a.y, margin, feature), features_b = features_of(in_b.y, margin, feature);

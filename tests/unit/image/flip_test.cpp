@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "image/flip_color.h"
 #include "image/flip_kernels.h"
 #include "metric_pictures.h"
@@ -57,6 +59,26 @@ TEST(MeanFlip, MapHasNoSeamsWhereWindowsMeet) {
                 << x << "," << y;
 }
 
+/// Windows that are equal are passed over: not beside a difference that their margins show.
+TEST(MeanFlip, ADifferenceReachesTheFiltersRadiusIntoTheNextWindow) {
+    Context context({.threads = 1});
+    const DisplayPicture a = display(gray, 600, 300, context);
+    for (const int x : {255, 256})
+        for (const int y : {127, 128}) {  // about the corner of four windows
+            DisplayPicture b = display(gray, 600, 300, context);
+            b.codes[std::size_t(y * 600 + x)] ^= 0xff;
+            std::vector<float> map;
+            mean_flip(a, b, 67, context, &map);
+            const auto error = [&](int dx, int dy) { return map[std::size_t((y + dy) * 600 + x + dx)]; };
+            for (const int sign : {-1, 1}) {
+                EXPECT_GT(error(10 * sign, 0), 0.0f) << x << "," << y;
+                EXPECT_GT(error(0, 10 * sign), 0.0f) << x << "," << y;
+                EXPECT_EQ(error(11 * sign, 0), 0.0f) << x << "," << y;
+                EXPECT_EQ(error(0, 11 * sign), 0.0f) << x << "," << y;
+            }
+        }
+}
+
 TEST(MeanFlip, HasTheSameBitsForAnyNumberOfThreads) {
     Context one({.threads = 1}), four({.threads = 4});
     const DisplayPicture a = display(noise_code, 700, 300, one), b = display(other_noise, 700, 300, one);
@@ -95,11 +117,15 @@ TEST(FlipKernels, HaveThePapersSizesAndSums) {
 TEST(FlipColor, OpponentAndBackLeavesColorsAsTheyAre) {
     // L of linear 0.5 is 116 * 0.5^(1/3) - 16, and grays have no a and b
     const dvec3 gray = flip::lab_of_opponent(flip::opponent_from_linear({0.5, 0.5, 0.5}));
-    EXPECT_NEAR(gray.x, 76.0692610, 1e-4);
+    EXPECT_NEAR(gray.x, 76.06926101415557, 1e-11);
     EXPECT_NEAR(gray.y, 0, 1e-9);
     EXPECT_NEAR(gray.z, 0, 1e-9);
+    for (double light = 0.009; light <= 1; light *= 1.01)
+        EXPECT_NEAR(flip::lab_of_opponent(flip::opponent_from_linear({light, light, light})).x,
+                    116 * std::cbrt(light) - 16, 1e-9)
+            << light;
     const dvec3 dark = flip::lab_of_opponent(flip::opponent_from_linear({0.001, 0.001, 0.001}));
-    EXPECT_NEAR(dark.x, 0.9032963, 1e-5);  // on the straight piece: 903.2963 * 0.001
+    EXPECT_NEAR(dark.x, 0.9032962962962963, 1e-11);  // on the straight piece: 903.2963 * 0.001
 }
 
 }  // namespace

@@ -41,6 +41,16 @@ TEST(MeanSsim, NeedsElevenPixelsASide) {
     EXPECT_FALSE(mean_ssim({}, {}, context));
 }
 
+TEST(MeanSsim, SeesADifferenceInTheLastRowAndColumnOfAWindow) {
+    Context context({.threads = 1});
+    const DisplayPicture a = display(noise_code, 266, 138, context);  // one window of results, with its margin
+    for (const std::size_t at : {std::size_t(265), std::size_t(137 * 266)}) {
+        DisplayPicture b = display(noise_code, 266, 138, context);
+        b.codes[at] ^= 0xff;
+        EXPECT_LT(mean_ssim(a, b, context).value(), 1.0) << at;
+    }
+}
+
 TEST(MeanSsim, HasTheSameBitsForAnyNumberOfThreads) {
     Context one({.threads = 1}), four({.threads = 4});
     const DisplayPicture a = display(noise_code, 700, 300, one), b = display(other_noise, 700, 300, one);
