@@ -8,7 +8,7 @@
 - paths in backticks that begin with a folder of the repository exist (`*` matches as in a shell);
 - `./dev WORD` is a command of ./dev;
 - commands `rakelight VERB ...` in code blocks, fenced or indented, and in the examples of `rakelight VERB --help`, run. Models that are
-  not there are replaced by one of data/; where no such model can be made (model.fbx), the program must get as far as not finding it.
+  not there are replaced by one of data/, as are the pictures and the folders (before/) that `compare` gets; where no such model can be made (model.fbx), the program must get as far as not finding it.
   What stands indented with MODEL, [OPTION] or a|b is no command but a synopsis.
 
 Exit code 1 with a line for each thing that is wrong. Without a program its commands are left out, and it is said."""
@@ -22,7 +22,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-STAND_INS = {".glb": "data/spot/spot_slab5.glb", ".obj": "tests/golden/models/solids.obj", ".toml": "data/world/room.scene.toml"}
+STAND_INS = {".glb": "data/spot/spot_slab5.glb", ".obj": "tests/golden/models/solids.obj", ".toml": "data/world/room.scene.toml", ".png": "data/maps/brick_height.png"}
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```", re.M | re.S)
 INDENTED = re.compile(r"^(?: {4}.*\n?)+", re.M)
@@ -102,6 +102,10 @@ def run_command(root, program, command, wrong):
             option = words[at - 1]
             if option in ("-o", "--output"):
                 (folder / word).parent.mkdir(parents=True, exist_ok=True)
+            elif words[0] == "compare" and word.endswith("/"):  # a folder of pictures
+                provide(root, folder, word + "picture.png")
+            elif words[0] == "compare" and word.endswith(".png"):
+                provide(root, folder, word)
             elif option.startswith("--texture-") or option in ("--height-map", "--hdri-file") or re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x|scene\.toml)", word):
                 is_missing |= not provide(root, folder, word)
         done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=120,

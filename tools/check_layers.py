@@ -66,7 +66,7 @@ PUBLIC = {
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "load": "world",
     "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
     "picture": "render", "version": "render",
-    "check_scene": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
+    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
 }
 
 # Third-party include (regular expression) -> the modules that may use it.

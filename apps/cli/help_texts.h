@@ -130,6 +130,27 @@ inline constexpr const char* check_footer =
       One row a file, schema rakelight.check/1.
   rakelight check --schema)";
 
+inline constexpr const char* compare_footer =
+    R"(Max error, RMSE, PSNR and differing pixels are of the numbers in the files: codes as
+0 to 1, EXR and HDR as linear light, alpha too. SSIM and FLIP look at 8-bit sRGB
+colors as a display shows them: linear light is clamped to 0..1 and encoded, where
+alpha is below 1 the color lies over middle gray.
+Limits and --tolerance are numbers or fractions: --max-error 2/255.
+
+Examples:
+  rakelight compare before.png after.png
+  rakelight compare before.png after.png -o difference.png --max-flip 0.05
+      Exit code 5, and a line for each limit that is passed.
+  rakelight compare before/ after/ -o page.html
+      Two folders: the pictures of equal names, on one page with wipe sliders.
+  rakelight compare parts.glb smooth.glb -o page.html --view isometric
+      Scenes are rendered, both with the same settings.
+  rakelight compare --engines soft,soft builtin:teapot --json
+      Schema rakelight.compare/1.
+Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
+4 file broken or too large, 5 a limit is passed, the pictures differ in size, or a
+file is in one folder only; of several pairs the largest.)";
+
 inline constexpr const char* stages_footer =
     R"(Stages: model, world, camera and clip space, clipped polygons, normalized device
 coordinates, screen, culled faces, coverage, depth, visibility, normals, each light's

@@ -4,6 +4,7 @@
 
 #include "bench_verb.h"
 #include "check_verb.h"
+#include "compare_verb.h"
 #include "explain_verb.h"
 #include "help_texts.h"
 #include "inspect_verb.h"
@@ -27,7 +28,7 @@ int run(int argc, const char* const* argv) {
     const Verb verbs[] = {{render_command(), run_render},   {inspect_command(), run_inspect},
                           {smooth_command(), run_smooth},   {bench_command(), run_bench},
                           {explain_command(), run_explain}, {stages_command(), run_stages},
-                          {check_command(), run_check}};
+                          {compare_command(), run_compare}, {check_command(), run_check}};
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command);
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",

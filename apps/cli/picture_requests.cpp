@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One request for each model on the command line, each with an output of its own.
 #include <filesystem>
-#include <map>
 #include <string_view>
 
 #include <rakelight/world.h>
@@ -26,36 +25,50 @@ Error no_name_for_each(std::string_view command) {
     if (command == "stages")
         return Error(ErrorCode::usage, "several models need a name for each folder", {},
                      "write for example -o 'out/{model}'");
+    if (command == "compare")
+        return Error(ErrorCode::usage, "several pairs need a name for each picture", {},
+                     "write for example -o 'out/{model}.png', or one page: -o out.html");
     return Error(ErrorCode::usage, "several models need a name for each picture", {},
                  command == "inspect" ? "write for example --heatmap 'out/{model}.png'"
                                       : "write for example -o 'out/{model}.png'");
 }
 
+constexpr std::string_view mark = "{model}";
+
+/// Without folder and ending.
+std::string name_of(const std::string& input) {
+    std::string stem = input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
+    if (input.starts_with("builtin:"))  // of "sphere:radius=2" too a name
+        for (char& c : stem) c = c == ':' || c == '=' || c == '/' ? '-' : c;
+    if (is_world_file(input)) stem = std::filesystem::path(stem).stem().string();  // of NAME.scene.toml
+    return stem;
+}
+
 }  // namespace
 
+OutputNames::OutputNames(const Run& run, std::size_t inputs) : template_(run.picture.output) {
+    check_template(template_);
+    if (inputs > 1 && template_.find(mark) == std::string::npos) throw no_name_for_each(run.command.name);
+}
+
+std::string OutputNames::of(const std::string& input) {
+    std::string output = template_;
+    const std::string name = name_of(input);
+    for (std::size_t at = 0; (at = output.find(mark, at)) != std::string::npos; at += name.size())
+        output.replace(at, mark.size(), name);
+    const auto [entry, is_new] = inputs_of_.emplace(std::filesystem::path(output).lexically_normal().string(), input);
+    if (!is_new)
+        throw Error(ErrorCode::usage, "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) +
+                                          "' would both be written to '" + one_line(output, 80) + "'");
+    return output;
+}
+
 std::vector<InputRequest> picture_requests(const Run& run) {
-    constexpr std::string_view mark = "{model}";
     std::vector<InputRequest> requests;
-    check_template(run.picture.output);
-    std::map<std::string, std::string> inputs_of;  // output -> input
+    OutputNames names(run, run.inputs.size());
     for (const std::string& input : run.inputs) {
         InputRequest whole = request_for(run, input);
-        PictureRequest& request = whole.picture;
-        std::string stem =
-            input.starts_with("builtin:") ? input.substr(8) : std::filesystem::path(input).stem().string();
-        if (input.starts_with("builtin:"))  // of "sphere:radius=2" too a name
-            for (char& c : stem) c = c == ':' || c == '=' || c == '/' ? '-' : c;
-        if (is_world_file(input)) stem = std::filesystem::path(stem).stem().string();  // of NAME.scene.toml
-        bool replaced = false;
-        for (std::size_t at = 0; (at = request.output.find(mark, at)) != std::string::npos;
-             at += stem.size(), replaced = true)
-            request.output.replace(at, mark.size(), stem);
-        if (run.inputs.size() > 1 && !replaced) throw no_name_for_each(run.command.name);
-        const auto [entry, is_new] =
-            inputs_of.emplace(std::filesystem::path(request.output).lexically_normal().string(), input);
-        if (!is_new)
-            throw Error(ErrorCode::usage, "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) +
-                                              "' would both be written to '" + one_line(request.output, 80) + "'");
+        whole.picture.output = names.of(input);
         requests.push_back(std::move(whole));
     }
     return requests;

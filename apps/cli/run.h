@@ -2,6 +2,7 @@
 // What the command line asks for, and the requests that come of it.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,19 @@ struct InputRequest {
 
 /// The request for an input: as the command line says, and for a world file by its [render], too.
 InputRequest request_for(const Run& run, const std::string& input);
+
+/// Names of outputs, one for each input: '{model}' stands for the input's name without folder and ending.
+class OutputNames {
+public:
+    /// @throws Error usage: braces around anything else; several inputs for one output
+    OutputNames(const Run& run, std::size_t inputs);
+    /// @throws Error usage: the same output as another input's
+    std::string of(const std::string& input);
+
+private:
+    std::string template_;
+    std::map<std::string, std::string> inputs_of_;  ///< output -> input
+};
 
 /// A request for each input: '{model}' in the output stands for the input's name without folder and ending.
 /// @throws Error usage: several inputs for one output, or two inputs for the same

@@ -52,6 +52,11 @@ PictureResult render_picture(const PictureRequest& request, Context& context);
 /// The same of a scene that is there; `request.input` is its name in what is returned. @throws Error as above; bad_file: see validate()
 PictureResult render_picture(const Scene& scene, const PictureRequest& request, Context& context);
 
+/// The color alone, in memory: what the PNG file would hold, RGB, or RGBA where background.w < 1. `request.output` and the data channels
+/// count for nothing.
+/// @throws Error as above
+PictureResult render_picture(const PictureRequest& request, Pixels& color, Context& context);
+
 /// Linear light of a display value (sRGB, 0..1), for backgrounds and light colors that people write as they see them.
 vec3 linear_from_srgb(vec3 s);
 
@@ -59,5 +64,7 @@ vec3 linear_from_srgb(vec3 s);
 /// render_picture() calls it; callers with many pictures call it for all before they make the first.
 /// @throws Error usage or failed
 void check_request(const PictureRequest& request);
+/// The same of a picture in memory.
+void check_drawing(const PictureRequest& request);
 
 }  // namespace rakelight

@@ -4,6 +4,7 @@
 #pragma once
 #include <rakelight/attributes.h>
 #include <rakelight/block.h>
+#include <rakelight/compare.h>
 #include <rakelight/context.h>
 #include <rakelight/engine.h>
 #include <rakelight/error.h>

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much two pictures differ, in numbers.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include <rakelight/image.h>
 
 namespace rakelight {
+
+/// Component i of all of a picture's, in the order of its bytes: integers as 0..1 of the largest code, floats as they are.
+double component_at(const Pixels& pixels, std::size_t i);
 
 /// Over all components of all pixels. Integer components count as 0..1, floats as they are.
 struct PictureDifference {
@@ -14,6 +18,7 @@ struct PictureDifference {
     double psnr_db = 0;           ///< -20 log10(rmse), peak 1; +infinity for equal pictures
     std::uint64_t differing = 0;  ///< components that differ by more than the threshold
     double differing_share = 0;   ///< of all components, 0..1
+    std::uint64_t differing_pixels = 0;  ///< pixels any component of which does
 };
 
 /// @param threshold  >= 0; in the same unit (one 8-bit step is 1.0 / 255)

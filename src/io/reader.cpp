@@ -159,6 +159,8 @@ Scene read_valid(const std::string& path, Context& context, const Read& read) {
 
 }  // namespace
 
+bool has_model_ending(const std::string& path) { return format_of(ending_of(path)) != nullptr; }
+
 Scene read_scene(const std::string& path, const ReadOptions& options, Context& context) {
     return read_valid(path, context, [&] {
         return read_as(choose_format(path, head_of(path, context), context), path, options, context);

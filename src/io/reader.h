@@ -30,6 +30,9 @@ Scene read_with_import_helper(const std::string& path, const ReadOptions& option
 Scene read_with_import_helper(const std::string& path, const Bytes& bytes, const ReadOptions& options,
                               Context& context);
 
+/// Whether a name's ending is that of a model format which this build reads.
+bool has_model_ending(const std::string& path);
+
 /// The formats that this build reads, for --version and messages: "glTF 2.0, GLB, OBJ, FBX, ...".
 std::string supported_formats();
 

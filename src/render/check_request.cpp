@@ -6,6 +6,7 @@
 #include "engines/check_settings.h"
 #include "render/engines.h"
 #include "render/picture_files.h"
+#include "render/picture_steps.h"
 
 #include <rakelight/picture.h>
 
@@ -21,8 +22,14 @@ void check_output(const PictureRequest& request) {
         throw Error(ErrorCode::usage, "is about EXR files, but none is written", {},
                     "let the output end in .exr, or ask for data channels")
             .about("exr-colors", {"channels"});
+    check_output_place(request.output);
+}
+
+}  // namespace
+
+void check_output_place(const std::string& output) {
     std::error_code ignored;
-    const std::filesystem::path path(request.output);
+    const std::filesystem::path path(output);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder, ignored))
         throw Error(ErrorCode::failed, "the folder '" + one_line(folder.string(), 160) + "' does not exist", {},
@@ -30,9 +37,7 @@ void check_output(const PictureRequest& request) {
     if (std::filesystem::is_directory(path, ignored)) throw Error(ErrorCode::failed, "a folder has this name");
 }
 
-}  // namespace
-
-void check_request(const PictureRequest& request) {
+void check_drawing(const PictureRequest& request) {
     check_engine_name(request.engine);
     check_settings(request.settings);
     if (!(request.light_cutoff >= 0 && request.light_cutoff <= 1))
@@ -40,6 +45,10 @@ void check_request(const PictureRequest& request) {
     if (!(request.light_intensity >= 0 && std::isfinite(request.light_intensity)))
         throw Error(ErrorCode::usage, "must be a number >= 0").about("light-intensity");
     (void)ToneCurve(request.tone);  // an exposure that cannot be
+}
+
+void check_request(const PictureRequest& request) {
+    check_drawing(request);
     try {
         check_output(request);
     } catch (const Error& error) {

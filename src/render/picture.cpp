@@ -43,6 +43,12 @@ std::string text_of(const ViewRange& r) {
     return text;
 }
 
+void note_drawn(const Window& window, const ExtremePixels& extremes, PictureResult& result) {
+    result.width = window.width;
+    result.height = window.height;
+    result.black_pixels = extremes.black(), result.white_pixels = extremes.white();
+}
+
 }  // namespace
 
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
@@ -101,9 +107,7 @@ void draw_to_files(Session& session, const Camera& camera, const PictureRequest&
     const Stopwatch watch;
     files.finish();
     result.write_ms += watch.ms();
-    result.width = window.width;
-    result.height = window.height;
-    result.black_pixels = extremes.black(), result.white_pixels = extremes.white();
+    note_drawn(window, extremes, result);
     result.channel_files = files.channel_names();
 }
 
@@ -117,7 +121,32 @@ PictureResult draw_picture(const PictureRequest& request, Session& session, Cont
     return result;
 }
 
-PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session& session, Context& context) {
+namespace {
+
+/// As draw_to_files(), into memory.
+void draw_to_memory(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
+                    Pixels& color, Context& context) {
+    const Window window = whole_window(request.settings);
+    const PixelFormat format{Component::u8, request.settings.background.w < 1 ? 4 : 3};
+    color = {window.width, window.height, format.channels, format.component, false, {}};
+    color.charge = share(
+        MemoryCharge(context.memory(), std::uint64_t(color.row_bytes()) * std::uint64_t(window.height), "the picture"));
+    PictureSink sink(format, request.tone);
+    ExtremePixels extremes;
+    sink.count_in(&extremes);
+    Stopwatch drawing;
+    result.stats = session.render(camera, request.settings, sink, context);
+    result.render_ms += drawing.lap_ms();
+    context.throw_if_cancelled();
+    color.bytes = sink.take_colors();
+    note_drawn(window, extremes, result);
+}
+
+/// Prepares a scene that was loaded, draws it and looks at what was drawn.
+/// @param draw  with the session, the camera and the result that it completes
+template <class Draw>
+PictureResult draw_loaded(Scene loaded, const PictureRequest& request, Session& session, Context& context,
+                          const Draw& draw) {
     PictureResult result{.file = request.input, .output = request.output};
     Stopwatch watch;
     context.progress("prepare", 0);
@@ -129,7 +158,7 @@ PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session&
     result.prepare_ms = watch.lap_ms();
 
     context.progress("render", 0);
-    draw_to_files(session, camera, request, result, context);
+    draw(session, camera, result);
     if (request.settings.channels && (request.channel_files & channel_files_png))
         context.report().add(Remark::note, request.input, "", text_of(result.view_range));
     if (result.stats.pixels_shaded + result.stats.pixels_marked == 0)  // blended surfaces cover nothing, but are seen
@@ -138,12 +167,20 @@ PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session&
     return result;
 }
 
+}  // namespace
+
+PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session& session, Context& context) {
+    return draw_loaded(std::move(loaded), request, session, context,
+                       [&](Session& engine, const Camera& camera, PictureResult& result) {
+                           draw_to_files(engine, camera, request, result, context);
+                       });
+}
+
 namespace {
 
 /// @param draw  with a session of the engine that is asked for
 template <class Draw>
 PictureResult picture_by(const PictureRequest& request, Context& context, const Draw& draw) {
-    check_request(request);
     try {
         Session session(request.engine);
         PictureResult result = draw(session);
@@ -161,13 +198,29 @@ PictureResult picture_by(const PictureRequest& request, Context& context, const 
 }  // namespace
 
 PictureResult render_picture(const PictureRequest& request, Context& context) {
+    check_request(request);
     return picture_by(request, context, [&](Session& session) { return draw_picture(request, session, context); });
 }
 
 PictureResult render_picture(const Scene& scene, const PictureRequest& request, Context& context) {
+    check_request(request);
     return picture_by(request, context, [&](Session& session) {
         validate(scene);
         return draw_picture(as_asked(scene, request, context), request, session, context);
+    });
+}
+
+PictureResult render_picture(const PictureRequest& asked, Pixels& color, Context& context) {
+    PictureRequest request = asked;
+    request.output.clear();
+    request.settings.channels = 0;
+    check_drawing(request);
+    return picture_by(request, context, [&](Session& session) {
+        context.progress("load", 0);
+        return draw_loaded(scene_of_request(request, context), request, session, context,
+                           [&](Session& engine, const Camera& camera, PictureResult& result) {
+                               draw_to_memory(engine, camera, request, result, color, context);
+                           });
     });
 }
 

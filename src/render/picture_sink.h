@@ -51,6 +51,8 @@ public:
         return planes_[plane].words.data() + at_row(y) * std::size_t(planes_[plane].components);
     }
     const std::vector<ChannelPlane>& planes() const { return planes_; }
+    /// The colors of the whole window, row by row; the sink has none then.
+    std::vector<std::byte> take_colors() { return std::move(color_); }
 
 private:
     bool is_kept(const Window& area) const;

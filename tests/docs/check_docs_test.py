@@ -12,6 +12,7 @@ DEV = 'echo unrelated) \ncase "$command" in\nbuild) build ;;\ntest) run ;;\nesac
 PROGRAM = """#!/bin/sh
 if [ "$1" = --help ]; then printf 'Subcommands:\\n  render   draws\\n\\nExamples:\\n  rakelight render here.obj\\n'; exit 0; fi
 case "$*" in *five*) exit 5 ;; esac
+if [ "$1" = compare ]; then test -f "$2" && ls "$3"/*.png > /dev/null; exit; fi
 if [ "$2" = --help ]; then printf 'Examples:\\n  rakelight render %s \\\\\\n      -o out.png\\n' "$EXAMPLE"; exit 0; fi
 case "$2" in *.obj) test -e "$2" || exit 3 ;; *) echo "usage: $2" >&2; exit 2 ;; esac
 """
@@ -75,6 +76,12 @@ class CheckDocs(unittest.TestCase):
     def test_a_check_may_find_something(self):
         self.assertEqual(self.check("```\nrakelight inspect five --check\n```\n", True), (0, ""))
         self.assertIn("exit code 5", self.check("```\nrakelight inspect five\n```\n", True)[1])
+
+    def test_compare_has_pictures_and_folders_of_pictures_to_work_on(self):
+        (self.root / "data/maps").mkdir(parents=True)
+        (self.root / "data/maps/brick_height.png").write_bytes(b"a picture")
+        self.assertEqual(self.check("```\nrakelight compare before.png after/ -o out.png\n```\n", True), (0, ""))
+        self.assertEqual(self.check("```\nrakelight compare before.jpg after/\n```\n", True)[0], 1)
 
     def test_a_program_that_is_not_there_is_a_fault(self):
         self.program.unlink()

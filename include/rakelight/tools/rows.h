@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/compare.h>
 #include <rakelight/error.h>
 #include <rakelight/explain.h>
 #include <rakelight/inspect.h>
@@ -43,6 +44,15 @@ struct InspectionRow : ReportRow {
     std::string heat_map{};                            ///< the picture that was written, or empty
 };
 
+struct ComparisonRow : ReportRow {
+    std::string a{}, b{};                ///< files or scenes
+    std::string engine_a{}, engine_b{};  ///< of scenes; empty: pictures
+    CompareOptions options{};
+    std::optional<PictureComparison> comparison{};
+    std::vector<CheckFailure> failures{};  ///< limits that were passed
+    std::string output{};                  ///< the difference picture or page that was written, or empty
+};
+
 struct ExplainRow : ReportRow {
     std::string file{};
     int x = 0, y = 0;
@@ -64,11 +74,18 @@ std::string to_json(std::span<const PictureRow> rows);
 std::string to_json(std::span<const CheckRow> rows);
 /// {"schema": "rakelight.inspect/1", "rows": [...]}
 std::string to_json(std::span<const InspectionRow> rows);
+/// {"schema": "rakelight.compare/1", "rows": [...]}; numbers that are not finite are null.
+std::string to_json(std::span<const ComparisonRow> rows);
 /// {"schema": "rakelight.explain/1", "rows": [...]}; docs/explain.md says what is in it.
 std::string to_json(std::span<const ExplainRow> rows);
 /// {"schema": "rakelight.stages/1", "rows": [...]}
 std::string to_json(std::span<const StagesRow> rows);
 /// {"schema": "rakelight.smooth/1", "rows": [...]}
 std::string to_json(std::span<const SmoothedFileRow> rows);
+
+/// A table for people; rows with an error are left out. Empty: there are none.
+std::string to_text(std::span<const ComparisonRow> rows);
+/// "NAME", or "NAME (ENGINE)" where an engine is named.
+std::string title_of(const std::string& name, const std::string& engine);
 
 }  // namespace rakelight

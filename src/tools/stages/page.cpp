@@ -2,6 +2,7 @@
 // Stages as a page and as JSON. The page needs no script and nothing from outside of its folder.
 #include <charconv>
 
+#include "tools/html.h"
 #include "tools/report_json.h"
 #include "tools/stages/stage.h"
 
@@ -21,23 +22,6 @@ th:first-child, td:first-child { text-align: left; }
 .matrix { margin: 0; border-inline: 1px solid GrayText; } .matrix td { border: 0; text-align: right; padding: 0 .5rem; }
 )";
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : one_line(text, text.size())) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
-
 std::string shown(const Json& v);
 
 std::string matrix_html(const Json& rows) {
@@ -51,7 +35,7 @@ std::string matrix_html(const Json& rows) {
 }
 
 std::string shown(const Json& v) {
-    if (v.is_string()) return escaped(v.get<std::string>());
+    if (v.is_string()) return html_text(v.get<std::string>());
     if (v.is_number_float()) return digits(v.get<double>());
     if (!v.is_array()) return v.dump();
     if (!v.empty() && v[0].is_array() && v.size() == 4 && v[0].size() == 4) return matrix_html(v);
@@ -65,16 +49,17 @@ std::string numbers_html(const Json& numbers) {
     std::string out = "<div class=\"scroll\"><table>\n";
     for (const auto& [name, value] : numbers.items()) {
         const bool is_range = name.starts_with("range of ") && value.is_array() && value.size() == 2;
-        out += "<tr><td>" + escaped(name) + "</td><td>" +
+        out += "<tr><td>" + html_text(name) + "</td><td>" +
                (is_range ? shown(value[0]) + " to " + shown(value[1]) : shown(value)) + "</td></tr>\n";
     }
     return out + "</table></div>\n";
 }
 
 std::string rows_html(const Stage& stage) {
-    if (stage.rows.empty()) return stage.rows_note.empty() ? "" : "<p>" + escaped(stage.rows_note) + "</p>\n";
-    std::string out = "<details><summary>" + escaped(stage.rows_note) + "</summary><div class=\"scroll\"><table>\n<tr>";
-    for (const std::string& column : stage.columns) out += "<th>" + escaped(column) + "</th>";
+    if (stage.rows.empty()) return stage.rows_note.empty() ? "" : "<p>" + html_text(stage.rows_note) + "</p>\n";
+    std::string out =
+        "<details><summary>" + html_text(stage.rows_note) + "</summary><div class=\"scroll\"><table>\n<tr>";
+    for (const std::string& column : stage.columns) out += "<th>" + html_text(column) + "</th>";
     out += "</tr>\n";
     for (const Json& row : stage.rows) {
         out += "<tr>";
@@ -85,13 +70,13 @@ std::string rows_html(const Stage& stage) {
 }
 
 std::string stage_html(const Stage& stage, std::size_t number) {
-    std::string out = "<section id=\"" + stage.id + "\">\n<h2>" + std::to_string(number) + ". " + escaped(stage.title) +
-                      "</h2>\n<p>" + escaped(stage.text) + "</p>\n";
+    std::string out = "<section id=\"" + stage.id + "\">\n<h2>" + std::to_string(number) + ". " +
+                      html_text(stage.title) + "</h2>\n<p>" + html_text(stage.text) + "</p>\n";
     out += stage.pictures.size() > 1 ? "<div class=\"pictures\">\n" : "";
     for (const Picture& p : stage.pictures)
         out += "<figure><a href=\"" + p.name + ".png\"><img src=\"" + p.name + ".png\" width=\"" +
                std::to_string(p.canvas.width()) + "\" height=\"" + std::to_string(p.canvas.height()) + "\" alt=\"" +
-               escaped(p.caption) + "\"></a><figcaption>" + escaped(p.caption) + "</figcaption></figure>\n";
+               html_text(p.caption) + "\"></a><figcaption>" + html_text(p.caption) + "</figcaption></figure>\n";
     out += stage.pictures.size() > 1 ? "</div>\n" : "";
     return out + numbers_html(stage.numbers) + rows_html(stage) + "<p><a href=\"" + stage.id + ".json\">" + stage.id +
            ".json</a></p>\n</section>\n";
@@ -119,10 +104,10 @@ std::string page(const std::string& model, const std::vector<Stage>& stages) {
     std::string out =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\">\n<title>" +
-        escaped(model) + ": stages</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(model) +
+        html_text(model) + ": stages</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + html_text(model) +
         ": from the model to the picture</h1>\n<p>Numbers and pictures are what the soft engine itself made on the "
         "way; where a stage shows what a textbook does instead, it says so.</p>\n<nav><ol>\n";
-    for (const Stage& s : stages) out += "<li><a href=\"#" + s.id + "\">" + escaped(s.title) + "</a></li>\n";
+    for (const Stage& s : stages) out += "<li><a href=\"#" + s.id + "\">" + html_text(s.title) + "</a></li>\n";
     out += "</ol></nav>\n<main>\n";
     for (std::size_t i = 0; i < stages.size(); ++i) out += stage_html(stages[i], i + 1);
     return out + "</main>\n</body>\n</html>\n";

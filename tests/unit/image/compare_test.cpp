@@ -38,6 +38,26 @@ TEST(ComparePictures, OneComponentOfTwentyOffByOneTenthIsCounted) {
     EXPECT_EQ(compare_pictures(a, b, 0.5).differing, 0u);
 }
 
+TEST(ComparePictures, DifferencesOfCodesAreExactSteps) {
+    for (int code = 0; code + 2 < 256; ++code) {
+        const Pixels a = picture_of<std::uint8_t>(1, 1, 1, [&](int, int, int) { return code; });
+        const Pixels b = picture_of<std::uint8_t>(1, 1, 1, [&](int, int, int) { return code + 2; });
+        const PictureDifference d = compare_pictures(a, b, 2 / 255.0);
+        EXPECT_EQ(d.max_absolute, 2 / 255.0) << code;
+        EXPECT_EQ(d.differing, 0u) << code;
+    }
+    const Pixels a = picture_of<std::uint16_t>(1, 1, 1, [&](int, int, int) { return 50001; });
+    const Pixels b = picture_of<std::uint16_t>(1, 1, 1, [&](int, int, int) { return 50008; });
+    EXPECT_EQ(compare_pictures(a, b).max_absolute, 7 / 65535.0);
+}
+
+TEST(ComparePictures, APixelCountsOnce) {
+    const Pixels a = picture_of<std::uint8_t>(4, 2, 3, [](int, int, int) { return 9; });
+    const Pixels b = picture_of<std::uint8_t>(4, 2, 3, [](int x, int y, int c) { return x == 1 && c <= y ? 8 : 9; });
+    EXPECT_EQ(compare_pictures(a, b).differing, 3u);
+    EXPECT_EQ(compare_pictures(a, b).differing_pixels, 2u);
+}
+
 TEST(ComparePictures, KindsOfComponentsMayDiffer) {
     const Pixels a = picture_of<std::uint8_t>(3, 3, 4, [](int x, int, int) { return x * 51; });
     const Pixels b = picture_of<std::uint16_t>(3, 3, 4, [](int x, int, int) { return x * 51 * 257; });

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare_verb.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <rakelight/compare.h>
+#include <rakelight/tools/rows.h>
+#include <rakelight/tools/values.h>
+
+#include "../common/picture_options.h"
+#include "compare_pairs.h"
+#include "help_texts.h"
+#include "interrupt.h"
+#include "run_file.h"
+
+namespace rakelight::cli {
+namespace {
+
+/// A limit: past it the exit code is 5.
+struct Limit {
+    const char *name, *type, *help;
+    std::optional<double> CompareLimits::*limit;
+};
+constexpr Limit limits[] = {
+    {"max-error", "V", "Largest difference of a component, 0 to 1", &CompareLimits::max_error},
+    {"max-rmse", "V", "Largest root of the mean squared difference", &CompareLimits::max_rmse},
+    {"min-psnr", "DB", "Least peak signal-to-noise ratio, in decibels", &CompareLimits::min_psnr_db},
+    {"min-ssim", "V", "Least mean structural similarity, -1 to 1 (equal)", &CompareLimits::min_ssim},
+    {"max-flip", "V", "Largest mean FLIP, 0 (equal) to 1", &CompareLimits::max_flip},
+    {"max-differing", "V", "Largest share of differing pixels, 0 to 1", &CompareLimits::max_differing_share},
+};
+
+std::vector<Option> own_options() {
+    std::vector<Option> options = {
+        {.name = "output",
+         .group = "Output",
+         .type = "FILE",
+         .help = "Picture of the difference, or .html: a page with wipe sliders. {model} stands for the name of B",
+         .letter = 'o'},
+        {"difference", "Output", "WHAT",
+         "In the picture: flip (default; 0 dark blue, over green and yellow, 1 white) or absolute (|A - B| times the "
+         "gain). EXR and HDR hold the numbers"},
+        {"gain", "Output", "G", "Times which absolute differences are shown (default 10; EXR and HDR: 1)"},
+        {"engines", "Compare", "LIST",
+         "Draw each scene with these engines, as soft,gl, and compare the first with each other"},
+        {"tolerance", "Compare", "T",
+         "Components may be off by so much before a pixel counts as differing (default 0)"},
+        {"pixels-per-degree", "Compare", "P", "FLIP: of the viewer's angle, 1 to 1000 (default 67)"},
+    };
+    for (const Limit& limit : limits)
+        options.push_back({limit.name, "Limits (exit code 5 past any)", limit.type, limit.help});
+    return options;
+}
+
+/// "0.01" or "2/255".
+double fraction(const std::string& name, const std::string& text) {
+    const std::vector<std::string_view> parts = values::split(text, '/');
+    if (parts.size() != 2) return values::number(name, text);
+    const double divisor = values::number(name, parts[1]);
+    if (!(divisor > 0)) throw values::wrong(name, "the divisor must be more than 0");
+    return values::number(name, parts[0]) / divisor;
+}
+
+struct Settings {
+    CompareOptions options;
+    CompareLimits limits;
+    DifferenceKind kind = DifferenceKind::flip;
+    std::optional<double> gain;
+    /// Numbers in files are not made larger unless asked for.
+    double gain_for(const std::string& output) const {
+        return gain.value_or(output.ends_with(".exr") || output.ends_with(".hdr") ? 1 : 10);
+    }
+};
+
+Settings settings_of(const Run& run) {
+    constexpr Word<DifferenceKind> kinds[] = {{"flip", DifferenceKind::flip}, {"absolute", DifferenceKind::absolute}};
+    const Given& given = run.given;
+    Settings s;
+    if (given.has("tolerance")) s.options.tolerance = fraction("tolerance", given.word("tolerance"));
+    if (!(s.options.tolerance >= 0)) throw values::wrong("tolerance", "must be 0 or more");
+    if (given.has("pixels-per-degree"))
+        s.options.pixels_per_degree = values::number("pixels-per-degree", given.word("pixels-per-degree"), 1, 1000);
+    for (const Limit& limit : limits)
+        if (given.has(limit.name)) s.limits.*limit.limit = fraction(limit.name, given.word(limit.name));
+    if (given.has("difference")) s.kind = values::word("difference", given.word("difference"), kinds);
+    if (given.has("gain")) s.gain = values::number("gain", given.word("gain"));
+    if (s.gain && !(*s.gain > 0)) throw values::wrong("gain", "must be more than 0");
+    const bool is_picture = !run.picture.output.empty() && !is_page(run.picture.output);
+    if (given.has("difference") && !is_picture)
+        throw Error(ErrorCode::usage, "is for a difference picture; pages have both", {}, "write -o difference.png")
+            .about("difference");
+    if (s.gain && (run.picture.output.empty() || (is_picture && s.kind == DifferenceKind::flip)))
+        throw Error(ErrorCode::usage, "is for absolute differences", {}, "add -o FILE.png --difference absolute")
+            .about("gain");
+    return s;
+}
+
+Pixels pixels_of(const ComparedSide& side, Context& context) {
+    if (!side.scene) return read_picture(side.name, context);
+    if (side.scene->error) throw *side.scene->error;
+    try {
+        Pixels pixels;
+        render_picture(side.scene->picture, pixels, context);
+        return pixels;
+    } catch (const Error& error) {
+        if (!side.scene->world) throw;
+        throw at_world_value(error, *side.scene->world);
+    }
+}
+
+/// What stands above two pictures of a page: names without folders, which are nobody else's business, unless these tell them apart.
+PageTitles titles_of(const ComparisonRow& row) {
+    const std::string file_a = std::filesystem::path(row.a).filename().string(),
+                      file_b = std::filesystem::path(row.b).filename().string();
+    const bool needs_folder = file_a == file_b && row.a != row.b;
+    const std::string a = title_of(needs_folder ? row.a : file_a, row.engine_a),
+                      b = title_of(needs_folder ? row.b : file_b, row.engine_b);
+    if (row.a == row.b && row.engine_a != row.engine_b)
+        return {one_line(file_a) + ": " + row.engine_a + " and " + row.engine_b, row.engine_a, row.engine_b};
+    return {a + " and " + b, a, b};
+}
+
+void compare_pair(const ComparedPair& pair, const Settings& settings, ComparisonRow& row, ComparisonPage* page,
+                  Context& context) {
+    if (pair.error) throw *pair.error;
+    Pixels a = pixels_of(pair.a, context), b = pixels_of(pair.b, context);
+    context.progress("compare", 0);
+    const ComparedPictures pictures(std::move(a), std::move(b), settings.options, context);
+    if (page) page->add(titles_of(row), pictures, settings.options, settings.gain_for({}));
+    if (!pair.output.empty()) {
+        save_difference(pictures, settings.kind, settings.gain_for(pair.output), pair.output);
+        row.output = pair.output;
+    }
+    row.comparison = pictures.comparison();
+    row.failures = check_limits(*row.comparison, settings.limits);
+}
+
+/// One line a limit; returns the exit code.
+int print_failures(const ComparisonRow& row) {
+    for (const CheckFailure& failure : row.failures)
+        print_error(Error(ErrorCode::check_failed, failure.limit + ": " + failure.message)
+                        .with_file(title_of(row.b, row.engine_b)));
+    return row.failures.empty() ? 0 : exit_code(ErrorCode::check_failed);
+}
+
+}  // namespace
+
+Command compare_command() {
+    return {"compare",
+            "Say how much two pictures differ, or the pictures of two engines",
+            compare_footer,
+            {{"A B", "Two pictures, two folders of pictures, or two scenes, which are drawn; with --engines scenes"}},
+            apps::joined({own_options(),
+                          apps::without(apps::picture_options(), {"channels", "channel-files", "exr-colors"}),
+                          apps::common_options()})};
+}
+
+int run_compare(const Run& run) {
+    const Settings settings = settings_of(run);
+    const std::vector<ComparedPair> pairs = compared_pairs(run);
+    const bool has_page = is_page(run.picture.output);
+    ComparisonPage page;
+    std::vector<ComparisonRow> rows;
+    int worst = 0;
+    for (const ComparedPair& pair : pairs) {
+        ComparisonRow& row = rows.emplace_back();
+        row.a = pair.a.name, row.b = pair.b.name, row.options = settings.options;
+        row.engine_a = pair.a.engine(), row.engine_b = pair.b.engine();
+        const std::string name = row.a == row.b ? row.a : row.a + ", " + row.b;
+        if (CancelOnInterrupt::happened()) {
+            row.error = Error(ErrorCode::failed, "cancelled").with_file(name);
+            continue;
+        }
+        worst = std::max(worst, run_file(run, name, row, [&](Context& c) {
+                             compare_pair(pair, settings, row, has_page ? &page : nullptr, c);
+                         }));
+        worst = std::max(worst, print_failures(row));
+    }
+    const bool has_any = std::ranges::any_of(rows, [](const ComparisonRow& row) { return row.comparison.has_value(); });
+    if (has_page && has_any && !CancelOnInterrupt::happened()) {
+        page.save(run.picture.output);
+        for (ComparisonRow& row : rows) row.output = row.comparison ? run.picture.output : "";
+    }
+    if (run.is_json)
+        print_data(to_json(rows));
+    else
+        print_text(to_text(rows));
+    return worst;
+}
+
+}  // namespace rakelight::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two pictures with components that can be held against each other.
+#pragma once
+#include <rakelight/image.h>
+
+namespace rakelight {
+
+/// Gives both the same channels and the same meaning of numbers: see ComparedPictures. Pictures that agree stay as they are.
+/// @throws Error bad_file: beyond the memory budget
+void make_comparable(Pixels& a, Pixels& b, Context& context);
+
+}  // namespace rakelight
