@@ -9,15 +9,16 @@
 #ifdef RL_HAVE_OPENGL
 #include "engines/opengl/opengl_engine.h"
 #endif
+#include "render/auto_engine.h"
 #include "world/channel_info.h"
 
 namespace rakelight {
 
 std::vector<std::string> engine_names() {
 #ifdef RL_HAVE_OPENGL
-    return {"soft", "gl"};
+    return {"soft", "gl", "auto"};
 #else
-    return {"soft"};
+    return {"soft", "auto"};
 #endif
 }
 
@@ -32,10 +33,13 @@ void check_engine_name(const std::string& name) {
         .about("engine");
 }
 
-void check_abilities(const Engine& engine, const RenderSettings& s) {
-    const EngineAbilities can = engine.abilities();
-    const auto require = [&engine](bool can_do, const std::string& what) {
-        if (!can_do) throw Error(ErrorCode::usage, "engine " + one_line(engine.name(), 40) + " cannot " + what);
+namespace {
+
+/// The first thing that settings ask for and an engine cannot do; empty: it can do all.
+std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
+    std::string first;
+    const auto require = [&first](bool can_do, const std::string& what) {
+        if (!can_do && first.empty()) first = what;
     };
     for (const ChannelInfo& channel : all_channels())
         require((s.channels & channel.channel & ~can.channels) == 0,
@@ -49,10 +53,22 @@ void check_abilities(const Engine& engine, const RenderSettings& s) {
     require(can.lines_and_points || (s.surfaces && !s.edges && s.points == PointShape::none),
             "draw edges and vertices");
     require(can.shadows || !s.shadows, "draw shadows");
+    require(can.user_lighting || s.lighting_text.empty(), "light by a text in GLSL, " + one_line(s.lighting_name, 80));
+    return first;
+}
+
+}  // namespace
+
+bool can_draw(const EngineAbilities& can, const RenderSettings& settings) { return beyond(can, settings).empty(); }
+
+void check_abilities(const Engine& engine, const RenderSettings& settings) {
+    const std::string what = beyond(engine.abilities(), settings);
+    if (!what.empty()) throw Error(ErrorCode::usage, "engine " + one_line(engine.name(), 40) + " cannot " + what);
 }
 
 std::unique_ptr<Engine> make_engine(const std::string& name) {
     check_engine_name(name);
+    if (name == "auto") return make_auto_engine();
 #ifdef RL_HAVE_OPENGL
     if (name == "gl") return opengl::make_engine();
 #endif

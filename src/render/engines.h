@@ -18,6 +18,8 @@ std::string engine_isa(const std::string& name);
 /// @throws Error usage: the name is not one of engine_names()
 void check_engine_name(const std::string& name);
 
+/// Whether an engine has all that the settings ask for.
+bool can_draw(const EngineAbilities& can, const RenderSettings& settings);
 /// @throws Error usage: the settings ask for what the engine cannot do
 void check_abilities(const Engine& engine, const RenderSettings& settings);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys about how surfaces answer light: lighting models, bumps, shadows.
 #include "world/key_fields.h"
+#include "world/lighting_text.h"
 
 namespace rakelight::keys {
 namespace {
@@ -23,8 +24,26 @@ Written write_steps(const PictureRequest& r) {
     return {std::to_string(of.min_steps) + "," + std::to_string(of.max_steps)};
 }
 
+/// A word, or a file with another model's text.
+void read_lighting(PictureRequest& r, Words w) {
+    RenderSettings& s = r.settings;
+    s.lighting_name.clear(), s.lighting_text.clear();
+    if (!is_lighting_file(w[0])) {
+        s.lighting = values::word("lighting", w[0], lighting_words);
+        return;
+    }
+    s.lighting_text = read_lighting_text(w[0]);
+    s.lighting_name = w[0];
+}
+
+Written write_lighting(const PictureRequest& r) {
+    if (!r.settings.lighting_name.empty()) return {r.settings.lighting_name};
+    if (r.settings.lighting == defaults().settings.lighting) return {};
+    return name_in(lighting_words, r.settings.lighting);
+}
+
 constexpr RenderKey table[] = {
-    RL_WORD_KEY("lighting", r.settings.lighting, lighting_words),
+    {"lighting", Kind::value, read_lighting, write_lighting},
     RL_WORD_KEY("specular", r.settings.specular_form, specular_form_words),
     RL_SWITCH_KEY("specular-horizon", r.settings.specular_horizon),
     RL_WORD_KEY("ward-form", r.settings.ward_form, ward_form_words),

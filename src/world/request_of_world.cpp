@@ -5,6 +5,8 @@
 
 #include <rakelight/request.h>
 
+#include "world/lighting_text.h"
+
 namespace rakelight {
 namespace {
 
@@ -28,6 +30,10 @@ void resolve(WorldValue& value, const std::string& world, bool allow_outside) {
             throw Error(ErrorCode::not_found, "'" + one_line(word, 80) + "': there is no such file");
         word = std::move(file);
     }
+}
+
+bool names_file(const WorldValue& value, const RenderKey& key) {
+    return key.kind == RenderKey::Kind::file || (value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]));
 }
 
 const RenderKey& known(const WorldValue& value) {
@@ -55,7 +61,7 @@ public:
             if (is_overridden(overrides_.values, value.key)) return overridden.push_back(value.key);
             if (!is_wanted) return;
             check_flag(value, key);
-            if (key.kind == RenderKey::Kind::file) resolve(value, path_, allow_outside_);
+            if (names_file(value, key)) resolve(value, path_, allow_outside_);
             taken.push_back(std::move(value));
         } catch (const Error& error) {
             const ErrorCode code = error.code() == ErrorCode::usage ? ErrorCode::bad_file : error.code();

@@ -60,14 +60,15 @@ private:
         f_.is_metallic = factors().metallic_roughness != 0;
         if (f_.is_unlit) return;
         f_.model = shading::reflection_model(shading::lighting_of(p_.list, draw_, p_.settings));
-        f_.is_user = p_.has_user_lighting;
+        f_.is_user = !p_.settings.lighting_text.empty();
+        if (f_.is_user) f_.model = shading::reflects_lambert;  // what surrounds it: the environment, flat and Gouraud shading
         f_.form = shading::reflection_form(specular_form_of(material_, p_.settings.specular_form));
         f_.horizon = p_.settings.specular_horizon;
         f_.ward_form = shading::ward_number(shading::ward_form_of(material_, p_.settings.ward_form));
         f_.has_scattering = p_.settings.multiple_scattering;
         f_.has_classical_sum =
             f_.model == shading::reflects_phong || f_.model == shading::reflects_blinn_phong ||
-            (f_.model == shading::reflects_lambert && !f_.is_metallic);
+            (f_.model == shading::reflects_lambert && !f_.is_metallic && !f_.is_user);
         f_.has_environment = p_.has_environment;
         f_.has_light_around = p_.has_environment || shading::has_ambient_light(p_.list.scene);
         if (f_.model != shading::reflects_pbr || !f_.is_metallic) return;

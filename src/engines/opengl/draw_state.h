@@ -41,7 +41,6 @@ struct PictureState {
     const std::vector<Shading>& shading;  ///< [draws] never automatic
     const LightTable& lights;
     bool has_environment = false, has_shadows = false;
-    bool has_user_lighting = false;
     int units = 12;  ///< texture units for materials' maps
 };
 

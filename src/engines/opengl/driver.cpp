@@ -65,7 +65,7 @@ Driver ask_driver() {
                     "render with engine soft");
     d.has_reversed_depth = d.is_es ? has("GL_EXT_clip_control") : version >= 45 || has("GL_ARB_clip_control");
     d.has_sample_mask = d.is_es ? version >= 31 && has("GL_OES_sample_variables") : has("GL_ARB_gpu_shader5");
-    d.has_timer = d.is_es ? has("GL_EXT_disjoint_timer_query") : true;
+    d.has_timer = !d.is_es;
     d.has_program_binaries = (d.is_es || version >= 41 || has("GL_ARB_get_program_binary")) &&
                              number(GL_NUM_PROGRAM_BINARY_FORMATS) > 0;
     d.filters_floats = !d.is_es || has("GL_OES_texture_float_linear");

@@ -38,14 +38,18 @@ public:
         });
     }
 
+    const Driver& driver() const { return renderer_->driver(); }
+
     std::string name() const override { return "gl"; }
     EngineAbilities abilities() const override {
         EngineAbilities can;
         can.channels = channels_all;
-        if (renderer_->driver().samples >= 4) can.samples.push_back(4);
-        if (renderer_->driver().samples >= 8) can.samples.push_back(8);
-        can.screen_interpolation = !renderer_->driver().is_es;
+        if (driver().samples >= 4) can.samples.push_back(4);
+        if (driver().samples >= 8) can.samples.push_back(8);
+        can.screen_interpolation = !driver().is_es;
         can.shadows = true;
+        can.user_lighting = true;
+        can.lines_and_points = true;
         return can;
     }
     void prepare(Scene scene, Context& context) override {
@@ -65,39 +69,43 @@ private:
     RenderStats draw(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) {
         RenderStats stats;
         const Window window = whole(settings);
+        const int most = driver().picture_size;
         renderer_->begin_picture(camera, settings, stats, context);
+        Window drawn{window.x, window.y, std::min(window.width, most), std::min({window.height, most, most_rows})};
+        renderer_->draw_part(drawn, context);  // what fails, a shader or the GPU's memory, fails before the sink gets anything
         sink.begin(settings.width, settings.height, window, settings.channels);
         auto* const strips = dynamic_cast<StripSink*>(&sink);
         const int at_once = strips && strips->rows_at_once() > 0 ? strips->rows_at_once() : window.height;
-        const int rows = std::min({at_once, most_rows, renderer_->driver().picture_size});
+        const int rows = std::min(at_once, drawn.height);
         for (int y = 0; y < window.height; y += rows) {
             const int height = std::min(rows, window.height - y);
-            for (int x = 0; x < window.width; x += renderer_->driver().picture_size) {
-                const int width = std::min(window.width - x, renderer_->driver().picture_size);
-                stats.pixels_not_finite += deliver({window.x + x, window.y + y, width, height}, sink, context);
+            for (int x = 0; x < window.width; x += most) {
+                const Window part{window.x + x, window.y + y, std::min(window.width - x, most), height};
+                if (part != drawn) renderer_->draw_part(part, context);
+                drawn = {};
+                deliver(part, sink, context);
             }
             if (strips) strips->rows_done(window.y + y, height);
             context.progress("render", double(y + height) / double(window.height));
         }
         sink.end_pass(0);
-        if (stats.pixels_not_finite > 0)
-            context.report().add(Remark::warning, renderer_->scene().source, {},
-                                 std::to_string(stats.pixels_not_finite) + " color values came out not finite and are shown black");
+        renderer_->end_picture(stats, context);
         return stats;
     }
 
-    std::uint64_t deliver(Window pixels, Sink& sink, Context& context) {
-        colors_.resize(std::size_t(pixels.width) * std::size_t(pixels.height));
-        const std::uint64_t not_finite = renderer_->draw_and_read(pixels, colors_, context);
-        Tile tile{.area = pixels};
+    void deliver(Window part, Sink& sink, Context& context) {
+        const std::size_t pixels = std::size_t(part.width) * std::size_t(part.height);
+        colors_.resize(pixels);
+        renderer_->read_part(colors_);
+        Tile tile{.area = part};
         tile.color = colors_;
-        if (const std::uint32_t channels = renderer_->channels(); channels != 0) {
-            renderer_->draw_channels(pixels, arrays_, context);
+        const std::uint32_t channels = renderer_->channels();
+        if (channels != 0) {
+            renderer_->draw_channels(part, arrays_, context);
             for_each_channel([&](std::uint32_t bit, auto& to, const auto& array) { if (channels & bit) to = array; }, tile,
                              static_cast<const ChannelArrays&>(arrays_));
         }
         sink.tile(tile);
-        return not_finite;
     }
 
     std::optional<HeadlessContext> context_;
@@ -110,5 +118,16 @@ private:
 }  // namespace
 
 std::unique_ptr<Engine> make_engine() { return std::make_unique<OpenGlEngine>(); }
+
+std::unique_ptr<Engine> make_gpu_engine(std::string& why) {
+    try {
+        auto engine = std::make_unique<OpenGlEngine>();
+        if (!engine->driver().is_software) return engine;
+        why = "there is no GPU (" + engine->driver().renderer + " draws by the processor)";
+    } catch (const Error& error) {
+        why = error.reason();
+    }
+    return nullptr;
+}
 
 }  // namespace rakelight::opengl

@@ -10,5 +10,7 @@ namespace rakelight::opengl {
 
 /// @throws Error failed: there is no usable OpenGL (no libEGL, no driver, too old)
 std::unique_ptr<Engine> make_engine();
+/// Null where no GPU draws: `why` then says so.
+std::unique_ptr<Engine> make_gpu_engine(std::string& why);
 
 }  // namespace rakelight::opengl

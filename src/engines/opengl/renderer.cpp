@@ -15,6 +15,9 @@
 namespace rakelight::opengl {
 namespace {
 
+// Names of passes, as RenderStats::gpu_passes has them.
+constexpr const char *shadow_pass = "shadow maps", *surface_pass = "surfaces", *blended_pass = "blended surfaces",
+                     *channel_pass = "data channels";
 constexpr float nothing_parallel = -3e38f;  ///< nearness where nothing is
 
 /// A picture's settings as far as a shadow map needs them.
@@ -92,6 +95,9 @@ PictureState Renderer::picture_state() const {
 
 void Renderer::begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats, Context& context) {
     settings_ = settings;
+    not_finite_ = covered_ = 0;
+    meter_.reset();
+    programs_.set_user({settings.lighting_name, settings.lighting_text});
     view_ = shading::view_of(list_, camera, settings);
     shading_ = shading::choose_shading(list_, settings, nullptr, context);
     const dvec3 eye = view_.camera_to_world[3].xyz();
@@ -148,6 +154,7 @@ void Renderer::draw_shadow_map(const shading::MapCamera&, const shading::View& v
     PictureDrawer drawer(with, of_map, {0, 0, settings.width, settings.height});
     const float texels = float(0.5 * view.width * view.scale_x);
     drawer.set_map_texels(view.orthographic ? -texels : texels);
+    const PassMeter::Pass pass(meter_, shadow_pass);
     shadows_.begin(place, face, std::bit_cast<std::uint32_t>(view.orthographic ? nothing_parallel : 0.0f), far_depth());
     drawer.begin();
     for (std::uint32_t d = 0; d < list_.draws.size(); ++d) {
@@ -166,6 +173,7 @@ void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& sta
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     std::map<std::uint32_t, DrawState> states;
     for (const std::uint32_t d : draws) states.emplace(d, draw_state(state, d, Output::color, false));
+    const PassMeter::Pass pass(meter_, blended_pass);
     for (const BlendedRun& run : runs) {
         context.throw_if_cancelled();
         const DrawState& of = states.at(run.draw);
@@ -190,14 +198,9 @@ void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& sta
     glDepthMask(GL_TRUE);
 }
 
-void Renderer::draw_colors(Window pixels, Context& context) {
-    lights_.set(light_parameters_, light_shadows_, view_, pixels);
-    const PictureState state = picture_state();
-    const PictureTools with = tools();
-    const PictureDrawer drawer(with, state, pixels);
-    drawer.begin();
-    if (environment_ && list_.scene.environment->is_background) drawer.draw_sky();
-    std::vector<std::uint32_t> blended;
+void Renderer::draw_surfaces(const PictureDrawer& drawer, const PictureState& state, std::vector<std::uint32_t>& blended,
+                             Context& context) {
+    const PassMeter::Pass pass(meter_, surface_pass);
     for (std::uint32_t d = 0; d < list_.draws.size() && settings_.surfaces; ++d) {
         context.throw_if_cancelled();
         if (drawer.is_outside(d)) continue;
@@ -206,8 +209,36 @@ void Renderer::draw_colors(Window pixels, Context& context) {
         else
             drawer.draw(d, draw_state(state, d, Output::color, false));
     }
+}
+
+void Renderer::draw_colors(Window pixels, Context& context) {
+    lights_.set(light_parameters_, light_shadows_, view_, pixels);
+    const PictureState state = picture_state();
+    const PictureTools with = tools();
+    const PictureDrawer drawer(with, state, pixels);
+    drawer.begin();
+    if (environment_ && list_.scene.environment->is_background) drawer.draw_sky();
+    std::vector<std::uint32_t> blended;
+    draw_surfaces(drawer, state, blended, context);
     if (!blended.empty()) draw_blended(drawer, state, blended, context);
     check_gl("the picture");
+}
+
+void Renderer::draw_channel_group(const PictureDrawer& drawer, const PictureState& state, Output group, bool wants_triangles,
+                                  Context& context) {
+    channel_target_.begin(group, far_depth());
+    drawer.begin();
+    if (group == Output::count) {
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
+    for (std::uint32_t d = 0; d < list_.draws.size(); ++d) {
+        context.throw_if_cancelled();
+        if (drawer.is_outside(d) || list_.material(list_.draws[d]).factors.blend) continue;
+        drawer.draw(d, draw_state(state, d, group, wants_triangles));
+    }
+    glDisable(GL_BLEND);
 }
 
 void Renderer::draw_channels(Window pixels, ChannelArrays& to, Context& context) {
@@ -218,30 +249,40 @@ void Renderer::draw_channels(Window pixels, ChannelArrays& to, Context& context)
     const PictureTools with = tools();
     const PictureDrawer drawer(with, state, pixels);
     for_each_group(settings_.channels, [&](Output group, bool wants_triangles) {
-        channel_target_.begin(group, far_depth());
-        drawer.begin();
-        if (group == Output::count) {
-            glDisable(GL_DEPTH_TEST);
-            glEnable(GL_BLEND);
-            glBlendFunc(GL_ONE, GL_ONE);
+        {
+            const PassMeter::Pass pass(meter_, channel_pass);
+            draw_channel_group(drawer, state, group, wants_triangles, context);
         }
-        for (std::uint32_t d = 0; d < list_.draws.size(); ++d) {
-            context.throw_if_cancelled();
-            if (drawer.is_outside(d) || list_.material(list_.draws[d]).factors.blend) continue;
-            drawer.draw(d, draw_state(state, d, group, wants_triangles));
-        }
-        glDisable(GL_BLEND);
         channel_target_.read(group, settings_.channels, view_.camera_to_world[3].xyz(), to);
     });
 }
 
-std::uint64_t Renderer::draw_and_read(Window pixels, std::span<vec4> to, Context& context) {
+void Renderer::draw_part(Window pixels, Context& context) {
     target_.reserve(pixels.width, pixels.height, settings_.samples);
     target_.begin(settings_.background, far_depth());
     draw_colors(pixels, context);
     target_.resolve();
+    target_.resolve_depth();
+    check_gl("the picture");
+}
+
+void Renderer::read_part(std::span<vec4> to) {
     target_.read(to);
-    return to_straight_alpha(to, settings_.background);
+    not_finite_ += to_straight_alpha(to, settings_.background);
+    if (!driver_.is_es) covered_ += target_.count_covered(far_depth());
+}
+
+void Renderer::end_picture(RenderStats& stats, Context& context) {
+    meter_.finish(stats.gpu_passes);
+    stats.pixels_not_finite = not_finite_;
+    stats.depth_passes = meter_.samples(surface_pass);
+    // ES knows only whether there is something.
+    stats.pixels_covered = driver_.is_es && stats.depth_passes > 0 ? std::uint64_t(settings_.width) * std::uint64_t(settings_.height) : covered_;
+    stats.samples_covered = stats.pixels_covered * std::uint64_t(settings_.samples);
+    stats.pixels_shaded = stats.pixels_covered + meter_.samples(blended_pass);
+    if (not_finite_ > 0)
+        context.report().add(Remark::warning, list_.scene.source, {},
+                             std::to_string(not_finite_) + " color values came out not finite and are shown black");
 }
 
 }  // namespace rakelight::opengl

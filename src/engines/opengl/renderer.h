@@ -11,6 +11,7 @@
 #include <rakelight/engine.h>
 
 #include "engines/opengl/channels.h"
+#include "engines/opengl/pass_meter.h"
 #include "engines/opengl/picture.h"
 #include "engines/opengl/target.h"
 #include "shading/shadow_cameras.h"
@@ -32,9 +33,12 @@ public:
     void begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats, Context& context);
     /// Colors of a part of it into a frame that is bound and as large as the part; its viewport too.
     void draw_colors(Window pixels, Context& context);
-    /// The same into a target of its own, and from there. @param to  [pixels] straight alpha
-    /// @return pixels whose color is not a number, and shown black
-    std::uint64_t draw_and_read(Window pixels, std::span<vec4> to, Context& context);
+    /// The same into a target of its own.
+    void draw_part(Window pixels, Context& context);
+    /// From there. @param to  [pixels of the part] straight alpha
+    void read_part(std::span<vec4> to);
+    /// Counts and times of all parts; what is to be said of them.
+    void end_picture(RenderStats& stats, Context& context);
     /// Data channels of a part of the picture, which are filled. After its colors.
     void draw_channels(Window pixels, ChannelArrays& to, Context& context);
     float far_depth() const { return DepthRange(driver_).far_depth(); }
@@ -47,6 +51,10 @@ private:
                          Context& context);
     void upload_textures(Context& context);
     void make_albedos();
+    /// @param blended  gets those that are left for draw_blended()
+    void draw_surfaces(const PictureDrawer& drawer, const PictureState& state, std::vector<std::uint32_t>& blended, Context& context);
+    void draw_channel_group(const PictureDrawer& drawer, const PictureState& state, Output group, bool wants_triangles,
+                            Context& context);
     void draw_blended(const PictureDrawer& drawer, const PictureState& state, const std::vector<std::uint32_t>& draws,
                       Context& context);
     PictureTools tools() { return {driver_, programs_, meshes_, environment_, shadows_, albedos_.name()}; }
@@ -63,9 +71,12 @@ private:
     GlTexture albedos_;
     Target target_;
     ChannelTarget channel_target_;
+    PassMeter meter_{driver_};
     GlBuffer stream_;
 
     // Of the picture that is drawn.
+    std::uint64_t not_finite_ = 0, covered_ = 0;
+    std::vector<std::uint32_t> dropped_;  ///< materials with more maps than the driver has units
     RenderSettings settings_;
     shading::View view_;
     std::vector<Shading> shading_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <rakelight/error.h>
 
@@ -77,6 +78,14 @@ void Target::read(std::span<vec4> to) const {
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, to.data());
     check_gl("the picture");
+}
+
+std::uint64_t Target::count_covered(float far_depth) const {
+    std::vector<float> depth(std::size_t(width_) * std::size_t(height_));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_.name());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+    return std::uint64_t(std::ranges::count_if(depth, [far_depth](float d) { return d != far_depth; }));
 }
 
 std::uint64_t to_straight_alpha(std::span<vec4> colors, vec4 background) {

@@ -22,6 +22,8 @@ public:
     void resolve() const;
     /// [width * height] premultiplied, row by row from the top
     void read(std::span<vec4> to) const;
+    /// Pixels that something opaque covers, after resolve_depth(). Not in ES, which reads no depth.
+    std::uint64_t count_covered(float far_depth) const;
     GLuint texture() const { return color_.name(); }
     GLuint depth_texture() const { return depth_.name(); }  ///< of multisampled pictures after resolve_depth()
     void resolve_depth() const;

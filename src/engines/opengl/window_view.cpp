@@ -74,6 +74,7 @@ struct WindowView::State {
     GlBuffer line_vertices;
     std::map<int, GlProgram> display_programs;  ///< by tone curve
     GlProgram line_program;
+    RenderStats stats;       ///< of the last picture, without what the GPU knows
     bool has_depth = false;  ///< `target` holds the depth of what is on the screen
 
     const Driver& driver() const { return renderer.driver(); }
@@ -115,6 +116,9 @@ RenderStats WindowView::draw(const Camera& camera, const RenderSettings& setting
     State& s = *state_;
     const Screen screen = Screen::current();
     RenderStats stats;
+    s.renderer.end_picture(s.stats, context);  // of the picture before: what is asked of this one would have to be waited for
+    stats.gpu_passes = std::move(s.stats.gpu_passes);
+    s.stats = {};
     s.renderer.begin_picture(camera, settings, stats, context);
     s.target.reserve(settings.width, settings.height, settings.samples);
     s.target.begin(settings.background, s.renderer.far_depth());

@@ -39,7 +39,10 @@ void set_slopes(inout MaterialSurface s) { set_oren_nayar(s, m_sigma >= 0.0 ? m_
 LightTerms material_terms(MaterialSurface s, LightSample light, float seen, MaterialTraits t)
 {
 #if RL_IS_USER
-    return user_light_terms(s, light, seen);
+    LightTerms terms = user_terms(s, light);
+    terms.diffuse = terms.diffuse * seen;
+    terms.specular = terms.specular * seen;
+    return terms;
 #else
     LightAlbedo albedo = light_albedo(s, plain_maps(), light.l, t, RL_MODEL);
     return surface_terms(s, light, seen, albedo, t, reflection());

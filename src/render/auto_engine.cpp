@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/auto_engine.h"
+
+#include <utility>
+
+#include "engines/raster/raster_engine.h"
+#include "render/engines.h"
+#ifdef RL_HAVE_OPENGL
+#include "engines/opengl/opengl_engine.h"
+#endif
+
+namespace rakelight {
+namespace {
+
+class AutoEngine final : public Engine {
+public:
+    AutoEngine() : soft_(raster::make_engine()) {
+#ifdef RL_HAVE_OPENGL
+        gpu_ = opengl::make_gpu_engine(why_);
+#else
+        why_ = "OpenGL is not built in";
+#endif
+    }
+
+    std::string name() const override { return draws_on_gpu_ ? gpu_->name() : soft_->name(); }
+    EngineAbilities abilities() const override {
+        EngineAbilities can = soft_->abilities();
+        if (gpu_) can.user_lighting = gpu_->abilities().user_lighting;
+        return can;
+    }
+
+    void prepare(Scene scene, Context& context) override {
+        draws_on_gpu_ = gpu_ != nullptr;
+        if (!draws_on_gpu_ && !is_said_) say("it takes engine soft: " + why_, Remark::note, scene.source, context);
+        is_said_ = true;
+        if (draws_on_gpu_) {
+            try {
+                return gpu_->prepare(scene, context);
+            } catch (const Error& error) {
+                give_up(error, scene.source, context);
+            }
+        }
+        soft_->prepare(std::move(scene), context);
+    }
+
+    const Scene& scene() const override { return draws_on_gpu_ ? gpu_->scene() : soft_->scene(); }
+
+    void set_lights(std::vector<Light> lights) override { (draws_on_gpu_ ? *gpu_ : *soft_).set_lights(std::move(lights)); }
+
+    RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
+        if (draws_on_gpu_ && can_draw(gpu_->abilities(), settings)) {
+            try {
+                return gpu_->render(camera, settings, sink, context);  // fails before the sink gets anything, or for good
+            } catch (const Error& error) {
+                const Scene scene = gpu_->scene();
+                give_up(error, scene.source, context);
+                soft_->prepare(scene, context);
+            }
+        } else if (draws_on_gpu_) {
+            say("it takes engine soft for what engine gl cannot do", Remark::note, scene().source, context);
+            soft_->prepare(gpu_->scene(), context);
+            draws_on_gpu_ = false;
+        }
+        return soft_->render(camera, settings, sink, context);
+    }
+
+private:
+    static void say(const std::string& what, Remark remark, const std::string& source, Context& context) {
+        context.report().add(remark, source, "", "engine auto: " + what);
+    }
+    /// Of a GPU that failed. What is wrong with the scene or the settings is wrong for soft, too.
+    void give_up(const Error& error, const std::string& source, Context& context) {
+        context.throw_if_cancelled();
+        if (error.code() != ErrorCode::failed) throw Error(error);
+        say("it goes on with engine soft: " + error.reason(), Remark::warning, source, context);
+        gpu_ = nullptr;
+        draws_on_gpu_ = false;
+    }
+
+    std::unique_ptr<Engine> gpu_, soft_;
+    std::string why_;  ///< there is no `gpu_`
+    bool draws_on_gpu_ = false, is_said_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_auto_engine() { return std::make_unique<AutoEngine>(); }
+
+}  // namespace rakelight
