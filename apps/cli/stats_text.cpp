@@ -34,7 +34,12 @@ std::string stats_text(const PictureResult& result) {
         text += name + line;
     }
     std::snprintf(line, sizeof line, "%-21s %12.3f\n", "overdraw", s.overdraw());
-    return text + name + line;
+    text += name + line;
+    for (const GpuPass& pass : s.gpu_passes) {
+        std::snprintf(line, sizeof line, "GPU: %-16s %12.3f ms\n", pass.name.c_str(), 1e3 * pass.seconds);
+        text += name + line;
+    }
+    return text;
 }
 
 }  // namespace rakelight::cli

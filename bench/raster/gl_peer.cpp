@@ -184,9 +184,7 @@ public:
     void draw() {
         RenderStats stats;
         renderer_->begin_picture(camera_, settings_, stats, context_);
-        target_.begin(settings_.background, renderer_->far_depth());
-        renderer_->draw_colors(pixels_, context_);
-        target_.resolve();
+        renderer_->draw_part(pixels_, target_, context_);
         GlContext::finish();
     }
 

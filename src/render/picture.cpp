@@ -185,7 +185,7 @@ PictureResult picture_by(const PictureRequest& request, Context& context, const 
         Session session(request.engine);
         PictureResult result = draw(session);
         result.engine = session.engine().name();
-        result.isa = engine_isa(request.engine);
+        result.isa = engine_isa(session.engine().name());
         result.threads = context.threads();
         return result;
     } catch (const std::bad_alloc&) {

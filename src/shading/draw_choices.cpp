@@ -74,6 +74,10 @@ float mask_cutoff(const MaterialFactors& material, bool limits_silhouette) {
     return material.alpha_cutoff >= 0 || !limits_silhouette ? material.alpha_cutoff : 0.5f;
 }
 
+bool is_lit_per_face(const DrawList& list, const Draw& draw, Shading shading) {
+    return shading == Shading::flat || list.scene.meshes[draw.mesh].normals.empty();
+}
+
 Culling culling_of(const DrawList& list, const Draw& draw, const RenderSettings& settings) {
     const CulledSides sides = culled_sides(settings.cull, list.material(draw).two_sided);
     // With y down a counter-clockwise triangle has negative area; a mirroring placement turns it round once more.

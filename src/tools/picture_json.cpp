@@ -7,6 +7,16 @@
 
 namespace rakelight {
 
+namespace {
+
+Json passes_json(const RenderStats& s) {
+    Json passes = Json::array();
+    for (const GpuPass& pass : s.gpu_passes) passes.push_back({{"name", pass.name}, {"ms", 1e3 * pass.seconds}});
+    return passes;
+}
+
+}  // namespace
+
 Json stats_json(const RenderStats& s) {
     return {{"triangles_in", s.triangles_in},
             {"culled_back", s.culled_back},
@@ -24,7 +34,8 @@ Json stats_json(const RenderStats& s) {
             {"overdraw", s.overdraw()},
             {"pixels_marked", s.pixels_marked},
             {"shadow_maps", s.shadow_maps},
-            {"shadow_bytes", s.shadow_bytes}};
+            {"shadow_bytes", s.shadow_bytes},
+            {"gpu_passes", passes_json(s)}};
 }
 
 namespace {

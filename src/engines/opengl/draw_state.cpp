@@ -117,7 +117,7 @@ private:
         if (f_.is_unlit) return;
         f_.paints_last = f_.has_classical_sum && !f_.is_metallic && !f_.has_environment && !f_.is_user &&
                          !drawn_.maps[role_occlusion] && f_.output != Output::terms;
-        const bool is_flat = shading_ == Shading::flat || mesh_.normals.empty();
+        const bool is_flat = shading::is_lit_per_face(p_.list, draw_, shading_);
         f_.lit_at = !is_lit_at_corners() ? lit_at_pixels : is_flat ? lit_at_faces : lit_at_vertices;
         f_.two_sides = f_.lit_at == lit_at_vertices &&
                        !(state_.culling.back && !side_.front_turns() && !state_.against);
@@ -148,7 +148,8 @@ private:
                 drop(role_specular_strength), drop(role_anisotropy);
         const bool is_alpha_alone = f_.output == Output::shadow || f_.output == Output::count || f_.output == Output::numbers;
         if (is_alpha_alone) maps &= f_.is_masked ? 1u << role_base_color | 1u << role_opacity | 1u << role_height : 0u;
-        f_.maps = maps & ~dropped_maps(maps, p_.units);
+        state_.dropped = dropped_maps(maps, p_.units);
+        f_.maps = maps & ~state_.dropped;
         if (!f_.has(role_height)) f_.relief = shading::relief_none;
     }
 
@@ -165,14 +166,9 @@ private:
         f_.has_normals = reads_normals;
         f_.has_tangents = reads_tangents;
         f_.has_colors = !mesh_.colors.empty() && factors().vertex_colors;
-        const bool has_sets = std::any_of(mesh_.texcoords.begin(), mesh_.texcoords.begin() + std::min<std::ptrdiff_t>(2, std::ssize(mesh_.texcoords)),
-                                          [](const Block<vec2>& set) { return !set.empty(); });
         f_.has_texcoords = f_.maps != 0 || f_.output == Output::places;
         if (!f_.from_triangles) return;
-        f_.mesh_normals = !mesh_.normals.empty();
-        f_.mesh_tangents = !mesh_.tangents.empty();
-        f_.mesh_texcoords = has_sets;
-        f_.mesh_colors = !mesh_.colors.empty();
+        set_mesh_features(mesh_, f_);
     }
 
     void bind_maps() {
@@ -240,6 +236,14 @@ std::uint32_t dropped_maps(std::uint32_t maps, int units) {
         dropped |= maps & 1u << role;
     }
     return dropped;
+}
+
+void set_mesh_features(const Mesh& mesh, Features& f) {
+    const auto has_set = [&mesh](std::size_t set) { return set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); };
+    f.mesh_normals = !mesh.normals.empty();
+    f.mesh_tangents = !mesh.tangents.empty();
+    f.mesh_texcoords = has_set(0) || has_set(1);
+    f.mesh_colors = !mesh.colors.empty();
 }
 
 DrawState draw_state(const PictureState& picture, std::uint32_t draw, Output output, bool wants_triangles) {

@@ -27,6 +27,7 @@ struct DrawState {
     Features features;
     MaterialNumbers numbers;
     std::vector<BoundMap> maps;
+    std::uint32_t dropped = 0;  ///< [bits by TextureRoleNumber] maps that there is no unit for
     shading::Culling culling;
     const std::int32_t* against = nullptr;  ///< LitSide::against()
 };
@@ -46,6 +47,9 @@ struct PictureState {
 
 /// Maps that a program of `units` units has no room for, the least visible first; 0: none.
 std::uint32_t dropped_maps(std::uint32_t maps, int units);
+
+/// What a stream without indices fetches of a mesh.
+void set_mesh_features(const Mesh& mesh, Features& features);
 
 /// @param output  what is to be written
 /// @param wants_triangles  the program asks for the number of the triangle, its barycentrics or its plane

@@ -137,8 +137,7 @@ void PictureDrawer::set_picture(const Program& p) const {
     }
 }
 
-void PictureDrawer::set_object(const Program& program, std::uint32_t number) const {
-    const shading::Draw& draw = state_.list.draws[number];
+void PictureDrawer::set_object(const Program& program, const shading::Draw& draw) const {
     const dmat4 to_eye = state_.view.world_to_eye * draw.to_world;
     const dmat4 to_clip = camera_to_clip_ * (state_.view.world_to_camera * draw.to_world);
     const shading::DrawFrame frame(state_.list, draw, to_eye, state_.view, state_.settings.front_face);
@@ -156,11 +155,21 @@ void PictureDrawer::set_object(const Program& program, std::uint32_t number) con
     glUniform4fv(program.object, 11, rows);
 }
 
+void PictureDrawer::bind_table(const Program& program, const Mesh& mesh, const std::int32_t* against) const {
+    const TriangleTable& table = tools_.meshes.table(mesh, against);
+    glBindVertexArray(tools_.meshes.no_arrays());
+    for (GLint k = 0; k < vertex_units; ++k) {
+        glActiveTexture(GLenum(GL_TEXTURE0 + tools_.driver.texture_units + k));
+        glBindTexture(GL_TEXTURE_2D, k == 0 ? table.indices.name() : table.vertices.name());
+    }
+    if (program.against >= 0) glUniform1i(program.against, table.against);
+}
+
 const Program& PictureDrawer::use(std::uint32_t number, const DrawState& state) const {
     const Program& program = tools_.programs.of(state.features);
     glUseProgram(program.name.name());
     set_picture(program);
-    set_object(program, number);
+    set_object(program, state_.list.draws[number]);
     if (program.numbers >= 0) {
         const shading::Draw& draw = state_.list.draws[number];
         glUniform4ui(program.numbers, draw.node, state_.list.material(draw).scene_material, draw.mesh, 0);
@@ -180,13 +189,7 @@ const Program& PictureDrawer::use(std::uint32_t number, const DrawState& state) 
     if (!state.features.from_triangles) {
         tools_.meshes.vertex_array(mesh);
     } else {
-        const TriangleTable& table = tools_.meshes.table(mesh, state.against);
-        glBindVertexArray(tools_.meshes.no_arrays());
-        for (GLint k = 0; k < vertex_units; ++k) {
-            glActiveTexture(GLenum(GL_TEXTURE0 + tools_.driver.texture_units + k));
-            glBindTexture(GL_TEXTURE_2D, k == 0 ? table.indices.name() : table.vertices.name());
-        }
-        if (program.against >= 0) glUniform1i(program.against, table.against);
+        bind_table(program, mesh, state.against);
     }
     glFrontFace(state.culling.front_is_negative ? GL_CW : GL_CCW);
     const bool culls = state.culling.back || state.culling.front;
@@ -211,6 +214,34 @@ void PictureDrawer::draw(std::uint32_t number, const DrawState& state) const {
     const Mesh& mesh = state_.list.scene.meshes[state_.list.draws[number].mesh];
     const Program& program = use(number, state);
     draw_triangles(number, state, program, 0, std::uint32_t(mesh.triangle_count()));
+}
+
+void PictureDrawer::draw_marks(const shading::Draw& draw, const Mark& mark, Output output, GLuint depth) const {
+    const Mesh& mesh = state_.list.scene.meshes[draw.mesh];
+    const std::size_t elements = mark.kind == 0 ? mesh.indices.size() / 2 : mesh.indices.size();
+    if (elements == 0) return;
+    Features features;
+    features.output = output;
+    features.from_triangles = 1;
+    features.is_parallel = state_.view.orthographic;
+    features.has_colors = mark.has_vertex_colors;
+    set_mesh_features(mesh, features);
+    const Program& program = tools_.programs.of_marks(features);
+    glUseProgram(program.name.name());
+    set_picture(program);
+    set_object(program, draw);
+    bind_table(program, mesh, nullptr);
+    glActiveTexture(GL_TEXTURE0 + unit_shadows);
+    glBindTexture(GL_TEXTURE_2D, depth);
+    const shading::View& view = state_.view;
+    const shading::Culling culling = shading::culling_of(state_.list, draw, state_.settings);
+    glUniform4f(program.mark, mark.size, float(mark.kind), float(mark.shape), view.orthographic ? 0.5f : float(view.z_near));
+    glUniform4f(program.mark_color, mark.color.x, mark.color.y, mark.color.z, mark.color.w);
+    glUniform4f(program.mark_view, float(pixels_.width), float(pixels_.height), float(view.z_near), float(view.z_far));
+    glUniform4f(program.mark_cull, culling.back, culling.front, culling.front_is_negative, 0);
+    if (program.numbers >= 0) glUniform4ui(program.numbers, draw.node, state_.list.material(draw).scene_material, draw.mesh, 0);
+    glDisable(GL_CULL_FACE);
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(6 * elements));
 }
 
 void PictureDrawer::draw_sky() const {

@@ -48,14 +48,25 @@ public:
     const Program& use(std::uint32_t number, const DrawState& state) const;
     void draw_triangles(std::uint32_t number, const DrawState& state, const Program& program, std::uint32_t first,
                         std::uint32_t count) const;
+    const Driver& driver() const { return tools_.driver; }
     void draw_sky() const;
+    /// What shows lines and points: kinds as glsl/marks_main.glsl has them.
+    struct Mark {
+        int kind = 0, shape = 0;
+        float size = 1;
+        vec4 color;  ///< linear, opacity
+        bool has_vertex_colors = false;
+    };
+    /// Over what is bound, hidden by `depth`. @param draw  of DrawList::draws or line_draws
+    void draw_marks(const shading::Draw& draw, const Mark& mark, Output output, GLuint depth) const;
     /// Whether a draw's box is outside of what is drawn.
     bool is_outside(std::uint32_t number) const;
     void set_map_texels(float texels) { map_texels_ = texels; }
 
 private:
     void set_picture(const Program& program) const;
-    void set_object(const Program& program, std::uint32_t number) const;
+    void set_object(const Program& program, const shading::Draw& draw) const;
+    void bind_table(const Program& program, const Mesh& mesh, const std::int32_t* against) const;
 
     const PictureTools& tools_;
     const PictureState& state_;

@@ -28,6 +28,8 @@ ProgramText program_text(const Features& features, const Driver& driver, const U
 
 /// A picture on the screen. @param tone  RL_TONE_...; -1: codes as they are
 ProgramText display_text(const Driver& driver, int tone);
+/// Lines and points of pictures: the output, from_triangles, is_parallel and what a mesh has count of the features.
+ProgramText mark_text(const Features& features, const Driver& driver);
 ProgramText line_text(const Driver& driver);
 
 /// A compiler's words with the files' names in place of their numbers.

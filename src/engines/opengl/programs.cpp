@@ -86,6 +86,10 @@ void find_places(Program& program, const Driver& driver, const Features& feature
     program.shadow_size = place("rl_shadow_size");
     program.numbers = place("rl_numbers");
     program.samples = place("rl_samples");
+    program.mark = place("rl_mark");
+    program.mark_color = place("rl_mark_color");
+    program.mark_view = place("rl_mark_view");
+    program.mark_cull = place("rl_mark_cull");
     glUseProgram(name);
     const auto bind = [&place](const std::string& sampler, GLint unit) {
         const GLint at = place(sampler.c_str());
@@ -97,6 +101,7 @@ void find_places(Program& program, const Driver& driver, const Features& feature
     bind("rl_environment", unit_environment);
     bind("rl_sky", unit_environment);
     bind("rl_albedos", unit_tables);
+    bind("rl_depth", unit_shadows);
     bind("rl_indices", driver.texture_units);
     bind("rl_vertices", driver.texture_units + 1);
     program.map_unit.assign(texture_role_count, -1);
@@ -116,24 +121,26 @@ GlProgram link_program(const ProgramText& text, const UserLighting& user) {
     return program;
 }
 
-std::unique_ptr<Program> Programs::make(const Features& features) const {
-    const ProgramText text = program_text(features, driver_, features.is_user ? user_ : UserLighting{});
+std::unique_ptr<Program> Programs::make_of(const ProgramText& text, const Features& features, const UserLighting& user) const {
     auto program = std::make_unique<Program>();
     const GLuint name = program->name.get();
     const ProgramCache cache(driver_, text);
     if (!cache.load(name) || !is_linked(name)) {
         cache.prepare(name);
-        compile(name, text, features.is_user ? user_ : UserLighting{});
+        compile(name, text, user);
         cache.store(name);
     }
     find_places(*program, driver_, features);
     return program;
 }
 
-const Program& Programs::of(const Features& features) {
-    std::unique_ptr<Program>& program = programs_[features];
-    if (!program) program = make(features);
-    return *program;
+std::unique_ptr<Program> Programs::make(const Features& features) const {
+    const UserLighting user = features.is_user ? user_ : UserLighting{};
+    return make_of(program_text(features, driver_, user), features, user);
+}
+
+std::unique_ptr<Program> Programs::make_marks(const Features& features) const {
+    return make_of(mark_text(features, driver_), features, {});
 }
 
 void Programs::set_user(UserLighting user) {

@@ -20,7 +20,7 @@ inline constexpr GLint vertex_units = 2;
 struct Program {
     GlProgram name;
     GLint object = -1, material = -1, lights = -1, light_count = -1, view_direction = -1, ray = -1, fog = -1, environment = -1,
-          environment_levels = -1, first_corner = -1, against = -1, map_texels = -1, shadow_size = -1, numbers = -1, samples = -1;
+          environment_levels = -1, first_corner = -1, against = -1, map_texels = -1, shadow_size = -1, numbers = -1, samples = -1, mark = -1, mark_color = -1, mark_view = -1, mark_cull = -1;
     mutable std::uint64_t picture = 0;  ///< whose numbers it has been given
     std::vector<GLint> map_unit;  ///< [texture_role_count] -1: it has none
 };
@@ -33,17 +33,27 @@ public:
     explicit Programs(const Driver& driver) : driver_(driver) {}
 
     /// @throws Error failed: it does not compile: the line names file and line of the text
-    const Program& of(const Features& features);
+    const Program& of(const Features& features) { return find(features, programs_, &Programs::make); }
+    /// Of lines and points.
+    const Program& of_marks(const Features& features) { return find(features, marks_, &Programs::make_marks); }
     /// Another lighting model of the user's: programs with the one before are dropped.
     void set_user(UserLighting user);
     std::size_t count() const { return programs_.size(); }
 
 private:
+    using Table = std::map<Features, std::unique_ptr<Program>>;
+    const Program& find(const Features& features, Table& in, std::unique_ptr<Program> (Programs::*make)(const Features&) const) {
+        std::unique_ptr<Program>& program = in[features];
+        if (!program) program = (this->*make)(features);
+        return *program;
+    }
     std::unique_ptr<Program> make(const Features& features) const;
+    std::unique_ptr<Program> make_marks(const Features& features) const;
+    std::unique_ptr<Program> make_of(const ProgramText& text, const Features& features, const UserLighting& user) const;
 
     const Driver& driver_;
     UserLighting user_;
-    std::map<Features, std::unique_ptr<Program>> programs_;
+    Table programs_, marks_;
 };
 
 }  // namespace rakelight::opengl

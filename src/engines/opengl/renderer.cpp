@@ -8,7 +8,9 @@
 #include "engines/channel_arrays.h"
 #include "engines/opengl/blended.h"
 #include "lighting/albedo_tables.h"
+#include "scene/material_table.h"
 #include "scene/scene_tools.h"
+#include "shading/corner_remarks.h"
 #include "shading/lights.h"
 #include "shading/shading_choice.h"
 
@@ -17,7 +19,7 @@ namespace {
 
 // Names of passes, as RenderStats::gpu_passes has them.
 constexpr const char *shadow_pass = "shadow maps", *surface_pass = "surfaces", *blended_pass = "blended surfaces",
-                     *channel_pass = "data channels";
+                     *mark_pass = "lines and points", *channel_pass = "data channels";
 constexpr float nothing_parallel = -3e38f;  ///< nearness where nothing is
 
 /// A picture's settings as far as a shadow map needs them.
@@ -96,6 +98,8 @@ PictureState Renderer::picture_state() const {
 void Renderer::begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats, Context& context) {
     settings_ = settings;
     not_finite_ = covered_ = 0;
+    dropped_maps_ = 0;
+    seen_.assign(list_.draws.size(), false);
     meter_.reset();
     programs_.set_user({settings.lighting_name, settings.lighting_text});
     view_ = shading::view_of(list_, camera, settings);
@@ -204,18 +208,18 @@ void Renderer::draw_surfaces(const PictureDrawer& drawer, const PictureState& st
     for (std::uint32_t d = 0; d < list_.draws.size() && settings_.surfaces; ++d) {
         context.throw_if_cancelled();
         if (drawer.is_outside(d)) continue;
-        if (list_.material(list_.draws[d]).factors.blend)
+        seen_[d] = true;
+        if (list_.material(list_.draws[d]).factors.blend) {
             blended.push_back(d);
-        else
-            drawer.draw(d, draw_state(state, d, Output::color, false));
+            continue;
+        }
+        const DrawState of = draw_state(state, d, Output::color, false);
+        if (of.dropped != 0 && dropped_maps_ == 0) dropped_maps_ = of.dropped, dropped_of_ = d;
+        drawer.draw(d, of);
     }
 }
 
-void Renderer::draw_colors(Window pixels, Context& context) {
-    lights_.set(light_parameters_, light_shadows_, view_, pixels);
-    const PictureState state = picture_state();
-    const PictureTools with = tools();
-    const PictureDrawer drawer(with, state, pixels);
+void Renderer::draw_colors(const PictureDrawer& drawer, const PictureState& state, Context& context) {
     drawer.begin();
     if (environment_ && list_.scene.environment->is_background) drawer.draw_sky();
     std::vector<std::uint32_t> blended;
@@ -233,17 +237,17 @@ void Renderer::draw_channel_group(const PictureDrawer& drawer, const PictureStat
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
     }
-    for (std::uint32_t d = 0; d < list_.draws.size(); ++d) {
+    for (std::uint32_t d = 0; d < list_.draws.size() && settings_.surfaces; ++d) {
         context.throw_if_cancelled();
         if (drawer.is_outside(d) || list_.material(list_.draws[d]).factors.blend) continue;
         drawer.draw(d, draw_state(state, d, group, wants_triangles));
     }
     glDisable(GL_BLEND);
+    if (Marks::are_in(list_, settings_)) marks_.draw_channels(drawer, state, group, target_, far_depth());
 }
 
 void Renderer::draw_channels(Window pixels, ChannelArrays& to, Context& context) {
     clear(to, settings_.channels, std::size_t(pixels.width) * std::size_t(pixels.height));
-    if (!settings_.surfaces) return;
     channel_target_.reserve(pixels.width, pixels.height);
     const PictureState state = picture_state();
     const PictureTools with = tools();
@@ -257,12 +261,19 @@ void Renderer::draw_channels(Window pixels, ChannelArrays& to, Context& context)
     });
 }
 
-void Renderer::draw_part(Window pixels, Context& context) {
-    target_.reserve(pixels.width, pixels.height, settings_.samples);
-    target_.begin(settings_.background, far_depth());
-    draw_colors(pixels, context);
-    target_.resolve();
-    target_.resolve_depth();
+void Renderer::draw_part(Window pixels, Target& to, Context& context) {
+    lights_.set(light_parameters_, light_shadows_, view_, pixels);
+    const PictureState state = picture_state();
+    const PictureTools with = tools();
+    const PictureDrawer drawer(with, state, pixels);
+    to.begin(settings_.background, far_depth());
+    draw_colors(drawer, state, context);
+    to.resolve();
+    to.resolve_depth();
+    if (Marks::are_in(list_, settings_)) {
+        const PassMeter::Pass pass(meter_, mark_pass);
+        marks_.draw(drawer, state, to);
+    }
     check_gl("the picture");
 }
 
@@ -272,13 +283,39 @@ void Renderer::read_part(std::span<vec4> to) {
     if (!driver_.is_es) covered_ += target_.count_covered(far_depth());
 }
 
+void Renderer::remark_dropped_maps(Report& report) const {
+    if (dropped_maps_ == 0) return;
+    std::string names;
+    for (const TextureRole& role : texture_roles())
+        if ((dropped_maps_ >> role.number & 1u) != 0) names += (names.empty() ? "" : ", ") + std::string(role.name);
+    report.add(Remark::warning, list_.scene.source, list_.scene_material(list_.material(list_.draws[dropped_of_])).name,
+               "textures left out: " + names + ": this OpenGL driver samples " + std::to_string(driver_.texture_units) +
+                   " textures at once");
+}
+
 void Renderer::end_picture(RenderStats& stats, Context& context) {
+    if (list_.draws.empty() || seen_.empty()) return;
+    const auto is_lit_at_corners = [this](std::uint32_t d) {
+        return seen_[d] && (shading_[d] == Shading::flat || shading_[d] == Shading::gouraud) &&
+               !list_.material(list_.draws[d]).factors.unlit;
+    };
+    shading::remark_corner_shading(list_, settings_, is_lit_at_corners, context.report());
+    remark_dropped_maps(context.report());
+    for (std::size_t d = 0, end = 0; d < list_.draws.size(); d = end) {  // draws of an object follow each other
+        bool is_seen = false;
+        for (end = d; end < list_.draws.size() && list_.draws[end].node == list_.draws[d].node; ++end) {
+            is_seen = is_seen || seen_[end];
+            if (seen_[end]) stats.triangles_in += list_.scene.meshes[list_.draws[end].mesh].triangle_count();
+        }
+        stats.objects_outside += !is_seen;
+    }
     meter_.finish(stats.gpu_passes);
     stats.pixels_not_finite = not_finite_;
     stats.depth_passes = meter_.samples(surface_pass);
     // ES knows only whether there is something.
     stats.pixels_covered = driver_.is_es && stats.depth_passes > 0 ? std::uint64_t(settings_.width) * std::uint64_t(settings_.height) : covered_;
     stats.samples_covered = stats.pixels_covered * std::uint64_t(settings_.samples);
+    stats.pixels_marked = meter_.samples(mark_pass);
     stats.pixels_shaded = stats.pixels_covered + meter_.samples(blended_pass);
     if (not_finite_ > 0)
         context.report().add(Remark::warning, list_.scene.source, {},

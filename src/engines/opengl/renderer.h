@@ -11,6 +11,7 @@
 #include <rakelight/engine.h>
 
 #include "engines/opengl/channels.h"
+#include "engines/opengl/marks.h"
 #include "engines/opengl/pass_meter.h"
 #include "engines/opengl/picture.h"
 #include "engines/opengl/target.h"
@@ -31,10 +32,13 @@ public:
 
     /// What stays the same for all parts of a picture. After prepare() and set_lights().
     void begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats, Context& context);
-    /// Colors of a part of it into a frame that is bound and as large as the part; its viewport too.
-    void draw_colors(Window pixels, Context& context);
+    /// Colors of a part of it, as large as the target, which is resolved then.
+    void draw_part(Window pixels, Target& to, Context& context);
     /// The same into a target of its own.
-    void draw_part(Window pixels, Context& context);
+    void draw_part(Window pixels, Context& context) {
+        target_.reserve(pixels.width, pixels.height, settings_.samples);
+        draw_part(pixels, target_, context);
+    }
     /// From there. @param to  [pixels of the part] straight alpha
     void read_part(std::span<vec4> to);
     /// Counts and times of all parts; what is to be said of them.
@@ -51,12 +55,14 @@ private:
                          Context& context);
     void upload_textures(Context& context);
     void make_albedos();
+    void remark_dropped_maps(Report& report) const;
     /// @param blended  gets those that are left for draw_blended()
     void draw_surfaces(const PictureDrawer& drawer, const PictureState& state, std::vector<std::uint32_t>& blended, Context& context);
     void draw_channel_group(const PictureDrawer& drawer, const PictureState& state, Output group, bool wants_triangles,
                             Context& context);
     void draw_blended(const PictureDrawer& drawer, const PictureState& state, const std::vector<std::uint32_t>& draws,
                       Context& context);
+    void draw_colors(const PictureDrawer& drawer, const PictureState& state, Context& context);
     PictureTools tools() { return {driver_, programs_, meshes_, environment_, shadows_, albedos_.name()}; }
 
     Driver driver_;
@@ -71,12 +77,14 @@ private:
     GlTexture albedos_;
     Target target_;
     ChannelTarget channel_target_;
+    Marks marks_;
     PassMeter meter_{driver_};
     GlBuffer stream_;
 
     // Of the picture that is drawn.
     std::uint64_t not_finite_ = 0, covered_ = 0;
-    std::vector<std::uint32_t> dropped_;  ///< materials with more maps than the driver has units
+    std::vector<bool> seen_;  ///< [draws] not outside of the picture
+    std::uint32_t dropped_maps_ = 0, dropped_of_ = 0;  ///< DrawState::dropped of the first draw with any
     RenderSettings settings_;
     shading::View view_;
     std::vector<Shading> shading_;

@@ -27,6 +27,7 @@ public:
     GLuint texture() const { return color_.name(); }
     GLuint depth_texture() const { return depth_.name(); }  ///< of multisampled pictures after resolve_depth()
     void resolve_depth() const;
+    GLuint color_frame() const { return frame_.name(); }  ///< of one sample a pixel, without depth test
     GLuint frame() const { return samples_ > 1 ? sampled_frame_.name() : frame_.name(); }
     int width() const { return width_; }
     int height() const { return height_; }

@@ -121,10 +121,7 @@ RenderStats WindowView::draw(const Camera& camera, const RenderSettings& setting
     s.stats = {};
     s.renderer.begin_picture(camera, settings, stats, context);
     s.target.reserve(settings.width, settings.height, settings.samples);
-    s.target.begin(settings.background, s.renderer.far_depth());
-    s.renderer.draw_colors({0, 0, settings.width, settings.height}, context);
-    s.target.resolve();
-    s.target.resolve_depth();
+    s.renderer.draw_part({0, 0, settings.width, settings.height}, s.target, context);
     s.has_depth = true;
     s.draw_display(screen, s.target.texture(), int(tone.mapping), float(math::exp2(tone.exposure_ev)));
     return stats;

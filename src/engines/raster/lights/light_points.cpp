@@ -11,15 +11,13 @@
 #include "engines/raster/lights/tile_lights.h"
 #include "engines/raster/material_jobs.h"
 #include "math/flush_denormals.h"
+#include "shading/corner_remarks.h"
+#include "shading/draw_choices.h"
 
 namespace rakelight::raster {
 namespace {
 
 constexpr std::size_t points_per_task = 1024;
-
-bool is_per_face(const FrontEnd& front, std::uint32_t draw) {
-    return front.shading[draw] == Shading::flat || front.list.scene.meshes[front.list.draws[draw].mesh].normals.empty();
-}
 
 void clear(FrontEnd& front, LightPoints& points) {
     points.draws.resize(front.list.draws.size());
@@ -27,7 +25,7 @@ void clear(FrontEnd& front, LightPoints& points) {
         const Draw& draw = front.list.draws[d];
         const Mesh& mesh = front.list.scene.meshes[draw.mesh];
         DrawLight& light = points.draws[d];
-        light.per_face = is_per_face(front, std::uint32_t(d));
+        light.per_face = shading::is_lit_per_face(front.list, draw, front.shading[d]);
         light.sides = 0;
         light.marks.clear();
         if (!is_lit_at_corners(front, std::uint32_t(d)) || front.clip[d].empty() ||
@@ -165,40 +163,6 @@ std::vector<Task> plan(FrontEnd& front, LightPoints& points) {
     return tasks;
 }
 
-void remark_layers(const FrontEnd& front, const LightPoints& points, Context& context) {
-    for (std::uint32_t d = 0; d < front.list.draws.size(); ++d)
-        if (points.draws[d].sides != 0 && lighting_of(front, d) == Lighting::pbr &&
-            shading::has_layers(front.list.view(d))) {
-            context.report().add(Remark::dropped, front.list.scene.source, {},
-                                 "clearcoat, sheen and anisotropy do not act on flat and Gouraud shading");
-            return;
-        }
-}
-
-/// What needs lighting at the pixels.
-void remark_shadows(const FrontEnd& front, const LightPoints& points, Context& context) {
-    const bool any =
-        std::any_of(points.draws.begin(), points.draws.end(), [](const DrawLight& d) { return d.sides != 0; });
-    if (front.settings.shadows && any)
-        context.report().add(
-            Remark::dropped, front.list.scene.source, {},
-            "shadows do not fall on flat and Gouraud shading: lighting is not evaluated at the pixels");
-}
-
-void remark_maps(const FrontEnd& front, const LightPoints& points, Context& context) {
-    bool normals = false, heights = false;
-    for (std::uint32_t d = 0; d < front.list.draws.size(); ++d) {
-        const Bump bump = points.draws[d].sides == 0 ? Bump::none : bump_of(front, d);
-        normals = normals || bump == Bump::normal;
-        heights = heights || (bump != Bump::normal && bump != Bump::none);
-    }
-    const char* const messages[] = {
-        "normal maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels",
-        "height maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels"};
-    if (normals) context.report().add(Remark::dropped, front.list.scene.source, {}, messages[0]);
-    if (heights) context.report().add(Remark::dropped, front.list.scene.source, {}, messages[1]);
-}
-
 }  // namespace
 
 float mean_roughness(const MaterialView& m) {
@@ -248,9 +212,8 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
     context.throw_if_cancelled();
     front.stats.lighting_evaluations = evaluations;
     front.stats.vertices_lit_twice = twice;
-    remark_maps(front, points, context);
-    remark_layers(front, points, context);
-    remark_shadows(front, points, context);
+    shading::remark_corner_shading(
+        front.list, front.settings, [&points](std::uint32_t d) { return points.draws[d].sides != 0; }, context.report());
     return points;
 }
 

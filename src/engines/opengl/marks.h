@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines and points of a picture, laid over its surfaces: edges and vertices where settings ask for them, and those that the
+// scene holds.
+#pragma once
+#include "engines/opengl/picture.h"
+#include "engines/opengl/target.h"
+
+namespace rakelight::opengl {
+
+class Marks {
+public:
+    /// Whether a picture has any.
+    static bool are_in(const shading::DrawList& list, const RenderSettings& settings);
+    /// Over the colors of a target that is resolved, hidden by its depth.
+    void draw(const PictureDrawer& drawer, const PictureState& state, const Target& to);
+    /// The same into the channels of a group whose frame is bound. @param from  the colors' target, which has the depth
+    void draw_channels(const PictureDrawer& drawer, const PictureState& state, Output group, const Target& from, float far_depth) const;
+
+private:
+    GlTexture layer_;  ///< marks of one color: the greatest coverage counts, so that corners are not darker
+    GlFramebuffer layer_frame_;
+    int width_ = 0, height_ = 0;
+    GlProgram lay_;
+    GlVertexArray no_arrays_;
+};
+
+}  // namespace rakelight::opengl
