@@ -159,7 +159,7 @@ class Cli(program.Case):
         wrong = (("--view", "front", "--camera-position", "0,0,5"), ("--camera-index", "0", "--camera-position", "0,0,5"),
                  ("--light", "default", "--light", "ambient:1,1,1"), ("--light", "spot:0,0,1:exponent=-1"), ("--normal-scale", "101"),
                  ("--camera-position", "1e30,0,0"), ("--max-memory", "1.5X"), ("--resolution", "12"), ("--resolution", "0,5"), ("--resolution", "99999999999,5"), ("--resolution", "1e3,5"),
-                 ("--window", "0,0,9999,1"), ("--window", "0,0,0,0"), ("--window", "-1,0,5,5"), ("--engine", "hard"), ("--engine", "gl"),
+                 ("--window", "0,0,9999,1"), ("--window", "0,0,0,0"), ("--window", "-1,0,5,5"), ("--engine", "hard"),
                  ("--shading", "x"), ("--lighting", "ggx"), ("--bump", "deep"),
                  ("--normals", "none"), ("--crease-angle", "181"), ("--crease-angle", "nan"), ("--crease-angle", "60deg"),
                  ("--camera-position", "1,2"), ("--camera-position", "1,2,inf"), ("--camera-view-angle", "180"), ("--view", "behind"),

@@ -22,6 +22,7 @@ struct GlContext::State {
         std::vector<float> numbers;
     };
     std::vector<Vectors> vectors;
+    std::vector<std::pair<std::string, int>> wholes;
 
     ~State() {
         if (context != EGL_NO_CONTEXT) {
@@ -130,6 +131,18 @@ void GlContext::set_textures(const std::vector<GlTexture>& textures) {
         state_->textures.push_back({t.sampler, float_texture(t.width, t.height, t.texels.data())});
 }
 
+void GlContext::set_whole_texture(const std::string& sampler, int width, int height, const std::vector<std::uint32_t>& texels) {
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32UI, width, height, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, texels.data());
+    state_->textures.push_back({sampler, texture});
+}
+
+void GlContext::set_whole(const std::string& uniform, int number) { state_->wholes.emplace_back(uniform, number); }
+
 void GlContext::set_vectors(const std::string& uniform, std::vector<float> numbers) {
     state_->vectors.push_back({uniform, std::move(numbers)});
 }
@@ -137,7 +150,7 @@ void GlContext::set_vectors(const std::string& uniform, std::vector<float> numbe
 std::vector<float> GlContext::run(const std::string& text, int width, int height) {
     const bool is_es = state_->flavour == GlFlavour::es_30;
     const std::string head = is_es ? "#version 300 es\nprecision highp float;\nprecision highp int;\n"
-                                     "precision highp sampler2D;\n"
+                                     "precision highp sampler2D;\nprecision highp usampler2D;\n"
                                    : "#version 330 core\n";
     const GLuint program = link(head, text);
     const GLuint target = float_texture(width, height, nullptr);
@@ -155,6 +168,7 @@ std::vector<float> GlContext::run(const std::string& text, int width, int height
     }
     for (const auto& [name, numbers] : state_->vectors)
         glUniform3fv(glGetUniformLocation(program, name.c_str()), GLsizei(numbers.size() / 3), numbers.data());
+    for (const auto& [name, number] : state_->wholes) glUniform1i(glGetUniformLocation(program, name.c_str()), number);
     glViewport(0, 0, width, height);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     std::vector<float> pixels(std::size_t(width) * std::size_t(height) * 4);

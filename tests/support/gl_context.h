@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A context of OpenGL 3.3 core or ES 3.0 without a window, and programs that compute numbers in a fragment shader.
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -29,6 +30,9 @@ public:
     std::string renderer() const;
 
     void set_textures(const std::vector<GlTexture>& textures);
+    /// A texture of two whole numbers a texel. @param texels  [width * height * 2]
+    void set_whole_texture(const std::string& sampler, int width, int height, const std::vector<std::uint32_t>& texels);
+    void set_whole(const std::string& uniform, int number);
     /// A uniform array of vec3. @param numbers  [3 * length]
     void set_vectors(const std::string& uniform, std::vector<float> numbers);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -122,7 +123,7 @@ std::vector<float> draw(GlContext& context, const std::vector<Query>& queries, c
     return context.run(whole_text() +
                            "uniform sampler2D queries;\nvoid main() {\n"
                            "    vec4 q = texelFetch(queries, ivec2(int(gl_FragCoord.x), 0), 0);\n"
-                           "    Maps maps;\n    maps.height_scale = 1.0;\n    maps.height_offset = 0.0;\n    " +
+                           "    Maps maps;\n    maps.shadow_origin = ivec2(0);\n    maps.height_scale = 1.0;\n    maps.height_offset = 0.0;\n    " +
                            statements + "\n}\n",
                        count, 1);
 }
@@ -276,34 +277,53 @@ TEST_P(MapsOnGpu, AlbedosAreThoseOfTheTables) {
     }
 }
 
-TEST_P(MapsOnGpu, NearnessIsThatOfTheTexelWithFacesOfACubeBelowEachOther) {
-    std::vector<float> texels;
+/// An atlas of shadow maps of 3 x 3 texels: a cube's six faces from texel (3, 6) on, three below each other, the other three to
+/// the right of them. `at(face, texel)` gives nearness and codes.
+template <class At>
+void bind_cube(GlContext& context, const At& at) {
+    constexpr int width = 12, height = 18;
+    std::vector<std::uint32_t> texels(2 * width * height, 77);
+    for (int face = 0; face < 6; ++face)
+        for (int i = 0; i < 9; ++i) {
+            const int x = 3 + face / 3 * 3 + i % 3, y = 6 + face % 3 * 3 + i / 3;
+            const auto [nearness, codes] = at(face, i);
+            texels[std::size_t(2 * (y * width + x))] = std::bit_cast<std::uint32_t>(nearness);
+            texels[std::size_t(2 * (y * width + x) + 1)] = codes;
+        }
+    context.set_whole_texture("rl_shadow_atlas", width, height, texels);
+    context.set_whole("rl_shadow_size", 3);
+}
+
+float nearness_of(int number) { return number == 0 ? -3e38f : 1 / float(number); }  ///< the first: nothing, on a parallel light's map
+
+TEST_P(MapsOnGpu, NearnessIsThatOfTheTexelOfACubesFace) {
     std::vector<Query> queries;
-    for (int i = 0; i < 6 * 9; ++i) {  // the first is that of nothing on a parallel light's map
-        texels.insert(texels.end(), {i == 0 ? -3e38f : 1 / float(i), unread, unread, unread});
+    for (int i = 0; i < 6 * 9; ++i) {
         queries.push_back({0.3f, -0.2f, 0.1f, float(i % 9)});  // a direction; number of a texel of its face
         queries.back()[std::size_t(i / 18)] = i / 9 % 2 == 0 ? 1.0f : -1.0f;
     }
-    context->set_textures({{"rl_shadow_nearness", 3, 6 * 3, texels}});
+    bind_cube(*context, [](int face, int i) { return std::pair(nearness_of(9 * face + i), 0u); });
     const std::vector<float> got = draw(*context, queries,
-                                        "float first = cube_face(q.xyz).number * 3.0;\n    int i = int(q.w);\n"
+                                        "maps.shadow_origin = ivec2(3, 6);\n"
+                                        "    float first = cube_face(q.xyz).number * 3.0;\n    int i = int(q.w);\n"
                                         "    result = vec4(fetch_nearness(maps, float(i % 3), first + float(i / 3)));");
-    for (std::size_t i = 0; i < got.size(); i += 4) EXPECT_EQ(got[i], texels[i]) << "texel " << i / 4;
+    for (std::size_t i = 0; i < queries.size(); ++i) EXPECT_EQ(got[4 * i], nearness_of(int(i))) << "texel " << i;
 }
 
-// The soft engine's maps hold codes of 16 bits, (slope + 8) * 4095; a program's hold the slopes themselves.
-TEST_P(MapsOnGpu, SlopesAreThoseOfTheTexelAlongXThenDownY) {
-    std::mt19937 random(17);
-    const auto any = [&random] { return float(random() % 65521) / 4095 - 8; };
-    std::vector<float> texels;
+TEST_P(MapsOnGpu, SlopesAreTheCodesAlongXThenDownY) {
+    const auto code = [](int number, int step) { return std::uint32_t(number * step % 65521); };
+    const auto slope = [](std::uint32_t c) { return float(c) / 4095 - 8; };
     std::vector<Query> queries;
-    for (int i = 0; i < 5 * 3; ++i) {
-        texels.insert(texels.end(), {i == 0 ? -8 : any(), i == 0 ? 8 : any(), unread, unread});
-        queries.push_back({float(i % 5), float(i / 5), 0, 0});
+    for (int i = 0; i < 6 * 9; ++i) queries.push_back({float(i % 3), float(i / 3), 0, 0});
+    bind_cube(*context, [&](int face, int i) {
+        const int number = 9 * face + i;
+        return std::pair(0.0f, code(number, 1201) | code(number, 907) << 16);
+    });
+    const std::vector<float> got = draw(*context, queries, "maps.shadow_origin = ivec2(3, 6);\n    result = vec4(fetch_slopes(maps, q.x, q.y), 99.0, 99.0);");
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        EXPECT_NEAR(got[4 * i], slope(code(int(i), 1201)), 2e-6) << "texel " << i;
+        EXPECT_NEAR(got[4 * i + 1], slope(code(int(i), 907)), 2e-6) << "texel " << i;
     }
-    context->set_textures({{"rl_shadow_slopes", 5, 3, texels}});
-    const std::vector<float> got = draw(*context, queries, "result = vec4(fetch_slopes(maps, q.x, q.y), 99.0, 99.0);");
-    EXPECT_EQ(got, texels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, MapsOnGpu, testing::Values(GlFlavour::core_33, GlFlavour::es_30),

@@ -73,7 +73,7 @@ TEST(Facade, ASavedFrameHoldsItsPixelsAndItsAlpha) {
 TEST(Facade, UnknownEnginesAreRefusedByName) {
     EXPECT_EQ(make_engine("soft")->name(), "soft");
     try {
-        make_engine("gl");
+        make_engine("hard");
         ADD_FAILURE();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::usage);
@@ -103,7 +103,7 @@ TEST(Facade, WhatHasNoAreaFromAnySideIsNothingToDraw) {
 TEST(Facade, BuildInfoNamesWhatIsInUse) {
     const BuildInfo info = build_info();
     EXPECT_EQ(info.version, RAKELIGHT_VERSION);
-    EXPECT_EQ(info.engines, std::vector<std::string>{"soft"});
+    EXPECT_EQ(info.engines.front(), "soft");
     EXPECT_EQ(info.isas.front(), "scalar");
     EXPECT_NE(std::find(info.isas.begin(), info.isas.end(), info.isa), info.isas.end());
     EXPECT_NE(info.model_formats.find("GLB"), std::string::npos);

@@ -190,7 +190,7 @@ TEST(BenchRender, RefusesWhatItCannotDo) {
     refused([](RenderBenchOptions& o) { o.objects = 1000; });
     refused([](RenderBenchOptions& o) { o.lights = 10'001; });
     refused([](RenderBenchOptions& o) { o.frames = 0; });
-    refused([](RenderBenchOptions& o) { o.engines = {"gl"}; });
+    refused([](RenderBenchOptions& o) { o.engines = {"hard"}; });
     refused([](RenderBenchOptions& o) { o.engines = {}; });
     refused([](RenderBenchOptions& o) { o.settings.width = 0; });
     refused([](RenderBenchOptions& o) { o.export_file = "scene.obj"; });

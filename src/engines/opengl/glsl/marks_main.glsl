@@ -141,7 +141,7 @@ bool is_hidden(float key, float reach)
     float there = nearness_at(at);
     float x = min(abs(nearness_at(at + ivec2(1, 0)) - there), abs(nearness_at(at - ivec2(1, 0)) - there));
     float y = min(abs(nearness_at(at + ivec2(0, 1)) - there), abs(nearness_at(at - ivec2(0, 1)) - there));
-    return key + min((x + y) * reach, 0.02 * there) + 4e-6 * abs(key) < there;  // a step of depth is no slope
+    return key + (x + y) * reach + 4e-6 * abs(key) < there;
 }
 
 void main()
