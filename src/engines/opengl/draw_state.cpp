@@ -89,6 +89,7 @@ private:
         f_.normalize_frames = p_.settings.normalize_frames;
         f_.relief = shading::relief_technique(bump);
         f_.uses_normal_map = f_.relief != shading::relief_height && drawn_.maps[role_normal];
+        f_.normals_are_scaled = f_.uses_normal_map && factors().normal_scale != 1;
         f_.green_down = f_.uses_normal_map && material_.green_down;
         f_.centered_normals = f_.uses_normal_map && material_.centered_normals;
         f_.coords_are_moved = f_.relief > shading::relief_height;

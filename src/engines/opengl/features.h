@@ -52,6 +52,7 @@ enum class Output : std::int32_t { color, shadow, sky, numbers, directions, plac
     X(tangent_space, "TANGENT_SPACE")            \
     X(orthogonalize, "ORTHOGONALIZE")            \
     X(normalize_frames, "NORMALIZE_FRAMES")      \
+    X(normals_are_scaled, "NORMALS_ARE_SCALED")  \
     X(green_down, "GREEN_DOWN")                  \
     X(centered_normals, "CENTERED_NORMALS")      \
     X(relief, "RELIEF")                          \

@@ -85,7 +85,7 @@ vec3 normal_of_maps(Point p, Bumps b)
 #if RL_RELIEF == RL_RELIEF_HEIGHT || (RL_RELIEF != RL_RELIEF_NONE && !RL_USES_NORMAL_MAP)
     return sloped_normal(b.frame, slope_vector(p, b));
 #elif RL_USES_NORMAL_MAP
-    vec3 mapped = decode_mapped(normal_texel(p).xyz, m_normal_scale, RL_CENTERED_NORMALS, RL_GREEN_DOWN);
+    vec3 mapped = decode_mapped(normal_texel(p).xyz, RL_NORMALS_ARE_SCALED != 0 ? m_normal_scale : 1.0, RL_CENTERED_NORMALS, RL_GREEN_DOWN);
     return mapped_normal(b.frame, mapped, int(RL_TANGENT_SPACE == RL_SPACE_WORLD));
 #else
     return b.frame.normal * b.frame.side;

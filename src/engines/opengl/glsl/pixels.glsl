@@ -54,7 +54,7 @@ Point this_point()
 #endif
 #if RL_HAS_TANGENTS
     p.tangent = RL_MOVED(v_tangent).xyz;
-    p.w = v_tangent.w < 0.0 ? -1.0 : 1.0;
+    p.w = v_tangent.w;  // the same at all corners of a triangle
 #else
     p.tangent = vec3(0.0);
     p.w = 1.0;
