@@ -4,12 +4,14 @@
 
 #include "engines/opengl/window_view.h"
 #include "render/prepared_scene.h"
+#include "scene/scene_tools.h"
 
 namespace rakelight {
 
 struct GlView::State {
     opengl::WindowView view;
-    std::shared_ptr<const PreparedScene> whole;  ///< what is drawn
+    std::shared_ptr<const PreparedScene> whole, incoming;  ///< what is drawn, and what comes next
+    std::uint64_t number = 0;                              ///< of `incoming`
 };
 
 GlView::GlView() : state_(std::make_unique<State>()) {}
@@ -18,11 +20,17 @@ GlView::~GlView() = default;
 std::string GlView::renderer() const { return state_->view.renderer(); }
 bool GlView::has_gpu() const { return state_->view.has_gpu(); }
 
-bool GlView::upload(std::shared_ptr<const PreparedScene> scene, double, Context& context) {
+bool GlView::upload(std::shared_ptr<const PreparedScene> scene, double milliseconds, Context& context) {
     if (!scene) throw Error(ErrorCode::usage, "there is no prepared scene to draw");
-    if (scene == state_->whole) return true;
-    state_->view.prepare(scene->scene, context);
-    state_->whole = std::move(scene);
+    State& s = *state_;
+    if (scene == s.whole) return true;
+    if (scene != s.incoming) {
+        validate(scene->scene);
+        s.incoming = scene;
+        ++s.number;
+    }
+    if (!s.view.upload(scene->scene, s.number, milliseconds, context)) return false;
+    s.whole = std::move(s.incoming);
     return true;
 }
 

@@ -82,38 +82,60 @@ void MeshStore::keep_only(const Scene& scene) {
     std::erase_if(buffers_, [&](const auto& entry) { return !blocks.contains(entry.first); });
 }
 
-template <class T>
-GLuint MeshStore::buffer_of(const Block<T>& block, GLenum target) {
-    if (block.empty()) return 0;
-    GlBuffer& buffer = buffers_[block.identity()];
-    if (buffer) return buffer.name();
-    glBindBuffer(target, buffer.get());
-    glBufferData(target, GLsizeiptr(block.size() * sizeof(T)), block.data(), GL_STATIC_DRAW);
-    check_gl("a mesh");
-    return buffer.name();
+std::vector<MeshStore::Part> MeshStore::parts_of(const Mesh& mesh) {
+    std::vector<Part> parts;
+    const auto add = [&parts](const auto& block) {
+        if (!block.empty()) parts.push_back({block.identity(), block.data(), block.size() * sizeof(block[0])});
+    };
+    add(mesh.positions), add(mesh.indices), add(mesh.normals), add(mesh.tangents), add(mesh.colors);
+    add(texcoords_of(mesh, 0)), add(texcoords_of(mesh, 1));
+    return parts;
 }
 
-bool MeshStore::is_there(const Mesh& mesh) const { return arrays_.contains(key_of(mesh)); }
+bool MeshStore::is_there(const Mesh& mesh) const {
+    for (const Part& part : parts_of(mesh)) {
+        const auto at = buffers_.find(part.identity);
+        if (at == buffers_.end() || at->second.there < part.bytes) return false;
+    }
+    return true;
+}
+
+void MeshStore::upload_piece(const Part& part) {
+    Buffer& buffer = buffers_[part.identity];
+    const bool is_new = !buffer.name;
+    glBindVertexArray(no_arrays_.get());  // what indices are bound to is a vertex array's own
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name.get());
+    if (is_new) glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(part.bytes), nullptr, GL_STATIC_DRAW);
+    const std::size_t bytes = std::min(piece_bytes, part.bytes - buffer.there);
+    glBufferSubData(GL_ARRAY_BUFFER, GLintptr(buffer.there), GLsizeiptr(bytes), static_cast<const char*>(part.data) + buffer.there);
+    buffer.there += bytes;
+    check_gl("a mesh");
+}
+
+void MeshStore::upload_piece(const Mesh& mesh) {
+    for (const Part& part : parts_of(mesh))
+        if (const auto at = buffers_.find(part.identity); at == buffers_.end() || at->second.there < part.bytes)
+            return upload_piece(part);
+}
+
+template <class T>
+GLuint MeshStore::buffer_of(const Block<T>& block) {
+    return block.empty() ? 0 : buffers_.at(block.identity()).name.name();
+}
 
 GLuint MeshStore::vertex_array(const Mesh& mesh) {
     GlVertexArray& array = arrays_[key_of(mesh)];
-    if (array) {
-        glBindVertexArray(array.name());
-    } else {
-        glBindVertexArray(array.get());
-        const GLuint positions = buffer_of(mesh.positions, GL_ARRAY_BUFFER), normals = buffer_of(mesh.normals, GL_ARRAY_BUFFER),
-                     tangents = buffer_of(mesh.tangents, GL_ARRAY_BUFFER),
-                     set0 = buffer_of(texcoords_of(mesh, 0), GL_ARRAY_BUFFER),
-                     set1 = buffer_of(texcoords_of(mesh, 1), GL_ARRAY_BUFFER),
-                     colors = buffer_of(mesh.colors, GL_ARRAY_BUFFER);
-        set_attribute(0, 3, positions, {0, 0, 0, 1});
-        set_attribute(1, 3, normals, {0, 0, 1, 0});
-        set_attribute(2, 4, tangents, {0, 0, 0, 1});
-        set_attribute(3, 2, set0, {0, 0, 0, 1});
-        set_attribute(4, 2, set1, {0, 0, 0, 1});
-        set_attribute(5, 4, colors, {1, 1, 1, 1});
-        const GLuint indices = buffer_of(mesh.indices, GL_ELEMENT_ARRAY_BUFFER);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+    const bool is_new = !array;
+    while (is_new && !is_there(mesh)) upload_piece(mesh);
+    glBindVertexArray(array.get());
+    if (is_new) {
+        set_attribute(0, 3, buffer_of(mesh.positions), {0, 0, 0, 1});
+        set_attribute(1, 3, buffer_of(mesh.normals), {0, 0, 1, 0});
+        set_attribute(2, 4, buffer_of(mesh.tangents), {0, 0, 0, 1});
+        set_attribute(3, 2, buffer_of(texcoords_of(mesh, 0)), {0, 0, 0, 1});
+        set_attribute(4, 2, buffer_of(texcoords_of(mesh, 1)), {0, 0, 0, 1});
+        set_attribute(5, 4, buffer_of(mesh.colors), {1, 1, 1, 1});
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer_of(mesh.indices));
     }
     // Values of attributes that are off belong to the context, not to the array.
     glVertexAttrib4f(2, 0, 0, 0, 1);

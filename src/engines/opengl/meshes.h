@@ -26,19 +26,34 @@ public:
     void keep_only(const Scene& scene);
     /// Bound with its buffers and indices. Uploads what is not there yet.
     GLuint vertex_array(const Mesh& mesh);
+    /// Whether all its buffers hold their arrays.
     bool is_there(const Mesh& mesh) const;
+    /// A part of an array that is not there yet, at most so many bytes.
+    void upload_piece(const Mesh& mesh);
+    static constexpr std::size_t piece_bytes = 8 << 20;
     GLuint no_arrays() { return no_arrays_.get(); }  ///< a vertex array without any
     /// @param against  [triangles] LitSide::against(); null: none
     const TriangleTable& table(const Mesh& mesh, const std::int32_t* against);
 private:
+    /// An array on its way.
+    struct Part {
+        const void *identity, *data;
+        std::size_t bytes;
+    };
+    static std::vector<Part> parts_of(const Mesh& mesh);
+    void upload_piece(const Part& part);
     template <class T>
-    GLuint buffer_of(const Block<T>& block, GLenum target);
+    GLuint buffer_of(const Block<T>& block);
 
     using Key = std::vector<const void*>;  ///< identities of its blocks
     static Key key_of(const Mesh& mesh);
 
     const Driver& driver_;
-    std::map<const void*, GlBuffer> buffers_;
+    struct Buffer {
+        GlBuffer name;
+        std::size_t there = 0;  ///< [bytes]
+    };
+    std::map<const void*, Buffer> buffers_;
     std::map<Key, GlVertexArray> arrays_;
     std::map<Key, TriangleTable> tables_;
     GlVertexArray no_arrays_;

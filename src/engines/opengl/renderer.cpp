@@ -51,27 +51,24 @@ void Renderer::make_albedos() {
     check_gl("the tables of albedos");
 }
 
-void Renderer::upload_textures(Context& context) {
-    std::vector<TextureStore::Wish> wishes;
-    for (const shading::DrawMaterial& drawn : list_.materials)
-        for (const TextureRole& role : texture_roles()) {
-            if (!drawn.maps[std::size_t(role.number)]) continue;
-            const Texture& texture = list_.scene.textures[role.in(list_.scene_material(drawn)).texture];
-            const shading::LoadedTexture* const loaded = cache_.find(shading::key_of(texture, role.space));
-            wishes.push_back({std::static_pointer_cast<const TextureLevels>(loaded->packed), role.number == role_height,
-                              texture.image.get()});
-        }
-    textures_.update(wishes, context);
-}
-
 void Renderer::prepare(Scene scene, Context& context) {
     validate_changes(scene, list_.scene);
-    list_ = {};
+    list_ = {};  // its textures may go: what fails from here on leaves an empty scene
     maps_.clear();
-    list_ = shading::make_draw_list(std::move(scene), cache_, LevelPacker(), context);
-    meshes_.keep_only(list_.scene);
-    upload_textures(context);
-    environment_.update(environments_.update(list_.scene, EnvironmentLevelPacker(), context));
+    TakenScene taken = take_scene(std::move(scene), std::move(cache_), std::move(environments_), context);
+    meshes_.keep_only(taken.list.scene);
+    upload(taken, Clock::time_point::max(), context);
+    take(std::move(taken));
+}
+
+void Renderer::take(TakenScene scene) {
+    meshes_.keep_only(scene.list.scene);
+    textures_.keep_only(wishes_of(scene));
+    environment_.update(scene.environment);
+    list_ = std::move(scene.list);
+    cache_ = std::move(scene.cache);
+    environments_ = std::move(scene.environments);
+    maps_.clear();
 }
 
 void Renderer::set_lights(std::vector<Light> lights) {

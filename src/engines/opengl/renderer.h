@@ -13,6 +13,7 @@
 #include "engines/opengl/channels.h"
 #include "engines/opengl/marks.h"
 #include "engines/opengl/pass_meter.h"
+#include "engines/opengl/scene_upload.h"
 #include "engines/opengl/picture.h"
 #include "engines/opengl/target.h"
 #include "shading/shadow_cameras.h"
@@ -26,6 +27,14 @@ public:
     const Driver& driver() const { return driver_; }
     /// As Engine::prepare().
     void prepare(Scene scene, Context& context);
+    /// The same in steps: take_scene() with what decoded() gives, on any thread; upload() as often as it takes, while the scene
+    /// before is drawn; then take().
+    shading::TextureCache decoded() const { return cache_; }
+    shading::EnvironmentCache decoded_environment() const { return environments_; }
+    bool upload(const TakenScene& scene, Clock::time_point end, Context& context) {
+        return upload_some(scene, textures_, meshes_, end, context);
+    }
+    void take(TakenScene scene);
     const Scene& scene() const { return list_.scene; }
     std::uint32_t channels() const { return settings_.channels; }  ///< of the picture that is drawn
     void set_lights(std::vector<Light> lights);
@@ -53,7 +62,6 @@ private:
                         RenderStats& stats, Context& context);
     void draw_shadow_map(const shading::MapCamera& from, const shading::View& view, ShadowAtlas::Place place, int face,
                          Context& context);
-    void upload_textures(Context& context);
     void make_albedos();
     void remark_dropped_maps(Report& report) const;
     /// @param blended  gets those that are left for draw_blended()

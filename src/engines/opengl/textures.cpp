@@ -127,17 +127,16 @@ GlTexture TextureStore::upload(const Wish& wish, Context& context) const {
     return texture;
 }
 
-void TextureStore::update(const std::vector<Wish>& wishes, Context& context) {
-    std::set<Wish> wanted(wishes.begin(), wishes.end());
-    std::erase_if(textures_, [&](const auto& entry) {
-        return !wanted.contains({entry.second.of, entry.first.second, nullptr});
-    });
-    for (const Wish& wish : wanted) {
-        context.throw_if_cancelled();
-        const std::pair key(wish.levels.get(), wish.is_height);
-        if (!textures_.contains(key)) textures_[key] = {wish.levels, upload(wish, context)};
-    }
-    for (const Wish& wish : wanted) wish.levels->levels = {}, wish.levels->charge = {};
+void TextureStore::add(const Wish& wish, Context& context) {
+    textures_[{wish.levels.get(), wish.is_height}] = {wish.levels, upload(wish, context)};
+}
+
+void TextureStore::keep_only(const std::vector<Wish>& wishes) {
+    std::set<std::pair<const TextureLevels*, bool>> wanted;
+    for (const Wish& wish : wishes) wanted.emplace(wish.levels.get(), wish.is_height);
+    std::erase_if(textures_, [&](const auto& entry) { return !wanted.contains(entry.first); });
+    for (const Wish& wish : wishes)
+        if (!wish.keeps_levels) wish.levels->levels = {}, wish.levels->charge = {};
 }
 
 GLuint TextureStore::find(const TextureLevels& levels, bool is_height) const {

@@ -42,13 +42,13 @@ public:
     struct Wish {
         std::shared_ptr<const TextureLevels> levels;
         bool is_height = false;
+        bool keeps_levels = false;  ///< a bump map: it may be wished for as the other kind later
         const EncodedImage* image = nullptr;  ///< what messages name
-        auto operator<=>(const Wish& o) const {
-            return std::pair(levels.get(), is_height) <=> std::pair(o.levels.get(), o.is_height);
-        }
     };
-    /// Uploads what is new, drops what is not wished for. @throws Error failed: no memory on the GPU
-    void update(const std::vector<Wish>& wishes, Context& context);
+    bool has(const Wish& wish) const { return textures_.contains({wish.levels.get(), wish.is_height}); }
+    void add(const Wish& wish, Context& context);  ///< @throws Error failed: no memory on the GPU
+    /// Drops what is not wished for, and what the processor's memory holds of what is.
+    void keep_only(const std::vector<Wish>& wishes);
     GLuint find(const TextureLevels& levels, bool is_height) const;
     GLuint sampler(const Sampler& how, bool is_height);
 

@@ -2,8 +2,11 @@
 #include "engines/opengl/window_view.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <map>
+#include <optional>
 
 #include "engines/opengl/renderer.h"
 #include "math/functions.h"
@@ -67,7 +70,9 @@ struct Screen {
 }  // namespace
 
 struct WindowView::State {
+    struct Incoming;
     Renderer renderer;
+    std::unique_ptr<Incoming> incoming;
     Target target;
     GlTexture picture;
     GlVertexArray no_arrays, line_array;
@@ -81,12 +86,53 @@ struct WindowView::State {
     void draw_display(const Screen& screen, GLuint picturename, int tone, float gain);
 };
 
+std::string WindowView::renderer() const { return state_->driver().renderer; }
+bool WindowView::has_gpu() const { return !state_->driver().is_software; }
+
+/// A scene on its way: first on a thread, then to the GPU.
+struct WindowView::State::Incoming {
+    Incoming(const Scene& scene, std::uint64_t its_number, const Renderer& renderer, const Context& context)
+        : number(its_number),
+          own({.threads = context.threads()}),
+          taken(std::async(std::launch::async,
+                           [this, scene, cache = renderer.decoded(), environments = renderer.decoded_environment()]() mutable {
+                               return take_scene(std::move(scene), std::move(cache), std::move(environments), own);
+                           })) {}
+    ~Incoming() { own.cancel(); }
+
+    std::uint64_t number;
+    Context own;
+    std::future<TakenScene> taken;  ///< ends with its thread
+    std::optional<TakenScene> ready;
+};
+
 WindowView::WindowView() : state_(std::make_unique<State>()) {}
 WindowView::~WindowView() = default;
 
-std::string WindowView::renderer() const { return state_->driver().renderer; }
-bool WindowView::has_gpu() const { return !state_->driver().is_software; }
-void WindowView::prepare(Scene scene, Context& context) { state_->renderer.prepare(std::move(scene), context); }
+bool WindowView::upload(const Scene& scene, std::uint64_t number, double milliseconds, Context& context) {
+    State& s = *state_;
+    const Clock::time_point end = Clock::now() + std::chrono::microseconds(std::int64_t(1e3 * std::max(milliseconds, 0.0)));
+    if (!s.incoming || s.incoming->number != number) {
+        s.incoming.reset();
+        s.incoming = std::make_unique<State::Incoming>(scene, number, s.renderer, context);
+    }
+    State::Incoming& incoming = *s.incoming;
+    if (!incoming.ready) {
+        if (incoming.taken.wait_until(end) != std::future_status::ready) return false;
+        try {
+            incoming.ready = incoming.taken.get();
+        } catch (...) {
+            s.incoming.reset();  // asked for again, it begins again
+            throw;
+        }
+        for (const ReportEntry& e : incoming.own.report().entries())
+            context.report().add(e.remark, e.file, e.place, e.message, e.settings);
+    }
+    if (!s.renderer.upload(*incoming.ready, end, context)) return false;
+    s.renderer.take(std::move(*incoming.ready));
+    s.incoming.reset();
+    return true;
+}
 void WindowView::set_lights(std::vector<Light> lights) { state_->renderer.set_lights(std::move(lights)); }
 
 void WindowView::State::draw_display(const Screen& screen, GLuint picturename, int tone, float gain) {

@@ -18,7 +18,9 @@ public:
 
     std::string renderer() const;
     bool has_gpu() const;
-    void prepare(Scene scene, Context& context);
+    /// Takes a scene up for so long; until it is whole the one before is drawn. Another number: another scene.
+    /// @return true: it is whole
+    bool upload(const Scene& scene, std::uint64_t number, double milliseconds, Context& context);
     void set_lights(std::vector<Light> lights);
 
     /// As GlView has them. @param camera  of the world

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/opengl/scene_upload.h"
+
+#include <utility>
+
+#include "scene/material_table.h"
+
+namespace rakelight::opengl {
+
+TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::EnvironmentCache environments, Context& context) {
+    TakenScene out{.list = {}, .cache = std::move(cache), .environments = std::move(environments), .environment = {}};
+    out.list = shading::make_draw_list(std::move(scene), out.cache, LevelPacker(), context);
+    out.environment = out.environments.update(out.list.scene, EnvironmentLevelPacker(), context);
+    return out;
+}
+
+std::vector<TextureStore::Wish> wishes_of(const TakenScene& taken) {
+    std::vector<TextureStore::Wish> wishes;
+    for (const shading::DrawMaterial& drawn : taken.list.materials)
+        for (const TextureRole& role : texture_roles()) {
+            if (!drawn.maps[std::size_t(role.number)]) continue;
+            const Texture& texture = taken.list.scene.textures[role.in(taken.list.scene_material(drawn)).texture];
+            const shading::LoadedTexture* const loaded = taken.cache.find(shading::key_of(texture, role.space));
+            wishes.push_back({std::static_pointer_cast<const TextureLevels>(loaded->packed), role.number == role_height,
+                              loaded->is_bump, texture.image.get()});
+        }
+    return wishes;
+}
+
+bool upload_some(const TakenScene& taken, TextureStore& textures, MeshStore& meshes, Clock::time_point end, Context& context) {
+    for (const TextureStore::Wish& wish : wishes_of(taken)) {
+        if (textures.has(wish)) continue;
+        if (Clock::now() >= end) return false;
+        textures.add(wish, context);
+    }
+    for (const Mesh& mesh : taken.list.scene.meshes)
+        while (!meshes.is_there(mesh)) {
+            if (Clock::now() >= end) return false;
+            context.throw_if_cancelled();
+            meshes.upload_piece(mesh);
+        }
+    return true;
+}
+
+}  // namespace rakelight::opengl

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of a scene to the GPU, in two steps: what the processor does, on any thread, and the uploads, piece by piece.
+#pragma once
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "engines/opengl/environment.h"
+#include "engines/opengl/meshes.h"
+#include "engines/opengl/textures.h"
+#include "shading/draw_list.h"
+
+namespace rakelight::opengl {
+
+/// A scene as pictures are drawn of it, with its pictures decoded.
+struct TakenScene {
+    shading::DrawList list;
+    shading::TextureCache cache;
+    shading::EnvironmentCache environments;
+    std::optional<shading::UsedEnvironment> environment;
+};
+
+/// From any thread. @param before  what was decoded for the scene before: what is used again is not decoded again
+/// @throws Error failed: cancelled
+TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::EnvironmentCache environments, Context& context);
+
+/// What its materials read.
+std::vector<TextureStore::Wish> wishes_of(const TakenScene& scene);
+
+using Clock = std::chrono::steady_clock;
+
+/// Uploads textures and meshes until the time is over. @return all of them are there
+bool upload_some(const TakenScene& scene, TextureStore& textures, MeshStore& meshes, Clock::time_point end, Context& context);
+
+}  // namespace rakelight::opengl

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Engine gl and auto of the real program: the picture, and what happens where OpenGL is missing. Standard library only.
+
+  opengl_test.py PROGRAM [unittest arguments]"""
+import json
+import shutil
+import subprocess
+
+
+import program
+from program import TWO_PARTS, png
+
+LIGHTING = ("RL_FN LightTerms user_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light)\n{\n"
+            "    LightTerms terms = no_terms();\n    terms.diffuse = vec3(0.0f, 1.0f, 0.0f);\n    return terms;\n}\n")
+
+
+class OpenGl(program.Case):
+    def draw(self, *arguments, engine="gl", **environment):
+        return self.run_program("render", "a.obj", "-o", "a.png", "--resolution", "64,48", "--engine", engine, *arguments,
+                                RAKELIGHT_GL_CACHE="off", **environment)
+
+    def require_opengl(self):
+        self.write("a.obj", TWO_PARTS)
+        result = self.draw()
+        if result.code == 1:
+            self.skipTest(result.err.strip())
+        self.assertEqual((result.code, result.out, result.err), (0, "", ""))
+
+    def test_the_picture_is_the_soft_engines_but_for_rounding(self):
+        self.require_opengl()
+        rows = png(self.folder / "a.png")[3]
+        self.assertEqual(self.draw(engine="soft").code, 0)
+        soft = png(self.folder / "a.png")[3]
+        self.assertLessEqual(max(abs(a - b) for r, s in zip(rows, soft) for a, b in zip(r, s)), 3)
+
+    def test_times_of_passes_are_in_the_json(self):
+        self.require_opengl()
+        row = json.loads(self.draw("--json").out)["rows"][0]
+        self.assertEqual(row["engine"], "gl")
+        self.assertIn("surfaces", [p["name"] for p in row["stats"]["gpu_passes"]])
+
+    def test_a_lighting_of_the_users_own(self):
+        self.require_opengl()
+        self.write("green.glsl", LIGHTING)
+        self.assertEqual(self.draw("--lighting", "green.glsl").code, 0)
+        self.assertEqual(tuple(png(self.folder / "a.png")[3][24][96:99]), (0, 255, 0))
+        self.write("broken.glsl", LIGHTING.replace("no_terms();", "no_terms()"))
+        self.check_refused(self.draw("--lighting", "broken.glsl"), 4, "--lighting", "broken.glsl:4")
+        self.check_refused(self.draw("--lighting", "green.glsl", engine="soft"), 2, "engine soft cannot", "green.glsl")
+        self.check_refused(self.draw("--lighting", "missing.glsl"), 3, "missing.glsl")
+
+    def test_what_the_engine_cannot_do_is_refused_before_anything_is_drawn(self):
+        self.require_opengl()
+        (self.folder / "a.png").unlink()
+        self.check_refused(self.draw("--visibility", "painter"), 2, "engine gl cannot remove hidden surfaces")
+        self.assertEqual(self.files(), ["a.obj"])
+
+    def with_library(self, text):
+        """A folder with a libEGL.so.1 that is made of this C text; None: a file that is no library."""
+        folder = self.folder / "lib"
+        folder.mkdir(exist_ok=True)
+        library = folder / "libEGL.so.1"
+        if text is None:
+            library.write_bytes(b"no library")
+            return str(folder)
+        compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+        if not compiler:
+            self.skipTest("there is no C compiler")
+        (self.folder / "egl.c").write_text(text)
+        subprocess.run([compiler, "-shared", "-fPIC", "-o", library, self.folder / "egl.c", "-Wl,-soname,libEGL.so.1"], check=True)
+        return str(folder)
+
+    def test_without_a_usable_libegl_one_line_says_so(self):
+        self.write("a.obj")
+        for text in (None, "int nothing;\n"):
+            folder = self.with_library(text)
+            self.check_refused(self.draw(LD_LIBRARY_PATH=folder), 1, "libEGL")
+            self.assertFalse((self.folder / "a.png").exists())
+
+    def test_auto_draws_without_opengl_and_everything_else_works(self):
+        self.write("a.obj")
+        folder = self.with_library(None)
+        result = self.draw("--verbose", engine="auto", LD_LIBRARY_PATH=folder)
+        self.assertEqual(result.code, 0, result.err)
+        self.assertIn("engine auto: it takes engine soft: there is no libEGL", result.err)
+        self.assertEqual(self.draw(engine="soft", LD_LIBRARY_PATH=folder).code, 0)
+
+
+if __name__ == "__main__":
+    program.main()
