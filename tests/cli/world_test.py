@@ -53,7 +53,7 @@ BROKEN = [
     (WALL + "[render]\nmaterial = 'clearcoat=1'\n", 4, 1, "[[material]] changes materials"),
     (WALL + "[render]\nresolution = [0, 1]\n", 4, 1, ": resolution: must be 1 to 65536"),
     (WALL + "[render]\nsamples = 4\nwindow = [0, 0, 9999, 1]\n", 5, 1, ": window: does not lie inside the picture of 1280 x 720"),
-    (WALL + "[render]\nengine = 'gl'\n", 4, 1, ": engine: 'gl' is not built in; this build has: soft"),
+    (WALL + "[render]\nengine = 'hard'\n", 4, 1, ": engine: 'hard' is not built in; this build has: soft"),
     (WALL + "[[light]]\ntype = 'point'\nposition = [0, 0, 3]\n[render]\nshadows = true\nshadow-size = 8192\n", 8, 1, "6 shadow maps of 8192 x 8192"),
 ]
 

@@ -189,7 +189,7 @@ ProgramText mark_text(const Features& f, const Driver& driver) {
         stage->add(version_of(driver) + definitions_of(f) + numbers_of(f) + "#define RL_IS_VERTEX " +
                    (stage == &vertices ? "1\n" : "0\n") + "#define RL_IS_REVERSED " +
                    (driver.has_reversed_depth ? "1\n" : "0\n") + "#define RL_OUTPUT_COLOR " +
-                   std::to_string(int(Output::color)) + "\nuniform vec3 rl_view_direction;\nuniform vec4 rl_ray[3];\n");
+                   std::to_string(int(Output::color)) + "\n#define RL_CONSTANT flat\nuniform vec3 rl_view_direction;\nuniform vec4 rl_ray[3];\n");
         stage->add_file("math/prelude.glsl");
         if (stage == &vertices) stage->add_file("engines/opengl/glsl/vertices.glsl");
         stage->add_file("engines/opengl/glsl/marks_main.glsl");

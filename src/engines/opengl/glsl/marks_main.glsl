@@ -8,11 +8,11 @@ uniform vec4 rl_mark_view;        // [px] width, height of what is drawn; near, 
 uniform vec4 rl_mark_cull;        // 1: back faces are left out; 1: front faces; 1: fronts are negative with y down
 
 #if RL_IS_VERTEX
-flat out vec4 v_ends;   // [px]
-flat out vec2 v_keys;   // nearness there: near / distance, 1 at the near plane; affine on the screen
-flat out vec2 v_parts;  // where they lie between the line's own ends
-flat out vec4 v_color_0;
-flat out vec4 v_color_1;
+RL_CONSTANT out vec4 v_ends;   // [px]
+RL_CONSTANT out vec2 v_keys;   // nearness there: near / distance, 1 at the near plane; affine on the screen
+RL_CONSTANT out vec2 v_parts;  // where they lie between the line's own ends
+RL_CONSTANT out vec4 v_color_0;
+RL_CONSTANT out vec4 v_color_1;
 
 // away: along the view axis.
 vec3 on_screen(vec4 clip, float away)
@@ -85,11 +85,11 @@ void main()
 #endif
 }
 #else
-flat in vec4 v_ends;
-flat in vec2 v_keys;
-flat in vec2 v_parts;
-flat in vec4 v_color_0;
-flat in vec4 v_color_1;
+RL_CONSTANT in vec4 v_ends;
+RL_CONSTANT in vec2 v_keys;
+RL_CONSTANT in vec2 v_parts;
+RL_CONSTANT in vec4 v_color_0;
+RL_CONSTANT in vec4 v_color_1;
 uniform highp sampler2D rl_depth;  // of the surfaces
 #if RL_OUTPUT == RL_OUTPUT_NUMBERS
 uniform highp uvec4 rl_numbers;
