@@ -8,6 +8,11 @@
 #define mask bool
 #define RL_MAP_FN
 #define RL_CAN_SKIP(lanes_that_need_it) false  // a branch for each pixel costs more than what it leaves out
+#ifdef RL_TANGENTS_ARE_SOUND  // the mesh has tangents that were looked at: one that degenerates between them is caught later
+#define RL_NEEDS_NO_FALLBACK(mask_of_sound_lanes) true
+#else
+#define RL_NEEDS_NO_FALLBACK(mask_of_sound_lanes) all_lanes(mask_of_sound_lanes)
+#endif
 
 bool any_lane(bool m) { return m; }
 bool all_lanes(bool m) { return m; }

@@ -12,4 +12,6 @@
     RL_FN
 // Whether what only lanes of the mask need may be left out now: where none is.
 #define RL_CAN_SKIP(lanes_that_need_it) no_lane(lanes_that_need_it)
+// Whether a fallback for lanes without the mask may be left out.
+#define RL_NEEDS_NO_FALLBACK(mask_of_sound_lanes) all_lanes(mask_of_sound_lanes)
 RL_USE_WIDE;

@@ -56,10 +56,7 @@ void check(const RenderBenchOptions& o) {
         if (lights > bench_small_lights_max) refuse("lights must be 0 to 10000");
     if (o.frames < 1 || o.frames > 10'000) refuse("frames must be 1 to 10000");
     if (o.engines.empty()) refuse("no engine to measure");
-    for (const std::string& name : o.engines) {
-        if (name == "gl") refuse("engine gl is not there yet in this version");
-        check_engine_name(name);
-    }
+    for (const std::string& name : o.engines) check_engine_name(name);
     if (!o.export_file.empty() && !o.export_file.ends_with(".glb"))
         throw Error(ErrorCode::usage, "scenes are exported as .glb").with_file(o.export_file);
     check_settings(o.settings);

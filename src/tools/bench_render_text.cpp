@@ -61,6 +61,15 @@ std::string to_text(const RenderBenchReport& report) {
                        r.threads, r.median_ms, r.fastest_ms, r.slowest_ms, r.cpu_ms, r.first_ms, r.mtri_per_s,
                        r.mpix_per_s);
         if (r.lights != report.lights) text += format("  with %s\n", counted(r.lights, "light").c_str());
+        if (!r.stats.gpu_passes.empty()) {
+            text += "  on the GPU:";
+            for (const GpuPass& pass : r.stats.gpu_passes) text += format(" %s %.2f ms;", pass.name.c_str(), 1e3 * pass.seconds);
+            text.back() = '\n';
+            text += format("  %llu pixels covered (%.1f %%), %llu shaded\n", number(r.stats.pixels_covered),
+                           100.0 * double(r.stats.pixels_covered) / (double(report.width) * report.height),
+                           number(r.stats.pixels_shaded));
+            continue;
+        }
         text += format(
             "  front end %.2f ms, then tiles %.2f ms; summed over threads: visibility %.2f, shading %.2f, blending "
             "%.2f, "

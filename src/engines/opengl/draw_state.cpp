@@ -166,6 +166,7 @@ private:
         f_.seen_sides = state_.culling.back ? seen_front : state_.culling.front ? seen_back : seen_both;
         f_.has_normals = reads_normals;
         f_.has_tangents = reads_tangents;
+        f_.tangents_are_sound = reads_tangents && !mesh_.tangents.empty();
         f_.has_colors = !mesh_.colors.empty() && factors().vertex_colors;
         f_.has_texcoords = f_.maps != 0 || f_.output == Output::places;
         if (!f_.from_triangles) return;

@@ -38,6 +38,7 @@ enum class Output : std::int32_t { color, shadow, sky, numbers, directions, plac
     X(front_turns, "FRONT_TURNS")                \
     X(has_normals, "HAS_NORMALS")                \
     X(has_tangents, "HAS_TANGENTS")              \
+    X(tangents_are_sound, "TANGENTS_GIVEN")      \
     X(has_texcoords, "HAS_TEXCOORDS")            \
     X(has_colors, "HAS_COLORS")                  \
     X(from_triangles, "FROM_TRIANGLES")          \

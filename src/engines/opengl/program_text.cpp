@@ -76,7 +76,7 @@ std::string numbers_of(const Features& f) {
            define("RL_AT_FACES", lit_at_faces) + define("RL_SPACE_WORLD", shading::space_world) +
            define("RL_SPACE_TRANSPOSED", shading::space_transposed) + define("RL_FETCH_WIDTH", fetch_width) +
            define("RL_LIGHT_TEXELS", light_texels) + define("RL_VERTEX_TEXELS", texels) +
-           define("RL_SEEN_FRONT", seen_front) + define("RL_SEEN_BACK", seen_back) +
+           (f.tangents_are_sound ? "#define RL_TANGENTS_ARE_SOUND\n" : "") + define("RL_SEEN_FRONT", seen_front) + define("RL_SEEN_BACK", seen_back) +
            define("RL_HAS_SECOND_SET", f.second_sets != 0 || f.coords_are_moved || f.output == Output::places) +
            "#define RL_LIGHT_KINDS " + std::to_string(f.light_kinds) + "u\n#define RL_LIGHTS_WITHOUT_AMBIENT " + std::to_string(f.lights_without_ambient) +
            "u\n#define RL_EACH_LIGHT(X)" + each_light(f) + "\n" +

@@ -42,7 +42,7 @@ RL_FN vec3 orthogonal_tangent(vec3 n, vec3 t)
     real squared = dot(across, across);  // |t|^2 is this and the square of `along`
     mask has_direction = squared > 1e-12f * along * along && squared >= 1.17549435e-38f && squared <= 3.40282347e38f;
     vec3 unit = across * reciprocal(sqrt(squared));
-    if (RL_CAN_SKIP(!has_direction)) {
+    if (RL_NEEDS_NO_FALLBACK(has_direction)) {
         return unit;
     }
     vec3 axis = select(abs(n.x) > 0.7f, vec3(0.0f, 1.0f, 0.0f), vec3(1.0f, 0.0f, 0.0f));
