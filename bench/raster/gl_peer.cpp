@@ -171,7 +171,10 @@ private:
 class EngineSide {
 public:
     EngineSide(const Scene& scene, const RenderSettings& settings, Context& context)
-        : settings_(settings), context_(context), camera_(scene.cameras[0]), pixels_{0, 0, settings.width, settings.height} {
+        : settings_(settings),
+          context_(context),
+          camera_(scene.cameras[0]),
+          pixels_{0, 0, settings.width, settings.height} {
         renderer_.emplace();
         renderer_->prepare(prepare_scene(scene, {}, context), context);
         target_.reserve(settings.width, settings.height, settings.samples);
@@ -293,7 +296,8 @@ void print(const Json& json) {
         if (r.contains("ratio_to_gl"))
             std::printf(" %7.3f %9.3f", r["ratio_to_gl"].get<double>(), r["cpu_ratio_to_gl"].get<double>());
         if (r.contains("psnr_db"))
-            std::printf(" %10.2f %9.3f %7.3f %%", r["psnr_db"].get<double>(), r["mean_difference_of_255"].get<double>(), 100 * r["share_over_8_of_255"].get<double>());
+            std::printf(" %10.2f %9.3f %7.3f %%", r["psnr_db"].get<double>(), r["mean_difference_of_255"].get<double>(),
+                        100 * r["share_over_8_of_255"].get<double>());
         std::printf("\n");
     }
 }

@@ -13,11 +13,11 @@ double component_at(const Pixels& pixels, std::size_t i);
 
 /// Over all components of all pixels. Integer components count as 0..1, floats as they are.
 struct PictureDifference {
-    double max_absolute = 0;      ///< infinity where a NaN or an infinity meets anything but itself
-    double rmse = 0;              ///< root of the mean squared difference
-    double psnr_db = 0;           ///< -20 log10(rmse), peak 1; +infinity for equal pictures
-    std::uint64_t differing = 0;  ///< components that differ by more than the threshold
-    double differing_share = 0;   ///< of all components, 0..1
+    double max_absolute = 0;             ///< infinity where a NaN or an infinity meets anything but itself
+    double rmse = 0;                     ///< root of the mean squared difference
+    double psnr_db = 0;                  ///< -20 log10(rmse), peak 1; +infinity for equal pictures
+    std::uint64_t differing = 0;         ///< components that differ by more than the threshold
+    double differing_share = 0;          ///< of all components, 0..1
     std::uint64_t differing_pixels = 0;  ///< pixels any component of which does
 };
 

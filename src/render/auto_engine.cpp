@@ -45,12 +45,15 @@ public:
 
     const Scene& scene() const override { return draws_on_gpu_ ? gpu_->scene() : soft_->scene(); }
 
-    void set_lights(std::vector<Light> lights) override { (draws_on_gpu_ ? *gpu_ : *soft_).set_lights(std::move(lights)); }
+    void set_lights(std::vector<Light> lights) override {
+        (draws_on_gpu_ ? *gpu_ : *soft_).set_lights(std::move(lights));
+    }
 
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
         if (draws_on_gpu_ && can_draw(gpu_->abilities(), settings)) {
             try {
-                return gpu_->render(camera, settings, sink, context);  // fails before the sink gets anything, or for good
+                return gpu_->render(camera, settings, sink,
+                                    context);  // fails before the sink gets anything, or for good
             } catch (const Error& error) {
                 const Scene scene = gpu_->scene();
                 give_up(error, scene.source, context);

@@ -34,7 +34,8 @@ bool GlView::upload(std::shared_ptr<const PreparedScene> scene, double milliseco
     return true;
 }
 
-RenderStats GlView::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context) {
+RenderStats GlView::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone,
+                         Context& context) {
     State& s = *state_;
     if (!s.whole) return {};
     const Camera at = camera_in_world(s.whole->scene, camera, double(settings.width) / double(settings.height));

@@ -15,7 +15,8 @@ void remark_corner_shading(const DrawList& list, const RenderSettings& settings,
         any = true;
         normals = normals || bump == Bump::normal;
         heights = heights || (bump != Bump::normal && bump != Bump::none);
-        layers = layers || (lighting_of(list, draw, settings) == Lighting::pbr && has_layers(list.material(draw).factors));
+        layers =
+            layers || (lighting_of(list, draw, settings) == Lighting::pbr && has_layers(list.material(draw).factors));
     }
     const auto say = [&](bool is_so, const char* what) {
         if (is_so) report.add(Remark::dropped, list.scene.source, {}, what);
@@ -23,7 +24,8 @@ void remark_corner_shading(const DrawList& list, const RenderSettings& settings,
     say(normals, "normal maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels");
     say(heights, "height maps do not act on flat and Gouraud shading: lighting is not evaluated at the pixels");
     say(layers, "clearcoat, sheen and anisotropy do not act on flat and Gouraud shading");
-    say(settings.shadows && any, "shadows do not fall on flat and Gouraud shading: lighting is not evaluated at the pixels");
+    say(settings.shadows && any,
+        "shadows do not fall on flat and Gouraud shading: lighting is not evaluated at the pixels");
 }
 
 }  // namespace rakelight::shading

@@ -63,7 +63,8 @@ std::string to_text(const RenderBenchReport& report) {
         if (r.lights != report.lights) text += format("  with %s\n", counted(r.lights, "light").c_str());
         if (!r.stats.gpu_passes.empty()) {
             text += "  on the GPU:";
-            for (const GpuPass& pass : r.stats.gpu_passes) text += format(" %s %.2f ms;", pass.name.c_str(), 1e3 * pass.seconds);
+            for (const GpuPass& pass : r.stats.gpu_passes)
+                text += format(" %s %.2f ms;", pass.name.c_str(), 1e3 * pass.seconds);
             text.back() = '\n';
             text += format("  %llu pixels covered (%.1f %%), %llu shaded\n", number(r.stats.pixels_covered),
                            100.0 * double(r.stats.pixels_covered) / (double(report.width) * report.height),

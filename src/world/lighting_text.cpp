@@ -18,12 +18,14 @@ std::string read_lighting_text(const std::string& path) {
     if (!std::filesystem::is_regular_file(path, fault))
         throw Error(ErrorCode::not_found, name + ": there is no such file").about("lighting");
     if (std::filesystem::file_size(path, fault) > most_bytes)
-        throw Error(ErrorCode::bad_file, name + " has more than " + std::to_string(most_bytes) + " bytes").about("lighting");
+        throw Error(ErrorCode::bad_file, name + " has more than " + std::to_string(most_bytes) + " bytes")
+            .about("lighting");
     std::ifstream file(path, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file && !file.eof()) throw Error(ErrorCode::not_found, name + " cannot be read").about("lighting");
     if (text.find("user_terms") == std::string::npos || text.find('\0') != std::string::npos)
-        throw Error(ErrorCode::bad_file, name + " does not define user_terms()", {}, "see docs/lighting.md").about("lighting");
+        throw Error(ErrorCode::bad_file, name + " does not define user_terms()", {}, "see docs/lighting.md")
+            .about("lighting");
     return text;
 }
 

@@ -33,7 +33,8 @@ void resolve(WorldValue& value, const std::string& world, bool allow_outside) {
 }
 
 bool names_file(const WorldValue& value, const RenderKey& key) {
-    return key.kind == RenderKey::Kind::file || (value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]));
+    return key.kind == RenderKey::Kind::file ||
+           (value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]));
 }
 
 const RenderKey& known(const WorldValue& value) {

@@ -43,18 +43,20 @@ struct ParityScene {
 
 void PrintTo(const ParityScene& scene, std::ostream* to) { *to << scene.name; }
 
-#define RL_TEAPOT "builtin:teapot camera-position=0.6,1.5,2.6 camera-focal-point=0.05,0.45,0 light=point:2,3,2:color=0.8,0.8,0.8 light=ambient:0.1,0.1,0.1 "
-#define RL_HEAD                                                                                                          \
-    "data/head/head.obj camera-position=0.1,0.29,0.5 camera-focal-point=0,0.282,0.1 camera-view-angle=30 "              \
+#define RL_TEAPOT                                                                                                    \
+    "builtin:teapot camera-position=0.6,1.5,2.6 camera-focal-point=0.05,0.45,0 light=point:2,3,2:color=0.8,0.8,0.8 " \
+    "light=ambient:0.1,0.1,0.1 "
+#define RL_HEAD                                                                                            \
+    "data/head/head.obj camera-position=0.1,0.29,0.5 camera-focal-point=0,0.282,0.1 camera-view-angle=30 " \
     "light=point:0.5,0.5,0.6:color=0.9,0.85,0.8:attenuation=0.6,0.2,0.4 light=ambient:0.02,0.02,0.02 "
-#define RL_KNIGHT                                                                                                        \
-    "data/knight/Knight_noNormals.glb normals=model camera-position=1.2,2,4.5 camera-focal-point=0,1.2,0 "              \
+#define RL_KNIGHT                                                                                          \
+    "data/knight/Knight_noNormals.glb normals=model camera-position=1.2,2,4.5 camera-focal-point=0,1.2,0 " \
     "camera-view-angle=38 light=directional:-1,-0.5,-0.6:color=0.9,0.9,0.9 light=ambient:0.15,0.15,0.15 "
-#define RL_WALL                                                                                                          \
-    "data/maps/wall.obj texture-normal=data/maps/brick_normal.png height-map=data/maps/brick_height.png "               \
+#define RL_WALL                                                                                           \
+    "data/maps/wall.obj texture-normal=data/maps/brick_normal.png height-map=data/maps/brick_height.png " \
     "camera-position=1.6,-1.2,1.6 camera-focal-point=0,0,0 light=directional:-1,-0.6,-0.8 light=ambient:0.1,0.1,0.1 "
-#define RL_FLOOR                                                                                                         \
-    "tests/golden/models/floor.obj camera-position=0,1.2,4 camera-focal-point=0,0.8,0 camera-view-angle=60 "            \
+#define RL_FLOOR                                                                                             \
+    "tests/golden/models/floor.obj camera-position=0,1.2,4 camera-focal-point=0,0.8,0 camera-view-angle=60 " \
     "light=directional:-1,-1,-1 light=ambient:0.1,0.1,0.1 "
 
 constexpr ParityScene scenes[] = {
@@ -73,7 +75,8 @@ constexpr ParityScene scenes[] = {
     {"layers_in_environment", plain,
      "data/materials/layers.gltf hdri-ambient hdri-skybox light=directional:-1,-1,-1 multiple-scattering"},
     {"environment", plain, "data/environment/spheres.scene.toml samples=1"},
-    {"environment_ramp", plain, RL_KNIGHT "hdri-file=data/environment/ramp.hdr hdri-ambient hdri-skybox hdri-rotation=70"},
+    {"environment_ramp", plain,
+     RL_KNIGHT "hdri-file=data/environment/ramp.hdr hdri-ambient hdri-skybox hdri-rotation=70"},
     {"classical_in_environment", plain, RL_HEAD "hdri-ambient"},
     {"sky_in_parallel_view", plain, RL_TEAPOT "hdri-skybox camera-orthographic"},
     {"normal_map", plain, RL_HEAD "bump=normal"},
@@ -89,7 +92,8 @@ constexpr ParityScene scenes[] = {
     {"occlusion", layered, RL_WALL "bump=occlusion bump-self-shadow"},
     {"displacement", plain, RL_WALL "bump=displacement"},
     {"shadows", plain, "data/world/room.scene.toml samples=1"},
-    {"shadows_of_a_point_light", plain, "data/knight/Knight_noNormals.glb normals=model shadows light=point:2,4,3 light=ambient:0.1,0.1,0.1"},
+    {"shadows_of_a_point_light", plain,
+     "data/knight/Knight_noNormals.glb normals=model shadows light=point:2,4,3 light=ambient:0.1,0.1,0.1"},
     {"fog", plain, RL_FLOOR "fog=exp:0.15:color=0.5,0.6,0.7"},
     {"spot_lights", plain, RL_FLOOR "light=spot:-1,4,3:direction=0.3,-1,-0.4:cutoff=25:exponent=12"},
     {"blended_panes", blended, RL_FLOOR},
@@ -100,9 +104,11 @@ constexpr ParityScene scenes[] = {
      "camera-focal-point=0,0,0 camera-view-angle=16 anisotropy=8"},
     {"anisotropic_slopes", probed,
      "data/visibility/floor.obj height-map=data/maps/brick_height.png bump=height bump-depth=0.03 "
-     "light=directional:-1,-0.5,-0.3 camera-position=0,0.3,3.3 camera-focal-point=0,0,0 camera-view-angle=16 anisotropy=16"},
+     "light=directional:-1,-0.5,-0.3 camera-position=0,0.3,3.3 camera-focal-point=0,0,0 camera-view-angle=16 "
+     "anisotropy=16"},
     {"screen_interpolation", plain,
-     "data/visibility/floor.obj texture-base-color=tests/golden/models/checker.png shading=unlit camera-position=0,1.6,5.5 "
+     "data/visibility/floor.obj texture-base-color=tests/golden/models/checker.png shading=unlit "
+     "camera-position=0,1.6,5.5 "
      "camera-focal-point=0,0,0 camera-view-angle=45 interpolation=screen"},
     {"samples", sampled, RL_KNIGHT "samples=4"},
     {"samples_and_panes", sampled, RL_FLOOR "samples=4"},
@@ -200,7 +206,8 @@ std::vector<bool> shadow_borders(const Drawable& of, const Frame& lit, Context& 
                 is_border = is_border || (lit.diffuse[p][c] > 0 && lit.diffuse[p][c] < all.diffuse[p][c]);
             if (!is_border) continue;
             for (int v = std::max(0, y - radius); v <= std::min(h - 1, y + radius); ++v)
-                for (int u = std::max(0, x - radius); u <= std::min(w - 1, x + radius); ++u) out[std::size_t(v * w + u)] = true;
+                for (int u = std::max(0, x - radius); u <= std::min(w - 1, x + radius); ++u)
+                    out[std::size_t(v * w + u)] = true;
         }
     return out;
 }
@@ -266,7 +273,8 @@ TEST_P(Parity, OpenGlDrawsWhatTheSoftEngineDraws) {
     EXPECT_GE(all.psnr_db(), limits.psnr_db);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Parity, testing::ValuesIn(scenes), [](const auto& scene) { return std::string(scene.param.name); });
+INSTANTIATE_TEST_SUITE_P(Scenes, Parity, testing::ValuesIn(scenes),
+                         [](const auto& scene) { return std::string(scene.param.name); });
 
 }  // namespace
 }  // namespace rakelight

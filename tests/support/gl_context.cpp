@@ -131,7 +131,8 @@ void GlContext::set_textures(const std::vector<GlTexture>& textures) {
         state_->textures.push_back({t.sampler, float_texture(t.width, t.height, t.texels.data())});
 }
 
-void GlContext::set_whole_texture(const std::string& sampler, int width, int height, const std::vector<std::uint32_t>& texels) {
+void GlContext::set_whole_texture(const std::string& sampler, int width, int height,
+                                  const std::vector<std::uint32_t>& texels) {
     GLuint texture = 0;
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);

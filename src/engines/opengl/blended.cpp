@@ -36,7 +36,8 @@ private:
     const dmat4 to_camera_;
 };
 
-void add_layers(const shading::DrawList& list, const shading::View& view, std::uint32_t number, std::vector<Layer>& to) {
+void add_layers(const shading::DrawList& list, const shading::View& view, std::uint32_t number,
+                std::vector<Layer>& to) {
     const shading::Draw& draw = list.draws[number];
     const Mesh& mesh = list.scene.meshes[draw.mesh];
     const Keys keys(list, view, draw);

@@ -22,7 +22,8 @@ constexpr std::array groups{
           channel_face_normal | channel_barycentric},
     Group{Output::terms, channels_lighting, 0}, Group{Output::count, channel_overdraw, 0}};
 
-void make_texture(GlTexture& texture, GLint format, GLenum layout, GLenum type, int width, int height, GLenum attachment) {
+void make_texture(GlTexture& texture, GLint format, GLenum layout, GLenum type, int width, int height,
+                  GLenum attachment) {
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture.get());
     glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, layout, type, nullptr);
@@ -66,7 +67,9 @@ void ChannelTarget::begin(Output group, float far_depth) {
     constexpr GLuint none[4] = {nothing, nothing, nothing, nothing};
     constexpr GLfloat zero[4] = {0, 0, 0, 0};
     const bool is_number = group == Output::numbers, is_count = group == Output::count;
-    glBindFramebuffer(GL_FRAMEBUFFER, is_number ? number_frame_.name() : is_count ? count_frame_.name() : float_frame_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, is_number  ? number_frame_.name()
+                                      : is_count ? count_frame_.name()
+                                                 : float_frame_.name());
     glViewport(0, 0, width_, height_);
     glDepthMask(GL_TRUE);
     glClearBufferfv(GL_DEPTH, 0, &far_depth);
@@ -111,7 +114,8 @@ void ChannelTarget::read(Output group, std::uint32_t channels, dvec3 eye, Channe
             to.depth[i] = read[i].w > 0 ? read[i].w : std::numeric_limits<float>::infinity();
         for (std::size_t i = 0; i < pixels && (channels & channel_position); ++i)
             if (read[i].w > 0)
-                to.position[i] = {float(eye.x + double(read[i].x)), float(eye.y + double(read[i].y)), float(eye.z + double(read[i].z))};
+                to.position[i] = {float(eye.x + double(read[i].x)), float(eye.y + double(read[i].y)),
+                                  float(eye.z + double(read[i].z))};
         if (channels & (channel_uv | channel_uv1)) fetch(GL_COLOR_ATTACHMENT1);
         for (std::size_t i = 0; i < pixels && (channels & channel_uv); ++i) to.uv[i] = {read[i].x, read[i].y};
         for (std::size_t i = 0; i < pixels && (channels & channel_uv1); ++i) to.uv1[i] = {read[i].z, read[i].w};

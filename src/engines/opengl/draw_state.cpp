@@ -12,10 +12,10 @@ namespace rakelight::opengl {
 namespace {
 
 constexpr std::array least_visible_first = {
-    role_clearcoat_roughness, role_sheen_roughness,  role_specular_strength, role_anisotropy,
-    role_clearcoat_normal,    role_specular_color,   role_clearcoat,         role_sheen_color,
-    role_occlusion,           role_specular,         role_emission,          role_height,
-    role_metallic_roughness,  role_normal,           role_opacity,           role_base_color};
+    role_clearcoat_roughness, role_sheen_roughness, role_specular_strength, role_anisotropy,
+    role_clearcoat_normal,    role_specular_color,  role_clearcoat,         role_sheen_color,
+    role_occlusion,           role_specular,        role_emission,          role_height,
+    role_metallic_roughness,  role_normal,          role_opacity,           role_base_color};
 static_assert(least_visible_first.size() == texture_role_count);
 
 /// Fills one DrawState, step by step.
@@ -61,14 +61,14 @@ private:
         if (f_.is_unlit) return;
         f_.model = shading::reflection_model(shading::lighting_of(p_.list, draw_, p_.settings));
         f_.is_user = !p_.settings.lighting_text.empty();
-        if (f_.is_user) f_.model = shading::reflects_lambert;  // what surrounds it: the environment, flat and Gouraud shading
+        if (f_.is_user)
+            f_.model = shading::reflects_lambert;  // what surrounds it: the environment, flat and Gouraud shading
         f_.form = shading::reflection_form(specular_form_of(material_, p_.settings.specular_form));
         f_.horizon = p_.settings.specular_horizon;
         f_.ward_form = shading::ward_number(shading::ward_form_of(material_, p_.settings.ward_form));
         f_.has_scattering = p_.settings.multiple_scattering;
-        f_.has_classical_sum =
-            f_.model == shading::reflects_phong || f_.model == shading::reflects_blinn_phong ||
-            (f_.model == shading::reflects_lambert && !f_.is_metallic && !f_.is_user);
+        f_.has_classical_sum = f_.model == shading::reflects_phong || f_.model == shading::reflects_blinn_phong ||
+                               (f_.model == shading::reflects_lambert && !f_.is_metallic && !f_.is_user);
         f_.has_environment = p_.has_environment;
         f_.has_light_around = p_.has_environment || shading::has_ambient_light(p_.list.scene);
         if (f_.model != shading::reflects_pbr || !f_.is_metallic) return;
@@ -96,7 +96,8 @@ private:
     }
 
     void set_alpha() {
-        const bool limits = f_.relief > shading::relief_height && material_.relief.value_or(p_.settings.relief).limit_silhouette;
+        const bool limits =
+            f_.relief > shading::relief_height && material_.relief.value_or(p_.settings.relief).limit_silhouette;
         state_.numbers.mask_cutoff = shading::mask_cutoff(factors(), limits);
         f_.is_masked = state_.numbers.mask_cutoff >= 0;
         f_.is_blended = factors().blend;
@@ -120,8 +121,8 @@ private:
                          !drawn_.maps[role_occlusion] && f_.output != Output::terms;
         const bool is_flat = shading::is_lit_per_face(p_.list, draw_, shading_);
         f_.lit_at = !is_lit_at_corners() ? lit_at_pixels : is_flat ? lit_at_faces : lit_at_vertices;
-        f_.two_sides = f_.lit_at == lit_at_vertices &&
-                       !(state_.culling.back && !side_.front_turns() && !state_.against);
+        f_.two_sides =
+            f_.lit_at == lit_at_vertices && !(state_.culling.back && !side_.front_turns() && !state_.against);
         f_.lights_are_near = p_.lights.are_near() ? std::max(p_.lights.count(), 1) : 0;
         f_.light_count = p_.lights.are_near() ? p_.lights.count() : 0;
         f_.light_kinds = p_.lights.kinds();
@@ -147,7 +148,8 @@ private:
         if (f_.is_unlit)
             drop(role_metallic_roughness), drop(role_occlusion), drop(role_specular), drop(role_specular_color),
                 drop(role_specular_strength), drop(role_anisotropy);
-        const bool is_alpha_alone = f_.output == Output::shadow || f_.output == Output::count || f_.output == Output::numbers;
+        const bool is_alpha_alone =
+            f_.output == Output::shadow || f_.output == Output::count || f_.output == Output::numbers;
         if (is_alpha_alone) maps &= f_.is_masked ? 1u << role_base_color | 1u << role_opacity | 1u << role_height : 0u;
         state_.dropped = dropped_maps(maps, p_.units);
         f_.maps = maps & ~state_.dropped;
@@ -181,7 +183,8 @@ private:
             const shading::LoadedTexture* const loaded = p_.cache.find(shading::key_of(texture, role.space));
             const auto& levels = static_cast<const TextureLevels&>(*loaded->packed);
             const bool is_height = role.number == role_height;
-            state_.maps.push_back({role.number, p_.textures.find(levels, is_height), p_.textures.sampler(texture.sampler, is_height)});
+            state_.maps.push_back(
+                {role.number, p_.textures.find(levels, is_height), p_.textures.sampler(texture.sampler, is_height)});
             const shading::UvTransform t = shading::uv_transform(use);
             if (!shading::is_identity(t)) f_.turned_maps |= 1u << role.number;
             const float turn[4] = {t.uu, t.uv, t.vu, t.vv}, offset[2] = {t.u0, t.v0};
@@ -194,12 +197,15 @@ private:
             if (role.number == role_height) height_ = &levels, f_.height_mips = height_mips(texture.sampler, levels);
         }
         f_.height_set = f_.second_sets >> role_height & 1u;
-        f_.occlusion_in_metallic = f_.has(role_occlusion) && metallic_use_ && material_.occlusion_texture == *metallic_use_;
+        f_.occlusion_in_metallic =
+            f_.has(role_occlusion) && metallic_use_ && material_.occlusion_texture == *metallic_use_;
         state_.numbers.mean_roughness = factors().roughness * (metallic_ ? metallic_->mean_green : 1.0f);
     }
 
     static std::int32_t height_mips(const Sampler& sampler, const TextureLevels& levels) {
-        return levels.level_count == 1 || sampler.mip == MipFilter::none ? 0 : sampler.mip == MipFilter::nearest ? 1 : 2;
+        return levels.level_count == 1 || sampler.mip == MipFilter::none ? 0
+               : sampler.mip == MipFilter::nearest                       ? 1
+                                                                         : 2;
     }
 
     void set_relief() {
@@ -241,7 +247,9 @@ std::uint32_t dropped_maps(std::uint32_t maps, int units) {
 }
 
 void set_mesh_features(const Mesh& mesh, Features& f) {
-    const auto has_set = [&mesh](std::size_t set) { return set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); };
+    const auto has_set = [&mesh](std::size_t set) {
+        return set < mesh.texcoords.size() && !mesh.texcoords[set].empty();
+    };
     f.mesh_normals = !mesh.normals.empty();
     f.mesh_tangents = !mesh.tangents.empty();
     f.mesh_texcoords = has_set(0) || has_set(1);

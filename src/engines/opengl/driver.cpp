@@ -54,8 +54,9 @@ Driver ask_driver() {
     d.is_es = !epoxy_is_desktop_gl();
     const int version = epoxy_gl_version();
     if (version < (d.is_es ? 30 : 33))
-        throw Error(ErrorCode::failed, "the OpenGL driver has version " + std::to_string(version / 10) + "." +
-                                           std::to_string(version % 10) + (d.is_es ? " ES; 3.0 is needed" : "; 3.3 is needed"),
+        throw Error(ErrorCode::failed,
+                    "the OpenGL driver has version " + std::to_string(version / 10) + "." +
+                        std::to_string(version % 10) + (d.is_es ? " ES; 3.0 is needed" : "; 3.3 is needed"),
                     {}, "render with engine soft");
     d.renderer = text(GL_RENDERER);
     d.identity = text(GL_VENDOR) + "\n" + d.renderer + "\n" + text(GL_VERSION);
@@ -66,8 +67,8 @@ Driver ask_driver() {
     d.has_reversed_depth = d.is_es ? has("GL_EXT_clip_control") : version >= 45 || has("GL_ARB_clip_control");
     d.has_sample_mask = d.is_es ? version >= 31 && has("GL_OES_sample_variables") : has("GL_ARB_gpu_shader5");
     d.has_timer = !d.is_es;
-    d.has_program_binaries = (d.is_es || version >= 41 || has("GL_ARB_get_program_binary")) &&
-                             number(GL_NUM_PROGRAM_BINARY_FORMATS) > 0;
+    d.has_program_binaries =
+        (d.is_es || version >= 41 || has("GL_ARB_get_program_binary")) && number(GL_NUM_PROGRAM_BINARY_FORMATS) > 0;
     d.filters_floats = !d.is_es || has("GL_OES_texture_float_linear");
     d.texture_units = texture_units();
     d.texture_size = number(GL_MAX_TEXTURE_SIZE);
@@ -81,9 +82,10 @@ Driver ask_driver() {
 void check_gl(const char* what) {
     const GLenum fault = glGetError();
     if (fault == GL_NO_ERROR) return;
-    while (glGetError() != GL_NO_ERROR) {}
-    const std::string why = fault == GL_OUT_OF_MEMORY ? "the GPU has no memory left"
-                                                      : "OpenGL error " + std::to_string(fault);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    const std::string why =
+        fault == GL_OUT_OF_MEMORY ? "the GPU has no memory left" : "OpenGL error " + std::to_string(fault);
     throw Error(ErrorCode::failed, why + " for " + what, {}, "render with engine soft");
 }
 

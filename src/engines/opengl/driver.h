@@ -6,10 +6,10 @@
 namespace rakelight::opengl {
 
 struct Driver {
-    bool is_es = false;           ///< OpenGL ES 3.0, else OpenGL 3.3 core
-    std::string renderer;         ///< GL_RENDERER
-    std::string identity;         ///< vendor, renderer and version: what binary programs depend on
-    bool is_software = false;     ///< llvmpipe and the like: no GPU
+    bool is_es = false;               ///< OpenGL ES 3.0, else OpenGL 3.3 core
+    std::string renderer;             ///< GL_RENDERER
+    std::string identity;             ///< vendor, renderer and version: what binary programs depend on
+    bool is_software = false;         ///< llvmpipe and the like: no GPU
     bool has_reversed_depth = false;  ///< glClipControl: depth 0..1, so that reversed floats keep their precision
     bool has_sample_mask = false;     ///< fragments know which of their samples are covered
     bool has_timer = false;

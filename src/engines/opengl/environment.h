@@ -14,9 +14,9 @@ namespace rakelight::opengl {
 /// On their way to the GPU.
 struct EnvironmentLevels final : shading::PackedEnvironment {
     std::vector<MipLevel> sky;
-    bool is_srgb = false;            ///< codes of `sky` are
-    MipLevel mirrored;               ///< all levels of the octahedral maps beside each other, each with its border
-    std::vector<vec3> places;        ///< [levels] x, y of a level's first texel behind its border; its size
+    bool is_srgb = false;      ///< codes of `sky` are
+    MipLevel mirrored;         ///< all levels of the octahedral maps beside each other, each with its border
+    std::vector<vec3> places;  ///< [levels] x, y of a level's first texel behind its border; its size
     int sky_height = 1;
 };
 

@@ -20,8 +20,9 @@ namespace {
 void require_egl() {
     void* const library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);  // stays open: epoxy opens it again
     if (!library || !epoxy_has_egl()) fail("there is no libEGL: OpenGL cannot be used without a window");
-    for (const char* const name : {"eglGetDisplay", "eglInitialize", "eglBindAPI", "eglChooseConfig", "eglCreateContext",
-                                   "eglMakeCurrent", "eglQueryString", "eglGetProcAddress", "eglTerminate"})
+    for (const char* const name :
+         {"eglGetDisplay", "eglInitialize", "eglBindAPI", "eglChooseConfig", "eglCreateContext", "eglMakeCurrent",
+          "eglQueryString", "eglGetProcAddress", "eglTerminate"})
         if (!dlsym(library, name)) fail(std::string("libEGL is broken: it has no ") + name);
 }
 

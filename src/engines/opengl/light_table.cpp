@@ -69,7 +69,8 @@ void LightTable::set(const std::vector<lighting::LightParameters>& lights, const
 }
 
 /// Texels (first, end) of each square, numbers of lights counted in quarters of texels; then the numbers, four a texel.
-void LightTable::add_lists(const std::vector<lighting::LightParameters>& lights, const shading::View& view, Window pixels) {
+void LightTable::add_lists(const std::vector<lighting::LightParameters>& lights, const shading::View& view,
+                           Window pixels) {
     const shading::LightReach reach(lights);
     if (!reach.is_worth_it()) return;
     has_lists_ = true;

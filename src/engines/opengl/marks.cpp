@@ -17,7 +17,8 @@ struct PlannedMark {
 
 vec4 color_of(const shading::DrawMaterial& m) {
     const float* const c = m.factors.base_color;
-    return {c[0] + m.factors.emission[0], c[1] + m.factors.emission[1], c[2] + m.factors.emission[2], m.factors.blend ? c[3] : 1.0f};
+    return {c[0] + m.factors.emission[0], c[1] + m.factors.emission[1], c[2] + m.factors.emission[2],
+            m.factors.blend ? c[3] : 1.0f};
 }
 
 /// In the order of the scene: its lines and points, edges, vertices.
@@ -30,7 +31,8 @@ std::vector<PlannedMark> plan(const shading::DrawList& list, const RenderSetting
     };
     for (const shading::Draw& draw : list.line_draws) {
         const bool is_line = list.scene.meshes[draw.mesh].topology == Topology::lines;
-        own(draw, is_line ? kind_lines : kind_points, is_line ? shape_line : point, is_line ? s.line_width : s.point_size);
+        own(draw, is_line ? kind_lines : kind_points, is_line ? shape_line : point,
+            is_line ? s.line_width : s.point_size);
     }
     const bool is_over = s.surfaces && s.line_color.w == 0;
     const vec4 color = is_over ? vec4{0, 0, 0, 1} : s.line_color;
@@ -55,8 +57,9 @@ bool are_of_one_color(const std::vector<PlannedMark>& marks) {
 ProgramText lay_text(const Driver& driver) {
     ProgramText text = display_text(driver, -1);
     text.pixels = (driver.is_es ? "#version 300 es\nprecision highp float;\n" : "#version 330 core\n") +
-                  std::string("uniform highp sampler2D rl_picture;\nout vec4 o_color;\nvoid main() { o_color = "
-                              "texelFetch(rl_picture, ivec2(gl_FragCoord.xy), 0); }\n");
+                  std::string(
+                      "uniform highp sampler2D rl_picture;\nout vec4 o_color;\nvoid main() { o_color = "
+                      "texelFetch(rl_picture, ivec2(gl_FragCoord.xy), 0); }\n");
     return text;
 }
 

@@ -14,7 +14,8 @@ public:
     /// Over the colors of a target that is resolved, hidden by its depth.
     void draw(const PictureDrawer& drawer, const PictureState& state, const Target& to);
     /// The same into the channels of a group whose frame is bound. @param from  the colors' target, which has the depth
-    void draw_channels(const PictureDrawer& drawer, const PictureState& state, Output group, const Target& from, float far_depth) const;
+    void draw_channels(const PictureDrawer& drawer, const PictureState& state, Output group, const Target& from,
+                       float far_depth) const;
 
 private:
     GlTexture layer_;  ///< marks of one color: the greatest coverage counts, so that corners are not darker

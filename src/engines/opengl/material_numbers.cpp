@@ -32,14 +32,42 @@ std::vector<Number> placed(std::vector<Number> numbers) {
 
 std::vector<Number> make_numbers() {
 #define RL_OWN(field) {"m_" #field, offsetof(MaterialNumbers, field), sizeof(MaterialNumbers::field) / sizeof(float)}
-#define RL_FACTOR(field)                                                                            \
-    {"m_" #field, offsetof(MaterialNumbers, factors) + offsetof(shading::MaterialFactors, field), \
-     sizeof(shading::MaterialFactors::field) / sizeof(float)}
-    std::vector<Number> all = {RL_FACTOR(metallic), RL_FACTOR(roughness), RL_FACTOR(anisotropy), RL_FACTOR(clearcoat), RL_FACTOR(clearcoat_roughness), RL_FACTOR(clearcoat_normal_scale), RL_FACTOR(sheen_roughness), RL_FACTOR(base_color), RL_FACTOR(emission), RL_FACTOR(ambient), RL_FACTOR(specular), RL_FACTOR(shininess), RL_FACTOR(dielectric_color), RL_FACTOR(specular_strength), RL_FACTOR(normal_scale), RL_FACTOR(occlusion_strength), RL_FACTOR(lobe_roughness), RL_FACTOR(sigma), RL_FACTOR(ward_alpha), RL_FACTOR(anisotropy_axis), RL_FACTOR(sheen_color), RL_OWN(mean_roughness), RL_OWN(mask_cutoff), RL_OWN(relief), RL_OWN(relief_to_map), RL_OWN(height_levels)};
+#define RL_FACTOR(field)                                                                             \
+    {                                                                                                \
+        "m_" #field, offsetof(MaterialNumbers, factors) + offsetof(shading::MaterialFactors, field), \
+            sizeof(shading::MaterialFactors::field) / sizeof(float)                                  \
+    }
+    std::vector<Number> all = {RL_FACTOR(metallic),
+                               RL_FACTOR(roughness),
+                               RL_FACTOR(anisotropy),
+                               RL_FACTOR(clearcoat),
+                               RL_FACTOR(clearcoat_roughness),
+                               RL_FACTOR(clearcoat_normal_scale),
+                               RL_FACTOR(sheen_roughness),
+                               RL_FACTOR(base_color),
+                               RL_FACTOR(emission),
+                               RL_FACTOR(ambient),
+                               RL_FACTOR(specular),
+                               RL_FACTOR(shininess),
+                               RL_FACTOR(dielectric_color),
+                               RL_FACTOR(specular_strength),
+                               RL_FACTOR(normal_scale),
+                               RL_FACTOR(occlusion_strength),
+                               RL_FACTOR(lobe_roughness),
+                               RL_FACTOR(sigma),
+                               RL_FACTOR(ward_alpha),
+                               RL_FACTOR(anisotropy_axis),
+                               RL_FACTOR(sheen_color),
+                               RL_OWN(mean_roughness),
+                               RL_OWN(mask_cutoff),
+                               RL_OWN(relief),
+                               RL_OWN(relief_to_map),
+                               RL_OWN(height_levels)};
 #undef RL_FACTOR
 #undef RL_OWN
     for (std::size_t role = 0; role < texture_role_count; ++role) {
-        all.push_back({"RL_TURN_" + std::to_string(role), offsetof(MaterialNumbers, turn) + role * 4 * sizeof(float), 4});
+        all.push_back(
+            {"RL_TURN_" + std::to_string(role), offsetof(MaterialNumbers, turn) + role * 4 * sizeof(float), 4});
         all.push_back(
             {"RL_OFFSET_" + std::to_string(role), offsetof(MaterialNumbers, offset) + role * 2 * sizeof(float), 2});
     }

@@ -14,12 +14,12 @@ namespace rakelight::opengl {
 /// What material and draw give beside MaterialFactors.
 struct MaterialNumbers {
     shading::MaterialFactors factors{};
-    float mean_roughness = 1;          ///< with the mean of its map
+    float mean_roughness = 1;  ///< with the mean of its map
     float mask_cutoff = -1;
-    float relief[4]{};                 ///< depth, level, to_uv
+    float relief[4]{};  ///< depth, level, to_uv
     float relief_to_map[4]{};
     float height_levels = 1;
-    float turn[texture_role_count][4]{};    ///< rows of the texture transforms
+    float turn[texture_role_count][4]{};  ///< rows of the texture transforms
     float offset[texture_role_count][2]{};
 };
 

@@ -34,12 +34,14 @@ void upload_table(GlTexture& texture, GLint format, GLenum layout, GLenum type, 
                   const Driver& driver) {
     const std::size_t rows = (texels.size() + fetch_width - 1) / fetch_width;
     if (rows > std::size_t(driver.texture_size))
-        throw Error(ErrorCode::failed, "a mesh has more vertices than this OpenGL driver can look up for flat shading and channels");
+        throw Error(ErrorCode::failed,
+                    "a mesh has more vertices than this OpenGL driver can look up for flat shading and channels");
     texels.resize(std::max<std::size_t>(rows, 1) * fetch_width);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, format, fetch_width, GLsizei(std::max<std::size_t>(rows, 1)), 0, layout, type, texels.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, format, fetch_width, GLsizei(std::max<std::size_t>(rows, 1)), 0, layout, type,
+                 texels.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
@@ -64,8 +66,8 @@ std::vector<vec4> vertex_texels(const Mesh& mesh) {
 }  // namespace
 
 MeshStore::Key MeshStore::key_of(const Mesh& mesh) {
-    return {mesh.positions.identity(),        mesh.indices.identity(),         mesh.normals.identity(),
-            mesh.tangents.identity(),         texcoords_of(mesh, 0).identity(), texcoords_of(mesh, 1).identity(),
+    return {mesh.positions.identity(), mesh.indices.identity(),          mesh.normals.identity(),
+            mesh.tangents.identity(),  texcoords_of(mesh, 0).identity(), texcoords_of(mesh, 1).identity(),
             mesh.colors.identity()};
 }
 
@@ -107,7 +109,8 @@ void MeshStore::upload_piece(const Part& part) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer.name.get());
     if (is_new) glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(part.bytes), nullptr, GL_STATIC_DRAW);
     const std::size_t bytes = std::min(piece_bytes, part.bytes - buffer.there);
-    glBufferSubData(GL_ARRAY_BUFFER, GLintptr(buffer.there), GLsizeiptr(bytes), static_cast<const char*>(part.data) + buffer.there);
+    glBufferSubData(GL_ARRAY_BUFFER, GLintptr(buffer.there), GLsizeiptr(bytes),
+                    static_cast<const char*>(part.data) + buffer.there);
     buffer.there += bytes;
     check_gl("a mesh");
 }

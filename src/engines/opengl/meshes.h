@@ -34,6 +34,7 @@ public:
     GLuint no_arrays() { return no_arrays_.get(); }  ///< a vertex array without any
     /// @param against  [triangles] LitSide::against(); null: none
     const TriangleTable& table(const Mesh& mesh, const std::int32_t* against);
+
 private:
     /// An array on its way.
     struct Part {

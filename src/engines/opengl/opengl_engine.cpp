@@ -19,9 +19,7 @@ namespace {
 
 constexpr int most_rows = 2048;  ///< of a strip that is drawn and read at once
 
-Window whole(const RenderSettings& s) {
-    return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window;
-}
+Window whole(const RenderSettings& s) { return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window; }
 
 class OpenGlEngine final : public Engine {
 public:
@@ -72,7 +70,8 @@ private:
         const int most = driver().picture_size;
         renderer_->begin_picture(camera, settings, stats, context);
         Window drawn{window.x, window.y, std::min(window.width, most), std::min({window.height, most, most_rows})};
-        renderer_->draw_part(drawn, context);  // what fails, a shader or the GPU's memory, fails before the sink gets anything
+        renderer_->draw_part(drawn,
+                             context);  // what fails, a shader or the GPU's memory, fails before the sink gets anything
         sink.begin(settings.width, settings.height, window, settings.channels);
         auto* const strips = dynamic_cast<StripSink*>(&sink);
         const int at_once = strips && strips->rows_at_once() > 0 ? strips->rows_at_once() : window.height;
@@ -102,8 +101,11 @@ private:
         const std::uint32_t channels = renderer_->channels();
         if (channels != 0) {
             renderer_->draw_channels(part, arrays_, context);
-            for_each_channel([&](std::uint32_t bit, auto& to, const auto& array) { if (channels & bit) to = array; }, tile,
-                             static_cast<const ChannelArrays&>(arrays_));
+            for_each_channel(
+                [&](std::uint32_t bit, auto& to, const auto& array) {
+                    if (channels & bit) to = array;
+                },
+                tile, static_cast<const ChannelArrays&>(arrays_));
         }
         sink.tile(tile);
     }

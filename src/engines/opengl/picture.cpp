@@ -18,7 +18,8 @@ std::uint64_t next_number() {
 /// Camera axes -> clip space of a part of the picture, upside down.
 dmat4 clip_matrix(const shading::View& view, Window pixels, const DepthRange& depth) {
     const double wide = double(view.width) / pixels.width, high = double(view.height) / pixels.height;
-    const double x = (view.width - 2.0 * pixels.x) / pixels.width - 1, y = (view.height - 2.0 * pixels.y) / pixels.height - 1;
+    const double x = (view.width - 2.0 * pixels.x) / pixels.width - 1,
+                 y = (view.height - 2.0 * pixels.y) / pixels.height - 1;
     const DepthRange::Row z = depth.row(view);
     // distance = -z of the camera; w = distance in perspective, else 1
     const double w_z = view.orthographic ? 0 : -1, w_1 = view.orthographic ? 1 : 0;
@@ -92,7 +93,8 @@ bool PictureDrawer::is_outside(std::uint32_t number) const {
     for (int corner = 0; corner < 8; ++corner) {
         const dvec3 p = box.corner(corner);
         const dvec4 c = to_clip * dvec4{p.x, p.y, p.z, 1};
-        common &= unsigned(c.x < -c.w) | unsigned(c.x > c.w) << 1 | unsigned(c.y < -c.w) << 2 | unsigned(c.y > c.w) << 3;
+        common &=
+            unsigned(c.x < -c.w) | unsigned(c.x > c.w) << 1 | unsigned(c.y < -c.w) << 2 | unsigned(c.y > c.w) << 3;
     }
     return common != 0;
 }
@@ -194,12 +196,15 @@ const Program& PictureDrawer::use(std::uint32_t number, const DrawState& state) 
     glFrontFace(state.culling.front_is_negative ? GL_CW : GL_CCW);
     const bool culls = state.culling.back || state.culling.front;
     (culls ? glEnable : glDisable)(GL_CULL_FACE);
-    if (culls) glCullFace(state.culling.back && state.culling.front ? GL_FRONT_AND_BACK : state.culling.back ? GL_BACK : GL_FRONT);
+    if (culls)
+        glCullFace(state.culling.back && state.culling.front ? GL_FRONT_AND_BACK
+                   : state.culling.back                      ? GL_BACK
+                                                             : GL_FRONT);
     return program;
 }
 
-void PictureDrawer::draw_triangles(std::uint32_t number, const DrawState& state, const Program& program, std::uint32_t first,
-                                   std::uint32_t count) const {
+void PictureDrawer::draw_triangles(std::uint32_t number, const DrawState& state, const Program& program,
+                                   std::uint32_t first, std::uint32_t count) const {
     (void)number;
     if (state.features.from_triangles) {
         glUniform1i(program.first_corner, GLint(3 * first));
@@ -235,11 +240,13 @@ void PictureDrawer::draw_marks(const shading::Draw& draw, const Mark& mark, Outp
     glBindTexture(GL_TEXTURE_2D, depth);
     const shading::View& view = state_.view;
     const shading::Culling culling = shading::culling_of(state_.list, draw, state_.settings);
-    glUniform4f(program.mark, mark.size, float(mark.kind), float(mark.shape), view.orthographic ? 0.5f : float(view.z_near));
+    glUniform4f(program.mark, mark.size, float(mark.kind), float(mark.shape),
+                view.orthographic ? 0.5f : float(view.z_near));
     glUniform4f(program.mark_color, mark.color.x, mark.color.y, mark.color.z, mark.color.w);
     glUniform4f(program.mark_view, float(pixels_.width), float(pixels_.height), float(view.z_near), float(view.z_far));
     glUniform4f(program.mark_cull, culling.back, culling.front, culling.front_is_negative, 0);
-    if (program.numbers >= 0) glUniform4ui(program.numbers, draw.node, state_.list.material(draw).scene_material, draw.mesh, 0);
+    if (program.numbers >= 0)
+        glUniform4ui(program.numbers, draw.node, state_.list.material(draw).scene_material, draw.mesh, 0);
     glDisable(GL_CULL_FACE);
     glDrawArrays(GL_TRIANGLES, 0, GLsizei(6 * elements));
 }

@@ -27,7 +27,8 @@ std::filesystem::path folder() {
     if (const char* const cache = std::getenv("XDG_CACHE_HOME"); cache && cache[0] == '/')
         return std::filesystem::path(cache) / "rakelight" / "gl";
     const char* const home = std::getenv("HOME");
-    return home && home[0] == '/' ? std::filesystem::path(home) / ".cache" / "rakelight" / "gl" : std::filesystem::path();
+    return home && home[0] == '/' ? std::filesystem::path(home) / ".cache" / "rakelight" / "gl"
+                                  : std::filesystem::path();
 }
 
 std::string hexadecimal(std::uint64_t number) {

@@ -26,7 +26,8 @@ public:
         text_ += "\n";
     }
     void add_lighting() {
-        for (const char* const path : {"math/prelude.glsl", "lighting/maps.glsl", "lighting/albedo_tables.glsl"}) add_file(path);
+        for (const char* const path : {"math/prelude.glsl", "lighting/maps.glsl", "lighting/albedo_tables.glsl"})
+            add_file(path);
         std::string_view list = embedded_text("lighting/all.glsl.list");
         while (!list.empty()) {
             const std::size_t end = list.find('\n');
@@ -45,10 +46,13 @@ private:
 std::string version_of(const Driver& driver) {
     const std::string mask = driver.has_sample_mask ? "1\n" : "0\n";
     if (!driver.is_es)
-        return "#version 330 core\n" + std::string(driver.has_sample_mask ? "#extension GL_ARB_gpu_shader5 : enable\n" : "") +
+        return "#version 330 core\n" +
+               std::string(driver.has_sample_mask ? "#extension GL_ARB_gpu_shader5 : enable\n" : "") +
                "#define RL_HAS_SAMPLE_MASK " + mask;
-    return std::string("#version 300 es\n") + (driver.has_sample_mask ? "#extension GL_OES_sample_variables : enable\n" : "") +
-           "#define RL_HAS_SAMPLE_MASK " + mask + "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp "
+    return std::string("#version 300 es\n") +
+           (driver.has_sample_mask ? "#extension GL_OES_sample_variables : enable\n" : "") +
+           "#define RL_HAS_SAMPLE_MASK " + mask +
+           "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp "
            "usampler2D;\n";
 }
 
@@ -71,15 +75,17 @@ std::string numbers_of(const Features& f) {
     const auto define = [](const char* word, int value) {
         return std::string("#define ") + word + " " + std::to_string(value) + "\n";
     };
-    const int texels = 1 + (f.mesh_normals != 0) + (f.mesh_tangents != 0) + (f.mesh_texcoords != 0) + (f.mesh_colors != 0);
+    const int texels =
+        1 + (f.mesh_normals != 0) + (f.mesh_tangents != 0) + (f.mesh_texcoords != 0) + (f.mesh_colors != 0);
     return define("RL_AT_PIXELS", lit_at_pixels) + define("RL_AT_VERTICES", lit_at_vertices) +
            define("RL_AT_FACES", lit_at_faces) + define("RL_SPACE_WORLD", shading::space_world) +
            define("RL_SPACE_TRANSPOSED", shading::space_transposed) + define("RL_FETCH_WIDTH", fetch_width) +
            define("RL_LIGHT_TEXELS", light_texels) + define("RL_VERTEX_TEXELS", texels) +
-           (f.tangents_are_sound ? "#define RL_TANGENTS_ARE_SOUND\n" : "") + define("RL_SEEN_FRONT", seen_front) + define("RL_SEEN_BACK", seen_back) +
+           (f.tangents_are_sound ? "#define RL_TANGENTS_ARE_SOUND\n" : "") + define("RL_SEEN_FRONT", seen_front) +
+           define("RL_SEEN_BACK", seen_back) +
            define("RL_HAS_SECOND_SET", f.second_sets != 0 || f.coords_are_moved || f.output == Output::places) +
-           "#define RL_LIGHT_KINDS " + std::to_string(f.light_kinds) + "u\n#define RL_LIGHTS_WITHOUT_AMBIENT " + std::to_string(f.lights_without_ambient) +
-           "u\n#define RL_EACH_LIGHT(X)" + each_light(f) + "\n" +
+           "#define RL_LIGHT_KINDS " + std::to_string(f.light_kinds) + "u\n#define RL_LIGHTS_WITHOUT_AMBIENT " +
+           std::to_string(f.lights_without_ambient) + "u\n#define RL_EACH_LIGHT(X)" + each_light(f) + "\n" +
            define("RL_OUTPUT", int(f.output)) + define("RL_OUTPUT_TERMS", int(Output::terms)) +
            define("RL_OUTPUT_NUMBERS", int(Output::numbers)) + define("RL_OUTPUT_DIRECTIONS", int(Output::directions)) +
            define("RL_OUTPUT_PLACES", int(Output::places)) + define("RL_OUTPUT_COUNT", int(Output::count));
@@ -103,7 +109,8 @@ std::string map_functions(const Features& f) {
         const std::string set = "p.texcoords[" + std::to_string(f.second_sets >> role.number & 1u) + "]";
         const bool is_turned = (f.turned_maps >> role.number & 1u) != 0;
         text += "TexCoords " + name + "_coords(Point p) { return " +
-                (is_turned ? "transformed(" + set + ", RL_TURN_" + number + ", RL_OFFSET_" + number + ")" : set) + "; }\n";
+                (is_turned ? "transformed(" + set + ", RL_TURN_" + number + ", RL_OFFSET_" + number + ")" : set) +
+                "; }\n";
         text += "vec4 " + name + "_texel(Point p) { return read_map(" + sampler + ", " + name + "_coords(p), " +
                 ((f.level_maps >> role.number & 1u) != 0 ? "true" : "false") + "); }\n";
     }
@@ -189,7 +196,8 @@ ProgramText mark_text(const Features& f, const Driver& driver) {
         stage->add(version_of(driver) + definitions_of(f) + numbers_of(f) + "#define RL_IS_VERTEX " +
                    (stage == &vertices ? "1\n" : "0\n") + "#define RL_IS_REVERSED " +
                    (driver.has_reversed_depth ? "1\n" : "0\n") + "#define RL_OUTPUT_COLOR " +
-                   std::to_string(int(Output::color)) + "\n#define RL_CONSTANT flat\nuniform vec3 rl_view_direction;\nuniform vec4 rl_ray[3];\n");
+                   std::to_string(int(Output::color)) +
+                   "\n#define RL_CONSTANT flat\nuniform vec3 rl_view_direction;\nuniform vec4 rl_ray[3];\n");
         stage->add_file("math/prelude.glsl");
         if (stage == &vertices) stage->add_file("engines/opengl/glsl/vertices.glsl");
         stage->add_file("engines/opengl/glsl/marks_main.glsl");

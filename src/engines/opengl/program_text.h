@@ -9,9 +9,9 @@
 
 namespace rakelight::opengl {
 
-inline constexpr int fetch_width = 4096;   ///< [texels] a row of textures that are tables
-inline constexpr int light_texels = 11;    ///< a light
-inline constexpr int most_near_lights = 8; ///< that a program has as uniforms
+inline constexpr int fetch_width = 4096;    ///< [texels] a row of textures that are tables
+inline constexpr int light_texels = 11;     ///< a light
+inline constexpr int most_near_lights = 8;  ///< that a program has as uniforms
 
 /// Texts of both stages.
 struct ProgramText {

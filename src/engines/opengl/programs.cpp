@@ -121,7 +121,8 @@ GlProgram link_program(const ProgramText& text, const UserLighting& user) {
     return program;
 }
 
-std::unique_ptr<Program> Programs::make_of(const ProgramText& text, const Features& features, const UserLighting& user) const {
+std::unique_ptr<Program> Programs::make_of(const ProgramText& text, const Features& features,
+                                           const UserLighting& user) const {
     auto program = std::make_unique<Program>();
     const GLuint name = program->name.get();
     const ProgramCache cache(driver_, text);

@@ -19,10 +19,11 @@ inline constexpr GLint vertex_units = 2;
 
 struct Program {
     GlProgram name;
-    GLint object = -1, material = -1, lights = -1, light_count = -1, view_direction = -1, ray = -1, fog = -1, environment = -1,
-          environment_levels = -1, first_corner = -1, against = -1, map_texels = -1, shadow_size = -1, numbers = -1, samples = -1, mark = -1, mark_color = -1, mark_view = -1, mark_cull = -1;
+    GLint object = -1, material = -1, lights = -1, light_count = -1, view_direction = -1, ray = -1, fog = -1,
+          environment = -1, environment_levels = -1, first_corner = -1, against = -1, map_texels = -1, shadow_size = -1,
+          numbers = -1, samples = -1, mark = -1, mark_color = -1, mark_view = -1, mark_cull = -1;
     mutable std::uint64_t picture = 0;  ///< whose numbers it has been given
-    std::vector<GLint> map_unit;  ///< [texture_role_count] -1: it has none
+    std::vector<GLint> map_unit;        ///< [texture_role_count] -1: it has none
 };
 
 /// A program of two texts. @throws Error failed: it does not compile
@@ -42,7 +43,8 @@ public:
 
 private:
     using Table = std::map<Features, std::unique_ptr<Program>>;
-    const Program& find(const Features& features, Table& in, std::unique_ptr<Program> (Programs::*make)(const Features&) const) {
+    const Program& find(const Features& features, Table& in,
+                        std::unique_ptr<Program> (Programs::*make)(const Features&) const) {
         std::unique_ptr<Program>& program = in[features];
         if (!program) program = (this->*make)(features);
         return *program;

@@ -44,7 +44,8 @@ void Renderer::make_albedos() {
     for (int i = 0; i < 2; ++i) numbers.insert(numbers.end(), t.loss, t.loss + columns);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, albedos_.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, columns, GLsizei(numbers.size()) / columns, 0, GL_RED, GL_FLOAT, numbers.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, columns, GLsizei(numbers.size()) / columns, 0, GL_RED, GL_FLOAT,
+                 numbers.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
@@ -92,7 +93,8 @@ PictureState Renderer::picture_state() const {
             .units = driver_.texture_units - engine_units};
 }
 
-void Renderer::begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats, Context& context) {
+void Renderer::begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats,
+                             Context& context) {
     settings_ = settings;
     not_finite_ = covered_ = 0;
     dropped_maps_ = 0;
@@ -139,7 +141,8 @@ void Renderer::update_shadows(const RenderSettings& settings, dvec3 eye, std::ve
         light_shadows_.push_back(
             {shading::shadow_factors(m.cameras[0], m.view, m.cameras.size(), settings, eye), m.place.x, m.place.y});
         stats.shadow_maps += m.cameras.size();
-        stats.shadow_bytes += m.cameras.size() * std::uint64_t(map_size_) * std::uint64_t(map_size_) * shading::shadow_texel_bytes;
+        stats.shadow_bytes +=
+            m.cameras.size() * std::uint64_t(map_size_) * std::uint64_t(map_size_) * shading::shadow_texel_bytes;
     }
 }
 
@@ -149,8 +152,14 @@ void Renderer::draw_shadow_map(const shading::MapCamera&, const shading::View& v
     const std::vector<Shading> unlit(list_.draws.size(), Shading::unlit);
     PictureState state = picture_state();
     const LightTable no_lights;
-    const PictureState of_map{.list = state.list, .cache = state.cache, .textures = state.textures, .settings = settings,
-                              .view = view, .shading = unlit, .lights = no_lights, .units = state.units};
+    const PictureState of_map{.list = state.list,
+                              .cache = state.cache,
+                              .textures = state.textures,
+                              .settings = settings,
+                              .view = view,
+                              .shading = unlit,
+                              .lights = no_lights,
+                              .units = state.units};
     const PictureTools with = tools();
     PictureDrawer drawer(with, of_map, {0, 0, settings.width, settings.height});
     const float texels = float(0.5 * view.width * view.scale_x);
@@ -166,8 +175,8 @@ void Renderer::draw_shadow_map(const shading::MapCamera&, const shading::View& v
     check_gl("a shadow map");
 }
 
-void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& state, const std::vector<std::uint32_t>& draws,
-                            Context& context) {
+void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& state,
+                            const std::vector<std::uint32_t>& draws, Context& context) {
     const std::vector<BlendedRun> runs = blending_order(list_, view_, draws, context);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
@@ -191,7 +200,8 @@ void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& sta
         GLint own = 0;
         glGetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &own);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, stream_.get());
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(indices[0])), indices.data(), GL_STREAM_DRAW);
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(indices[0])), indices.data(),
+                     GL_STREAM_DRAW);
         drawer.draw_triangles(run.draw, of, program, 0, std::uint32_t(run.triangles.size()));
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(own));
     }
@@ -199,8 +209,8 @@ void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& sta
     glDepthMask(GL_TRUE);
 }
 
-void Renderer::draw_surfaces(const PictureDrawer& drawer, const PictureState& state, std::vector<std::uint32_t>& blended,
-                             Context& context) {
+void Renderer::draw_surfaces(const PictureDrawer& drawer, const PictureState& state,
+                             std::vector<std::uint32_t>& blended, Context& context) {
     const PassMeter::Pass pass(meter_, surface_pass);
     for (std::uint32_t d = 0; d < list_.draws.size() && settings_.surfaces; ++d) {
         context.throw_if_cancelled();
@@ -225,8 +235,8 @@ void Renderer::draw_colors(const PictureDrawer& drawer, const PictureState& stat
     check_gl("the picture");
 }
 
-void Renderer::draw_channel_group(const PictureDrawer& drawer, const PictureState& state, Output group, bool wants_triangles,
-                                  Context& context) {
+void Renderer::draw_channel_group(const PictureDrawer& drawer, const PictureState& state, Output group,
+                                  bool wants_triangles, Context& context) {
     channel_target_.begin(group, far_depth());
     drawer.begin();
     if (group == Output::count) {
@@ -310,7 +320,9 @@ void Renderer::end_picture(RenderStats& stats, Context& context) {
     stats.pixels_not_finite = not_finite_;
     stats.depth_passes = meter_.samples(surface_pass);
     // ES knows only whether there is something.
-    stats.pixels_covered = driver_.is_es && stats.depth_passes > 0 ? std::uint64_t(settings_.width) * std::uint64_t(settings_.height) : covered_;
+    stats.pixels_covered = driver_.is_es && stats.depth_passes > 0
+                               ? std::uint64_t(settings_.width) * std::uint64_t(settings_.height)
+                               : covered_;
     stats.samples_covered = stats.pixels_covered * std::uint64_t(settings_.samples);
     stats.pixels_marked = meter_.samples(mark_pass);
     stats.pixels_shaded = stats.pixels_covered + meter_.samples(blended_pass);

@@ -13,8 +13,8 @@
 #include "engines/opengl/channels.h"
 #include "engines/opengl/marks.h"
 #include "engines/opengl/pass_meter.h"
-#include "engines/opengl/scene_upload.h"
 #include "engines/opengl/picture.h"
+#include "engines/opengl/scene_upload.h"
 #include "engines/opengl/target.h"
 #include "shading/shadow_cameras.h"
 
@@ -65,7 +65,8 @@ private:
     void make_albedos();
     void remark_dropped_maps(Report& report) const;
     /// @param blended  gets those that are left for draw_blended()
-    void draw_surfaces(const PictureDrawer& drawer, const PictureState& state, std::vector<std::uint32_t>& blended, Context& context);
+    void draw_surfaces(const PictureDrawer& drawer, const PictureState& state, std::vector<std::uint32_t>& blended,
+                       Context& context);
     void draw_channel_group(const PictureDrawer& drawer, const PictureState& state, Output group, bool wants_triangles,
                             Context& context);
     void draw_blended(const PictureDrawer& drawer, const PictureState& state, const std::vector<std::uint32_t>& draws,
@@ -91,7 +92,7 @@ private:
 
     // Of the picture that is drawn.
     std::uint64_t not_finite_ = 0, covered_ = 0;
-    std::vector<bool> seen_;  ///< [draws] not outside of the picture
+    std::vector<bool> seen_;                           ///< [draws] not outside of the picture
     std::uint32_t dropped_maps_ = 0, dropped_of_ = 0;  ///< DrawState::dropped of the first draw with any
     RenderSettings settings_;
     shading::View view_;

@@ -7,7 +7,8 @@
 
 namespace rakelight::opengl {
 
-TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::EnvironmentCache environments, Context& context) {
+TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::EnvironmentCache environments,
+                      Context& context) {
     TakenScene out{.list = {}, .cache = std::move(cache), .environments = std::move(environments), .environment = {}};
     out.list = shading::make_draw_list(std::move(scene), out.cache, LevelPacker(), context);
     out.environment = out.environments.update(out.list.scene, EnvironmentLevelPacker(), context);
@@ -27,7 +28,8 @@ std::vector<TextureStore::Wish> wishes_of(const TakenScene& taken) {
     return wishes;
 }
 
-bool upload_some(const TakenScene& taken, TextureStore& textures, MeshStore& meshes, Clock::time_point end, Context& context) {
+bool upload_some(const TakenScene& taken, TextureStore& textures, MeshStore& meshes, Clock::time_point end,
+                 Context& context) {
     for (const TextureStore::Wish& wish : wishes_of(taken)) {
         if (textures.has(wish)) continue;
         if (Clock::now() >= end) return false;

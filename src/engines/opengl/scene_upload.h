@@ -22,7 +22,8 @@ struct TakenScene {
 
 /// From any thread. @param before  what was decoded for the scene before: what is used again is not decoded again
 /// @throws Error failed: cancelled
-TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::EnvironmentCache environments, Context& context);
+TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::EnvironmentCache environments,
+                      Context& context);
 
 /// What its materials read.
 std::vector<TextureStore::Wish> wishes_of(const TakenScene& scene);
@@ -30,6 +31,7 @@ std::vector<TextureStore::Wish> wishes_of(const TakenScene& scene);
 using Clock = std::chrono::steady_clock;
 
 /// Uploads textures and meshes until the time is over. @return all of them are there
-bool upload_some(const TakenScene& scene, TextureStore& textures, MeshStore& meshes, Clock::time_point end, Context& context);
+bool upload_some(const TakenScene& scene, TextureStore& textures, MeshStore& meshes, Clock::time_point end,
+                 Context& context);
 
 }  // namespace rakelight::opengl

@@ -19,7 +19,8 @@ void make_texture(GlTexture& texture, GLint format, GLenum layout, GLenum type, 
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture.get());
     glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, layout, type, nullptr);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
@@ -49,7 +50,8 @@ void Target::reserve(int width, int height, int samples) {
 }
 
 void Target::begin(vec4 background, float far_depth) const {
-    const GLfloat clear[4] = {background.x * background.w, background.y * background.w, background.z * background.w, background.w};
+    const GLfloat clear[4] = {background.x * background.w, background.y * background.w, background.z * background.w,
+                              background.w};
     glBindFramebuffer(GL_FRAMEBUFFER, frame());
     glViewport(0, 0, width_, height_);
     glClearBufferfv(GL_COLOR, 0, clear);

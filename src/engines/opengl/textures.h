@@ -19,7 +19,7 @@ namespace rakelight::opengl {
 struct TextureLevels final : shading::PackedTexture {
     bool is_srgb = false, is_float = false;
     int width = 1, height = 1;
-    float mean_green = 1;  ///< 0..1: of the smallest level
+    float mean_green = 1;                  ///< 0..1: of the smallest level
     mutable std::vector<MipLevel> levels;  ///< empty: they are on the GPU
     mutable MemoryCharge charge;           ///< pays for them
     std::size_t level_count = 0;
@@ -42,7 +42,7 @@ public:
     struct Wish {
         std::shared_ptr<const TextureLevels> levels;
         bool is_height = false;
-        bool keeps_levels = false;  ///< a bump map: it may be wished for as the other kind later
+        bool keeps_levels = false;            ///< a bump map: it may be wished for as the other kind later
         const EncodedImage* image = nullptr;  ///< what messages name
     };
     bool has(const Wish& wish) const { return textures_.contains({wish.levels.get(), wish.is_height}); }

@@ -21,7 +21,6 @@ struct LineVertex {
     float place[4], color[4], line[2];
 };
 
-
 /// Cut at the near plane. False: nothing is left.
 bool keep_before(dvec4& a, dvec4& b, double least_w) {
     if (a.w < least_w && b.w < least_w) return false;
@@ -32,8 +31,10 @@ bool keep_before(dvec4& a, dvec4& b, double least_w) {
     return true;
 }
 
-void add_line(const Line& line, const dmat4& to_clip, double least_w, int width, int height, std::vector<LineVertex>& to) {
-    dvec4 a = to_clip * dvec4{line.from.x, line.from.y, line.from.z, 1}, b = to_clip * dvec4{line.to.x, line.to.y, line.to.z, 1};
+void add_line(const Line& line, const dmat4& to_clip, double least_w, int width, int height,
+              std::vector<LineVertex>& to) {
+    dvec4 a = to_clip * dvec4{line.from.x, line.from.y, line.from.z, 1},
+          b = to_clip * dvec4{line.to.x, line.to.y, line.to.z, 1};
     if (!keep_before(a, b, least_w)) return;
     const dvec3 p{a.x / a.w, a.y / a.w, a.z / a.w}, q{b.x / b.w, b.y / b.w, b.z / b.w};
     dvec2 along{(q.x - p.x) * width * 0.5, (q.y - p.y) * height * 0.5};
@@ -43,9 +44,10 @@ void add_line(const Line& line, const dmat4& to_clip, double least_w, int width,
     const double half = std::max(0.5 * double(line.width_px), 0.5), reach = half + 1;
     const dvec2 aside{-along.y * reach * 2 / width, along.x * reach * 2 / height};
     const auto corner = [&](const dvec3& end, double side) {
-        return LineVertex{{float(end.x + aside.x * side), float(end.y + aside.y * side), float(end.z), float(reach * side)},
-                          {line.color.x, line.color.y, line.color.z, line.color.w},
-                          {float(half), line.is_overlay ? 1.0f : 0.0f}};
+        return LineVertex{
+            {float(end.x + aside.x * side), float(end.y + aside.y * side), float(end.z), float(reach * side)},
+            {line.color.x, line.color.y, line.color.z, line.color.w},
+            {float(half), line.is_overlay ? 1.0f : 0.0f}};
     };
     const LineVertex quad[4] = {corner(p, -1), corner(p, 1), corner(q, -1), corner(q, 1)};
     for (const int k : {0, 1, 2, 2, 1, 3}) to.push_back(quad[k]);
@@ -94,10 +96,10 @@ struct WindowView::State::Incoming {
     Incoming(const Scene& scene, std::uint64_t its_number, const Renderer& renderer, const Context& context)
         : number(its_number),
           own({.threads = context.threads()}),
-          taken(std::async(std::launch::async,
-                           [this, scene, cache = renderer.decoded(), environments = renderer.decoded_environment()]() mutable {
-                               return take_scene(std::move(scene), std::move(cache), std::move(environments), own);
-                           })) {}
+          taken(std::async(std::launch::async, [this, scene, cache = renderer.decoded(),
+                                                environments = renderer.decoded_environment()]() mutable {
+              return take_scene(std::move(scene), std::move(cache), std::move(environments), own);
+          })) {}
     ~Incoming() { own.cancel(); }
 
     std::uint64_t number;
@@ -111,7 +113,8 @@ WindowView::~WindowView() = default;
 
 bool WindowView::upload(const Scene& scene, std::uint64_t number, double milliseconds, Context& context) {
     State& s = *state_;
-    const Clock::time_point end = Clock::now() + std::chrono::microseconds(std::int64_t(1e3 * std::max(milliseconds, 0.0)));
+    const Clock::time_point end =
+        Clock::now() + std::chrono::microseconds(std::int64_t(1e3 * std::max(milliseconds, 0.0)));
     if (!s.incoming || s.incoming->number != number) {
         s.incoming.reset();
         s.incoming = std::make_unique<State::Incoming>(scene, number, s.renderer, context);
@@ -150,19 +153,21 @@ void WindowView::State::draw_display(const Screen& screen, GLuint picturename, i
     glBindSampler(0, 0);
     const auto place = [&](const char* name) { return glGetUniformLocation(program.name(), name); };
     glUniform1i(place("rl_picture"), 0);
-    glUniform4f(place("rl_show"), float(screen.viewport[0]), float(screen.viewport[1]), 1.0f / float(screen.viewport[2]),
-                1.0f / float(screen.viewport[3]));
+    glUniform4f(place("rl_show"), float(screen.viewport[0]), float(screen.viewport[1]),
+                1.0f / float(screen.viewport[2]), 1.0f / float(screen.viewport[3]));
     glUniform1f(place("rl_gain"), gain);
     glBindVertexArray(no_arrays.get());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     check_gl("the window");
 }
 
-RenderStats WindowView::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context) {
+RenderStats WindowView::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone,
+                             Context& context) {
     State& s = *state_;
     const Screen screen = Screen::current();
     RenderStats stats;
-    s.renderer.end_picture(s.stats, context);  // of the picture before: what is asked of this one would have to be waited for
+    s.renderer.end_picture(s.stats,
+                           context);  // of the picture before: what is asked of this one would have to be waited for
     stats.gpu_passes = std::move(s.stats.gpu_passes);
     s.stats = {};
     s.renderer.begin_picture(camera, settings, stats, context);
@@ -184,7 +189,8 @@ void WindowView::show(int width, int height, std::span<const std::uint32_t> srgb
     glBindTexture(GL_TEXTURE_2D, s.picture.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, srgb8.data());
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         glTexParameteri(GL_TEXTURE_2D, filter, smooth ? GL_LINEAR : GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
@@ -224,13 +230,15 @@ void WindowView::lines(const Camera& camera, std::span<const Line> lines) {
     glBindSampler(0, 0);
     const auto place = [&](const char* name) { return glGetUniformLocation(s.line_program.name(), name); };
     glUniform1i(place("rl_depth"), 0);
-    glUniform4f(place("rl_show"), float(screen.viewport[0]), float(screen.viewport[1]), hides ? 1.0f : 0.0f, float(height));
+    glUniform4f(place("rl_show"), float(screen.viewport[0]), float(screen.viewport[1]), hides ? 1.0f : 0.0f,
+                float(height));
     glBindVertexArray(s.line_array.get());
     glBindBuffer(GL_ARRAY_BUFFER, s.line_vertices.get());
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(LineVertex)), vertices.data(), GL_STREAM_DRAW);
     const auto attribute = [](GLuint at, GLint components, std::size_t offset) {
         glEnableVertexAttribArray(at);
-        glVertexAttribPointer(at, components, GL_FLOAT, GL_FALSE, sizeof(LineVertex), reinterpret_cast<const void*>(offset));
+        glVertexAttribPointer(at, components, GL_FLOAT, GL_FALSE, sizeof(LineVertex),
+                              reinterpret_cast<const void*>(offset));
     };
     attribute(0, 4, offsetof(LineVertex, place));
     attribute(1, 4, offsetof(LineVertex, color));

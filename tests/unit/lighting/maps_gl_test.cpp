@@ -123,7 +123,8 @@ std::vector<float> draw(GlContext& context, const std::vector<Query>& queries, c
     return context.run(whole_text() +
                            "uniform sampler2D queries;\nvoid main() {\n"
                            "    vec4 q = texelFetch(queries, ivec2(int(gl_FragCoord.x), 0), 0);\n"
-                           "    Maps maps;\n    maps.shadow_origin = ivec2(0);\n    maps.height_scale = 1.0;\n    maps.height_offset = 0.0;\n    " +
+                           "    Maps maps;\n    maps.shadow_origin = ivec2(0);\n    maps.height_scale = 1.0;\n    "
+                           "maps.height_offset = 0.0;\n    " +
                            statements + "\n}\n",
                        count, 1);
 }
@@ -294,7 +295,9 @@ void bind_cube(GlContext& context, const At& at) {
     context.set_whole("rl_shadow_size", 3);
 }
 
-float nearness_of(int number) { return number == 0 ? -3e38f : 1 / float(number); }  ///< the first: nothing, on a parallel light's map
+float nearness_of(int number) {
+    return number == 0 ? -3e38f : 1 / float(number);
+}  ///< the first: nothing, on a parallel light's map
 
 TEST_P(MapsOnGpu, NearnessIsThatOfTheTexelOfACubesFace) {
     std::vector<Query> queries;
@@ -319,7 +322,9 @@ TEST_P(MapsOnGpu, SlopesAreTheCodesAlongXThenDownY) {
         const int number = 9 * face + i;
         return std::pair(0.0f, code(number, 1201) | code(number, 907) << 16);
     });
-    const std::vector<float> got = draw(*context, queries, "maps.shadow_origin = ivec2(3, 6);\n    result = vec4(fetch_slopes(maps, q.x, q.y), 99.0, 99.0);");
+    const std::vector<float> got =
+        draw(*context, queries,
+             "maps.shadow_origin = ivec2(3, 6);\n    result = vec4(fetch_slopes(maps, q.x, q.y), 99.0, 99.0);");
     for (std::size_t i = 0; i < queries.size(); ++i) {
         EXPECT_NEAR(got[4 * i], slope(code(int(i), 1201)), 2e-6) << "texel " << i;
         EXPECT_NEAR(got[4 * i + 1], slope(code(int(i), 907)), 2e-6) << "texel " << i;

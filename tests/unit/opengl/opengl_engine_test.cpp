@@ -36,8 +36,9 @@ Camera oblique() {
 Scene two_squares() {
     Scene scene;
     Material m = test::matte({0.8f, 0.5f, 0.2f});
-    m.base_color_texture = test::add_texture(
-        scene, test::picture(test::rgb_pixels(8, 8, [](int x, int y) { return std::array{200, 30 * x, 30 * y}; })));
+    m.base_color_texture = test::add_texture(scene, test::picture(test::rgb_pixels(8, 8, [](int x, int y) {
+                                                 return std::array{200, 30 * x, 30 * y};
+                                             })));
     scene.materials = {m, test::matte({0.2f, 0.6f, 0.9f})};
     test::add_object(scene, test::square_mesh(0));
     test::add_object(scene, test::square_mesh(1), translation(dvec3{0.4, 0.3, 0.3}));
@@ -46,7 +47,8 @@ Scene two_squares() {
     return scene;
 }
 
-Frame drawn(Engine& engine, const Scene& scene, const RenderSettings& settings, Context& context, const Camera& camera = oblique()) {
+Frame drawn(Engine& engine, const Scene& scene, const RenderSettings& settings, Context& context,
+            const Camera& camera = oblique()) {
     engine.prepare(scene, context);
     Frame frame;
     engine.render(camera, settings, frame, context);
@@ -79,7 +81,8 @@ TEST_F(OpenGl, ChannelsAreThoseOfTheSoftEngine) {
     const auto is_near = [](const auto& a, const auto& b, std::size_t components, double tolerance, const char* what) {
         ASSERT_EQ(a.size(), b.size()) << what;
         for (std::size_t i = 0; i < a.size(); ++i)
-            for (std::size_t c = 0; c < components; ++c) ASSERT_NEAR(a[i][c], b[i][c], tolerance) << what << " of pixel " << i;
+            for (std::size_t c = 0; c < components; ++c)
+                ASSERT_NEAR(a[i][c], b[i][c], tolerance) << what << " of pixel " << i;
     };
     for (std::size_t i = 0; i < gl.depth.size(); ++i) {
         if (std::isinf(soft.depth[i]))
@@ -130,7 +133,8 @@ public:
         EXPECT_LE(t.area.y + t.area.height, rows + 16);
         for (int y = 0; y < t.area.height; ++y)
             for (int x = 0; x < t.area.width; ++x)
-                color[std::size_t((t.area.y + y) * area.width + t.area.x + x)] = t.color[std::size_t(y * t.area.width + x)];
+                color[std::size_t((t.area.y + y) * area.width + t.area.x + x)] =
+                    t.color[std::size_t(y * t.area.width + x)];
     }
     void rows_done(int first, int count) override {
         EXPECT_EQ(first, rows);
@@ -218,7 +222,8 @@ TEST_F(OpenGl, AMaterialWithMoreMapsThanUnitsLosesTheLeastVisible) {
     scene.lights[0].ambient = {0.2f, 0.2f, 0.2f};
     drawn(*engine, scene, small(), context);
     const auto entries = context.report().entries();
-    const auto warning = std::ranges::find_if(entries, [](const ReportEntry& e) { return e.message.find("textures left out") == 0; });
+    const auto warning =
+        std::ranges::find_if(entries, [](const ReportEntry& e) { return e.message.find("textures left out") == 0; });
     ASSERT_NE(warning, entries.end());
     EXPECT_NE(warning->message.find("clearcoat_roughness"), std::string::npos) << warning->message;
     EXPECT_EQ(warning->message.find("base_color"), std::string::npos) << warning->message;
@@ -252,7 +257,8 @@ TEST_F(OpenGl, ATextOfTheUsersTakesThePlaceOfAllModels) {
 TEST_F(OpenGl, AFaultOfTheUsersTextIsNamedByItsFileAndLine) {
     RenderSettings settings = small();
     settings.lighting_name = "steps.glsl";
-    settings.lighting_text = std::string(steps).replace(std::string(steps).find("vec3(0.0f);\n    terms.diffuse"), 11, "vec3(0.0f) ");
+    settings.lighting_text =
+        std::string(steps).replace(std::string(steps).find("vec3(0.0f);\n    terms.diffuse"), 11, "vec3(0.0f) ");
     const Error error = test::error_of([&] { drawn(*engine, two_squares(), settings, context); });
     EXPECT_EQ(error.code(), ErrorCode::bad_file);
     EXPECT_NE(error.reason().find("steps.glsl:5"), std::string::npos) << error.reason();

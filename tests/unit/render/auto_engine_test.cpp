@@ -30,7 +30,8 @@ RenderSettings small() {
 
 bool says(Context& context, const char* words) {
     const std::vector<ReportEntry> entries = context.report().entries();
-    return std::ranges::any_of(entries, [&](const ReportEntry& e) { return e.message.find(words) != std::string::npos; });
+    return std::ranges::any_of(entries,
+                               [&](const ReportEntry& e) { return e.message.find(words) != std::string::npos; });
 }
 
 TEST(AutoEngine, DrawsByOneOfTheTwo) {

@@ -14,7 +14,8 @@
 namespace rakelight {
 namespace {
 
-constexpr const char* text = "RL_FN LightTerms user_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light) { return no_terms(); }\n";
+constexpr const char* text =
+    "RL_FN LightTerms user_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light) { return no_terms(); }\n";
 
 PictureRequest read(const std::string& word) {
     PictureRequest request;
@@ -59,11 +60,13 @@ TEST(LightingText, WhatIsNoFileOrNoModelIsRefused) {
 TEST(LightingText, AWorldNamesItFromItsFolderAndNotBeyond) {
     const test::TemporaryFolder folder;
     folder.write("steps.glsl", text);
-    const std::string inside = folder.write("a.scene.toml", "[[primitive]]\ntype = \"sphere\"\n[render]\nlighting = \"steps.glsl\"\n");
+    const std::string inside =
+        folder.write("a.scene.toml", "[[primitive]]\ntype = \"sphere\"\n[render]\nlighting = \"steps.glsl\"\n");
     Context context;
     EXPECT_EQ(request_of_world(inside, {}, context).settings.lighting_text, text);
     folder.write("in/b.scene.toml", "[[primitive]]\ntype = \"sphere\"\n[render]\nlighting = \"../steps.glsl\"\n");
-    const Error error = test::error_of([&] { request_of_world((folder.path() / "in/b.scene.toml").string(), {}, context); });
+    const Error error =
+        test::error_of([&] { request_of_world((folder.path() / "in/b.scene.toml").string(), {}, context); });
     EXPECT_EQ(error.code(), ErrorCode::bad_file) << error.what();
 }
 

@@ -213,7 +213,8 @@ LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vecto
     front.stats.lighting_evaluations = evaluations;
     front.stats.vertices_lit_twice = twice;
     shading::remark_corner_shading(
-        front.list, front.settings, [&points](std::uint32_t d) { return points.draws[d].sides != 0; }, context.report());
+        front.list, front.settings, [&points](std::uint32_t d) { return points.draws[d].sides != 0; },
+        context.report());
     return points;
 }
 
