@@ -62,6 +62,8 @@ void PrintTo(const ParityScene& scene, std::ostream* to) { *to << scene.name; }
 constexpr ParityScene scenes[] = {
     {"own_color", plain, RL_HEAD "shading=unlit"},
     {"flat", plain, RL_KNIGHT "shading=flat"},
+    {"flat_in_environment", plain, RL_KNIGHT "shading=flat hdri-ambient hdri-skybox"},
+    {"gouraud_in_environment", plain, RL_KNIGHT "shading=gouraud hdri-ambient"},
     {"gouraud", plain, RL_HEAD "shading=gouraud"},
     {"gouraud_two_sides", plain, "data/materials/sides.gltf shading=gouraud light=directional:0.6,-0.7,-0.8"},
     {"lambert", plain, RL_TEAPOT "lighting=lambert"},

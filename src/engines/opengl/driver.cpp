@@ -82,10 +82,11 @@ Driver ask_driver() {
 void check_gl(const char* what) {
     const GLenum fault = glGetError();
     if (fault == GL_NO_ERROR) return;
-    while (glGetError() != GL_NO_ERROR) {
-    }
-    const std::string why =
-        fault == GL_OUT_OF_MEMORY ? "the GPU has no memory left" : "OpenGL error " + std::to_string(fault);
+    constexpr int most = 100;  // a lost context never says that there are no more
+    for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i) {}
+    const std::string why = fault == GL_OUT_OF_MEMORY  ? "the GPU has no memory left"
+                            : fault == GL_CONTEXT_LOST ? "the OpenGL context is lost"
+                                                       : "OpenGL error " + std::to_string(fault);
     throw Error(ErrorCode::failed, why + " for " + what, {}, "render with engine soft");
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <rakelight/error.h>
 
@@ -35,6 +36,17 @@ bool initialize(EGLDisplay display) {
     return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) != EGL_FALSE;
 }
 
+/// One that says when it is lost, where the driver has such. @param attributes  ends with EGL_NONE
+EGLContext make_robust_context(EGLDisplay display, EGLConfig config, const EGLint* attributes) {
+    if (!epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness")) return EGL_NO_CONTEXT;
+    std::vector<EGLint> all;
+    for (; *attributes != EGL_NONE; ++attributes) all.push_back(*attributes);
+    for (const EGLint more : {EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT, EGL_TRUE,
+                              EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT, EGL_NONE})
+        all.push_back(EGLint(more));
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, all.data());
+}
+
 EGLContext make_context(EGLDisplay display, bool is_es) {
     if (eglBindAPI(is_es ? EGL_OPENGL_ES_API : EGL_OPENGL_API) == EGL_FALSE) return EGL_NO_CONTEXT;
     const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, is_es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT,
@@ -46,7 +58,9 @@ EGLContext make_context(EGLDisplay display, bool is_es) {
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     const EGLint es[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
-    return eglCreateContext(display, count > 0 ? config : nullptr, EGL_NO_CONTEXT, is_es ? es : core);
+    const EGLConfig with = count > 0 ? config : nullptr;
+    const EGLContext robust = make_robust_context(display, with, is_es ? es : core);
+    return robust != EGL_NO_CONTEXT ? robust : eglCreateContext(display, with, EGL_NO_CONTEXT, is_es ? es : core);
 }
 
 }  // namespace

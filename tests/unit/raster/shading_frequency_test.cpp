@@ -278,6 +278,19 @@ TEST(ShadingFrequency, AFlatFaceHasOneColorAndItIsThatOfItsPlane) {
     EXPECT_LE(faces.size(), lamp_lit.stats.lighting_evaluations + 1);
 }
 
+TEST(ShadingFrequency, AFlatFaceMirrorsTheEnvironmentByItsPlaneWhateverChannelsAreAskedFor) {
+    Scene scene = scene_of(sphere(6, 9), single_sided());
+    scene.lights.clear();
+    scene.environment = Environment{};
+    scene.environment->is_light = true;
+    RenderSettings settings = settings_for(Shading::flat);
+    const Camera camera = camera_at({0, 0, 4});
+    const Picture plain = draw_picture(scene, camera, settings);
+    settings.channels = channel_normal;
+    const Picture with_normals = draw_picture(scene, camera, settings);
+    EXPECT_EQ(plain.frame.color, with_normals.frame.color);
+}
+
 TEST(ShadingFrequency, GouraudIsTheLightingAtTheVerticesAndLinearBetweenThem) {
     const auto at = [](int x, int y) { return vec3{float((x + 0.5) / 65 * 2 - 1), float(1 - (y + 0.5) / 65 * 2), 0}; };
     Mesh fan;  // vertices on centers of pixels

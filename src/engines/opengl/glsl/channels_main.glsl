@@ -56,9 +56,6 @@ void main()
 #elif RL_OUTPUT == RL_OUTPUT_DIRECTIONS
     find_surface(x);
     o_first = vec4(x.surface.base.n, 1.0);
-#if RL_LIT_AT == RL_AT_FACES
-    o_first.xyz = v_face_normal;
-#endif
     o_second = vec4(0.0);
     o_fourth = vec4(0.0);
 #if RL_FROM_TRIANGLES

@@ -47,7 +47,10 @@ Point this_point()
     turns += v_triangle.y;
 #endif
     p.side = (turns & 1) != 0 ? -1.0 : 1.0;
-#if RL_HAS_NORMALS
+#if RL_LIT_AT == RL_AT_FACES
+    p.normal = v_face_normal;
+    p.side = 1.0;
+#elif RL_HAS_NORMALS
     p.normal = RL_MOVED(v_normal);
 #else
     p.normal = vec3(0.0, 0.0, 1.0);

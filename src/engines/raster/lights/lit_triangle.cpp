@@ -35,7 +35,7 @@ void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const S
                        LitTriangle& out) {
     const DrawLight& light = points.draws[s.draw];
     out = {};
-    if (light.per_face && (front.settings.channels & channel_normal)) {
+    if (light.per_face) {  // pbr and the environment read it, too
         const dvec3 n = frame_of(front, s.draw).face(s.triangle).normal;
         shade.facing = 1;
         std::fill_n(&shade.normal[0][0], 9, 0.0f);
