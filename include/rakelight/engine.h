@@ -99,7 +99,7 @@ struct RenderSettings {
     std::vector<ShadingRule> shading_rules{};
     bool own_shading = true;  ///< false: what materials and nodes say of it does not count
     Lighting lighting = Lighting::automatic;
-    /// Another lighting model in place of all: its text in GLSL, which defines user_terms() (docs/lighting.md), and the name
+    /// Another lighting model in place of all: its text in GLSL, which defines user_terms() (docs/opengl.md), and the name
     /// that messages have for it; empty: none.
     std::string lighting_name{}, lighting_text{};
     SpecularForm specular_form = SpecularForm::automatic;

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include <rakelight/tools/strip_sink.h>
+
 #include "engines/raster/raster_engine.h"
 #include "render/engines.h"
 #ifdef RL_HAVE_OPENGL
@@ -12,15 +14,34 @@
 namespace rakelight {
 namespace {
 
+/// Hands on what it gets, and knows whether a picture was begun.
+class WatchedSink final : public StripSink {
+public:
+    explicit WatchedSink(Sink& to) : to_(to), strips_(dynamic_cast<StripSink*>(&to)) {}
+    bool has_begun() const { return has_begun_; }
+
+    void begin(int width, int height, Window window, std::uint32_t channels) override {
+        has_begun_ = true;
+        to_.begin(width, height, window, channels);
+    }
+    void tile(const Tile& tile) override { to_.tile(tile); }
+    void end_pass(int pass) override { to_.end_pass(pass); }
+    int rows_at_once() const override { return strips_ ? strips_->rows_at_once() : 0; }
+    void rows_done(int first, int rows) override {
+        if (strips_) strips_->rows_done(first, rows);
+    }
+
+private:
+    Sink& to_;
+    StripSink* strips_;
+    bool has_begun_ = false;
+};
+
 class AutoEngine final : public Engine {
 public:
-    AutoEngine() : soft_(raster::make_engine()) {
-#ifdef RL_HAVE_OPENGL
-        gpu_ = opengl::make_gpu_engine(why_);
-#else
-        why_ = "OpenGL is not built in";
-#endif
-    }
+    /// @param gpu  null: there is none, for a reason
+    AutoEngine(std::unique_ptr<Engine> gpu, std::string why)
+        : gpu_(std::move(gpu)), soft_(raster::make_engine()), why_(std::move(why)) {}
 
     std::string name() const override { return draws_on_gpu_ ? gpu_->name() : soft_->name(); }
     EngineAbilities abilities() const override {
@@ -51,15 +72,18 @@ public:
 
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
         if (draws_on_gpu_ && can_draw(gpu_->abilities(), settings)) {
+            WatchedSink watched(sink);
             try {
-                return gpu_->render(camera, settings, sink,
-                                    context);  // fails before the sink gets anything, or for good
+                return gpu_->render(camera, settings, watched, context);
             } catch (const Error& error) {
+                if (watched.has_begun()) throw;
                 const Scene scene = gpu_->scene();
                 give_up(error, scene.source, context);
+                check_abilities(name(), soft_->abilities(), settings);
                 soft_->prepare(scene, context);
             }
         } else if (draws_on_gpu_) {
+            check_abilities(name(), soft_->abilities(), settings);
             say("it takes engine soft for what engine gl cannot do", Remark::note, scene().source, context);
             soft_->prepare(gpu_->scene(), context);
             draws_on_gpu_ = false;
@@ -74,7 +98,7 @@ private:
     /// Of a GPU that failed. What is wrong with the scene or the settings is wrong for soft, too.
     void give_up(const Error& error, const std::string& source, Context& context) {
         context.throw_if_cancelled();
-        if (error.code() != ErrorCode::failed) throw Error(error);
+        if (error.code() != ErrorCode::failed) throw;
         say("it goes on with engine soft: " + error.reason(), Remark::warning, source, context);
         gpu_ = nullptr;
         draws_on_gpu_ = false;
@@ -87,6 +111,17 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Engine> make_auto_engine() { return std::make_unique<AutoEngine>(); }
+std::unique_ptr<Engine> make_auto_engine() {
+    std::string why = "OpenGL is not built in";
+    std::unique_ptr<Engine> gpu;
+#ifdef RL_HAVE_OPENGL
+    gpu = opengl::make_gpu_engine(why);
+#endif
+    return make_auto_engine(std::move(gpu), std::move(why));
+}
+
+std::unique_ptr<Engine> make_auto_engine(std::unique_ptr<Engine> gpu, std::string why) {
+    return std::make_unique<AutoEngine>(std::move(gpu), std::move(why));
+}
 
 }  // namespace rakelight

@@ -2,6 +2,7 @@
 // The engine `auto`: gl where there is a GPU that can draw what is asked for, soft otherwise.
 #pragma once
 #include <memory>
+#include <string>
 
 #include <rakelight/engine.h>
 
@@ -10,5 +11,7 @@ namespace rakelight {
 /// Never fails for want of OpenGL: what the engine gl cannot do, or cannot do any more (a lost context, no memory on the GPU, a
 /// driver that refuses a shader), soft does; the report says so.
 std::unique_ptr<Engine> make_auto_engine();
+/// The same with a given engine on the GPU. @param gpu  null: there is none. @param why  then the reason
+std::unique_ptr<Engine> make_auto_engine(std::unique_ptr<Engine> gpu, std::string why);
 
 }  // namespace rakelight

@@ -61,9 +61,9 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
 
 bool can_draw(const EngineAbilities& can, const RenderSettings& settings) { return beyond(can, settings).empty(); }
 
-void check_abilities(const Engine& engine, const RenderSettings& settings) {
-    const std::string what = beyond(engine.abilities(), settings);
-    if (!what.empty()) throw Error(ErrorCode::usage, "engine " + one_line(engine.name(), 40) + " cannot " + what);
+void check_abilities(const std::string& name, const EngineAbilities& can, const RenderSettings& settings) {
+    const std::string what = beyond(can, settings);
+    if (!what.empty()) throw Error(ErrorCode::usage, "engine " + one_line(name, 40) + " cannot " + what);
 }
 
 std::unique_ptr<Engine> make_engine(const std::string& name) {

@@ -20,7 +20,7 @@ void check_engine_name(const std::string& name);
 
 /// Whether an engine has all that the settings ask for.
 bool can_draw(const EngineAbilities& can, const RenderSettings& settings);
-/// @throws Error usage: the settings ask for what the engine cannot do
-void check_abilities(const Engine& engine, const RenderSettings& settings);
+/// @throws Error usage: the settings ask for what the engine of that name cannot do
+void check_abilities(const std::string& name, const EngineAbilities& can, const RenderSettings& settings);
 
 }  // namespace rakelight

@@ -2,7 +2,9 @@
 #include <rakelight/gl_view.h>
 #include <rakelight/render.h>
 
+#include "engines/check_settings.h"
 #include "engines/opengl/window_view.h"
+#include "render/engines.h"
 #include "render/prepared_scene.h"
 #include "scene/scene_tools.h"
 
@@ -38,6 +40,9 @@ RenderStats GlView::draw(const Camera& camera, const RenderSettings& settings, c
                          Context& context) {
     State& s = *state_;
     if (!s.whole) return {};
+    check_settings(settings);
+    check_abilities("gl", s.view.abilities(), settings);
+    check_camera(camera, s.whole->scene.nodes.size(), CameraUse::in_scene);
     const Camera at = camera_in_world(s.whole->scene, camera, double(settings.width) / double(settings.height));
     s.view.set_lights(s.whole->has_chosen_lights ? s.whole->scene.lights : lights_of(s.whole->scene, at));
     return s.view.draw(at, settings, tone, context);
@@ -51,6 +56,10 @@ void GlView::show(const Frame& frame, const ToneSettings& tone) {
     state_->view.show(frame.window.width, frame.window.height, to_srgb8(frame, tone), true);
 }
 
-void GlView::lines(const Camera& camera, std::span<const Line> lines) { state_->view.lines(camera, lines); }
+void GlView::lines(const Camera& camera, std::span<const Line> lines) {
+    State& s = *state_;
+    check_camera(camera, s.whole ? s.whole->scene.nodes.size() : 0, CameraUse::in_scene);
+    s.view.lines(s.whole ? camera_in_world(s.whole->scene, camera, s.view.aspect()) : camera, lines);
+}
 
 }  // namespace rakelight

@@ -179,7 +179,7 @@ const Scene& Session::State::take_up(const RenderSettings& settings, const Camer
 RenderStats Session::render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) {
     State& s = *state_;
     check_settings(settings);
-    check_abilities(*s.engine, settings);
+    check_abilities(s.engine->name(), s.engine->abilities(), settings);
     check_camera(camera, s.current().nodes.size(), CameraUse::in_scene);
     const Scene& scene = s.take_up(settings, camera, *this, context);
     const double aspect = double(settings.width) / double(settings.height);

@@ -104,7 +104,20 @@ void check_shadow_memory(std::span<const Light> lights, const RenderSettings& se
         .about("shadow-size", {"max-memory"});
 }
 
-bool has_shadow_range(const Bounds& drawn) { return drawn.diagonal() < 1e30; }
+bool has_shadow_maps(const DrawList& list, const RenderSettings& settings, Report& report) {
+    if (!settings.shadows || list.draws.empty()) return false;
+    if (list.bounds.diagonal() < 1e30) return true;
+    report.add(Remark::warning, list.scene.source, {}, "the scene is too large for shadows");
+    return false;
+}
+
+RenderSettings map_settings(int size) {
+    RenderSettings s;
+    s.width = s.height = size;
+    s.cull = Cull::none;
+    s.bump = Bump::none;
+    return s;
+}
 
 std::vector<MapCamera> shadow_cameras(const DrawList& list, const Light& light, const RenderSettings& settings) {
     const LightPlace at = place_of(light, list.node_to_world);

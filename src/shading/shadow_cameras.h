@@ -28,8 +28,10 @@ struct MapCamera {
 /// A directional light has one parallel map about all that is drawn; a spot of at most 60 degrees about its axis one in
 /// perspective; other spots and point lights six; ambient lights none.
 std::uint64_t shadow_map_count(const Light& light);
-/// False where the scene is so large that the numbers of maps would leave the range of floats.
-bool has_shadow_range(const Bounds& drawn);
+/// Whether a picture has any. A scene so large that the numbers of maps would leave the range of floats has none: a warning.
+bool has_shadow_maps(const DrawList& list, const RenderSettings& settings, Report& report);
+/// A picture's settings as far as a map needs them. @param size  [texels] a side
+RenderSettings map_settings(int size);
 
 /// [bytes] of a map: its nearness as a float, its slopes as two codes of 16 bits.
 inline constexpr std::uint64_t shadow_texel_bytes = 8;

@@ -18,4 +18,9 @@ struct ShadowFactors {
     int32_t filter;     ///< [texels] radius
 };
 
+inline constexpr float nothing_on_parallel_map = -3e38f;  ///< nearness where nothing is; else 0
+/// Change of nearness along x (low 16 bits) and down y (high ones) of a map per width of a texel, as
+/// (slope + steepest_slope_on_map) * slope_codes.
+inline constexpr float steepest_slope_on_map = 8, slope_codes = 4095;
+
 }  // namespace rakelight::shading

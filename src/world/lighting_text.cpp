@@ -24,7 +24,7 @@ std::string read_lighting_text(const std::string& path) {
     std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file && !file.eof()) throw Error(ErrorCode::not_found, name + " cannot be read").about("lighting");
     if (text.find("user_terms") == std::string::npos || text.find('\0') != std::string::npos)
-        throw Error(ErrorCode::bad_file, name + " does not define user_terms()", {}, "see docs/lighting.md")
+        throw Error(ErrorCode::bad_file, name + " does not define user_terms()", {}, "see docs/opengl.md")
             .about("lighting");
     return text;
 }

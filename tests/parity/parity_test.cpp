@@ -35,6 +35,9 @@ constexpr Limits blended = {0.995, 0.7, 0};
 /// A pixel at an edge is the mean of few samples, any of which may fall to the other side.
 constexpr Limits sampled = {0, 100, 48};
 
+/// A pixel's surface is known to lines by its depth alone, so they are hidden a little earlier or later; borders are judged, too.
+constexpr Limits marked = {0.995, 1, 40};
+
 struct ParityScene {
     const char* name;
     Limits limits;
@@ -119,6 +122,10 @@ constexpr ParityScene scenes[] = {
     {"viewer_at_infinity", plain, RL_TEAPOT "viewer-infinity"},
     {"clockwise_fronts", plain, RL_TEAPOT "front-face=cw cull=back"},
     {"window", plain, RL_HEAD "window=60,40,200,150"},
+    {"edges", marked, RL_KNIGHT "edges line-width=1.5 line-color=0.1,0.9,0.1"},
+    {"wide_edges_in_parallel_view", marked, RL_TEAPOT "edges line-width=5 camera-orthographic"},
+    {"points_and_edges", marked, RL_TEAPOT "edges points=disc point-size=5"},
+    {"wireframe", marked, RL_TEAPOT "wireframe line-width=0.7"},
 };
 
 std::vector<WorldValue> values_of(std::istream& words) {

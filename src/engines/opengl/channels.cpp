@@ -25,11 +25,7 @@ constexpr std::array groups{
 void make_texture(GlTexture& texture, GLint format, GLenum layout, GLenum type, int width, int height,
                   GLenum attachment) {
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, texture.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, layout, type, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    set_texels(texture, format, layout, type, width, height);
     glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.name(), 0);
 }
 
@@ -45,7 +41,6 @@ void for_each_group(std::uint32_t channels, const std::function<void(Output, boo
 void ChannelTarget::reserve(int width, int height) {
     if (width == width_ && height == height_) return;
     *this = {};
-    width_ = width, height_ = height;
     glBindRenderbuffer(GL_RENDERBUFFER, depth_.get());
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);
     const auto bind = [this](GlFramebuffer& frame) {
@@ -61,6 +56,7 @@ void ChannelTarget::reserve(int width, int height) {
     bind(count_frame_);
     make_texture(count_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width, height, GL_COLOR_ATTACHMENT0);
     check_gl("data channels");
+    width_ = width, height_ = height;
 }
 
 void ChannelTarget::begin(Output group, float far_depth) {

@@ -79,11 +79,24 @@ Driver ask_driver() {
     return d;
 }
 
+EngineAbilities abilities_of(const Driver& driver) {
+    EngineAbilities can;
+    can.channels = channels_all;
+    for (const int samples : {4, 8})
+        if (driver.samples >= samples) can.samples.push_back(samples);
+    can.screen_interpolation = !driver.is_es;
+    can.shadows = true;
+    can.user_lighting = true;
+    can.lines_and_points = true;
+    return can;
+}
+
 void check_gl(const char* what) {
     const GLenum fault = glGetError();
     if (fault == GL_NO_ERROR) return;
     constexpr int most = 100;  // a lost context never says that there are no more
-    for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i) {}
+    for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i) {
+    }
     const std::string why = fault == GL_OUT_OF_MEMORY  ? "the GPU has no memory left"
                             : fault == GL_CONTEXT_LOST ? "the OpenGL context is lost"
                                                        : "OpenGL error " + std::to_string(fault);

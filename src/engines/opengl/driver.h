@@ -3,6 +3,8 @@
 #pragma once
 #include <string>
 
+#include <rakelight/engine.h>
+
 namespace rakelight::opengl {
 
 struct Driver {
@@ -23,6 +25,9 @@ struct Driver {
 
 /// @throws Error failed: the context is too old, or cannot draw half floats
 Driver ask_driver();
+
+/// What pictures of this driver can show.
+EngineAbilities abilities_of(const Driver& driver);
 
 /// @throws Error failed: what GL_OUT_OF_MEMORY or another error of the calls before says of `what`
 void check_gl(const char* what);

@@ -29,7 +29,6 @@ std::shared_ptr<const shading::PackedEnvironment> EnvironmentLevelPacker::pack(c
     auto out = std::make_shared<EnvironmentLevels>();
     out->sky = images.sky.levels;
     out->is_srgb = images.sky.is_srgb;
-    out->sky_height = images.sky.levels.at(0).height;
     int width = 0, height = 0;
     for (const OctahedralMap& map : images.light.mirrored) {
         out->places.push_back({float(width + 1), 1, float(map.size)});
@@ -41,23 +40,33 @@ std::shared_ptr<const shading::PackedEnvironment> EnvironmentLevelPacker::pack(c
     return out;
 }
 
-void EnvironmentStore::update(const std::optional<shading::UsedEnvironment>& used) {
+void EnvironmentStore::update(const std::optional<shading::UsedEnvironment>& used, const Driver& driver,
+                              const std::string& source, Report& report) {
     if (!used) {
         *this = {};
         return;
     }
-    factors_ = used->factors;
     const auto levels = std::static_pointer_cast<const EnvironmentLevels>(used->packed);
-    if (levels == levels_) return;
-    levels_ = levels;
+    if (levels == levels_) {
+        factors_ = used->factors;
+        return;
+    }
+    EnvironmentStore made;
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, mirrored_.get());
+    glBindTexture(GL_TEXTURE_2D, made.mirrored_.get());
     upload_levels({levels->mirrored}, 0, false);
     set_filters(false, GL_CLAMP_TO_EDGE, 0);
-    glBindTexture(GL_TEXTURE_2D, sky_.get());
-    upload_levels(levels->sky, 0, levels->is_srgb);
-    set_filters(true, GL_REPEAT, GLint(levels->sky.size()) - 1);
+    glBindTexture(GL_TEXTURE_2D, made.sky_.get());
+    const std::size_t skipped = levels_beyond(levels->sky, driver.texture_size);
+    if (skipped > 0)
+        report.add(Remark::warning, source, {}, "the environment " + drawn_smaller(levels->sky[0], driver));
+    upload_levels(levels->sky, skipped, levels->is_srgb);
+    set_filters(true, GL_REPEAT, GLint(levels->sky.size() - skipped) - 1);
     check_gl("the environment");
+    made.sky_height_ = levels->sky[skipped].height;
+    made.factors_ = used->factors;
+    made.levels_ = levels;
+    *this = std::move(made);
 }
 
 }  // namespace rakelight::opengl

@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engines/opengl/gl_objects.h"
@@ -17,7 +18,6 @@ struct EnvironmentLevels final : shading::PackedEnvironment {
     bool is_srgb = false;      ///< codes of `sky` are
     MipLevel mirrored;         ///< all levels of the octahedral maps beside each other, each with its border
     std::vector<vec3> places;  ///< [levels] x, y of a level's first texel behind its border; its size
-    int sky_height = 1;
 };
 
 class EnvironmentLevelPacker final : public shading::EnvironmentPacker {
@@ -28,11 +28,14 @@ public:
 
 class EnvironmentStore {
 public:
-    /// Nothing where `used` is nothing. @throws Error failed: no memory on the GPU
-    void update(const std::optional<shading::UsedEnvironment>& used);
+    /// Nothing where `used` is nothing. @param source  file that warnings name
+    /// @throws Error failed: no memory on the GPU; what was there stays
+    void update(const std::optional<shading::UsedEnvironment>& used, const Driver& driver, const std::string& source,
+                Report& report);
     explicit operator bool() const { return levels_ != nullptr; }
     const shading::EnvironmentFactors& factors() const { return factors_; }
     const EnvironmentLevels& levels() const { return *levels_; }
+    int sky_height() const { return sky_height_; }  ///< [texels] of the sky as it was uploaded
     GLuint mirrored() const { return mirrored_.name(); }
     GLuint sky() const { return sky_.name(); }
 
@@ -40,6 +43,7 @@ private:
     std::shared_ptr<const EnvironmentLevels> levels_;
     shading::EnvironmentFactors factors_{};
     GlTexture mirrored_, sky_;
+    int sky_height_ = 1;
 };
 
 }  // namespace rakelight::opengl

@@ -7,6 +7,8 @@
 
 namespace rakelight::opengl {
 
+inline constexpr float most_half = 65504;  ///< the largest half float
+
 /// A name that is made by Make and given back by Drop.
 template <auto make, auto drop>
 class GlName {
@@ -88,5 +90,18 @@ using GlRenderbuffer = GlName<detail::make_renderbuffer, detail::drop_renderbuff
 using GlSampler = GlName<detail::make_sampler, detail::drop_sampler>;
 using GlQuery = GlName<detail::make_query, detail::drop_query>;
 using GlProgram = GlName<detail::make_program, detail::drop_program>;
+
+/// A picture of one level, not filtered: what programs fetch from or draw into. Stays bound to the unit that is active.
+inline void set_texels(GlTexture& texture, GLint format, GLenum layout, GLenum type, int width, int height,
+                       const void* texels = nullptr) {
+    glBindTexture(GL_TEXTURE_2D, texture.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, layout, type, texels);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
 
 }  // namespace rakelight::opengl

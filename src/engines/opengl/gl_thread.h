@@ -6,10 +6,11 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace rakelight::opengl {
 
-/// Runs calls one by one on its thread; who calls waits for the end.
+/// Runs calls one by one on its thread; who calls waits for the end. From any thread.
 class GlThread {
 public:
     GlThread() : thread_([this] { run(); }) {}
@@ -22,6 +23,7 @@ public:
 
     /// What `work` throws is thrown here.
     void call(const std::function<void()>& work) {
+        const std::lock_guard one_at_a_time(calls_);
         std::unique_lock lock(mutex_);
         work_ = &work;
         changed_.notify_all();
@@ -49,7 +51,7 @@ private:
         }
     }
 
-    std::mutex mutex_;
+    std::mutex calls_, mutex_;
     std::condition_variable changed_;
     const std::function<void()>* work_ = nullptr;
     std::exception_ptr fault_;

@@ -41,8 +41,9 @@ EGLContext make_robust_context(EGLDisplay display, EGLConfig config, const EGLin
     if (!epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness")) return EGL_NO_CONTEXT;
     std::vector<EGLint> all;
     for (; *attributes != EGL_NONE; ++attributes) all.push_back(*attributes);
-    for (const EGLint more : {EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT, EGL_TRUE,
-                              EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT, EGL_NONE})
+    for (const EGLint more :
+         {EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT, EGL_TRUE, EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
+          EGL_LOSE_CONTEXT_ON_RESET_EXT, EGL_NONE})
         all.push_back(EGLint(more));
     return eglCreateContext(display, config, EGL_NO_CONTEXT, all.data());
 }

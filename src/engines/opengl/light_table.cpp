@@ -9,6 +9,8 @@
 namespace rakelight::opengl {
 namespace {
 
+constexpr std::size_t most_exact = 1 << 24;  ///< whole numbers up to it are exact as floats
+
 vec4 with(const float (&v)[3], float w) { return {v[0], v[1], v[2], w}; }
 
 /// light_kind() of the text.
@@ -60,12 +62,7 @@ void LightTable::set(const std::vector<lighting::LightParameters>& lights, const
     add_lists(lights, view, pixels);
     texels_.resize((texels_.size() + fetch_width - 1) / fetch_width * fetch_width);
     glActiveTexture(GL_TEXTURE0 + unit_lights);
-    glBindTexture(GL_TEXTURE_2D, texture_.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, fetch_width, GLsizei(texels_.size() / fetch_width), 0, GL_RGBA, GL_FLOAT,
-                 texels_.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    set_texels(texture_, GL_RGBA32F, GL_RGBA, GL_FLOAT, fetch_width, int(texels_.size() / fetch_width), texels_.data());
 }
 
 /// Texels (first, end) of each square, numbers of lights counted in quarters of texels; then the numbers, four a texel.
@@ -73,7 +70,6 @@ void LightTable::add_lists(const std::vector<lighting::LightParameters>& lights,
                            Window pixels) {
     const shading::LightReach reach(lights);
     if (!reach.is_worth_it()) return;
-    has_lists_ = true;
     const int columns = (pixels.width + square - 1) / square, rows = (pixels.height + square - 1) / square;
     const std::size_t ranges = texels_.size(), first = ranges + std::size_t(columns) * std::size_t(rows);
     texels_.resize(first);
@@ -86,6 +82,8 @@ void LightTable::add_lists(const std::vector<lighting::LightParameters>& lights,
             numbers.insert(numbers.end(), list.begin(), list.end());
             texels_[ranges + std::size_t(r * columns + c)] = {begin, float(4 * first + numbers.size()), 0, 0};
         }
+    if (4 * first + numbers.size() > most_exact) return texels_.resize(ranges);
+    has_lists_ = true;
     for (std::size_t i = 0; i < numbers.size(); i += 4) {
         const auto at = [&](std::size_t k) { return i + k < numbers.size() ? numbers[i + k] : 0.0f; };
         texels_.push_back({at(0), at(1), at(2), at(3)});

@@ -37,14 +37,8 @@ void upload_table(GlTexture& texture, GLint format, GLenum layout, GLenum type, 
         throw Error(ErrorCode::failed,
                     "a mesh has more vertices than this OpenGL driver can look up for flat shading and channels");
     texels.resize(std::max<std::size_t>(rows, 1) * fetch_width);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, texture.get());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, format, fetch_width, GLsizei(std::max<std::size_t>(rows, 1)), 0, layout, type,
-                 texels.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glActiveTexture(GLenum(GL_TEXTURE0 + driver.texture_units));  // one that no pixels read: pictures are being drawn
+    set_texels(texture, format, layout, type, fetch_width, int(std::max<std::size_t>(rows, 1)), texels.data());
 }
 
 /// In the order of fetch_vertex().
@@ -87,7 +81,9 @@ void MeshStore::keep_only(const Scene& scene) {
 std::vector<MeshStore::Part> MeshStore::parts_of(const Mesh& mesh) {
     std::vector<Part> parts;
     const auto add = [&parts](const auto& block) {
-        if (!block.empty()) parts.push_back({block.identity(), block.data(), block.size() * sizeof(block[0])});
+        if (block.empty()) return;
+        const auto owner = [&block] { return std::make_shared<std::decay_t<decltype(block)>>(block); };
+        parts.push_back({block.identity(), block.data(), block.size() * sizeof(block[0]), owner});
     };
     add(mesh.positions), add(mesh.indices), add(mesh.normals), add(mesh.tangents), add(mesh.colors);
     add(texcoords_of(mesh, 0)), add(texcoords_of(mesh, 1));
@@ -105,6 +101,7 @@ bool MeshStore::is_there(const Mesh& mesh) const {
 void MeshStore::upload_piece(const Part& part) {
     Buffer& buffer = buffers_[part.identity];
     const bool is_new = !buffer.name;
+    if (is_new) buffer.of = part.owner();
     glBindVertexArray(no_arrays_.get());  // what indices are bound to is a vertex array's own
     glBindBuffer(GL_ARRAY_BUFFER, buffer.name.get());
     if (is_new) glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(part.bytes), nullptr, GL_STATIC_DRAW);
@@ -112,7 +109,12 @@ void MeshStore::upload_piece(const Part& part) {
     glBufferSubData(GL_ARRAY_BUFFER, GLintptr(buffer.there), GLsizeiptr(bytes),
                     static_cast<const char*>(part.data) + buffer.there);
     buffer.there += bytes;
-    check_gl("a mesh");
+    try {
+        check_gl("a mesh");
+    } catch (...) {
+        buffers_.erase(part.identity);
+        throw;
+    }
 }
 
 void MeshStore::upload_piece(const Mesh& mesh) {
@@ -147,10 +149,10 @@ GLuint MeshStore::vertex_array(const Mesh& mesh) {
 }
 
 const TriangleTable& MeshStore::table(const Mesh& mesh, const std::int32_t* against) {
-    TriangleTable& table = tables_[key_of(mesh)];
-    if (table.indices && (table.against >= 0) == (against != nullptr)) return table;
+    TriangleTable& kept = tables_[key_of(mesh)];
+    if (kept.indices && (kept.against >= 0 || !against)) return kept;
+    TriangleTable table;
     std::vector<std::uint32_t> indices(mesh.indices.begin(), mesh.indices.end());
-    table.against = -1;
     if (against) {
         table.against = std::int32_t(indices.size());
         const std::size_t triangles = mesh.triangle_count();
@@ -161,7 +163,8 @@ const TriangleTable& MeshStore::table(const Mesh& mesh, const std::int32_t* agai
     upload_table(table.indices, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, std::move(indices), driver_);
     upload_table(table.vertices, GL_RGBA32F, GL_RGBA, GL_FLOAT, vertex_texels(mesh), driver_);
     check_gl("a mesh");
-    return table;
+    kept = std::move(table);
+    return kept;
 }
 
 }  // namespace rakelight::opengl

@@ -2,7 +2,9 @@
 // Meshes on the GPU: their arrays as buffers, and as textures for streams without indices. Kept by the identity of blocks.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include <rakelight/scene.h>
@@ -32,7 +34,7 @@ public:
     void upload_piece(const Mesh& mesh);
     static constexpr std::size_t piece_bytes = 8 << 20;
     GLuint no_arrays() { return no_arrays_.get(); }  ///< a vertex array without any
-    /// @param against  [triangles] LitSide::against(); null: none
+    /// @param against  [triangles] LitSide::against(), the same for all draws of a mesh; null: none is asked for
     const TriangleTable& table(const Mesh& mesh, const std::int32_t* against);
 
 private:
@@ -40,6 +42,7 @@ private:
     struct Part {
         const void *identity, *data;
         std::size_t bytes;
+        std::function<std::shared_ptr<const void>()> owner;
     };
     static std::vector<Part> parts_of(const Mesh& mesh);
     void upload_piece(const Part& part);
@@ -51,6 +54,7 @@ private:
 
     const Driver& driver_;
     struct Buffer {
+        std::shared_ptr<const void> of;  ///< keeps the identity its own
         GlBuffer name;
         std::size_t there = 0;  ///< [bytes]
     };

@@ -17,7 +17,8 @@
 namespace rakelight::opengl {
 namespace {
 
-constexpr int most_rows = 2048;  ///< of a strip that is drawn and read at once
+constexpr int pixels_at_once = 4 << 20;  ///< that are drawn and read, where it is not fewer than
+constexpr int fewest_rows = 64;          ///< any strip of a StripSink has room for them
 
 Window whole(const RenderSettings& s) { return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window; }
 
@@ -26,7 +27,12 @@ public:
     OpenGlEngine() {
         thread_.call([this] {
             context_.emplace();
-            renderer_.emplace();
+            try {
+                renderer_.emplace();
+            } catch (...) {
+                context_.reset();  // on its thread
+                throw;
+            }
         });
     }
     ~OpenGlEngine() override {
@@ -39,17 +45,7 @@ public:
     const Driver& driver() const { return renderer_->driver(); }
 
     std::string name() const override { return "gl"; }
-    EngineAbilities abilities() const override {
-        EngineAbilities can;
-        can.channels = channels_all;
-        if (driver().samples >= 4) can.samples.push_back(4);
-        if (driver().samples >= 8) can.samples.push_back(8);
-        can.screen_interpolation = !driver().is_es;
-        can.shadows = true;
-        can.user_lighting = true;
-        can.lines_and_points = true;
-        return can;
-    }
+    EngineAbilities abilities() const override { return abilities_of(driver()); }
     void prepare(Scene scene, Context& context) override {
         thread_.call([&] { renderer_->prepare(std::move(scene), context); });
     }
@@ -59,55 +55,69 @@ public:
     }
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
         RenderStats stats;
-        thread_.call([&] { stats = draw(camera, settings, sink, context); });
+        const Window window = whole(settings);
+        const std::vector<Window> parts = parts_of(window, driver().picture_size);
+        thread_.call([&] {
+            renderer_->begin_picture(camera, settings, stats, context);
+            renderer_->draw_part(parts[0], context);  // shaders and memory fail before the sink gets anything
+        });
+        sink.begin(settings.width, settings.height, window, settings.channels);
+        for (const Window& part : parts) {
+            thread_.call([&] {
+                if (&part != &parts[0]) renderer_->draw_part(part, context);
+                read(part, context);
+            });
+            deliver(part, window, sink);
+            context.progress("render", double(part.y - window.y + part.height) / double(window.height));
+        }
+        sink.end_pass(0);
+        thread_.call([&] { renderer_->end_picture(stats, context); });
         return stats;
     }
 
 private:
-    RenderStats draw(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) {
-        RenderStats stats;
-        const Window window = whole(settings);
-        const int most = driver().picture_size;
-        renderer_->begin_picture(camera, settings, stats, context);
-        Window drawn{window.x, window.y, std::min(window.width, most), std::min({window.height, most, most_rows})};
-        renderer_->draw_part(drawn,
-                             context);  // what fails, a shader or the GPU's memory, fails before the sink gets anything
-        sink.begin(settings.width, settings.height, window, settings.channels);
-        auto* const strips = dynamic_cast<StripSink*>(&sink);
-        const int at_once = strips && strips->rows_at_once() > 0 ? strips->rows_at_once() : window.height;
-        const int rows = std::min(at_once, drawn.height);
-        for (int y = 0; y < window.height; y += rows) {
-            const int height = std::min(rows, window.height - y);
-            for (int x = 0; x < window.width; x += most) {
-                const Window part{window.x + x, window.y + y, std::min(window.width - x, most), height};
-                if (part != drawn) renderer_->draw_part(part, context);
-                drawn = {};
-                deliver(part, sink, context);
-            }
-            if (strips) strips->rows_done(window.y + y, height);
-            context.progress("render", double(y + height) / double(window.height));
-        }
-        sink.end_pass(0);
-        renderer_->end_picture(stats, context);
-        return stats;
+    /// What is drawn and read at once, from the top.
+    static std::vector<Window> parts_of(const Window& window, int most) {
+        const int rows =
+            window.width > most ? fewest_rows : std::clamp(int(pixels_at_once / window.width), fewest_rows, most);
+        std::vector<Window> parts;
+        for (int y = 0; y < window.height; y += rows)
+            for (int x = 0; x < window.width; x += most)
+                parts.push_back(
+                    {window.x + x, window.y + y, std::min(window.width - x, most), std::min(window.height - y, rows)});
+        return parts;
     }
 
-    void deliver(Window part, Sink& sink, Context& context) {
-        const std::size_t pixels = std::size_t(part.width) * std::size_t(part.height);
-        colors_.resize(pixels);
+    void read(const Window& part, Context& context) {
+        colors_.resize(std::size_t(part.width) * std::size_t(part.height));
         renderer_->read_part(colors_);
-        Tile tile{.area = part};
-        tile.color = colors_;
-        const std::uint32_t channels = renderer_->channels();
-        if (channels != 0) {
-            renderer_->draw_channels(part, arrays_, context);
-            for_each_channel(
-                [&](std::uint32_t bit, auto& to, const auto& array) {
-                    if (channels & bit) to = array;
-                },
-                tile, static_cast<const ChannelArrays&>(arrays_));
+        if (renderer_->channels() != 0) renderer_->draw_channels(part, arrays_, context);
+    }
+
+    /// In strips of as many rows as the sink takes.
+    void deliver(const Window& part, const Window& window, Sink& sink) {
+        auto* const strips = dynamic_cast<StripSink*>(&sink);
+        const int most = strips && strips->rows_at_once() > 0 ? strips->rows_at_once() : part.height;
+        for (int row = 0; row < part.height; row += most) {
+            const int rows = std::min(most, part.height - row);
+            sink.tile(tile_of(part, row, rows));
+            const bool ends_row = part.x + part.width == window.x + window.width;
+            if (strips && ends_row) strips->rows_done(part.y + row, rows);
         }
-        sink.tile(tile);
+    }
+
+    Tile tile_of(const Window& part, int row, int rows) const {
+        const std::size_t first = std::size_t(row) * std::size_t(part.width),
+                          count = std::size_t(rows) * std::size_t(part.width);
+        Tile tile{.area = {part.x, part.y + row, part.width, rows}};
+        tile.color = std::span(colors_).subspan(first, count);
+        const std::uint32_t channels = renderer_->channels();
+        for_each_channel(
+            [&](std::uint32_t bit, auto& to, const auto& array) {
+                if (channels & bit) to = std::span(array).subspan(first, count);
+            },
+            tile, arrays_);
+        return tile;
     }
 
     std::optional<HeadlessContext> context_;

@@ -5,22 +5,22 @@
 
 namespace rakelight::opengl {
 
-void PassMeter::begin(const char* name) {
+void PassMeter::begin(const char* name, bool counts) {
     Asked& pass = asked_.emplace_back(Asked{name, {}, {}});
     if (driver_.has_timer) glBeginQuery(GL_TIME_ELAPSED, pass.time.get());
-    glBeginQuery(driver_.is_es ? GL_ANY_SAMPLES_PASSED : GL_SAMPLES_PASSED, pass.samples.get());
+    if (counts && !driver_.is_es) glBeginQuery(GL_SAMPLES_PASSED, pass.samples.get());
 }
 
 void PassMeter::end() {
     if (driver_.has_timer) glEndQuery(GL_TIME_ELAPSED);
-    glEndQuery(driver_.is_es ? GL_ANY_SAMPLES_PASSED : GL_SAMPLES_PASSED);
+    if (asked_.back().samples) glEndQuery(GL_SAMPLES_PASSED);
 }
 
 void PassMeter::finish(std::vector<GpuPass>& to) {
     answers_.clear();
     for (const Asked& pass : asked_) {
         GLuint samples = 0;
-        glGetQueryObjectuiv(pass.samples.name(), GL_QUERY_RESULT, &samples);
+        if (pass.samples) glGetQueryObjectuiv(pass.samples.name(), GL_QUERY_RESULT, &samples);
         auto answer = std::ranges::find(answers_, pass.name, &Answer::name);
         if (answer == answers_.end()) answer = answers_.insert(answers_.end(), {pass.name});
         answer->samples += samples;

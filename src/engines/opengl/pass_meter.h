@@ -19,7 +19,8 @@ public:
 
     class Pass {
     public:
-        Pass(PassMeter& meter, const char* name) : meter_(meter) { meter.begin(name); }
+        /// @param counts  samples too
+        Pass(PassMeter& meter, const char* name, bool counts = true) : meter_(meter) { meter.begin(name, counts); }
         ~Pass() { meter_.end(); }
         Pass(const Pass&) = delete;
         Pass& operator=(const Pass&) = delete;
@@ -31,11 +32,11 @@ public:
     void reset() { asked_.clear(); }
     /// Fetches all answers and begins anew; passes of one name are summed, in the order in which they came first.
     void finish(std::vector<GpuPass>& to);
-    /// Samples that passes of that name drew, after finish(); in ES only whether there were any: 1.
+    /// Samples that passes of that name drew, after finish(). 0 in OpenGL ES, which does not count them.
     std::uint64_t samples(const std::string& name) const;
 
 private:
-    void begin(const char* name);
+    void begin(const char* name, bool counts);
     void end();
     struct Asked {
         const char* name;

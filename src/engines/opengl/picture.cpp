@@ -15,22 +15,6 @@ std::uint64_t next_number() {
     return ++count;
 }
 
-/// Camera axes -> clip space of a part of the picture, upside down.
-dmat4 clip_matrix(const shading::View& view, Window pixels, const DepthRange& depth) {
-    const double wide = double(view.width) / pixels.width, high = double(view.height) / pixels.height;
-    const double x = (view.width - 2.0 * pixels.x) / pixels.width - 1,
-                 y = (view.height - 2.0 * pixels.y) / pixels.height - 1;
-    const DepthRange::Row z = depth.row(view);
-    // distance = -z of the camera; w = distance in perspective, else 1
-    const double w_z = view.orthographic ? 0 : -1, w_1 = view.orthographic ? 1 : 0;
-    dmat4 m;
-    m[0] = {view.scale_x * wide, 0, 0, 0};
-    m[1] = {0, -view.scale_y * high, 0, 0};
-    m[2] = {x * w_z, y * w_z, -z.scale + z.per_w * w_z, w_z};
-    m[3] = {x * w_1, y * w_1, z.offset + z.per_w * w_1, w_1};
-    return m;
-}
-
 void put_row(const dmat4& m, std::size_t row, float* to) {
     for (std::size_t c = 0; c < 4; ++c) to[c] = float(m[c][row]);
 }
@@ -49,16 +33,30 @@ void put_vec3(dvec3 v, float w, float* to) { to[0] = float(v.x), to[1] = float(v
 
 }  // namespace
 
-DepthRange::Row DepthRange::row(const shading::View& view) const {
+DepthRange::Row DepthRange::nearness(const shading::View& view) {
     const double near = view.z_near, far = view.z_far, length = far - near;
-    Row r{};  // of nearness: near / distance in perspective, 1 at the near plane, 0 at the far one
-    if (view.orthographic)
-        r = {-1 / length, far / length, 0};
-    else if (std::isfinite(far))
-        r = {-near / length, near * far / length, 0};
-    else
-        r = {0, near, 0};
+    if (view.orthographic) return {-1 / length, far / length, 0};
+    if (!std::isfinite(far)) return {0, near, 0};
+    return {-near / length, near * far / length, 0};
+}
+
+DepthRange::Row DepthRange::row(const shading::View& view) const {
+    const Row r = nearness(view);
     return is_reversed ? r : Row{-2 * r.scale, -2 * r.offset, 1};
+}
+
+dmat4 clip_matrix(const shading::View& view, Window pixels, const DepthRange::Row& depth, double y_sign) {
+    const double wide = double(view.width) / pixels.width, high = double(view.height) / pixels.height;
+    const double x = (view.width - 2.0 * pixels.x) / pixels.width - 1,
+                 y = -y_sign * ((view.height - 2.0 * pixels.y) / pixels.height - 1);
+    // distance = -z of the camera; w = distance in perspective, else 1
+    const double w_z = view.orthographic ? 0 : -1, w_1 = view.orthographic ? 1 : 0;
+    dmat4 m;
+    m[0] = {view.scale_x * wide, 0, 0, 0};
+    m[1] = {0, y_sign * view.scale_y * high, 0, 0};
+    m[2] = {x * w_z, y * w_z, -depth.scale + depth.per_w * w_z, w_z};
+    m[3] = {x * w_1, y * w_1, depth.offset + depth.per_w * w_1, w_1};
+    return m;
 }
 
 PictureDrawer::PictureDrawer(const PictureTools& tools, const PictureState& state, Window pixels)
@@ -66,7 +64,7 @@ PictureDrawer::PictureDrawer(const PictureTools& tools, const PictureState& stat
       state_(state),
       pixels_(pixels),
       depth_(tools.driver),
-      camera_to_clip_(clip_matrix(state.view, pixels, depth_)),
+      camera_to_clip_(clip_matrix(state.view, pixels, depth_.row(state.view), -1)),
       number_(next_number()) {}
 
 void PictureDrawer::begin() const {
@@ -115,7 +113,7 @@ void PictureDrawer::set_picture(const Program& p) const {
         float ray[12];
         const bool is_sky_parallel = view.orthographic;
         put_vec3(rays.along_x, is_sky_parallel ? 0.0f : float(2.0 / (view.height * view.scale_y)), ray);
-        put_vec3(rays.along_y, tools_.environment ? float(tools_.environment.levels().sky_height) : 1.0f, ray + 4);
+        put_vec3(rays.along_y, tools_.environment ? float(tools_.environment.sky_height()) : 1.0f, ray + 4);
         put_vec3(rays.first, 0, ray + 8);
         glUniform4fv(p.ray, 3, ray);
     }
@@ -164,7 +162,7 @@ void PictureDrawer::bind_table(const Program& program, const Mesh& mesh, const s
         glActiveTexture(GLenum(GL_TEXTURE0 + tools_.driver.texture_units + k));
         glBindTexture(GL_TEXTURE_2D, k == 0 ? table.indices.name() : table.vertices.name());
     }
-    if (program.against >= 0) glUniform1i(program.against, table.against);
+    if (program.against >= 0) glUniform1i(program.against, against ? table.against : -1);
 }
 
 const Program& PictureDrawer::use(std::uint32_t number, const DrawState& state) const {
@@ -203,9 +201,8 @@ const Program& PictureDrawer::use(std::uint32_t number, const DrawState& state) 
     return program;
 }
 
-void PictureDrawer::draw_triangles(std::uint32_t number, const DrawState& state, const Program& program,
-                                   std::uint32_t first, std::uint32_t count) const {
-    (void)number;
+void PictureDrawer::draw_triangles(const DrawState& state, const Program& program, std::uint32_t first,
+                                   std::uint32_t count) {
     if (state.features.from_triangles) {
         glUniform1i(program.first_corner, GLint(3 * first));
         glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * count));
@@ -218,12 +215,12 @@ void PictureDrawer::draw_triangles(std::uint32_t number, const DrawState& state,
 void PictureDrawer::draw(std::uint32_t number, const DrawState& state) const {
     const Mesh& mesh = state_.list.scene.meshes[state_.list.draws[number].mesh];
     const Program& program = use(number, state);
-    draw_triangles(number, state, program, 0, std::uint32_t(mesh.triangle_count()));
+    draw_triangles(state, program, 0, std::uint32_t(mesh.triangle_count()));
 }
 
 void PictureDrawer::draw_marks(const shading::Draw& draw, const Mark& mark, Output output, GLuint depth) const {
     const Mesh& mesh = state_.list.scene.meshes[draw.mesh];
-    const std::size_t elements = mark.kind == 0 ? mesh.indices.size() / 2 : mesh.indices.size();
+    const std::size_t elements = mark.kind == Mark::lines ? mesh.indices.size() / 2 : mesh.indices.size();
     if (elements == 0) return;
     Features features;
     features.output = output;
@@ -243,7 +240,9 @@ void PictureDrawer::draw_marks(const shading::Draw& draw, const Mark& mark, Outp
     glUniform4f(program.mark, mark.size, float(mark.kind), float(mark.shape),
                 view.orthographic ? 0.5f : float(view.z_near));
     glUniform4f(program.mark_color, mark.color.x, mark.color.y, mark.color.z, mark.color.w);
-    glUniform4f(program.mark_view, float(pixels_.width), float(pixels_.height), float(view.z_near), float(view.z_far));
+    const DepthRange::Row nearness = DepthRange::nearness(view);
+    glUniform4f(program.mark_view, float(pixels_.width), float(pixels_.height), float(nearness.scale),
+                float(nearness.offset));
     glUniform4f(program.mark_cull, culling.back, culling.front, culling.front_is_negative, 0);
     if (program.numbers >= 0)
         glUniform4ui(program.numbers, draw.node, state_.list.material(draw).scene_material, draw.mesh, 0);

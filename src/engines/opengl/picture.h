@@ -18,12 +18,19 @@ struct DepthRange {
     float far_depth() const { return is_reversed ? 0.0f : 1.0f; }
     GLenum nearer() const { return is_reversed ? GL_GREATER : GL_LESS; }
     GLenum not_farther() const { return is_reversed ? GL_GEQUAL : GL_LEQUAL; }
-    /// Clip-space depth as scale * distance + offset.
+    /// Of a distance along the view axis: (scale * distance + offset) / w + per_w.
     struct Row {
-        double scale, offset, per_w;  ///< per_w: times w, added
+        double scale, offset, per_w;
     };
+    /// 1 at the near plane, 0 at the far one: what reversed depth holds; 1 minus it: what the other depth does.
+    static Row nearness(const shading::View& view);
+    /// Clip-space depth.
     Row row(const shading::View& view) const;
 };
+
+/// Camera axes -> clip space of a part of the picture. @param depth  what comes as z: z * w
+/// @param y_sign  -1: upside down, as pictures are drawn
+dmat4 clip_matrix(const shading::View& view, Window pixels, const DepthRange::Row& depth, double y_sign);
 
 /// What draws of a picture share on the GPU.
 struct PictureTools {
@@ -42,19 +49,20 @@ public:
 
     /// Binds textures, sets the state that all draws have.
     void begin() const;
-    /// A whole draw, or, with `indices`, other triangles of it: [3 * triangles] of its vertices.
+    /// A whole draw.
     void draw(std::uint32_t number, const DrawState& state) const;
     /// Program, numbers and textures of a draw; then draw_triangles() any number of times.
     const Program& use(std::uint32_t number, const DrawState& state) const;
-    void draw_triangles(std::uint32_t number, const DrawState& state, const Program& program, std::uint32_t first,
-                        std::uint32_t count) const;
+    static void draw_triangles(const DrawState& state, const Program& program, std::uint32_t first,
+                               std::uint32_t count);
     const Driver& driver() const { return tools_.driver; }
     void draw_sky() const;
-    /// What shows lines and points: kinds as glsl/marks_main.glsl has them.
+    /// What shows lines and points, in the numbers of glsl/marks_main.glsl.
     struct Mark {
-        int kind = 0, shape = 0;
-        float size = 1;
-        vec4 color;  ///< linear, opacity
+        enum Kind : std::uint8_t { lines, points, edges, vertices } kind = lines;
+        enum Shape : std::uint8_t { line, square, disc } shape = line;
+        float size = 1;  ///< [px]
+        vec4 color;      ///< linear, opacity
         bool has_vertex_colors = false;
     };
     /// Over what is bound, hidden by `depth`. @param draw  of DrawList::draws or line_draws

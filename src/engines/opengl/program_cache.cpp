@@ -3,17 +3,22 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace rakelight::opengl {
 namespace {
 
 constexpr std::size_t most_bytes = 64 << 20;
+
+/// What a file begins with.
+struct Header {
+    std::uint64_t hash, format;  ///< of what follows; the driver's number for its form
+};
 
 /// FNV-1a (Fowler, Noll & Vo 1991): names, not secrets.
 std::uint64_t hash_of(std::string_view text, std::uint64_t hash = 0xcbf29ce484222325ull) {
@@ -48,13 +53,17 @@ ProgramCache::ProgramCache(const Driver& driver, const ProgramText& text) {
 }
 
 bool ProgramCache::load(GLuint program) const {
-    if (file_.empty()) return false;
+    std::error_code fault;
+    if (file_.empty() || !std::filesystem::is_regular_file(file_, fault)) return false;
+    const std::uintmax_t size = std::filesystem::file_size(file_, fault);
+    Header header{};
+    if (fault || size <= sizeof header || size > most_bytes) return false;
     std::ifstream file(file_, std::ios::binary);
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-    GLenum format = 0;
-    if (bytes.size() <= sizeof format || bytes.size() > most_bytes) return false;
-    std::memcpy(&format, bytes.data(), sizeof format);
-    glProgramBinary(program, format, bytes.data() + sizeof format, GLsizei(bytes.size() - sizeof format));
+    std::vector<char> bytes(std::size_t(size) - sizeof header);
+    if (!file.read(reinterpret_cast<char*>(&header), sizeof header) ||
+        !file.read(bytes.data(), std::streamsize(bytes.size())) || header.hash != hash_of({bytes.data(), bytes.size()}))
+        return false;
+    glProgramBinary(program, GLenum(header.format), bytes.data(), GLsizei(bytes.size()));
     return glGetError() == GL_NO_ERROR;
 }
 
@@ -68,16 +77,19 @@ void ProgramCache::store(GLuint program) const {
     glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &size);
     if (size <= 0 || std::size_t(size) > most_bytes) return;
     GLenum format = 0;
-    std::vector<char> bytes(sizeof format + std::size_t(size));
-    glGetProgramBinary(program, size, &size, &format, bytes.data() + sizeof format);
-    if (glGetError() != GL_NO_ERROR) return;
-    std::memcpy(bytes.data(), &format, sizeof format);
+    std::vector<char> bytes(std::size_t(size), '\0');
+    glGetProgramBinary(program, size, &size, &format, bytes.data());
+    if (glGetError() != GL_NO_ERROR || size <= 0) return;
+    const Header header{hash_of({bytes.data(), std::size_t(size)}), format};
+    static std::atomic<unsigned> count{0};
     std::error_code fault;
     std::filesystem::create_directories(file_.parent_path(), fault);
-    const std::filesystem::path part = file_.string() + "." + std::to_string(getpid()) + ".part";
+    const std::filesystem::path part =
+        file_.string() + "." + std::to_string(getpid()) + "." + std::to_string(++count) + ".part";
     {
         std::ofstream file(part, std::ios::binary);
-        file.write(bytes.data(), std::streamsize(sizeof format) + size);
+        file.write(reinterpret_cast<const char*>(&header), sizeof header);
+        file.write(bytes.data(), size);
         if (!file.flush()) fault = std::make_error_code(std::errc::io_error);
     }
     if (!fault) std::filesystem::rename(part, file_, fault);

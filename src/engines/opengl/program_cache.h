@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linked programs as files, so that the next run need not compile them: in $XDG_CACHE_HOME/rakelight/gl (~/.cache). A file is
-// named by driver and text and holds both' hash; one that the driver refuses is made anew. RAKELIGHT_GL_CACHE=off: none.
+// named by driver and text; one that is broken or that the driver refuses is made anew. RAKELIGHT_GL_CACHE=off: none.
 #pragma once
 #include <epoxy/gl.h>
 

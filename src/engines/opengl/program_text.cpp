@@ -174,18 +174,26 @@ ProgramText program_text(const Features& f, const Driver& driver, const UserLigh
     return out;
 }
 
-ProgramText display_text(const Driver& driver, int tone) {
+ProgramText screen_text(const Driver& driver, const std::string& text) {
     ProgramText out;
     StageText vertices(out.files), pixels(out.files);
     vertices.add(version_of(driver));
     vertices.add_file("engines/opengl/glsl/screen_vertex.glsl");
+    pixels.add(version_of(driver) + text);
+    out.vertices = vertices.take(), out.pixels = pixels.take();
+    return out;
+}
+
+ProgramText display_text(const Driver& driver, int tone) {
+    ProgramText out = screen_text(driver, {});
+    StageText pixels(out.files);
     pixels.add(version_of(driver) + "#define RL_SHOWS_CODES " + (tone < 0 ? "1\n" : "0\n") + "#define RL_TONE " +
                std::to_string(tone) + "\n");
     pixels.add_file("math/prelude.glsl");
     pixels.add("struct Maps { float unused; };\n");
     for (const char* const path : {"image/agx_curves.glsl", "image/tone.glsl", "engines/opengl/glsl/display_main.glsl"})
         pixels.add_file(path);
-    out.vertices = vertices.take(), out.pixels = pixels.take();
+    out.pixels = pixels.take();
     return out;
 }
 

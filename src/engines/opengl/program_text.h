@@ -9,9 +9,8 @@
 
 namespace rakelight::opengl {
 
-inline constexpr int fetch_width = 4096;    ///< [texels] a row of textures that are tables
-inline constexpr int light_texels = 11;     ///< a light
-inline constexpr int most_near_lights = 8;  ///< that a program has as uniforms
+inline constexpr int fetch_width = 4096;  ///< [texels] a row of textures that are tables
+inline constexpr int light_texels = 11;   ///< a light
 
 /// Texts of both stages.
 struct ProgramText {
@@ -26,6 +25,8 @@ struct UserLighting {
 
 ProgramText program_text(const Features& features, const Driver& driver, const UserLighting& user);
 
+/// One triangle over all pixels. @param pixels  text of the pixel stage, whole
+ProgramText screen_text(const Driver& driver, const std::string& pixels);
 /// A picture on the screen. @param tone  RL_TONE_...; -1: codes as they are
 ProgramText display_text(const Driver& driver, int tone);
 /// Lines and points of pictures: the output, from_triangles, is_parallel and what a mesh has count of the features.

@@ -10,11 +10,13 @@
 namespace rakelight::opengl {
 namespace {
 
-[[noreturn]] void fail(const std::string& log, const ProgramText& text, const UserLighting& user) {
-    std::string words = with_file_names(log, text.files);
-    words = words.substr(0, words.find('\n'));
-    if (!user.text.empty() && words.find(user.name) != std::string::npos)
-        throw Error(ErrorCode::bad_file, "the lighting does not compile: " + words).about("lighting");
+/// @param log  what the driver says, with files' names. Programs without a text of the user's compile: so it is at fault.
+[[noreturn]] void fail(const std::string& log, const UserLighting& user) {
+    const std::string words = log.substr(0, log.find('\n'));
+    if (!user.text.empty())
+        throw Error(ErrorCode::bad_file, "the lighting of " + user.name + " does not compile: " + words, {},
+                    "see docs/opengl.md")
+            .about("lighting");
     throw Error(ErrorCode::failed, "the OpenGL driver refuses a shader: " + words, {}, "render with engine soft");
 }
 
@@ -54,7 +56,7 @@ bool is_linked(GLuint program) {
 void compile(GLuint program, const ProgramText& text, const UserLighting& user) {
     const Shader vertices(GL_VERTEX_SHADER, text.vertices), pixels(GL_FRAGMENT_SHADER, text.pixels);
     for (const Shader* const shader : {&vertices, &pixels})
-        if (!shader->is_good()) fail(shader->log(), text, user);
+        if (!shader->is_good()) fail(with_file_names(shader->log(), text.files), user);
     glAttachShader(program, vertices.name());
     glAttachShader(program, pixels.name());
     glLinkProgram(program);
@@ -64,7 +66,7 @@ void compile(GLuint program, const ProgramText& text, const UserLighting& user) 
     std::string words(4096, '\0');
     GLsizei length = 0;
     glGetProgramInfoLog(program, GLsizei(words.size()), &length, words.data());
-    fail(words.substr(0, std::size_t(length)), text, user);
+    fail(words.substr(0, std::size_t(length)), user);
 }
 
 /// Names of uniforms -> places; samplers -> units.

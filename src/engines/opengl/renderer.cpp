@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <utility>
 
 #include "engines/channel_arrays.h"
@@ -19,17 +20,7 @@ namespace {
 
 // Names of passes, as RenderStats::gpu_passes has them.
 constexpr const char *shadow_pass = "shadow maps", *surface_pass = "surfaces", *blended_pass = "blended surfaces",
-                     *mark_pass = "lines and points", *channel_pass = "data channels";
-constexpr float nothing_parallel = -3e38f;  ///< nearness where nothing is
-
-/// A picture's settings as far as a shadow map needs them.
-RenderSettings map_settings(int size) {
-    RenderSettings s;
-    s.width = s.height = size;
-    s.cull = Cull::none;
-    s.bump = Bump::none;
-    return s;
-}
+                     *channel_pass = "data channels";
 
 }  // namespace
 
@@ -43,33 +34,41 @@ void Renderer::make_albedos() {
     numbers.insert(numbers.end(), t.sheen, t.sheen + sheen * columns);
     for (int i = 0; i < 2; ++i) numbers.insert(numbers.end(), t.loss, t.loss + columns);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, albedos_.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, columns, GLsizei(numbers.size()) / columns, 0, GL_RED, GL_FLOAT,
-                 numbers.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    set_texels(albedos_, GL_R32F, GL_RED, GL_FLOAT, columns, int(numbers.size()) / columns, numbers.data());
     check_gl("the tables of albedos");
 }
 
 void Renderer::prepare(Scene scene, Context& context) {
     validate_changes(scene, list_.scene);
     list_ = {};  // its textures may go: what fails from here on leaves an empty scene
-    maps_.clear();
+    forget_picture();
     TakenScene taken = take_scene(std::move(scene), std::move(cache_), std::move(environments_), context);
     meshes_.keep_only(taken.list.scene);
     upload(taken, Clock::time_point::max(), context);
-    take(std::move(taken));
+    take(std::move(taken), context);
 }
 
-void Renderer::take(TakenScene scene) {
+void Renderer::take(TakenScene scene, Context& context) {
+    const std::optional<Environment>& environment = scene.list.scene.environment;
+    const std::string file = environment && environment->image ? environment->image->file : std::string();
+    environment_.update(scene.environment, driver_, file, context.report());
     meshes_.keep_only(scene.list.scene);
-    textures_.keep_only(wishes_of(scene));
-    environment_.update(scene.environment);
+    textures_.keep_only(wishes_of(scene.list, scene.cache));
     list_ = std::move(scene.list);
     cache_ = std::move(scene.cache);
     environments_ = std::move(scene.environments);
+    forget_picture();
+}
+
+void Renderer::forget_uploads() {
+    meshes_.keep_only(list_.scene);
+    textures_.keep_only(wishes_of(list_, cache_));
+}
+
+void Renderer::forget_picture() {
     maps_.clear();
+    seen_.clear();
+    meter_.reset();
 }
 
 void Renderer::set_lights(std::vector<Light> lights) {
@@ -79,11 +78,11 @@ void Renderer::set_lights(std::vector<Light> lights) {
     maps_.clear();
 }
 
-PictureState Renderer::picture_state() const {
+PictureState Renderer::picture_state() {
     const bool is_lit = environment_ && list_.scene.environment && list_.scene.environment->is_light;
     return {.list = list_,
             .cache = cache_,
-            .textures = const_cast<TextureStore&>(textures_),
+            .textures = textures_,
             .settings = settings_,
             .view = view_,
             .shading = shading_,
@@ -97,7 +96,7 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
                              Context& context) {
     settings_ = settings;
     not_finite_ = covered_ = 0;
-    dropped_maps_ = 0;
+    dropped_maps_ = dropped_of_ = 0;
     seen_.assign(list_.draws.size(), false);
     meter_.reset();
     programs_.set_user({settings.lighting_name, settings.lighting_text});
@@ -108,34 +107,39 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
     update_shadows(settings, eye, light_parameters_, stats, context);
 }
 
+std::vector<Renderer::KeptMaps> Renderer::draw_shadow_maps(const RenderSettings& settings, Context& context) {
+    shading::check_shadow_memory(list_.scene.lights, settings, context.memory());
+    std::vector<KeptMaps> maps;
+    std::vector<int> faces;
+    for (std::size_t i = 0; i < list_.scene.lights.size(); ++i) {
+        if (!shading::casts_shadow(list_.scene.lights[i])) continue;
+        maps.push_back({i, shading::shadow_cameras(list_, list_.scene.lights[i], settings), {}, {}});
+        faces.push_back(int(maps.back().cameras.size()));
+    }
+    if (maps.empty()) return maps;
+    const std::vector<ShadowAtlas::Place> places = shadows_.reserve(faces, settings.shadow_size);
+    const RenderSettings of_map = shading::map_settings(settings.shadow_size);
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+        maps[m].place = places[m];
+        for (std::size_t f = 0; f < maps[m].cameras.size(); ++f) {
+            maps[m].view = shading::view_of(list_, maps[m].cameras[f].camera, of_map);
+            draw_shadow_map(maps[m].view, of_map, places[m], int(f), context);
+        }
+    }
+    return maps;
+}
+
 void Renderer::update_shadows(const RenderSettings& settings, dvec3 eye, std::vector<lighting::LightParameters>& lights,
                               RenderStats& stats, Context& context) {
     light_shadows_.clear();
-    if (!settings.shadows || !shading::has_shadow_range(list_.bounds)) {
-        maps_.clear();
-        return shadows_.forget();
-    }
-    if (maps_.empty() || map_size_ != settings.shadow_size || map_filter_ != settings.shadow_filter) {
-        shading::check_shadow_memory(list_.scene.lights, settings, context.memory());
-        maps_.clear();
-        std::vector<int> faces;
-        for (std::size_t i = 0; i < list_.scene.lights.size(); ++i) {
-            if (!shading::casts_shadow(list_.scene.lights[i])) continue;
-            maps_.push_back({i, shading::shadow_cameras(list_, list_.scene.lights[i], settings), {}, {}});
-            faces.push_back(int(maps_.back().cameras.size()));
-        }
-        if (maps_.empty()) return shadows_.forget();
+    const bool is_wanted = shading::has_shadow_maps(list_, settings, context.report());
+    if (!is_wanted) maps_.clear();
+    if (is_wanted && (maps_.empty() || map_size_ != settings.shadow_size || map_filter_ != settings.shadow_filter)) {
+        maps_.clear();  // what is thrown from here on leaves none
+        maps_ = draw_shadow_maps(settings, context);
         map_size_ = settings.shadow_size, map_filter_ = settings.shadow_filter;
-        const std::vector<ShadowAtlas::Place> places = shadows_.reserve(faces, settings.shadow_size);
-        const RenderSettings for_maps = map_settings(settings.shadow_size);
-        for (std::size_t m = 0; m < maps_.size(); ++m) {
-            maps_[m].place = places[m];
-            for (std::size_t f = 0; f < maps_[m].cameras.size(); ++f) {
-                maps_[m].view = shading::view_of(list_, maps_[m].cameras[f].camera, for_maps);
-                draw_shadow_map(maps_[m].cameras[f], maps_[m].view, places[m], int(f), context);
-            }
-        }
     }
+    if (maps_.empty()) return shadows_.forget();
     for (const KeptMaps& m : maps_) {
         lights[m.light].shadow = std::int32_t(light_shadows_.size());
         light_shadows_.push_back(
@@ -146,11 +150,10 @@ void Renderer::update_shadows(const RenderSettings& settings, dvec3 eye, std::ve
     }
 }
 
-void Renderer::draw_shadow_map(const shading::MapCamera&, const shading::View& view, ShadowAtlas::Place place, int face,
-                               Context& context) {
-    const RenderSettings settings = map_settings(shadows_.size());
+void Renderer::draw_shadow_map(const shading::View& view, const RenderSettings& settings, ShadowAtlas::Place place,
+                               int face, Context& context) {
     const std::vector<Shading> unlit(list_.draws.size(), Shading::unlit);
-    PictureState state = picture_state();
+    const PictureState state = picture_state();
     const LightTable no_lights;
     const PictureState of_map{.list = state.list,
                               .cache = state.cache,
@@ -165,7 +168,9 @@ void Renderer::draw_shadow_map(const shading::MapCamera&, const shading::View& v
     const float texels = float(0.5 * view.width * view.scale_x);
     drawer.set_map_texels(view.orthographic ? -texels : texels);
     const PassMeter::Pass pass(meter_, shadow_pass);
-    shadows_.begin(place, face, std::bit_cast<std::uint32_t>(view.orthographic ? nothing_parallel : 0.0f), far_depth());
+    shadows_.begin(place, face,
+                   std::bit_cast<std::uint32_t>(view.orthographic ? shading::nothing_on_parallel_map : 0.0f),
+                   far_depth());
     drawer.begin();
     for (std::uint32_t d = 0; d < list_.draws.size(); ++d) {
         context.throw_if_cancelled();
@@ -182,14 +187,15 @@ void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& sta
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     std::map<std::uint32_t, DrawState> states;
-    for (const std::uint32_t d : draws) states.emplace(d, draw_state(state, d, Output::color, false));
+    for (const std::uint32_t d : draws)
+        note_dropped(d, states.emplace(d, draw_state(state, d, Output::color, false)).first->second);
     const PassMeter::Pass pass(meter_, blended_pass);
     for (const BlendedRun& run : runs) {
         context.throw_if_cancelled();
         const DrawState& of = states.at(run.draw);
         const Program& program = drawer.use(run.draw, of);
         if (of.features.from_triangles) {
-            for (const std::uint32_t t : run.triangles) drawer.draw_triangles(run.draw, of, program, t, 1);
+            for (const std::uint32_t t : run.triangles) drawer.draw_triangles(of, program, t, 1);
             continue;
         }
         const Mesh& mesh = list_.scene.meshes[list_.draws[run.draw].mesh];
@@ -202,7 +208,7 @@ void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& sta
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, stream_.get());
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(indices[0])), indices.data(),
                      GL_STREAM_DRAW);
-        drawer.draw_triangles(run.draw, of, program, 0, std::uint32_t(run.triangles.size()));
+        drawer.draw_triangles(of, program, 0, std::uint32_t(run.triangles.size()));
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(own));
     }
     glDisable(GL_BLEND);
@@ -221,14 +227,18 @@ void Renderer::draw_surfaces(const PictureDrawer& drawer, const PictureState& st
             continue;
         }
         const DrawState of = draw_state(state, d, Output::color, false);
-        if (of.dropped != 0 && dropped_maps_ == 0) dropped_maps_ = of.dropped, dropped_of_ = d;
+        note_dropped(d, of);
         drawer.draw(d, of);
     }
 }
 
+void Renderer::note_dropped(std::uint32_t draw, const DrawState& state) {
+    if (state.dropped != 0 && dropped_maps_ == 0) dropped_maps_ = state.dropped, dropped_of_ = draw;
+}
+
 void Renderer::draw_colors(const PictureDrawer& drawer, const PictureState& state, Context& context) {
     drawer.begin();
-    if (environment_ && list_.scene.environment->is_background) drawer.draw_sky();
+    if (environment_ && list_.scene.environment && list_.scene.environment->is_background) drawer.draw_sky();
     std::vector<std::uint32_t> blended;
     draw_surfaces(drawer, state, blended, context);
     if (!blended.empty()) draw_blended(drawer, state, blended, context);
@@ -276,18 +286,14 @@ void Renderer::draw_part(Window pixels, Target& to, Context& context) {
     to.begin(settings_.background, far_depth());
     draw_colors(drawer, state, context);
     to.resolve();
-    to.resolve_depth();
-    if (Marks::are_in(list_, settings_)) {
-        const PassMeter::Pass pass(meter_, mark_pass);
-        marks_.draw(drawer, state, to);
-    }
+    if (Marks::are_in(list_, settings_)) marks_.draw(drawer, state, to, meter_);
     check_gl("the picture");
 }
 
 void Renderer::read_part(std::span<vec4> to) {
     target_.read(to);
     not_finite_ += to_straight_alpha(to, settings_.background);
-    if (!driver_.is_es) covered_ += target_.count_covered(far_depth());
+    covered_ += counter_.count(target_, far_depth());
 }
 
 void Renderer::remark_dropped_maps(Report& report) const {
@@ -301,7 +307,7 @@ void Renderer::remark_dropped_maps(Report& report) const {
 }
 
 void Renderer::end_picture(RenderStats& stats, Context& context) {
-    if (list_.draws.empty() || seen_.empty()) return;
+    if (seen_.size() != list_.draws.size()) return;  // of another scene
     const auto is_lit_at_corners = [this](std::uint32_t d) {
         return seen_[d] && (shading_[d] == Shading::flat || shading_[d] == Shading::gouraud) &&
                !list_.material(list_.draws[d]).factors.unlit;
@@ -319,13 +325,10 @@ void Renderer::end_picture(RenderStats& stats, Context& context) {
     meter_.finish(stats.gpu_passes);
     stats.pixels_not_finite = not_finite_;
     stats.depth_passes = meter_.samples(surface_pass);
-    // ES knows only whether there is something.
-    stats.pixels_covered = driver_.is_es && stats.depth_passes > 0
-                               ? std::uint64_t(settings_.width) * std::uint64_t(settings_.height)
-                               : covered_;
-    stats.samples_covered = stats.pixels_covered * std::uint64_t(settings_.samples);
-    stats.pixels_marked = meter_.samples(mark_pass);
-    stats.pixels_shaded = stats.pixels_covered + meter_.samples(blended_pass);
+    stats.pixels_covered = covered_;
+    stats.samples_covered = settings_.samples == 1 ? covered_ : 0;
+    stats.pixels_shaded = covered_ + meter_.samples(blended_pass) / std::uint64_t(settings_.samples);
+    stats.pixels_marked = meter_.samples(Marks::pass_name);
     if (not_finite_ > 0)
         context.report().add(Remark::warning, list_.scene.source, {},
                              std::to_string(not_finite_) + " color values came out not finite and are shown black");

@@ -11,6 +11,7 @@
 #include <rakelight/engine.h>
 
 #include "engines/opengl/channels.h"
+#include "engines/opengl/covered.h"
 #include "engines/opengl/marks.h"
 #include "engines/opengl/pass_meter.h"
 #include "engines/opengl/picture.h"
@@ -34,7 +35,8 @@ public:
     bool upload(const TakenScene& scene, Clock::time_point end, Context& context) {
         return upload_some(scene, textures_, meshes_, end, context);
     }
-    void take(TakenScene scene);
+    void take(TakenScene scene, Context& context);
+    void forget_uploads();  ///< of a scene that is not taken
     const Scene& scene() const { return list_.scene; }
     std::uint32_t channels() const { return settings_.channels; }  ///< of the picture that is drawn
     void set_lights(std::vector<Light> lights);
@@ -54,15 +56,27 @@ public:
     void end_picture(RenderStats& stats, Context& context);
     /// Data channels of a part of the picture, which are filled. After its colors.
     void draw_channels(Window pixels, ChannelArrays& to, Context& context);
+    shading::View view_of(const Camera& camera, const RenderSettings& settings) const {
+        return shading::view_of(list_, camera, settings);
+    }
     float far_depth() const { return DepthRange(driver_).far_depth(); }
 
 private:
-    PictureState picture_state() const;
+    struct KeptMaps {
+        std::size_t light;
+        std::vector<shading::MapCamera> cameras;
+        shading::View view;
+        ShadowAtlas::Place place;
+    };
+    PictureState picture_state();
+    void forget_picture();
     void update_shadows(const RenderSettings& settings, dvec3 eye, std::vector<lighting::LightParameters>& lights,
                         RenderStats& stats, Context& context);
-    void draw_shadow_map(const shading::MapCamera& from, const shading::View& view, ShadowAtlas::Place place, int face,
+    std::vector<KeptMaps> draw_shadow_maps(const RenderSettings& settings, Context& context);
+    void draw_shadow_map(const shading::View& view, const RenderSettings& settings, ShadowAtlas::Place place, int face,
                          Context& context);
     void make_albedos();
+    void note_dropped(std::uint32_t draw, const DrawState& state);
     void remark_dropped_maps(Report& report) const;
     /// @param blended  gets those that are left for draw_blended()
     void draw_surfaces(const PictureDrawer& drawer, const PictureState& state, std::vector<std::uint32_t>& blended,
@@ -87,6 +101,7 @@ private:
     Target target_;
     ChannelTarget channel_target_;
     Marks marks_;
+    CoveredCounter counter_{driver_};
     PassMeter meter_{driver_};
     GlBuffer stream_;
 
@@ -102,12 +117,6 @@ private:
     LightTable lights_;
 
     // Shadow maps that are there: of the list, for these settings.
-    struct KeptMaps {
-        std::size_t light;
-        std::vector<shading::MapCamera> cameras;
-        shading::View view;
-        ShadowAtlas::Place place;
-    };
     std::vector<KeptMaps> maps_;
     int map_size_ = 0, map_filter_ = 0;
 };

@@ -15,13 +15,13 @@ TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::Environ
     return out;
 }
 
-std::vector<TextureStore::Wish> wishes_of(const TakenScene& taken) {
+std::vector<TextureStore::Wish> wishes_of(const shading::DrawList& list, const shading::TextureCache& cache) {
     std::vector<TextureStore::Wish> wishes;
-    for (const shading::DrawMaterial& drawn : taken.list.materials)
+    for (const shading::DrawMaterial& drawn : list.materials)
         for (const TextureRole& role : texture_roles()) {
             if (!drawn.maps[std::size_t(role.number)]) continue;
-            const Texture& texture = taken.list.scene.textures[role.in(taken.list.scene_material(drawn)).texture];
-            const shading::LoadedTexture* const loaded = taken.cache.find(shading::key_of(texture, role.space));
+            const Texture& texture = list.scene.textures[role.in(list.scene_material(drawn)).texture];
+            const shading::LoadedTexture* const loaded = cache.find(shading::key_of(texture, role.space));
             wishes.push_back({std::static_pointer_cast<const TextureLevels>(loaded->packed), role.number == role_height,
                               loaded->is_bump, texture.image.get()});
         }
@@ -30,14 +30,17 @@ std::vector<TextureStore::Wish> wishes_of(const TakenScene& taken) {
 
 bool upload_some(const TakenScene& taken, TextureStore& textures, MeshStore& meshes, Clock::time_point end,
                  Context& context) {
-    for (const TextureStore::Wish& wish : wishes_of(taken)) {
+    bool is_first = true;
+    const auto has_time = [&] { return std::exchange(is_first, false) || Clock::now() < end; };
+    for (const TextureStore::Wish& wish : wishes_of(taken.list, taken.cache)) {
         if (textures.has(wish)) continue;
-        if (Clock::now() >= end) return false;
+        if (!has_time()) return false;
+        context.throw_if_cancelled();
         textures.add(wish, context);
     }
     for (const Mesh& mesh : taken.list.scene.meshes)
         while (!meshes.is_there(mesh)) {
-            if (Clock::now() >= end) return false;
+            if (!has_time()) return false;
             context.throw_if_cancelled();
             meshes.upload_piece(mesh);
         }

@@ -25,12 +25,12 @@ struct TakenScene {
 TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::EnvironmentCache environments,
                       Context& context);
 
-/// What its materials read.
-std::vector<TextureStore::Wish> wishes_of(const TakenScene& scene);
+/// What a scene's materials read.
+std::vector<TextureStore::Wish> wishes_of(const shading::DrawList& list, const shading::TextureCache& cache);
 
 using Clock = std::chrono::steady_clock;
 
-/// Uploads textures and meshes until the time is over. @return all of them are there
+/// Uploads textures and meshes until the time is over, something at least. @return all of them are there
 bool upload_some(const TakenScene& scene, TextureStore& textures, MeshStore& meshes, Clock::time_point end,
                  Context& context);
 

@@ -6,6 +6,8 @@
 
 #include <rakelight/error.h>
 
+#include "shading/shadow_factors.h"
+
 namespace rakelight::opengl {
 namespace {
 
@@ -34,7 +36,7 @@ std::vector<ShadowAtlas::Place> ShadowAtlas::reserve(const std::vector<int>& fac
         for (std::size_t i = 0; i < faces.size(); ++i)
             if (faces[i] == kind) places[i] = kind == 6 ? shelves.put(cube_columns, cube_rows) : shelves.put(1, 1);
     if (shelves.columns > shelves.most || shelves.rows() > shelves.most)
-        throw Error(ErrorCode::usage,
+        throw Error(ErrorCode::failed,
                     "shadow maps of " + std::to_string(size) + " x " + std::to_string(size) + " texels for " +
                         std::to_string(faces.size()) + " lights do not fit into a texture of this OpenGL driver, " +
                         std::to_string(driver_.picture_size) + " a side",
@@ -50,11 +52,7 @@ void ShadowAtlas::allocate(int columns, int rows, int size) {
     forget();
     columns_ = columns, rows_ = rows, size_ = size;
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, texels_.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32UI, columns * size, rows * size, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    set_texels(texels_, GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, columns * size, rows * size);
     glBindRenderbuffer(GL_RENDERBUFFER, depth_.get());
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, columns * size, rows * size);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_.get());
@@ -70,7 +68,8 @@ void ShadowAtlas::forget() {
 
 void ShadowAtlas::begin(Place light, int face, std::uint32_t nothing, float far_depth) {
     const GLint x = light.x + face / cube_rows * size_, y = light.y + face % cube_rows * size_;
-    constexpr GLuint flat = 32760u | 32760u << 16;  // slopes of 0: 8 times RL_SLOPE_CODES
+    constexpr auto zero = GLuint(shading::steepest_slope_on_map * shading::slope_codes);
+    constexpr GLuint flat = zero | zero << 16;
     const GLuint empty[4] = {nothing, flat, 0, 0};
     glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
     glViewport(x, y, size_, size_);

@@ -20,7 +20,7 @@ public:
     explicit ShadowAtlas(const Driver& driver) : driver_(driver) {}
 
     /// Room for the maps of lights. @param faces  [lights] 1 or 6
-    /// @throws Error usage: more than this driver's textures have; failed: no memory on the GPU
+    /// @throws Error failed: more than this driver's textures have, no memory on the GPU
     std::vector<Place> reserve(const std::vector<int>& faces, int size);
     void forget();
     /// Binds the frame, with the viewport at a face of a light's map, which is cleared.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <rakelight/error.h>
 
@@ -15,27 +14,18 @@ void storage(GlRenderbuffer& buffer, GLenum format, int width, int height, int s
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
 }
 
-void make_texture(GlTexture& texture, GLint format, GLenum layout, GLenum type, int width, int height) {
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, texture.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, layout, type, nullptr);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
 }  // namespace
 
 void Target::reserve(int width, int height, int samples) {
     if (width == width_ && height == height_ && samples == samples_) return;
     *this = {};
-    width_ = width, height_ = height, samples_ = samples;
-    make_texture(color_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width, height);
-    make_texture(depth_, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, frame_.get());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name(), 0);
+    glActiveTexture(GL_TEXTURE0);
+    set_texels(color_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width, height);
+    set_texels(depth_, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width, height);
+    for (GlFramebuffer* const frame : {&color_frame_, &frame_}) {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame->get());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name(), 0);
+    }
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
     if (samples > 1) {
         storage(sampled_color_, GL_RGBA16F, width, height, samples);
@@ -47,6 +37,7 @@ void Target::reserve(int width, int height, int samples) {
     check_gl("the picture");
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(ErrorCode::failed, "this OpenGL driver cannot draw half floats", {}, "render with engine soft");
+    width_ = width, height_ = height, samples_ = samples;
 }
 
 void Target::begin(vec4 background, float far_depth) const {
@@ -63,15 +54,8 @@ void Target::resolve() const {
     if (samples_ <= 1) return;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_frame_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_.name());
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
-}
-
-void Target::resolve_depth() const {
-    if (samples_ <= 1) return;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_frame_.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_.name());
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    for (const GLbitfield what : {GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT})
+        glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, what, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
 }
 
@@ -82,16 +66,7 @@ void Target::read(std::span<vec4> to) const {
     check_gl("the picture");
 }
 
-std::uint64_t Target::count_covered(float far_depth) const {
-    std::vector<float> depth(std::size_t(width_) * std::size_t(height_));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_.name());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
-    return std::uint64_t(std::ranges::count_if(depth, [far_depth](float d) { return d != far_depth; }));
-}
-
 std::uint64_t to_straight_alpha(std::span<vec4> colors, vec4 background) {
-    constexpr float most_half = 65504;
     std::uint64_t not_numbers = 0;
     for (vec4& c : colors) {
         if (!(std::max({c.x, c.y, c.z}) <= most_half) || !(c.x + c.y + c.z + c.w <= 4 * most_half)) {

@@ -18,16 +18,13 @@ public:
     void reserve(int width, int height, int samples);
     /// Binds it, cleared. @param background  straight alpha
     void begin(vec4 background, float far_depth) const;
-    /// Means of the samples, into what texture() and read() give.
+    /// Means of the samples into what texture() and read() give, one of their depths into depth_texture().
     void resolve() const;
     /// [width * height] premultiplied, row by row from the top
     void read(std::span<vec4> to) const;
-    /// Pixels that something opaque covers, after resolve_depth(). Not in ES, which reads no depth.
-    std::uint64_t count_covered(float far_depth) const;
     GLuint texture() const { return color_.name(); }
-    GLuint depth_texture() const { return depth_.name(); }  ///< of multisampled pictures after resolve_depth()
-    void resolve_depth() const;
-    GLuint color_frame() const { return frame_.name(); }  ///< of one sample a pixel, without depth test
+    GLuint depth_texture() const { return depth_.name(); }
+    GLuint color_frame() const { return color_frame_.name(); }  ///< without depth: programs may read it
     GLuint frame() const { return samples_ > 1 ? sampled_frame_.name() : frame_.name(); }
     int width() const { return width_; }
     int height() const { return height_; }
@@ -36,7 +33,7 @@ private:
     int width_ = 0, height_ = 0, samples_ = 0;
     GlTexture color_, depth_;
     GlRenderbuffer sampled_depth_, sampled_color_;
-    GlFramebuffer frame_, sampled_frame_;
+    GlFramebuffer frame_, color_frame_, sampled_frame_;
 };
 
 /// Of colors as Target::read() gives them: straight alpha; where nothing is, the background's own color. What is beyond half

@@ -7,8 +7,6 @@
 namespace rakelight::opengl {
 namespace {
 
-constexpr float most_half = 65504;  // the largest half float
-
 std::uint64_t bytes_of(const MipChain& chain) {
     std::uint64_t bytes = 0;
     for (const MipLevel& level : chain.levels) bytes += level.rgba8.size() * 4 + level.rgba32f.size() * 16;
@@ -69,6 +67,19 @@ GLint minify_of(const Sampler& how) {
 
 }  // namespace
 
+std::size_t levels_beyond(const std::vector<MipLevel>& levels, int texture_size) {
+    std::size_t skipped = 0;
+    while (skipped + 1 < levels.size() && std::max(levels[skipped].width, levels[skipped].height) > texture_size)
+        ++skipped;
+    return skipped;
+}
+
+std::string drawn_smaller(const MipLevel& whole, const Driver& driver) {
+    return "of " + std::to_string(whole.width) + " x " + std::to_string(whole.height) +
+           " is drawn with fewer texels: the OpenGL driver has at most " + std::to_string(driver.texture_size) +
+           " a side";
+}
+
 void upload_levels(const std::vector<MipLevel>& levels, std::size_t skipped, bool is_srgb) {
     if (!levels[0].rgba8.empty()) return upload_codes(levels, skipped, is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8);
     for (std::size_t i = skipped; i < levels.size(); ++i) {
@@ -105,15 +116,10 @@ std::shared_ptr<const shading::PackedTexture> LevelPacker::pack(const MipChain& 
 
 GlTexture TextureStore::upload(const Wish& wish, Context& context) const {
     const TextureLevels& of = *wish.levels;
-    std::size_t skipped = 0;
-    while (skipped + 1 < of.levels.size() &&
-           std::max(of.levels[skipped].width, of.levels[skipped].height) > driver_.texture_size)
-        ++skipped;
+    const std::size_t skipped = levels_beyond(of.levels, driver_.texture_size);
     if (skipped > 0)
         context.report().add(Remark::warning, wish.image->file, wish.image->name,
-                             "texture of " + std::to_string(of.width) + " x " + std::to_string(of.height) +
-                                 " is drawn with fewer texels: the OpenGL driver has at most " +
-                                 std::to_string(driver_.texture_size) + " a side");
+                             "texture " + drawn_smaller(of.levels[0], driver_));
     GlTexture texture;
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture.get());

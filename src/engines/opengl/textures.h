@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,10 @@ private:
     std::map<std::array<int, 5>, GlSampler> samplers_;
 };
 
+/// Of a mip chain: the first levels that have more texels a side than the driver takes.
+std::size_t levels_beyond(const std::vector<MipLevel>& levels, int texture_size);
+/// "of ... is drawn with fewer texels ..."
+std::string drawn_smaller(const MipLevel& whole, const Driver& driver);
 /// Into the texture that is bound; the first `skipped` are left out. Floats become half floats.
 void upload_levels(const std::vector<MipLevel>& levels, std::size_t skipped, bool is_srgb);
 

@@ -7,6 +7,9 @@
 #include <future>
 #include <map>
 #include <optional>
+#include <utility>
+
+#include <rakelight/error.h>
 
 #include "engines/opengl/renderer.h"
 #include "math/functions.h"
@@ -63,6 +66,26 @@ struct Screen {
         glGetIntegerv(GL_VIEWPORT, s.viewport);
         return s;
     }
+    /// With what this library takes for granted of a context, whatever the caller set before.
+    static Screen with_own_state(bool is_es) {
+        for (const GLenum what :
+             {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND, GL_RASTERIZER_DISCARD,
+              GL_POLYGON_OFFSET_FILL, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE})
+            glDisable(what);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDepthMask(GL_TRUE);
+        glBlendEquation(GL_FUNC_ADD);
+        for (const GLenum what : {GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER}) glBindBuffer(what, 0);
+        for (const GLenum what : {GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_PACK_ROW_LENGTH,
+                                  GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS})
+            glPixelStorei(what, 0);
+        if (!is_es) {
+            glDisable(GL_FRAMEBUFFER_SRGB);
+            glDisable(GL_COLOR_LOGIC_OP);
+            glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        }
+        return current();
+    }
     void bind() const {
         glBindFramebuffer(GL_FRAMEBUFFER, GLuint(frame));
         glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
@@ -85,9 +108,15 @@ struct WindowView::State {
     bool has_depth = false;  ///< `target` holds the depth of what is on the screen
 
     const Driver& driver() const { return renderer.driver(); }
-    void draw_display(const Screen& screen, GLuint picturename, int tone, float gain);
+    void give_up_incoming();
+    void draw_display(const Screen& screen, GLuint picture_name, int tone, float gain);
 };
 
+EngineAbilities WindowView::abilities() const { return abilities_of(state_->driver()); }
+double WindowView::aspect() const {
+    const Screen screen = Screen::current();
+    return double(std::max(screen.viewport[2], 1)) / double(std::max(screen.viewport[3], 1));
+}
 std::string WindowView::renderer() const { return state_->driver().renderer; }
 bool WindowView::has_gpu() const { return !state_->driver().is_software; }
 
@@ -116,7 +145,7 @@ bool WindowView::upload(const Scene& scene, std::uint64_t number, double millise
     const Clock::time_point end =
         Clock::now() + std::chrono::microseconds(std::int64_t(1e3 * std::max(milliseconds, 0.0)));
     if (!s.incoming || s.incoming->number != number) {
-        s.incoming.reset();
+        s.give_up_incoming();
         s.incoming = std::make_unique<State::Incoming>(scene, number, s.renderer, context);
     }
     State::Incoming& incoming = *s.incoming;
@@ -125,31 +154,41 @@ bool WindowView::upload(const Scene& scene, std::uint64_t number, double millise
         try {
             incoming.ready = incoming.taken.get();
         } catch (...) {
-            s.incoming.reset();  // asked for again, it begins again
+            s.give_up_incoming();  // asked for again, it begins again
             throw;
         }
         for (const ReportEntry& e : incoming.own.report().entries())
             context.report().add(e.remark, e.file, e.place, e.message, e.settings);
     }
-    if (!s.renderer.upload(*incoming.ready, end, context)) return false;
-    s.renderer.take(std::move(*incoming.ready));
+    Screen::with_own_state(s.driver().is_es);
+    try {
+        if (!s.renderer.upload(*incoming.ready, end, context)) return false;
+        s.renderer.take(std::move(*incoming.ready), context);
+    } catch (...) {
+        s.give_up_incoming();
+        throw;
+    }
     s.incoming.reset();
     return true;
 }
+
+void WindowView::State::give_up_incoming() {
+    if (!std::exchange(incoming, nullptr)) return;
+    renderer.forget_uploads();
+}
+
 void WindowView::set_lights(std::vector<Light> lights) { state_->renderer.set_lights(std::move(lights)); }
 
-void WindowView::State::draw_display(const Screen& screen, GLuint picturename, int tone, float gain) {
+void WindowView::State::draw_display(const Screen& screen, GLuint picture_name, int tone, float gain) {
     GlProgram& program = display_programs[tone];
     if (!program) program = link_program(display_text(driver(), tone));
     screen.bind();
-    if (!driver().is_es) glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
     glUseProgram(program.name());
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, picturename);
+    glBindTexture(GL_TEXTURE_2D, picture_name);
     glBindSampler(0, 0);
     const auto place = [&](const char* name) { return glGetUniformLocation(program.name(), name); };
     glUniform1i(place("rl_picture"), 0);
@@ -158,16 +197,20 @@ void WindowView::State::draw_display(const Screen& screen, GLuint picturename, i
     glUniform1f(place("rl_gain"), gain);
     glBindVertexArray(no_arrays.get());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (driver().has_reversed_depth) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     check_gl("the window");
 }
 
 RenderStats WindowView::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone,
                              Context& context) {
     State& s = *state_;
-    const Screen screen = Screen::current();
+    const Screen screen = Screen::with_own_state(s.driver().is_es);
     RenderStats stats;
-    s.renderer.end_picture(s.stats,
-                           context);  // of the picture before: what is asked of this one would have to be waited for
+    if (std::max(settings.width, settings.height) > s.driver().picture_size)
+        throw Error(ErrorCode::failed,
+                    "this OpenGL driver draws at most " + std::to_string(s.driver().picture_size) + " pixels a side");
+    // Of the picture before: what is asked of this one would have to be waited for.
+    s.renderer.end_picture(s.stats, context);
     stats.gpu_passes = std::move(s.stats.gpu_passes);
     s.stats = {};
     s.renderer.begin_picture(camera, settings, stats, context);
@@ -183,7 +226,7 @@ void WindowView::show(int width, int height, std::span<const std::uint32_t> srgb
         throw Error(ErrorCode::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                                           " pixels does not have " + std::to_string(srgb8.size()) + " of them");
     State& s = *state_;
-    const Screen screen = Screen::current();
+    const Screen screen = Screen::with_own_state(s.driver().is_es);
     s.has_depth = false;
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, s.picture.get());
@@ -199,20 +242,14 @@ void WindowView::show(int width, int height, std::span<const std::uint32_t> srgb
 
 void WindowView::lines(const Camera& camera, std::span<const Line> lines) {
     State& s = *state_;
-    const Screen screen = Screen::current();
+    const Screen screen = Screen::with_own_state(s.driver().is_es);
     const int width = screen.viewport[2], height = screen.viewport[3];
     if (lines.empty() || width <= 0 || height <= 0) return;
     RenderSettings settings;
     settings.width = width, settings.height = height;
-    const shading::View view = shading::make_view(camera, camera.to_world, settings);
-    const DepthRange::Row z = DepthRange(s.driver()).row(view);
-    const double w_z = view.orthographic ? 0 : -1, w_1 = view.orthographic ? 1 : 0;
-    dmat4 projection;
-    projection[0] = {view.scale_x, 0, 0, 0};
-    projection[1] = {0, view.scale_y, 0, 0};
-    projection[2] = {0, 0, -z.scale + z.per_w * w_z, w_z};
-    projection[3] = {0, 0, z.offset + z.per_w * w_1, w_1};
-    const dmat4 to_clip = projection * view.world_to_camera;
+    const shading::View view = s.renderer.view_of(camera, settings);
+    const DepthRange::Row nearness = DepthRange::nearness(view);
+    const dmat4 to_clip = clip_matrix(view, {0, 0, width, height}, nearness, 1) * view.world_to_camera;
     std::vector<LineVertex> vertices;
     for (const Line& line : lines)
         add_line(line, to_clip, view.orthographic ? 0.5 : view.z_near, width, height, vertices);
@@ -232,6 +269,7 @@ void WindowView::lines(const Camera& camera, std::span<const Line> lines) {
     glUniform1i(place("rl_depth"), 0);
     glUniform4f(place("rl_show"), float(screen.viewport[0]), float(screen.viewport[1]), hides ? 1.0f : 0.0f,
                 float(height));
+    glUniform1f(place("rl_show_scale"), view.orthographic ? 0.0f : float(nearness.scale));
     glBindVertexArray(s.line_array.get());
     glBindBuffer(GL_ARRAY_BUFFER, s.line_vertices.get());
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(LineVertex)), vertices.data(), GL_STREAM_DRAW);

@@ -16,6 +16,8 @@ public:
     WindowView();  ///< @throws Error failed: the context is too old
     ~WindowView();
 
+    EngineAbilities abilities() const;
+    double aspect() const;  ///< of the viewport that is set
     std::string renderer() const;
     bool has_gpu() const;
     /// Takes a scene up for so long; until it is whole the one before is drawn. Another number: another scene.

@@ -59,13 +59,17 @@ protected:
     std::vector<std::uint32_t> screen() {
         std::vector<std::uint32_t> rows(width * height), out;
         glReadPixels(7, 5, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
-        for (int y = height - 1; y >= 0; --y) out.insert(out.end(), rows.begin() + y * width, rows.begin() + (y + 1) * width);
+        for (int y = height - 1; y >= 0; --y)
+            out.insert(out.end(), rows.begin() + y * width, rows.begin() + (y + 1) * width);
         return out;
     }
-    static std::uint32_t at(const std::vector<std::uint32_t>& s, int x, int y) { return s[std::size_t(y * width + x)] & 0xFFFFFFu; }
+    static std::uint32_t at(const std::vector<std::uint32_t>& s, int x, int y) {
+        return s[std::size_t(y * width + x)] & 0xFFFFFFu;
+    }
     void upload(GlView& view, const Scene& scene) {
         const auto ready = prepared(scene);
-        while (!view.upload(ready, 5, context)) {}
+        while (!view.upload(ready, 5, context)) {
+        }
     }
 
     std::unique_ptr<test::GlContext> gl;
@@ -106,8 +110,7 @@ TEST_F(GlViews, ASceneIsDrawnAsTheEngineDrawsIt) {
     session.render(camera, settings, frame, context);
     const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone);
     for (std::size_t i = 0; i < got.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-            ASSERT_NEAR(got[i] >> 8 * c & 255, expected[i] >> 8 * c & 255, 1) << "pixel " << i;
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(got[i] >> 8 * c & 255, expected[i] >> 8 * c & 255, 1) << "pixel " << i;
 }
 
 TEST_F(GlViews, UntilASceneIsWholeTheOneBeforeIsDrawn) {
@@ -119,7 +122,8 @@ TEST_F(GlViews, UntilASceneIsWholeTheOneBeforeIsDrawn) {
     EXPECT_FALSE(view.upload(next, 0, context)) << "no time, nothing done";
     view.draw(camera, settings, {}, context);
     EXPECT_EQ(at(screen(), width / 2, height / 2), 0x0000FFu);
-    while (!view.upload(next, 5, context)) {}
+    while (!view.upload(next, 5, context)) {
+    }
     view.draw(camera, settings, {}, context);
     EXPECT_EQ(at(screen(), width / 2, height / 2), 0x00FF00u);
     EXPECT_TRUE(view.upload(next, 0, context)) << "it is there";
@@ -133,6 +137,63 @@ TEST_F(GlViews, ASceneThatTakesThePlaceOfOneOnItsWayIsTheOneThatComes) {
     upload(view, green);
     view.draw(camera, settings, {}, context);
     EXPECT_EQ(at(screen(), width / 2, height / 2), 0x00FF00u);
+}
+
+TEST_F(GlViews, AfterAPictureOfAnotherSceneItsCountsAreForgotten) {
+    GlView view;
+    upload(view, red_square());
+    view.draw(camera, settings, {}, context);
+    Scene many = red_square();
+    for (int i = 0; i < 100; ++i) test::add_object(many, test::square_mesh(0, 0.1f));
+    upload(view, many);
+    view.draw(camera, settings, {}, context);
+    view.draw(camera, settings, {}, context);
+    EXPECT_EQ(at(screen(), width / 2, height / 2), 0x0000FFu);
+}
+
+TEST_F(GlViews, UploadsThatAreGivenUpLeaveNothingBehind) {
+    GlView view;
+    for (int i = 0; i < 20; ++i) {  // each at the addresses of the one before
+        Scene scene = red_square();
+        scene.materials[0].classical.ambient = {0, 0, 1};
+        for (int k = 0; k < 5; ++k) test::add_object(scene, test::square_mesh(0, 0.1f + 0.01f * float(i + k)));
+        const auto next = prepared(scene);
+        for (int k = 0; k < 3; ++k) view.upload(next, k == 0 ? 20 : 0, context);
+    }
+    upload(view, red_square());
+    view.draw(camera, settings, {}, context);
+    const std::vector<std::uint32_t> s = screen();
+    GlView fresh;
+    upload(fresh, red_square());
+    fresh.draw(camera, settings, {}, context);
+    EXPECT_EQ(s, screen());
+}
+
+TEST_F(GlViews, WhatTheCallerSetOfTheContextDoesNotMatter) {
+    GlView view;
+    upload(view, red_square());
+    view.draw(camera, settings, {}, context);
+    const std::vector<std::uint32_t> expected = screen();
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 1, 1);
+    glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+    glBlendEquation(GL_MAX);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 3);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    GlView other;
+    upload(other, red_square());
+    other.draw(camera, settings, {}, context);
+    EXPECT_EQ(screen(), expected);
+}
+
+TEST_F(GlViews, SettingsThatItCannotDrawAreRefused) {
+    GlView view;
+    upload(view, red_square());
+    settings.visibility = Visibility::painter;
+    EXPECT_EQ(test::error_of([&] { view.draw(camera, settings, {}, context); }).code(), ErrorCode::usage);
+    settings.visibility = {};
+    settings.width = 0;
+    EXPECT_EQ(test::error_of([&] { view.draw(camera, settings, {}, context); }).code(), ErrorCode::usage);
 }
 
 TEST_F(GlViews, LinesAreHiddenBySurfacesUnlessTheyAreAnOverlay) {

@@ -150,9 +150,22 @@ TEST(ShadowFactors, TakePositionsAboutTheEyeToTheMapsAxes) {
     EXPECT_GT(f.texels, 90.0f);
 }
 
-TEST(HasShadowRange, ScenesBeyondFloatsHaveNoShadows) {
-    EXPECT_TRUE(has_shadow_range({{-1, -1, -1}, {1, 1, 1}}));
-    EXPECT_FALSE(has_shadow_range({{-1e30, 0, 0}, {1e30, 0, 0}}));
+TEST(HasShadowMaps, ScenesBeyondFloatsHaveNoneAndSaySo) {
+    DrawList list;
+    list.draws.emplace_back();
+    list.bounds = {{-1, -1, -1}, {1, 1, 1}};
+    RenderSettings settings;
+    Context context({.threads = 1});
+    EXPECT_FALSE(has_shadow_maps(list, settings, context.report())) << "nobody asked";
+    settings.shadows = true;
+    EXPECT_TRUE(has_shadow_maps(list, settings, context.report()));
+    EXPECT_TRUE(context.report().entries().empty());
+    list.bounds = {{-1e30, 0, 0}, {1e30, 0, 0}};
+    EXPECT_FALSE(has_shadow_maps(list, settings, context.report()));
+    EXPECT_EQ(context.report().entries().size(), 1u);
+    list.draws.clear();
+    EXPECT_FALSE(has_shadow_maps(list, settings, context.report())) << "of nothing";
+    EXPECT_EQ(context.report().entries().size(), 1u);
 }
 
 TEST(NarrowDepths, ParallelViewsOfAWideRangeComeToTheSceneOthersStay) {

@@ -31,11 +31,6 @@ void main()
 {
     Pixel x;
     find_place(x);
-#if RL_IS_MASKED
-    if (x.alpha < m_mask_cutoff) {
-        discard;
-    }
-#endif
 #if RL_OUTPUT == RL_OUTPUT_NUMBERS
     uint triangle = 0u;
 #if RL_FROM_TRIANGLES
@@ -76,5 +71,10 @@ void main()
     o_second = finite_part(sum, light.diffuse);
     o_third = finite_part(sum, light.specular);
     o_fourth = finite_part(sum, own);
+#endif
+#if RL_IS_MASKED
+    if (x.alpha < m_mask_cutoff) {
+        discard;
+    }
 #endif
 }

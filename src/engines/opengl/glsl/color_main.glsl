@@ -6,11 +6,6 @@ void main()
 {
     Pixel x;
     find_place(x);
-#if RL_IS_MASKED
-    if (x.alpha < m_mask_cutoff) {
-        discard;
-    }
-#endif
     find_surface(x);
     vec3 radiance = own_radiance(x);
 #if RL_PAINTS_LAST
@@ -24,5 +19,10 @@ void main()
     o_color = vec4(radiance * alpha, alpha);
 #else
     o_color = vec4(radiance, 1.0);
+#endif
+#if RL_IS_MASKED
+    if (x.alpha < m_mask_cutoff) {
+        discard;  // last: textures are read with what changes to the pixels beside
+    }
 #endif
 }

@@ -4,12 +4,12 @@
 #define RL_HALF_DIAGONAL 0.70711  // [px] of a pixel
 uniform vec4 rl_mark;             // [px] size; 0 lines, 1 points, 2 edges, 3 vertices; shape: 0 line, 1 square, 2 disc; nearest w
 uniform vec4 rl_mark_color;       // linear, opacity; times vertex colors where RL_HAS_COLORS
-uniform vec4 rl_mark_view;        // [px] width, height of what is drawn; near, far
+uniform vec4 rl_mark_view;        // [px] width, height of what is drawn; DepthRange::nearness(): scale, offset
 uniform vec4 rl_mark_cull;        // 1: back faces are left out; 1: front faces; 1: fronts are negative with y down
 
 #if RL_IS_VERTEX
 RL_CONSTANT out vec4 v_ends;   // [px]
-RL_CONSTANT out vec2 v_keys;   // nearness there: near / distance, 1 at the near plane; affine on the screen
+RL_CONSTANT out vec2 v_keys;   // nearness there; affine on the screen
 RL_CONSTANT out vec2 v_parts;  // where they lie between the line's own ends
 RL_CONSTANT out vec4 v_color_0;
 RL_CONSTANT out vec4 v_color_1;
@@ -18,7 +18,7 @@ RL_CONSTANT out vec4 v_color_1;
 vec3 on_screen(vec4 clip, float away)
 {
     vec2 at = (clip.xy / clip.w * 0.5 + vec2(0.5)) * rl_mark_view.xy;
-    float key = RL_PARALLEL != 0 ? 1.0 - (away - rl_mark_view.z) / (rl_mark_view.w - rl_mark_view.z) : rl_mark_view.z / away;
+    float key = RL_PARALLEL != 0 ? rl_mark_view.z * away + rl_mark_view.w : rl_mark_view.z + rl_mark_view.w / away;
     return vec3(at, key);
 }
 
@@ -134,14 +134,18 @@ float nearness_at(ivec2 at)
     return RL_IS_REVERSED != 0 ? depth : 1.0 - depth;
 }
 
-// Farther than the surface by more than its depth changes over the mark's reach.
+// A number that is 1 / distance in perspective, up to a factor.
+float inverse_of(float key) { return RL_PARALLEL != 0 ? 1.0 : key - rl_mark_view.z; }
+
+// Farther than the surface by more than its depth changes over the mark's reach, and than rounding makes.
 bool is_hidden(float key, float reach)
 {
     ivec2 at = ivec2(gl_FragCoord.xy);
     float there = nearness_at(at);
     float x = min(abs(nearness_at(at + ivec2(1, 0)) - there), abs(nearness_at(at - ivec2(1, 0)) - there));
     float y = min(abs(nearness_at(at + ivec2(0, 1)) - there), abs(nearness_at(at - ivec2(0, 1)) - there));
-    return key + (x + y) * reach + 4e-6 * abs(key) < there;
+    float rounding = 4e-6 * (RL_PARALLEL != 0 ? abs(key) : inverse_of(key)) + (RL_IS_REVERSED != 0 ? 0.0 : 1.2e-7);
+    return key + (x + y) * reach + rounding < there;
 }
 
 void main()
@@ -163,8 +167,9 @@ void main()
         discard;
     }
     // Colors are linear along the line in space: part / w is on the screen.
-    vec2 per_w = RL_PARALLEL != 0 ? vec2(1.0 - t, t) : vec2(v_keys.x * (1.0 - t), v_keys.y * t);
+    vec2 per_w = vec2(inverse_of(v_keys.x) * (1.0 - t), inverse_of(v_keys.y) * t);
     vec4 color = mix(v_color_0, v_color_1, dot(v_parts, per_w) / (per_w.x + per_w.y));
+    gl_FragDepth = RL_IS_REVERSED != 0 ? key : 1.0 - key;
 #if RL_OUTPUT == RL_OUTPUT_COLOR
     float alpha = clamp(color.w, 0.0, 1.0) * coverage;
     o_first = vec4(color.xyz * alpha, alpha);
@@ -173,12 +178,11 @@ void main()
     if (!has_center || color.w < 1.0) {
         discard;
     }
-    gl_FragDepth = RL_IS_REVERSED != 0 ? key : 1.0 - key;
 #if RL_OUTPUT == RL_OUTPUT_NUMBERS
     o_numbers = uvec4(rl_numbers.xyz, 0xffffffffu);
 #elif RL_OUTPUT == RL_OUTPUT_PLACES
     vec3 ray = rl_ray[0].xyz * (gl_FragCoord.x - 0.5) + rl_ray[1].xyz * (gl_FragCoord.y - 0.5) + rl_ray[2].xyz;
-    float away = RL_PARALLEL != 0 ? rl_mark_view.z + (1.0 - key) * (rl_mark_view.w - rl_mark_view.z) : rl_mark_view.z / key;
+    float away = RL_PARALLEL != 0 ? (key - rl_mark_view.w) / rl_mark_view.z : rl_mark_view.w / (key - rl_mark_view.z);
     o_first = vec4(RL_PARALLEL != 0 ? ray - rl_view_direction * away : ray * away, away);
     o_second = vec4(0.0);
     o_third = vec4(color.xyz, 1.0);

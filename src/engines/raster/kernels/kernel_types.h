@@ -74,14 +74,10 @@ struct CornerFrame {
 };
 inline constexpr int corner_frame_floats = int(sizeof(CornerFrame) / sizeof(float));
 
-/// Change of depth along x (low 16 bits) and down y (high ones) of a map per width of a texel, as
-/// (slope + steepest_slope_on_map) * slope_codes.
-inline constexpr float steepest_slope_on_map = 8, slope_codes = 4095;
-
 /// One light's shadow map with its texels.
 struct ShadowView : shading::ShadowFactors {
     const float* nearness;  ///< [faces][size * size]
-    const int32_t* slopes;  ///< the same: how steep the surface is, steepest_slope_on_map
+    const int32_t* slopes;  ///< the same: how steep the surface is, shading::slope_codes
 };
 
 /// Where display values go, each to the place of its pixel: sRGB codes, opaque, R in the low byte.

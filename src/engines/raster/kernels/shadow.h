@@ -33,7 +33,7 @@ inline vec2 fetch_slopes(const ShadowTexels& maps, real column, real row) {
     return lit::decode_slopes(vec2(to_real(code & integer(0xffff)), to_real(shift_right_logical(code, 16))));
 }
 
-static_assert(RL_STEEPEST_SLOPE == steepest_slope_on_map && RL_SLOPE_CODES == slope_codes);
+static_assert(RL_STEEPEST_SLOPE == shading::steepest_slope_on_map && RL_SLOPE_CODES == shading::slope_codes);
 
 inline lit::ShadowMap shadow_map_of(const ShadowView& s) {
     const auto row = [&](int i) {

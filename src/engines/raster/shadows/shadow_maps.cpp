@@ -14,16 +14,6 @@ namespace {
 using lighting::LightParameters;
 
 static_assert(shading::shadow_texel_bytes == sizeof(float) + sizeof(std::int32_t));
-constexpr float nothing_parallel = -3e38f;  ///< nearness where nothing is
-
-/// The picture's settings as far as a map needs them.
-RenderSettings map_settings(const RenderSettings& of) {
-    RenderSettings s;
-    s.width = s.height = of.shadow_size;
-    s.cull = Cull::none;
-    s.bump = Bump::none;
-    return s;
-}
 
 /// Where a map is drawn to, [shadow_size * shadow_size] each.
 struct MapTexels {
@@ -43,9 +33,9 @@ dvec2 key_slopes(const ScreenTriangle& s) {
 
 /// Of slopes in depth per texel's width.
 std::int32_t coded_slopes(float x, float y) {
-    static constexpr float most = steepest_slope_on_map;
+    static constexpr float most = shading::steepest_slope_on_map;
     const auto code = [](float slope) {
-        return std::uint32_t((std::clamp(slope, -most, most) + most) * slope_codes + 0.5f);
+        return std::uint32_t((std::clamp(slope, -most, most) + most) * shading::slope_codes + 0.5f);
     };
     return std::int32_t(code(x) | code(y) << 16);
 }
@@ -55,7 +45,7 @@ void clear_tile(const View& view, const Window& area, const MapTexels& map) {
     const std::int32_t flat = coded_slopes(0, 0);
     for (int y = area.y; y < area.y + area.height; ++y) {
         const std::ptrdiff_t to = std::ptrdiff_t(y) * view.width + area.x;
-        std::fill_n(map.nearness + to, area.width, view.orthographic ? nothing_parallel : 0.0f);
+        std::fill_n(map.nearness + to, area.width, view.orthographic ? shading::nothing_on_parallel_map : 0.0f);
         std::fill_n(map.slopes + to, area.width, flat);
     }
 }
@@ -147,14 +137,11 @@ void ShadowMaps::plan(const DrawList& list, const RenderSettings& settings, Cont
 void ShadowMaps::update(const DrawList& list, const RenderSettings& settings, const Kernels& kernels,
                         const GeometryKernels& geometry_kernels, dvec3 eye, std::vector<LightParameters>& lights,
                         Context& context) {
-    const bool is_wanted = settings.shadows && !list.draws.empty(), fits = shading::has_shadow_range(list.bounds);
-    if (is_wanted && !fits)
-        context.report().add(Remark::warning, list.scene.source, {}, "the scene is too large for shadows");
-    if (!is_wanted || !fits) return forget();
+    if (!shading::has_shadow_maps(list, settings, context.report())) return forget();
     if (size_ != settings.shadow_size || filter_ != settings.shadow_filter) {
         forget();
         plan(list, settings, context);
-        const RenderSettings of_map = map_settings(settings);
+        const RenderSettings of_map = shading::map_settings(settings.shadow_size);
         const std::size_t texels = std::size_t(settings.shadow_size) * std::size_t(settings.shadow_size);
         for (Maps& m : maps_) {
             m.nearness = std::make_unique_for_overwrite<float[]>(texels * m.cameras.size());
