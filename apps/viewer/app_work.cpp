@@ -143,7 +143,7 @@ void App::record() {
             turn_table(*turned.eye, 2 * pi * i / count, 0, look.world_up);
             const PictureRequest request = request_of(turned, area.width, area.height);
             Frame frame;
-            studio.draw(model, turned, request, camera_of(turned, *model, area.width, area.height), frame, context);
+            studio.draw(model, turned, request, camera_of(turned, *model, area.width, area.height), 0, frame, context);
             char name[32];
             std::snprintf(name, sizeof name, "%04d.png", i + 1);
             save(frame, (folder / name).string(), request.tone);

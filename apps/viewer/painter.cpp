@@ -150,10 +150,11 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
         request.settings.width = scaled(job.width, scale);
         request.settings.height = scaled(job.height, scale);
         request.settings.samples = job.look.channel ? 1 : samples;
-        request.settings.channels = job.look.channel | (job.wants_depth ? std::uint32_t(channel_depth) : 0u);
+        request.settings.channels = job.look.channel;
+        const std::uint32_t wished = job.wants_depth ? std::uint32_t(channel_depth) : 0u;
         if (scale < 1) scale_marks(request.settings, scale);
         Frame frame;
-        painting->stats = studio_->draw(job.model, job.look, request, painting->camera, frame, *context);
+        painting->stats = studio_->draw(job.model, job.look, request, painting->camera, wished, frame, *context);
         painting->prepared = studio_->prepared();
         painting->width = frame.width, painting->height = frame.height;
         painting->codes = job.look.channel ? channel_codes(frame, job.look.channel,
@@ -189,7 +190,7 @@ void Painter::answer(const Probe& probe, const PaintJob& job) {
             request.settings.samples = 1;
             Frame frame;
             const Camera camera = camera_of(job.look, *job.model, job.width, job.height);
-            studio_->draw(job.model, job.look, request, camera, frame, *new_context(false));
+            studio_->draw(job.model, job.look, request, camera, 0, frame, *new_context(false));
             if (frame.object.at(0) != no_index) {
                 const vec3 p = frame.position.at(0);
                 hit = Hit{{p.x, p.y, p.z}, frame.object[0], frame.material.at(0)};

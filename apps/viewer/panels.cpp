@@ -23,18 +23,29 @@ constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoDecoration | ImGuiWindo
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoInputs;
 
-void draw_help_group(const char* group) {
+void draw_help_group(const char* group, float scale) {
     ImGui::TextColored({0.4f, 0.65f, 1, 1}, "%s", group);
-    if (!ImGui::BeginTable(group, 2, ImGuiTableFlags_SizingFixedFit)) return;
     for (const Binding& binding : bindings()) {
         if (std::string(binding.group) != group || !*binding.keys) continue;
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
         ImGui::TextUnformatted(binding.keys);
-        ImGui::TableNextColumn();
+        ImGui::SameLine(112 * scale);
         ImGui::TextUnformatted(binding.what);
     }
-    ImGui::EndTable();
+    ImGui::Spacing();
+}
+
+void draw_mouse_help(float scale) {
+    constexpr const char* rows[][2] = {{"left", "orbit"},         {"Shift+left", "pan"},
+                                       {"Ctrl+left", "roll"},     {"middle", "pan; click: center there"},
+                                       {"wheel, right", "zoom"},  {"2 clicks", "center on the point"},
+                                       {"Alt+click", "its material"}};
+    ImGui::TextColored({0.4f, 0.65f, 1, 1}, "Mouse");
+    for (const auto& row : rows) {
+        ImGui::TextUnformatted(row[0]);
+        ImGui::SameLine(112 * scale);
+        ImGui::TextUnformatted(row[1]);
+    }
+    ImGui::TextUnformatted("drop: model (Ctrl: add), .hdr: environment,\npicture on an object: its texture");
 }
 
 std::string time_text(const Painting& painting) {
@@ -87,7 +98,7 @@ void draw_status(const PanelView& view) {
     }
     if (!view.model && view.works.empty()) text += "Drop a model here, or name one on the command line\nH: keys\n";
     if (!view.ui.message.empty()) text += view.ui.message + "\n";
-    if (text.empty()) return;
+    if (text.empty() || view.ui.help) return;
     text.pop_back();
     ImGui::SetNextWindowPos({left, float(view.window_height) - 8 * view.scale}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowBgAlpha(0.75f);
@@ -105,17 +116,19 @@ void draw_help(PanelView& view) {
     const ImVec2 middle{0.5f * float(view.window_width), 0.5f * float(view.window_height)};
     ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {0.96f * float(view.window_width), 0.96f * float(view.window_height)});
-    ImGui::Begin("Keys (H closes)", &view.ui.help, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
-    if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingFixedFit)) {
-        ImGui::TableNextColumn();
-        for (const char* group : {"View", "Files"}) draw_help_group(group);
-        ImGui::TextColored({0.4f, 0.65f, 1, 1}, "Mouse");
-        ImGui::TextUnformatted("left: orbit    Shift+left, middle: pan\nwheel, right: zoom    Ctrl+left: roll\n"
-                               "middle click, double click: center on the point\ndrop: model; Shift: environment; picture on an object: texture");
-        ImGui::TableNextColumn();
-        for (const char* group : {"Picture", "Marks", "Window"}) draw_help_group(group);
-        ImGui::EndTable();
-    }
+    ImGui::Begin("Keys (H closes)", &view.ui.help, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar);
+    const float scale = view.scale;
+    ImGui::BeginGroup();
+    draw_help_group("View", scale), draw_mouse_help(scale);
+    ImGui::EndGroup();
+    ImGui::SameLine(0, 24 * scale);
+    ImGui::BeginGroup();
+    draw_help_group("Picture", scale), draw_help_group("Marks", scale);
+    ImGui::EndGroup();
+    ImGui::SameLine(0, 24 * scale);
+    ImGui::BeginGroup();
+    draw_help_group("Files", scale), draw_help_group("Window", scale);
+    ImGui::EndGroup();
     ImGui::End();
 }
 

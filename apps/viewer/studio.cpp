@@ -40,9 +40,10 @@ void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look
     is_set_ = true;
 }
 
-RenderStats Studio::draw(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
-                         const Camera& camera, Sink& sink, Context& context) {
+RenderStats Studio::draw(const std::shared_ptr<const Model>& model, const Look& look, PictureRequest request,
+                         const Camera& camera, std::uint32_t wished, Sink& sink, Context& context) {
     take_up(model, look, request, camera, context);
+    request.settings.channels |= wished & session_->engine().abilities().channels;
     prepared_ = session_->prepared(request.settings, context);
     context.progress("render", 0);
     return session_->render(camera, request.settings, sink, context);

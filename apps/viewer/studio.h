@@ -13,8 +13,9 @@ namespace rakelight::viewer {
 class Studio {
 public:
     /// Draws as render_picture() does. @param request  of request_of(look), at the size to be drawn
-    RenderStats draw(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
-                     const Camera& camera, Sink& sink, Context& context);
+    /// @param wished  Channel bits that are given, too, where the engine has them
+    RenderStats draw(const std::shared_ptr<const Model>& model, const Look& look, PictureRequest request,
+                     const Camera& camera, std::uint32_t wished, Sink& sink, Context& context);
 
     /// What was drawn last.
     const std::shared_ptr<const PreparedScene>& prepared() const { return prepared_; }
