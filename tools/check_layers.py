@@ -63,7 +63,7 @@ PUBLIC = {
     "attributes": "geometry",
     "scene": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "unfinished_outputs": "io",
     "prepare": "prepare",
-    "engine": "engines", "line": "engines", "values": "world", "request": "world", "load": "world",
+    "engine": "engines", "line": "engines", "values": "world", "request": "world", "material_changes": "world", "load": "world",
     "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
     "picture": "render", "picture_parts": "render", "version": "render",
     "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",

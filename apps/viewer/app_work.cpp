@@ -19,11 +19,6 @@ fs::file_time_type time_of(const std::string& file) {
     return fault ? fs::file_time_type{} : time;
 }
 
-/// A model's file with its edits, as a scene that render_picture() takes.
-Scene edited_scene(const Model& model, const Look& look, Context& context) {
-    return with_edits(model.scene, look.materials, look.request.load, context);
-}
-
 }  // namespace
 
 void App::load_current(bool keeps_look) {
@@ -81,7 +76,7 @@ void App::screenshot(bool is_transparent) {
     if (view.look.channel) request.settings.channels = view.look.channel, request.channel_files = channel_files_png;
     request.output = free_name(model_->file, "", ".png");
     const auto work = [this, model = model_, look = view.look, request](Context& context) -> Background::Finish {
-        const PictureResult result = render_picture(edited_scene(*model, look, context), request, context);
+        const PictureResult result = render_picture(with_edits(model->scene, look.materials, context), request, context);
         return [this, name = result.channel_files.empty() ? result.output : result.channel_files.back()] { say("wrote " + name); };
     };
     chores_.start("screenshot", work, [this](const Error& error) { report(error); });

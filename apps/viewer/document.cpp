@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <rakelight/linear.h>
+#include <rakelight/material_changes.h>
 #include <rakelight/picture_parts.h>
 
 namespace rakelight::viewer {
@@ -91,30 +92,9 @@ std::string material_name(const Scene& scene, std::uint32_t material) {
     return material < scene.materials.size() ? scene.materials[material].name : "default";
 }
 
-Scene with_edits(const Scene& scene, const std::vector<MaterialEdit>& edits, const LoadOptions&, Context& context) {
-    Scene changed = scene;
-    for (const MaterialEdit& edit : edits) {
-        if (edit.values.empty()) continue;
-        // override_materials() changes all materials of a scene: give it one with those of the name alone.
-        Scene part;
-        part.textures = std::move(changed.textures);
-        std::vector<std::uint32_t> places;
-        for (std::uint32_t i = 0; i < changed.materials.size(); ++i)
-            if (changed.materials[i].name == edit.name) {
-                places.push_back(i);
-                part.materials.push_back(changed.materials[i]);
-            }
-        const bool is_default = places.empty() && edit.name == "default";
-        if (is_default) part.materials.push_back({.name = edit.name});
-        part = override_materials(part, {.values = edit.values}, context);
-        changed.textures = std::move(part.textures);
-        for (std::size_t i = 0; i < places.size(); ++i) changed.materials[places[i]] = part.materials[i];
-        if (!is_default) continue;
-        for (Mesh& mesh : changed.meshes)
-            if (mesh.material == no_index) mesh.material = std::uint32_t(changed.materials.size());
-        changed.materials.push_back(part.materials[0]);
-    }
-    return changed;
+Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& context) {
+    for (const MaterialEdit& edit : edits) scene = with_material_values(std::move(scene), edit.name, edit.values, context);
+    return scene;
 }
 
 }  // namespace rakelight::viewer

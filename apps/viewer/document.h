@@ -78,8 +78,8 @@ bool apply(Command command, Look& look, const Model& model, int width, int heigh
 /// Whether pictures of two looks of one model need the same surfaces: materials and environment.
 bool have_same_surfaces(const Look& a, const Look& b);
 
-/// The model's scene with edited materials. @throws Error as override_materials()
-Scene with_edits(const Scene& scene, const std::vector<MaterialEdit>& edits, const LoadOptions& load, Context& context);
+/// The model's scene with edited materials. @throws Error as with_material_values()
+Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& context);
 /// The name by which [[material]] knows a material.
 std::string material_name(const Scene& scene, std::uint32_t material);
 

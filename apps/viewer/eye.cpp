@@ -31,12 +31,12 @@ double elevation_of(dvec3 direction, dvec3 world_up) {
     return std::asin(std::clamp(dot(direction, world_up), -1.0, 1.0));
 }
 
-/// Turns a direction about world_up and then up, not beyond the steepest.
-dvec3 turned(dvec3 direction, dvec3 right, double right_rad, double up_rad, dvec3 world_up) {
+/// Turns a direction up and then about world_up, not beyond the steepest. @param side  cross(direction, up)
+dvec3 turned(dvec3 direction, dvec3 side, double right_rad, double up_rad, dvec3 world_up) {
     const double now = elevation_of(direction, world_up);
     const double low = std::min(-steepest_rad, now), high = std::max(steepest_rad, now);
     const double by = std::clamp(now + up_rad, low, high) - now;
-    return rotated(rotated(direction, right, by), world_up, right_rad);
+    return rotated(rotated(direction, side, by), world_up, right_rad);
 }
 
 dvec3 on_ball(dvec2 p) {
@@ -87,7 +87,7 @@ void turn_table(Eye& eye, double right_rad, double up_rad, dvec3 world_up) {
     const double distance = distance_of(eye);
     const dvec3 right = right_of(eye);
     // The model follows the pointer: the eye goes the other way round, and up as the pointer goes down.
-    const dvec3 to_eye = turned(-forward_of(eye), right, -right_rad, up_rad, world_up);
+    const dvec3 to_eye = turned(-forward_of(eye), -right, -right_rad, up_rad, world_up);
     eye.position = eye.focal + to_eye * distance;
     const bool is_steep = std::fabs(elevation_of(to_eye, world_up)) > radians(89.9);
     eye.up = upright(is_steep ? rotated(eye.up, world_up, -right_rad) : world_up, -to_eye);

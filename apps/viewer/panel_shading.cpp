@@ -3,10 +3,18 @@
 #include "panels.h"
 #include "widgets.h"
 
+#include <cmath>
+
 #include <rakelight/picture_parts.h>
 
 namespace rakelight::viewer {
 namespace {
+
+/// sRGB code 0..255 by IEC 61966-2-1, for showing alone.
+float code_of_linear(float c) {
+    c = std::clamp(c, 0.0f, 1.0f);
+    return std::round(255 * (c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f));
+}
 
 void draw_channels(PanelView& view) {
     static const std::vector<std::string> words = channel_words();
@@ -36,6 +44,16 @@ void draw_bumps(PictureRequest& r) {
     ImGui::Checkbox("silhouette", &s.relief.limit_silhouette);
     float scale = float(r.materials.normal_scale.value_or(1));
     if (slide("normal maps", scale, 0, 4)) r.materials.normal_scale = double(scale);
+}
+
+/// In codes of the display: only such colors are written as texts that are read as the same.
+void edit_background(vec4& background) {
+    float shown[3];
+    for (std::size_t i = 0; i < 3; ++i) shown[i] = code_of_linear(background[i]) / 255.0f;
+    if (!ImGui::ColorEdit3("background", shown)) return;
+    const auto code = [&](int i) { return std::round(shown[i] * 255) / 255; };
+    const vec3 linear = linear_from_srgb({code(0), code(1), code(2)});
+    background = {linear.x, linear.y, linear.z, background.w};
 }
 
 void draw_lines(RenderSettings& s) {
@@ -68,7 +86,7 @@ void draw_shading_panel(PanelView& view) {
     choose("faces left out", cull_words, s.cull);
     choose("tone mapping", tone_mapping_words, r.tone.mapping);
     slide("exposure", r.tone.exposure_ev, -8, 8, "%.2f EV");
-    ImGui::ColorEdit3("background", &s.background.x, ImGuiColorEditFlags_Float);
+    edit_background(s.background);
     if (ImGui::TreeNode("Bumps")) draw_bumps(r), ImGui::TreePop();
     if (ImGui::TreeNode("Lines and vertices")) draw_lines(s), ImGui::TreePop();
     if (ImGui::TreeNode("All settings")) draw_all_settings(view), ImGui::TreePop();

@@ -53,6 +53,16 @@ void set_lights(WorldFile& world, std::vector<Light> lights) {
     world.lights = std::move(lights);
 }
 
+/// Shading of the whole that goes before what parts and materials say: [render] of a world says it by taking that away.
+void take_own_shading(WorldFile& world, PictureRequest& request) {
+    if (request.settings.own_shading) return;
+    for (WorldModel& model : world.models) model.shading.reset();
+    for (WorldPrimitive& shape : world.primitives) shape.shading.reset();
+    for (WorldMaterial& material : world.materials)
+        std::erase_if(material.values, [](const WorldValue& value) { return value.key == "shading"; });
+    request.settings.own_shading = true;
+}
+
 std::vector<WorldValue> render_of(const PictureRequest& request, const fs::path& folder) {
     std::vector<WorldValue> values = written_render_keys(request);
     bool has_size = false;
@@ -106,6 +116,7 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
     for (const MaterialEdit& edit : look.materials) add_values(world, edit.name, edit.values, folder);
     add_values(world, "*", request.materials.values, folder);
     request.materials.values.clear();
+    take_own_shading(world, request);
     world.render = render_of(request, folder);
     world.remarks.clear();
     return world;
@@ -115,6 +126,9 @@ std::string command_line_of(const Look& look, const Model& model, int width, int
     PictureRequest request = request_of(look, width, height);
     std::string text = "rakelight render " + quoted(model.file) + " -o " + quoted(stem_of(model.file) + ".png");
     if (request.load.allow_outside) text += " --allow-outside";
+    const bool is_said = !request.settings.own_shading && request.settings.shading == Shading::phong;
+    if (is_said) text += " --shading phong";  // the default, but here it takes away what materials say
+    request.settings.own_shading = true;
     for (const WorldValue& value : written_render_keys(request)) {
         const RenderKey& key = require_render_key(value.key);
         const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;

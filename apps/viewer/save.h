@@ -7,7 +7,8 @@
 
 namespace rakelight::viewer {
 
-/// What a world file at `path` says so that its picture is this look's. Names of files are from the world's folder.
+/// What a world file at `path` says so that its picture is this look's. Names of files are from the world's folder. Cameras
+/// of another world file come with the rounding of one look_at(), see to_toml().
 /// @throws Error usage: a look that no world file can say; and as read_world()
 WorldFile world_of(const Look& look, const Model& model, int width, int height, const std::string& path);
 

@@ -23,7 +23,7 @@ void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look
     if (model_ != model || !look_ || !have_same_surfaces(*look_, look)) {
         is_set_ = false;
         look_.reset();
-        scene_ = with_asked_surfaces(with_edits(model->scene, look.materials, request.load, context), request, context);
+        scene_ = with_asked_surfaces(with_edits(model->scene, look.materials, context), request, context);
         model_ = model;
         look_ = look;
     }
