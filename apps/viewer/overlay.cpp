@@ -116,7 +116,7 @@ std::vector<Line> light_lines(std::span<const LightItem> lights, const Bounds& b
         const float width = i == selected ? 2.5f : 1.5f;
         const dvec3 along = normalize_or(light.direction, dvec3{0, 0, -1});
         if (light.type == LightType::directional)
-            add_arrow(lines, bounds.center() - along * (0.75 * size), along, 0.2 * size, color, width);
+            add_arrow(lines, bounds.center() - along * (0.5 * size), along, 0.2 * size, color, width);
         if (light.type == LightType::point || light.type == LightType::spot)
             add_star(lines, light.position, 0.03 * size, color, width);
         const bool is_classical = light.units == LightUnits::classical;

@@ -140,7 +140,9 @@ void Painter::work(const PaintJob& job) {
 }
 
 bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is_final) {
-    const std::shared_ptr<Context> context = new_context(scale == 1);  // a coarse one always comes to its end
+    // What is shown in motion always comes to its end: else nothing would be shown while new jobs come.
+    const bool is_refinement = !job.is_moving && scale == 1;
+    const std::shared_ptr<Context> context = new_context(is_refinement);
     const auto begin = std::chrono::steady_clock::now();
     try {
         auto painting = std::make_shared<Painting>();

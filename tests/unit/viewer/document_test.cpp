@@ -188,6 +188,22 @@ TEST_F(Looks, ThePainterEndsWithThePictureOfRender) {
     EXPECT_EQ(last->number, 1u);
 }
 
+TEST_F(Looks, PicturesComeWhileTheCameraMovesOnAndOn) {
+    const auto m = model("builtin:teapot");
+    Look look = first_look(*m);
+    Painter painter([] {}, 0, 0);
+    int pictures = 0;
+    const auto begin = std::chrono::steady_clock::now();
+    std::uint64_t number = 0;
+    while (pictures < 5 && std::chrono::steady_clock::now() - begin < std::chrono::seconds(60)) {  // a job every millisecond
+        turn_table(moving_eye(look, *m, 640, 480), 0.01, 0, look.world_up);
+        painter.paint({.model = m, .look = look, .width = 1280, .height = 960, .is_moving = true, .number = ++number});
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (painter.take()) ++pictures;
+    }
+    EXPECT_EQ(pictures, 5);
+}
+
 TEST_F(Looks, ThePainterTellsWhatIsWrong) {
     const auto m = model(write_model());
     Look look = first_look(*m);
