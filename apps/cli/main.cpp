@@ -27,6 +27,7 @@ struct Verb {
 };
 
 int run(int argc, const char* const* argv) {
+    if (is_model_to_view(argc, argv)) become_viewer(argc, argv, 1);
     const Verb verbs[] = {{render_command(), run_render},   {inspect_command(), run_inspect},
                           {smooth_command(), run_smooth},   {bench_command(), run_bench},
                           {explain_command(), run_explain}, {stages_command(), run_stages},
@@ -42,7 +43,7 @@ int run(int argc, const char* const* argv) {
         return 0;
     }
     const std::size_t number = line.command;
-    if (!verbs[number].run) become_viewer(argc, argv);
+    if (!verbs[number].run) become_viewer(argc, argv, 2);
     return verbs[number].run(run_of(commands[number], std::move(line)));
 }
 

@@ -4,8 +4,11 @@
 
 namespace rakelight::cli {
 
-/// Becomes rakelight-view with the words behind `view`: the one beside this program, else the one of PATH.
+/// Whether a command line is `rakelight MODEL`: a file, or a built-in shape, in the place of a command, where there is a display.
+bool is_model_to_view(int argc, const char* const* argv);
+
+/// Becomes rakelight-view with the words from number `first`: the one beside this program, else the one of PATH.
 /// @throws Error failed: there is none
-[[noreturn]] void become_viewer(int argc, const char* const* argv);
+[[noreturn]] void become_viewer(int argc, const char* const* argv, int first);
 
 }  // namespace rakelight::cli

@@ -7,6 +7,7 @@
 namespace rakelight::viewer {
 namespace {
 
+constexpr double message_s = 8;     // that what was done is said; errors stay until Esc
 constexpr double motion_s = 0.15;  // after the last step of a motion the whole picture is made
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
@@ -87,6 +88,7 @@ void App::poll() {
     chores_.poll();
     seam_search_.poll();
     for (std::size_t i = 0; i < 2; ++i) poll_view(views_[i]);
+    if (!ui_.message.empty() && !ui_.is_message_error && seconds(Clock::now() - said_) > message_s) ui_.message.clear(), frames_to_draw_ = 3;
     if (seconds(Clock::now() - last_watch_) > 0.5) watch_file();
 }
 
@@ -127,7 +129,7 @@ void App::submit(View& view) {
         const Look& leader = active().look;
         view.look.eye = leader.eye, view.look.world_up = leader.world_up, view.look.request.view = leader.request.view;
     }
-    const bool is_moving = drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom || drag_ == Drag::roll ||
+    const bool is_moving = drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom || drag_ == Drag::roll || drag_ == Drag::light ||
                            seconds(Clock::now() - last_motion_) < motion_s;
     const bool wants_depth = ui_.normals || ui_.tangents || ui_.bitangents || ui_.seams || ui_.grid;
     const Rectangle &a = view.area, &b = view.submitted_area;
@@ -160,6 +162,7 @@ void App::report(const Error& error) {
 void App::say(const std::string& text) {
     ui_.message = text;
     ui_.is_message_error = false;
+    said_ = Clock::now();
     frames_to_draw_ = 3;
 }
 

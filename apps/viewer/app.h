@@ -70,6 +70,8 @@ private:
     void click(const Event& event);
     void drop(const Event& event);
     void activate_at(double x, double y);
+    bool take_light(double x, double y);
+    void move_light(double dx, double dy);
 
     // app_work.cpp: what runs in the background
     void load_current(bool keeps_look);
@@ -106,7 +108,7 @@ private:
     Drag drag_ = Drag::none;
     double last_x_ = 0, last_y_ = 0, press_x_ = 0, press_y_ = 0;
     int press_modifiers_ = 0;
-    Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{};
+    Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, said_{};
     bool is_quitting_ = false, is_dirty_ = true;
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
     std::vector<Command> from_panels_;

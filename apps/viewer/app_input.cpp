@@ -6,6 +6,7 @@
 #include <rakelight/linear.h>
 
 #include "app.h"
+#include "overlay.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -64,6 +65,10 @@ void App::press(Button button, const Event& event) {
         return;
     }
     activate_at(event.x, event.y);
+    if (button == Button::left && take_light(event.x, event.y)) {
+        drag_ = Drag::light;
+        return;
+    }
     drag_ = ui_.is_walking ? Drag::look : drag_of(button, event.modifiers);
     if (button == Button::middle) press_modifiers_ |= 1 << 8;  // told from a left click later
 }
@@ -83,6 +88,7 @@ void App::move(const Event& event) {
     Look& look = active().look;
     const Rectangle& area = active().area;
     const double side = std::max(1, std::min(area.width, area.height)), angle = turn_of_window_rad / side;
+    if (drag_ == Drag::light) return last_motion_ = Clock::now(), move_light(dx, dy);
     Eye& eye = moving_eye(look, *model_, area.width, area.height);
     const auto on_ball = [&](dvec2 p) {
         return dvec2{(2 * (p.x - area.x) - area.width) / side, (area.height - 2 * (p.y - area.y)) / side};
@@ -102,6 +108,43 @@ void App::move(const Event& event) {
         default:
             return;
     }
+}
+
+/// Whether a light that is shown is under the pointer; it is selected then.
+bool App::take_light(double x, double y) {
+    View& view = active();
+    if (!ui_.light_glyphs || !model_ || !view.shown) return false;
+    Look lit = view.look;
+    const std::vector<LightItem>& lights = changing_lights(lit, *model_, view.area.width, view.area.height);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const std::optional<dvec3> place = place_of(lights[i].light, model_->box.bounds());
+        const std::optional<dvec2> p = place ? pixel_of(*place, view.camera, view.area.width, view.area.height) : std::nullopt;
+        if (!p || std::hypot(p->x + view.area.x - x, p->y + view.area.y - y) > 14 * double(window_->scale())) continue;
+        ui_.light = i;
+        return true;
+    }
+    return false;
+}
+
+/// A lamp goes with the pointer across the view; a directional light turns about the model.
+void App::move_light(double dx, double dy) {
+    View& view = active();
+    const Rectangle& area = view.area;
+    std::vector<LightItem>& lights = changing_lights(view.look, *model_, area.width, area.height);
+    if (ui_.light >= lights.size()) return;
+    Light& light = lights[ui_.light].light;
+    const dmat4& m = view.camera.to_world;
+    if (light.type == LightType::directional) {
+        const double angle = turn_of_window_rad / std::max(1, std::min(area.width, area.height));
+        const dvec3 turned = rotated(rotated(light.direction, m[1].xyz(), dx * angle), m[0].xyz(), dy * angle);
+        light.direction = normalize_or(turned, light.direction);
+        return;
+    }
+    const bool is_parallel = view.camera.projection == Projection::orthographic;
+    const double away = -dot(light.position - m[3].xyz(), m[2].xyz());
+    const double half = is_parallel ? view.camera.half_height : away * std::tan(0.5 * view.camera.vertical_fov_rad);
+    const double meters = 2 * half / area.height;
+    light.position += m[0].xyz() * (dx * meters) - m[1].xyz() * (dy * meters);
 }
 
 void App::zoom(const Event& event) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "background.h"
 
+#include <atomic>
+#include <thread>
+
 #include <rakelight/tools/current_error.h>
 
 namespace rakelight::viewer {
@@ -17,60 +20,61 @@ void Progress::get(std::string& stage, double& fraction) const {
     fraction = fraction_;
 }
 
+struct Background::Run {
+    Work work;
+    std::function<void(const Error&)> failed;
+    std::unique_ptr<Context> context;
+    Finish finish{};
+    std::atomic<bool> is_done{false};  ///< set last: `finish` is there
+    std::thread thread{};
+};
+
 Background::Background(std::function<void()> wake, int threads, std::uint64_t max_memory)
     : wake_(std::move(wake)), threads_(threads), max_memory_(max_memory) {}
 
 Background::~Background() {
-    cancel();
-    if (thread_.joinable()) thread_.join();
+    for (const auto& run : runs_) run->context->cancel();
+    for (const auto& run : runs_) run->thread.join();
 }
 
 void Background::start(const std::string& title, Work work, std::function<void(const Error&)> failed) {
     cancel();
-    if (thread_.joinable()) thread_.join();
-    finish_.reset();
-    title_ = title;
     progress_.set(title, 0);
     const auto report = [this](std::string_view stage, double fraction) { progress_.set(stage, fraction); };
-    context_ = std::make_shared<Context>(
-        ContextOptions{.threads = threads_, .max_memory = max_memory_, .progress = report});
-    is_running_ = true;
-    thread_ = std::thread([this, work = std::move(work), failed = std::move(failed), context = context_] {
-        run(work, failed, context);
-    });
+    auto context =
+        std::make_unique<Context>(ContextOptions{.threads = threads_, .max_memory = max_memory_, .progress = report});
+    current_ = runs_.emplace_back(new Run{std::move(work), std::move(failed), std::move(context)}).get();
+    current_->thread = std::thread([this, run = current_] { this->run(*run); });
 }
 
-void Background::run(const Work& work, const std::function<void(const Error&)>& failed,
-                     const std::shared_ptr<Context>& context) {
-    Finish finish;
+void Background::run(Run& run) {
     try {
-        finish = work(*context);
+        run.finish = run.work(*run.context);
     } catch (...) {
-        finish = [failed, error = current_error()] { failed(error); };
+        run.finish = [failed = run.failed, error = current_error()] { failed(error); };
     }
-    {
-        const std::scoped_lock lock(mutex_);
-        finish_ = std::move(finish);
-    }
+    run.is_done = true;
     wake_();
 }
 
 void Background::poll() {
-    std::optional<Finish> finish;
-    {
-        const std::scoped_lock lock(mutex_);
-        finish.swap(finish_);
-    }
+    Finish finish;
+    const auto end = [&](const std::unique_ptr<Run>& run) {
+        if (!run->is_done) return false;
+        run->thread.join();
+        if (run.get() != current_) return true;  // another work took its place
+        finish = std::move(run->finish);
+        current_ = nullptr;
+        return true;
+    };
+    std::erase_if(runs_, end);
     if (!finish) return;
-    thread_.join();
-    is_running_ = false;
-    context_.reset();
     progress_.set({}, 0);
-    if (*finish) (*finish)();
+    finish();
 }
 
 void Background::cancel() {
-    if (context_) context_->cancel();
+    if (current_) current_->context->cancel();
 }
 
 }  // namespace rakelight::viewer

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // One piece of work beside the window's thread: loading, inspecting, smoothing, saving.
 #pragma once
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
-#include <thread>
+#include <vector>
 
 #include <rakelight/context.h>
 
@@ -26,7 +24,7 @@ private:
     double fraction_ = 0;
 };
 
-/// Runs one work at a time in a thread; a new one cancels the one before and waits for it.
+/// Runs one work at a time in a thread. A new one cancels the one before, whose end nobody waits for.
 class Background {
 public:
     /// @param wake  called from the thread when there is something new to see
@@ -43,23 +41,19 @@ public:
     /// In the window's thread: finishes what is done.
     void poll();
     void cancel();
-    bool is_running() const { return is_running_; }
-    const std::string& title() const { return title_; }
+    bool is_running() const { return current_ != nullptr; }
     const Progress& progress() const { return progress_; }
 
 private:
-    void run(const Work& work, const std::function<void(const Error&)>& failed, const std::shared_ptr<Context>& context);
+    struct Run;
+    void run(Run& run);
 
     std::function<void()> wake_;
     int threads_;
     std::uint64_t max_memory_;
-    std::string title_;
     Progress progress_;
-    std::shared_ptr<Context> context_;
-    std::thread thread_;
-    bool is_running_ = false;  ///< in the window's thread: its end was not polled
-    std::mutex mutex_;
-    std::optional<Finish> finish_;
+    Run* current_ = nullptr;                  ///< the newest of runs_; null: its end was polled
+    std::vector<std::unique_ptr<Run>> runs_;  ///< those before it were cancelled
 };
 
 }  // namespace rakelight::viewer

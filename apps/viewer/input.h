@@ -23,7 +23,7 @@ struct Event {
 };
 
 /// What the pointer does while a button is down.
-enum class Drag { none, orbit, pan, zoom, roll, look, wipe };
+enum class Drag { none, orbit, pan, zoom, roll, look, wipe, light };
 
 /// F3D's buttons: left orbits, with Shift pans, with Control rolls; middle pans, right zooms.
 Drag drag_of(Button button, int modifiers);

@@ -109,12 +109,19 @@ Command command_of(Key key, int modifiers) {
 }
 
 std::string key_table_text() {
+    const auto cell = [](const std::string& text) {
+        std::string out;
+        for (const char c : text) out += c == '|' || c == '`' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+        return out;
+    };
     std::string text, group;
     for (const Binding& b : table) {
-        if (!*b.keys) continue;
+        const std::string keys = b.keys;
+        if (keys.empty()) continue;
         if (group != b.group) text += (group.empty() ? "" : "\n") + ("| " + std::string(b.group) + " | |\n|---|---|\n");
         group = b.group;
-        text += "| " + std::string(b.keys) + " | " + b.what + " |\n";
+        if (keys == " ") text.erase(text.size() - 3);  // goes on with the row above
+        text += keys == " " ? " " + cell(b.what) + " |\n" : "| " + cell(keys) + " | " + cell(b.what) + " |\n";
     }
     return text;
 }

@@ -99,6 +99,12 @@ std::vector<Line> grid_lines(const Bounds& bounds, dvec3 world_up) {
     return lines;
 }
 
+std::optional<dvec3> place_of(const Light& light, const Bounds& bounds) {
+    if (light.type == LightType::ambient) return {};
+    if (light.type != LightType::directional) return light.position;
+    return bounds.center() - normalize_or(light.direction, dvec3{0, 0, -1}) * (0.4 * size_of(bounds));
+}
+
 std::vector<Line> axis_lines(const Bounds& bounds) {
     const double length = 0.6 * size_of(bounds);
     return {{{0, 0, 0}, {length, 0, 0}, {0.95f, 0.3f, 0.3f, 1}, 2, true},
@@ -166,24 +172,29 @@ std::vector<Line> seam_lines(std::span<const SeamLine> seams) {
     return lines;
 }
 
-std::vector<Line> visible_lines(std::span<const Line> lines, const Camera& camera, std::span<const float> depth, int width,
-                                int height, double slack) {
-    std::vector<Line> out;
-    dmat4 to_camera;
-    if (!inverse_affine(camera.to_world, to_camera) || depth.size() != std::size_t(width) * std::size_t(height))
-        return {lines.begin(), lines.end()};
+std::optional<dvec2> pixel_of(dvec3 place, const Camera& camera, int width, int height) {
     const bool is_parallel = camera.projection == Projection::orthographic;
     const double half_height = is_parallel ? camera.half_height : std::tan(0.5 * camera.vertical_fov_rad);
     const double half_width = is_parallel ? camera.half_width.value_or(half_height * width / height)
                               : camera.horizontal_fov_rad ? std::tan(0.5 * *camera.horizontal_fov_rad)
                                                           : half_height * width / height;
+    const dvec3 p = place - camera.to_world[3].xyz();
+    const double away = -dot(p, camera.to_world[2].xyz()), by = is_parallel ? 1 : away;
+    if (!(away > 0)) return {};
+    const double x = dot(p, camera.to_world[0].xyz()) / (by * half_width), y = dot(p, camera.to_world[1].xyz()) / (by * half_height);
+    return dvec2{(0.5 * x + 0.5) * width, (0.5 - 0.5 * y) * height};
+}
+
+std::vector<Line> visible_lines(std::span<const Line> lines, const Camera& camera, std::span<const float> depth, int width,
+                                int height, double slack) {
+    std::vector<Line> out;
+    if (depth.size() != std::size_t(width) * std::size_t(height)) return {lines.begin(), lines.end()};
     const auto is_seen = [&](dvec3 world) {
-        const dvec3 p = transform_point(to_camera, world);
-        const double away = -p.z, by = is_parallel ? 1 : away;
-        if (!(away > 0)) return false;
-        const double x = (p.x / (by * half_width) * 0.5 + 0.5) * width, y = (0.5 - p.y / (by * half_height) * 0.5) * height;
-        if (!(x >= 0 && y >= 0 && x < width && y < height)) return true;
-        return away <= double(depth[std::size_t(y) * std::size_t(width) + std::size_t(x)]) + slack;
+        const std::optional<dvec2> p = pixel_of(world, camera, width, height);
+        if (!p) return false;
+        if (!(p->x >= 0 && p->y >= 0 && p->x < width && p->y < height)) return true;
+        const double away = -dot(world - camera.to_world[3].xyz(), camera.to_world[2].xyz());
+        return away <= double(depth[std::size_t(p->y) * std::size_t(width) + std::size_t(p->x)]) + slack;
     };
     for (const Line& line : lines)
         if (line.is_overlay || is_seen(line.from) || is_seen(line.to)) out.push_back(line);

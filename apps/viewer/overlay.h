@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines over the picture: grid, axes, lights, normals and the like, seams.
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,11 @@ namespace rakelight::viewer {
 
 std::vector<Line> grid_lines(const Bounds& bounds, dvec3 world_up);
 std::vector<Line> axis_lines(const Bounds& bounds);
+/// Where a light is seen: a lamp at its place, a directional light at its arrow's middle. Ambient light is nowhere.
+std::optional<dvec3> place_of(const Light& light, const Bounds& bounds);
+/// [px] of a picture of that size, y down; none: behind the camera.
+std::optional<dvec2> pixel_of(dvec3 place, const Camera& camera, int width, int height);
+
 /// A star where a lamp is, an arrow the way that a light goes, the cone of a spot.
 std::vector<Line> light_lines(std::span<const LightItem> lights, const Bounds& bounds, std::size_t selected);
 

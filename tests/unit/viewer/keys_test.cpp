@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 #include <set>
 
 #include "../../../apps/viewer/input.h"
 #include "../../../apps/viewer/pace.h"
 #include "../../../apps/viewer/settings_file.h"
+#include "support/shared.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -50,6 +52,12 @@ TEST(Keys, TheTableForPeopleNamesEveryGroupOnce) {
         ASSERT_NE(at, std::string::npos) << group;
         EXPECT_EQ(text.find(group, at + 1), std::string::npos) << group;
     }
+}
+
+TEST(Keys, TheDocumentationHasTheTable) {
+    std::ifstream file(test::source_dir() / "docs/viewer.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(text.find(key_table_text()), std::string::npos) << "docs/viewer.md should hold:\n" << key_table_text();
 }
 
 TEST(Input, ButtonsDragAsInF3D) {
