@@ -2,6 +2,7 @@
 // The program `rakelight`. What the commands do is the library's; here are files in, messages out and the exit code.
 #include <rakelight/tools/exit_code.h>
 
+#include "../common/view_command.h"
 #include "bench_verb.h"
 #include "check_verb.h"
 #include "compare_verb.h"
@@ -13,7 +14,6 @@
 #include "run_file.h"
 #include "smooth_verb.h"
 #include "stages_verb.h"
-#include "../common/view_command.h"
 #include "version_text.h"
 #include "view_verb.h"
 

@@ -13,7 +13,8 @@ namespace {
 /// Whether a setting of a world's means something to this command.
 bool takes(const Run& run, std::string_view key) {
     if (!apps::takes_setting(run.command, key)) return false;
-    return std::string_view(apps::find_or_null(run.command.options, key)->group) != "Heat map" || run.given.has("heatmap");
+    return std::string_view(apps::find_or_null(run.command.options, key)->group) != "Heat map" ||
+           run.given.has("heatmap");
 }
 
 /// Then what several settings can only get wrong together depends on what the worlds say.

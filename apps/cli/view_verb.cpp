@@ -16,7 +16,8 @@ bool is_model_to_view(int argc, const char* const* argv) {
     if (argc < 2 || (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))) return false;
     const std::string word = argv[1];
     std::error_code ignored;
-    return word.starts_with("builtin:") || (word.find('.') != std::string::npos && std::filesystem::is_regular_file(word, ignored));
+    return word.starts_with("builtin:") ||
+           (word.find('.') != std::string::npos && std::filesystem::is_regular_file(word, ignored));
 }
 
 void become_viewer(int argc, const char* const* argv, int first) {

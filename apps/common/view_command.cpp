@@ -6,9 +6,11 @@
 namespace rakelight::apps {
 
 Command view_command() {
-    const Option stats = {"stats", "Output", "", "Say at the end how long the first picture and the window's longest pause took", Form::flag};
-    std::vector<Option> options = without(joined({picture_options(), {stats}, common_options()}),
-                                          {"window", "channels", "channel-files", "exr-colors", "json", "quiet", "verbose"});
+    const Option stats = {"stats", "Output", "",
+                          "Say at the end how long the first picture and the window's longest pause took", Form::flag};
+    std::vector<Option> options =
+        without(joined({picture_options(), {stats}, common_options()}),
+                {"window", "channels", "channel-files", "exr-colors", "json", "quiet", "verbose"});
     find(options, "resolution").help = "Size of the window in pixels, also WxH";
     return {"view",
             "Open models in a window",

@@ -7,7 +7,7 @@
 namespace rakelight::viewer {
 namespace {
 
-constexpr double message_s = 8;     // that what was done is said; errors stay until Esc
+constexpr double message_s = 8;    // that what was done is said; errors stay until Esc
 constexpr double motion_s = 0.15;  // after the last step of a motion the whole picture is made
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
@@ -16,16 +16,29 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 App::App(Start start)
     : start_(std::move(start)),
-      loader_([this] { if (has_window_) GlfwWindow::wake(); }, start_.threads, start_.max_memory),
-      chores_([this] { if (has_window_) GlfwWindow::wake(); }, start_.threads, start_.max_memory),
-      seam_search_([this] { if (has_window_) GlfwWindow::wake(); }, start_.threads, start_.max_memory),
+      loader_(
+          [this] {
+              if (has_window_) GlfwWindow::wake();
+          },
+          start_.threads, start_.max_memory),
+      chores_(
+          [this] {
+              if (has_window_) GlfwWindow::wake();
+          },
+          start_.threads, start_.max_memory),
+      seam_search_(
+          [this] {
+              if (has_window_) GlfwWindow::wake();
+          },
+          start_.threads, start_.max_memory),
       remembered_(read_settings()),
       ui_(remembered_.ui) {
     if (!start_.files.empty()) load_current(false);  // beside the opening of the window
     int width = remembered_.width, height = remembered_.height;
     PictureRequest given;
     for (const WorldValue& value : start_.settings)
-        if (value.key == "resolution") read_render_keys({&value, 1}, given), width = given.settings.width, height = given.settings.height;
+        if (value.key == "resolution")
+            read_render_keys({&value, 1}, given), width = given.settings.width, height = given.settings.height;
     window_ = std::make_unique<GlfwWindow>("Rakelight", width, height);
     has_window_ = true;
     window_->set_theme(ui_.is_dark);
@@ -42,7 +55,8 @@ App::~App() {
 }
 
 bool App::is_busy() const {
-    return loader_.is_running() || chores_.is_running() || seam_search_.is_running() || views_[0].is_painting || views_[1].is_painting;
+    return loader_.is_running() || chores_.is_running() || seam_search_.is_running() || views_[0].is_painting ||
+           views_[1].is_painting;
 }
 
 void App::run() {
@@ -71,7 +85,8 @@ void App::run() {
         is_dirty_ = false;
         draw();
     }
-    if (!window_->is_full_screen() && window_->width() > 0) remembered_.width = window_->width(), remembered_.height = window_->height();
+    if (!window_->is_full_screen() && window_->width() > 0)
+        remembered_.width = window_->width(), remembered_.height = window_->height();
     remembered_.ui = ui_;
     write_settings(remembered_);
     log_stats();
@@ -79,7 +94,8 @@ void App::run() {
 
 void App::log_stats() const {
     if (!start_.wants_stats) return;
-    std::fprintf(stderr, "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms), %s\n",
+    std::fprintf(stderr,
+                 "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms), %s\n",
                  first_picture_ms_, longest_block_ms_, longest_load_block_ms_, one_line(gl_->renderer(), 100).c_str());
 }
 
@@ -88,7 +104,8 @@ void App::poll() {
     chores_.poll();
     seam_search_.poll();
     for (std::size_t i = 0; i < 2; ++i) poll_view(views_[i]);
-    if (!ui_.message.empty() && !ui_.is_message_error && seconds(Clock::now() - said_) > message_s) ui_.message.clear(), frames_to_draw_ = 3;
+    if (!ui_.message.empty() && !ui_.is_message_error && seconds(Clock::now() - said_) > message_s)
+        ui_.message.clear(), frames_to_draw_ = 3;
     if (seconds(Clock::now() - last_watch_) > 0.5) watch_file();
 }
 
@@ -129,27 +146,36 @@ void App::submit(View& view) {
         const Look& leader = active().look;
         view.look.eye = leader.eye, view.look.world_up = leader.world_up, view.look.request.view = leader.request.view;
     }
-    const bool is_moving = drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom || drag_ == Drag::roll || drag_ == Drag::light ||
-                           seconds(Clock::now() - last_motion_) < motion_s;
+    const bool is_moving = drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom || drag_ == Drag::roll ||
+                           drag_ == Drag::light || seconds(Clock::now() - last_motion_) < motion_s;
     const bool wants_depth = ui_.normals || ui_.tangents || ui_.bitangents || ui_.seams || ui_.grid;
     const Rectangle &a = view.area, &b = view.submitted_area;
-    const bool is_same = view.submitted_model == model_ && view.look == view.submitted && a.width == b.width && a.height == b.height &&
-                         view.is_submitted_with_depth == wants_depth;
+    const bool is_same = view.submitted_model == model_ && view.look == view.submitted && a.width == b.width &&
+                         a.height == b.height && view.is_submitted_with_depth == wants_depth;
     if (is_same && (is_moving || !view.is_submitted_moving)) return;
-    if (!view.painter) view.painter = std::make_unique<Painter>([] { GlfwWindow::wake(); }, start_.threads, start_.max_memory);
+    if (!view.painter)
+        view.painter = std::make_unique<Painter>([] { GlfwWindow::wake(); }, start_.threads, start_.max_memory);
     try {
         const Camera camera = camera_of(view.look, *model_, a.width, a.height);
         if (view.submitted_model == model_) carry_lights(view.look, view.camera, camera);
         view.camera = camera;
     } catch (const Error& error) {
         report(error);
-        if (view.submitted_model == model_) view.look = view.submitted;
-        else view.look.eye.reset(), view.look.request.view = {.side = "default"};
+        if (view.submitted_model == model_)
+            view.look = view.submitted;
+        else
+            view.look.eye.reset(), view.look.request.view = {.side = "default"};
         return;
     }
     view.submitted = view.look, view.submitted_model = model_, view.submitted_area = a;
     view.is_submitted_moving = is_moving, view.is_submitted_with_depth = wants_depth, view.is_painting = true;
-    view.painter->paint({.model = model_, .look = view.look, .width = a.width, .height = a.height, .is_moving = is_moving, .wants_depth = wants_depth, .number = ++view.number});
+    view.painter->paint({.model = model_,
+                         .look = view.look,
+                         .width = a.width,
+                         .height = a.height,
+                         .is_moving = is_moving,
+                         .wants_depth = wants_depth,
+                         .number = ++view.number});
 }
 
 void App::report(const Error& error) {

@@ -47,7 +47,8 @@ void App::draw_wipe() {
     copy(*a, 0, line);
     copy(*b, line, area.width);
     for (int x = std::max(0, line - 1); x < std::min(area.width, line + 1); ++x)
-        for (int y = 0; y < area.height; ++y) wiped_[std::size_t(y) * std::size_t(area.width) + std::size_t(x)] = 0xff40a0ffu;
+        for (int y = 0; y < area.height; ++y)
+            wiped_[std::size_t(y) * std::size_t(area.width) + std::size_t(x)] = 0xff40a0ffu;
     window_->set_viewport(area.x, area.y, area.width, area.height);
     gl_->show(area.width, area.height, wiped_, false);
 }
@@ -103,7 +104,8 @@ void App::draw_panels_over() {
         std::string stage;
         double fraction = 0;
         if (v.painter && v.is_painting) v.painter->progress().get(stage, fraction);
-        if (!stage.empty() && stage != "render") panels.works.push_back(stage + " " + std::to_string(int(100 * fraction)) + " %");
+        if (!stage.empty() && stage != "render")
+            panels.works.push_back(stage + " " + std::to_string(int(100 * fraction)) + " %");
     }
     draw_panels(panels);
     draw_status(panels);

@@ -11,10 +11,10 @@
 namespace rakelight::viewer {
 namespace {
 
-constexpr double turn_of_window_rad = pi;        // by which a drag across the smaller side orbits
+constexpr double turn_of_window_rad = pi;  // by which a drag across the smaller side orbits
 constexpr double double_click_s = 0.35;
-constexpr double still_px = 4;                   // a press that moves less is a click
-constexpr double walk_share = 0.25, fast = 4;    // of the model's size a second
+constexpr double still_px = 4;                 // a press that moves less is a click
+constexpr double walk_share = 0.25, fast = 4;  // of the model's size a second
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
@@ -25,7 +25,8 @@ void App::handle(const Event& event) {
         case Event::Kind::key_down:
             if (event.is_for_panels) return;
             held_.take(event);
-            if (ui_.is_walking && std::string_view("WASDQE").find(char(event.key < 128 ? event.key : 0)) != std::string_view::npos &&
+            if (ui_.is_walking &&
+                std::string_view("WASDQE").find(char(event.key < 128 ? event.key : 0)) != std::string_view::npos &&
                 !(event.modifiers & mod_control))
                 return;
             return command(command_of(event.key, event.modifiers));
@@ -60,7 +61,8 @@ void App::press(Button button, const Event& event) {
     last_x_ = press_x_ = event.x, last_y_ = press_y_ = event.y;
     press_modifiers_ = event.modifiers;
     const double line = views_[0].area.x + ui_.wipe * views_[0].area.width;
-    if (ui_.split == Split::wipe && button == Button::left && std::fabs(event.x - line) < 8 * double(window_->scale())) {
+    if (ui_.split == Split::wipe && button == Button::left &&
+        std::fabs(event.x - line) < 8 * double(window_->scale())) {
         drag_ = Drag::wipe;
         return;
     }
@@ -118,7 +120,8 @@ bool App::take_light(double x, double y) {
     const std::vector<LightItem>& lights = changing_lights(lit, *model_, view.area.width, view.area.height);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const std::optional<dvec3> place = place_of(lights[i].light, model_->box.bounds());
-        const std::optional<dvec2> p = place ? pixel_of(*place, view.camera, view.area.width, view.area.height) : std::nullopt;
+        const std::optional<dvec2> p =
+            place ? pixel_of(*place, view.camera, view.area.width, view.area.height) : std::nullopt;
         if (!p || std::hypot(p->x + view.area.x - x, p->y + view.area.y - y) > 14 * double(window_->scale())) continue;
         ui_.light = i;
         return true;
@@ -151,7 +154,8 @@ void App::zoom(const Event& event) {
     if (!model_ || event.y == 0) return;
     activate_at(last_x_, last_y_);
     const Rectangle& area = active().area;
-    dolly(moving_eye(active().look, *model_, area.width, area.height), std::exp(-0.15 * std::clamp(event.y, -20.0, 20.0)));
+    dolly(moving_eye(active().look, *model_, area.width, area.height),
+          std::exp(-0.15 * std::clamp(event.y, -20.0, 20.0)));
     last_motion_ = Clock::now();
 }
 
@@ -165,7 +169,8 @@ void App::step_walk() {
     if (ahead == 0 && right == 0 && up == 0) return;
     Look& look = active().look;
     const double step = dt * walk_share * model_->box.bounds().diagonal() * (held_.is_fast ? fast : 1);
-    walk(moving_eye(look, *model_, active().area.width, active().area.height), ahead * step, right * step, up * step, look.world_up);
+    walk(moving_eye(look, *model_, active().area.width, active().area.height), ahead * step, right * step, up * step,
+         look.world_up);
     last_motion_ = now;
 }
 
@@ -214,7 +219,8 @@ void App::command(Command command) {
     if (viewer::apply(command, ui_)) {
         window_->set_theme(ui_.is_dark);
         if (command == Command::walk) window_->catch_pointer(ui_.is_walking), last_step_ = Clock::now();
-        const bool begins_split = (command == Command::split || command == Command::second_view) && ui_.split != Split::none;
+        const bool begins_split =
+            (command == Command::split || command == Command::second_view) && ui_.split != Split::none;
         if (begins_split && views_[1].submitted_model != model_) views_[1].look = views_[0].look;
         if (ui_.split == Split::none) ui_.active = 0;
         return;
@@ -277,10 +283,12 @@ void App::drop(const Event& event) {
                 if (!model_ || !active().painter) continue;
                 activate_at(event.x, event.y);
                 active().painter->look_at_pixel(
-                    int(event.x) - active().area.x, int(event.y) - active().area.y, [this, file](std::optional<Painter::Hit> hit) {
+                    int(event.x) - active().area.x, int(event.y) - active().area.y,
+                    [this, file](std::optional<Painter::Hit> hit) {
                         if (!hit) return say("a picture is dropped onto an object, which gets it as its texture");
                         try {
-                            set_material(active().look, material_name(model_->scene, hit->material), "color_texture=" + file);
+                            set_material(active().look, material_name(model_->scene, hit->material),
+                                         "color_texture=" + file);
                         } catch (const Error& error) {
                             report(error);
                         }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What runs in the background: loading, saving, recording, explaining, looking for seams.
+#include <cstdio>
+
 #include <rakelight/explain.h>
 #include <rakelight/render.h>
 #include <rakelight/smooth_file.h>
@@ -30,7 +32,10 @@ void App::load_current(bool keeps_look) {
         const auto model = load_model(file, start, context);
         return [this, model, keeps_look] { take_model(model, keeps_look); };
     };
-    loader_.start("load", work, [this](const Error& error) { report(error); });
+    loader_.start("load", work, [this](const Error& error) {
+        std::fprintf(stderr, "rakelight: error: %s\n", error.what());
+        report(error);
+    });
 }
 
 void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look) {
@@ -45,7 +50,9 @@ void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look)
     window_->set_title(one_line(fs::path(model->file).filename().string(), 100) + " - Rakelight");
     std::size_t warnings = 0;
     for (const ReportEntry& entry : model->remarks) warnings += entry.remark != Remark::note;
-    if (warnings > 0) say(std::to_string(warnings) + (warnings == 1 ? " remark" : " remarks") + " about the file: see the panel Statistics (F8)");
+    if (warnings > 0)
+        say(std::to_string(warnings) + (warnings == 1 ? " remark" : " remarks") +
+            " about the file: see the panel Statistics (F8)");
     frames_to_draw_ = 3;
 }
 
@@ -76,8 +83,11 @@ void App::screenshot(bool is_transparent) {
     if (view.look.channel) request.settings.channels = view.look.channel, request.channel_files = channel_files_png;
     request.output = free_name(model_->file, "", ".png");
     const auto work = [this, model = model_, look = view.look, request](Context& context) -> Background::Finish {
-        const PictureResult result = render_picture(with_edits(model->scene, look.materials, context), request, context);
-        return [this, name = result.channel_files.empty() ? result.output : result.channel_files.back()] { say("wrote " + name); };
+        const PictureResult result =
+            render_picture(with_edits(model->scene, look.materials, context), request, context);
+        return [this, name = result.channel_files.empty() ? result.output : result.channel_files.back()] {
+            say("wrote " + name);
+        };
     };
     chores_.start("screenshot", work, [this](const Error& error) { report(error); });
 }
@@ -98,7 +108,9 @@ void App::copy_command_line() {
     const View& view = active();
     try {
         window_->set_clipboard(command_line_of(view.look, *model_, view.area.width, view.area.height));
-        say(view.look.materials.empty() ? "copied the command line" : "copied the command line, but for changed materials: save the scene for these (Ctrl+S)");
+        say(view.look.materials.empty()
+                ? "copied the command line"
+                : "copied the command line, but for changed materials: save the scene for these (Ctrl+S)");
     } catch (const Error& error) {
         report(error);
     }
@@ -109,7 +121,8 @@ void App::save_seamless() {
     const fs::path input = model_->file;
     const std::string ending = input.extension().string();
     const bool is_own_format = ending == ".glb" || ending == ".gltf" || ending == ".obj";
-    const fs::path output = input.parent_path() / (input.stem().string() + "-seamless" + (is_own_format ? ending : ".glb"));
+    const fs::path output =
+        input.parent_path() / (input.stem().string() + "-seamless" + (is_own_format ? ending : ".glb"));
     SmoothFileOptions options{.load = active().look.request.load};
     options.attributes.crease_angle_rad = active().look.request.prepare.crease_angle_rad;
     options.attributes.weight = active().look.request.prepare.weight;
@@ -125,7 +138,8 @@ void App::record() {
     const View& view = active();
     const fs::path folder = free_name(model_->file, "-turn", "");
     const int count = ui_.record_frames;
-    const auto work = [this, model = model_, look = view.look, area = view.area, folder, count](Context& context) -> Background::Finish {
+    const auto work = [this, model = model_, look = view.look, area = view.area, folder,
+                       count](Context& context) -> Background::Finish {
         fs::create_directories(folder);
         Studio studio;
         Look turned = look;
@@ -151,7 +165,8 @@ void App::record() {
 void App::explain_at(int x, int y) {
     const View& view = active();
     const PictureRequest request = request_of(view.look, view.area.width, view.area.height);
-    const std::string remark = view.look.materials.empty() ? "" : "(materials as in the file, without the changes made here)\n";
+    const std::string remark =
+        view.look.materials.empty() ? "" : "(materials as in the file, without the changes made here)\n";
     const auto work = [this, request, x, y, remark](Context& context) -> Background::Finish {
         std::string text = remark + to_text(*explain(request, x, y, context));
         return [this, text = std::move(text)] {

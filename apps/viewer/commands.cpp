@@ -104,8 +104,8 @@ void set_shading(PictureRequest& request) {
 }
 
 void set_bump(PictureRequest& request) {
-    constexpr Bump all[] = {Bump::automatic, Bump::none,  Bump::height,    Bump::normal, Bump::parallax, Bump::parallax_limited,
-                            Bump::steep,     Bump::occlusion, Bump::displacement};
+    constexpr Bump all[] = {Bump::automatic,        Bump::none,  Bump::height,    Bump::normal,      Bump::parallax,
+                            Bump::parallax_limited, Bump::steep, Bump::occlusion, Bump::displacement};
     request.settings.bump = next(all, request.settings.bump);
 }
 

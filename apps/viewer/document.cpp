@@ -43,6 +43,10 @@ std::vector<LightItem>& changing_lights(Look& look, const Model& model, int widt
     PictureRequest request = request_of(look, width, height);
     request.light_intensity = 1;  // stays a setting of its own
     request.light_cutoff = 0;
+    request.materials = {};
+    request.hdri_file.clear();  // whether an environment gives light does not depend on its picture
+    Context quiet({.threads = 1});
+    lit = with_asked_surfaces(std::move(lit), request, quiet);
     look.lights.emplace();
     for (Light& light : asked_lights(lit, request, camera_of(look, model, width, height)))
         look.lights->push_back({.light = std::move(light)});
@@ -84,8 +88,8 @@ Look first_look(const Model& model) {
 bool have_same_surfaces(const Look& a, const Look& b) {
     const PictureRequest &x = a.request, &y = b.request;
     return a.materials == b.materials && x.materials == y.materials && x.hdri_file == y.hdri_file &&
-           x.hdri_ambient == y.hdri_ambient && x.hdri_skybox == y.hdri_skybox &&
-           x.hdri_intensity == y.hdri_intensity && x.hdri_rotation_rad == y.hdri_rotation_rad;
+           x.hdri_ambient == y.hdri_ambient && x.hdri_skybox == y.hdri_skybox && x.hdri_intensity == y.hdri_intensity &&
+           x.hdri_rotation_rad == y.hdri_rotation_rad;
 }
 
 std::string material_name(const Scene& scene, std::uint32_t material) {
@@ -93,7 +97,8 @@ std::string material_name(const Scene& scene, std::uint32_t material) {
 }
 
 Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& context) {
-    for (const MaterialEdit& edit : edits) scene = with_material_values(std::move(scene), edit.name, edit.values, context);
+    for (const MaterialEdit& edit : edits)
+        scene = with_material_values(std::move(scene), edit.name, edit.values, context);
     return scene;
 }
 

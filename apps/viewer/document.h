@@ -46,7 +46,7 @@ struct MaterialEdit {
 struct Look {
     PictureRequest request;  ///< its size, view and lights are those of the members below where they say so
     dvec3 world_up{0, 1, 0};
-    std::optional<Eye> eye;  ///< absent: as `request.view` says
+    std::optional<Eye> eye;                        ///< absent: as `request.view` says
     std::optional<std::vector<LightItem>> lights;  ///< absent: as `request` says
     std::vector<MaterialEdit> materials;
     std::uint32_t channel = 0;  ///< shown in place of the colors; 0: colors

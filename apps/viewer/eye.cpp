@@ -120,7 +120,9 @@ void dolly(Eye& eye, double factor) {
     eye.position = eye.focal - forward_of(eye) * std::clamp(distance * factor, smallest, farthest);
 }
 
-void roll(Eye& eye, double angle_rad) { eye.up = upright(rotated(eye.up, forward_of(eye), angle_rad), forward_of(eye)); }
+void roll(Eye& eye, double angle_rad) {
+    eye.up = upright(rotated(eye.up, forward_of(eye), angle_rad), forward_of(eye));
+}
 
 void center_on(Eye& eye, dvec3 target) {
     if (!is_finite(target) || length(target) > farthest) return;

@@ -9,7 +9,6 @@ constexpr Key escape = 256, enter = 257, tab = 258, right = 262, left = 263, up 
               f1 = 290, keypad_0 = 320, keypad_decimal = 330, keypad_enter = 335;
 constexpr const char *files = "Files", *view = "View", *picture = "Picture", *marks = "Marks", *window = "Window";
 
-
 constexpr Binding table[] = {
     {Command::next_file, right, 0, "Right", "next file of the list", files},
     {Command::previous_file, left, 0, "Left", "previous file", files},

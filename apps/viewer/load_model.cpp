@@ -62,8 +62,8 @@ std::vector<dmat4> node_matrices(const Scene& scene) {
     std::vector<dmat4> world(scene.nodes.size());
     for (std::size_t i = 0; i < world.size(); ++i) {
         const Node& node = scene.nodes[i];
-        const dmat4 local =
-            node.local.matrix ? *node.local.matrix : compose(node.local.translation, node.local.rotation, node.local.scale);
+        const dmat4 local = node.local.matrix ? *node.local.matrix
+                                              : compose(node.local.translation, node.local.rotation, node.local.scale);
         world[i] = node.parent == no_index ? local : world[node.parent] * local;
     }
     return world;
@@ -95,10 +95,12 @@ Dropped kind_of_drop(const std::string& file, bool is_shift_down) {
 std::vector<std::string> models_in(const std::string& path) {
     std::error_code fault;
     if (!fs::is_directory(path, fault)) return {path};
-    constexpr const char* endings[] = {".glb", ".gltf", ".obj", ".fbx", ".dae", ".3ds", ".ase", ".blend", ".stl", ".ply", ".off", ".x", ".toml"};
+    constexpr const char* endings[] = {".glb",   ".gltf", ".obj", ".fbx", ".dae", ".3ds", ".ase",
+                                       ".blend", ".stl",  ".ply", ".off", ".x",   ".toml"};
     std::vector<std::string> files;
     for (fs::directory_iterator at(path, fault), end; !fault && at != end && files.size() < 10000; at.increment(fault))
-        if (std::ranges::find(endings, ending_of(at->path().string())) != std::end(endings)) files.push_back(at->path().string());
+        if (std::ranges::find(endings, ending_of(at->path().string())) != std::end(endings))
+            files.push_back(at->path().string());
     std::ranges::sort(files);
     return files;
 }

@@ -127,8 +127,8 @@ std::vector<Line> light_lines(std::span<const LightItem> lights, const Bounds& b
             add_star(lines, light.position, 0.03 * size, color, width);
         const bool is_classical = light.units == LightUnits::classical;
         if (light.type == LightType::spot)
-            add_cone(lines, light.position, along, double(is_classical ? light.cutoff_rad : light.outer_cone_rad), 0.15 * size,
-                     color, width);
+            add_cone(lines, light.position, along, double(is_classical ? light.cutoff_rad : light.outer_cone_rad),
+                     0.15 * size, color, width);
     }
     return lines;
 }
@@ -155,7 +155,8 @@ std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const 
             for (; next < number + mesh.positions.size(); next += step) {
                 const std::size_t v = next - number;
                 const dvec3 at = transform_point(world[n], mesh.origin + cast<double>(mesh.positions[v]));
-                lines.push_back({at, at + vector_of(mesh, v, which, world[n]) * length, colors[std::size_t(which)], 1.2f});
+                lines.push_back(
+                    {at, at + vector_of(mesh, v, which, world[n]) * length, colors[std::size_t(which)], 1.2f});
             }
             number += mesh.positions.size();
         }
@@ -164,7 +165,9 @@ std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const 
 
 std::vector<Line> seam_lines(std::span<const SeamLine> seams) {
     std::vector<Line> lines;
-    const auto shown = [](float linear) { return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f; };
+    const auto shown = [](float linear) {
+        return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+    };
     for (const SeamLine& seam : seams) {
         const vec3 c = heat_color(double(std::max(seam.deg_a, seam.deg_b)));
         lines.push_back({seam.a, seam.b, {shown(c.x), shown(c.y), shown(c.z), 1}, 4});
@@ -175,18 +178,19 @@ std::vector<Line> seam_lines(std::span<const SeamLine> seams) {
 std::optional<dvec2> pixel_of(dvec3 place, const Camera& camera, int width, int height) {
     const bool is_parallel = camera.projection == Projection::orthographic;
     const double half_height = is_parallel ? camera.half_height : std::tan(0.5 * camera.vertical_fov_rad);
-    const double half_width = is_parallel ? camera.half_width.value_or(half_height * width / height)
+    const double half_width = is_parallel                 ? camera.half_width.value_or(half_height * width / height)
                               : camera.horizontal_fov_rad ? std::tan(0.5 * *camera.horizontal_fov_rad)
                                                           : half_height * width / height;
     const dvec3 p = place - camera.to_world[3].xyz();
     const double away = -dot(p, camera.to_world[2].xyz()), by = is_parallel ? 1 : away;
     if (!(away > 0)) return {};
-    const double x = dot(p, camera.to_world[0].xyz()) / (by * half_width), y = dot(p, camera.to_world[1].xyz()) / (by * half_height);
+    const double x = dot(p, camera.to_world[0].xyz()) / (by * half_width),
+                 y = dot(p, camera.to_world[1].xyz()) / (by * half_height);
     return dvec2{(0.5 * x + 0.5) * width, (0.5 - 0.5 * y) * height};
 }
 
-std::vector<Line> visible_lines(std::span<const Line> lines, const Camera& camera, std::span<const float> depth, int width,
-                                int height, double slack) {
+std::vector<Line> visible_lines(std::span<const Line> lines, const Camera& camera, std::span<const float> depth,
+                                int width, int height, double slack) {
     std::vector<Line> out;
     if (depth.size() != std::size_t(width) * std::size_t(height)) return {lines.begin(), lines.end()};
     const auto is_seen = [&](dvec3 world) {

@@ -24,7 +24,8 @@ std::vector<Line> light_lines(std::span<const LightItem> lights, const Bounds& b
 
 enum class VertexVector { normal, tangent, bitangent };
 /// A line a vertex of a prepared scene, in the world; at most `most`, taken evenly.
-std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const Bounds& bounds, std::size_t most = 20000);
+std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const Bounds& bounds,
+                               std::size_t most = 20000);
 
 /// Colored by heat_color().
 std::vector<Line> seam_lines(std::span<const SeamLine> seams);
@@ -32,7 +33,7 @@ std::vector<Line> seam_lines(std::span<const SeamLine> seams);
 /// Those that no surface hides: both ends are compared with the depths of a picture, up to `slack` of the model's size. Lines that
 /// are seen through surfaces stay.
 /// @param depth  [width * height] of a picture by `camera`
-std::vector<Line> visible_lines(std::span<const Line> lines, const Camera& camera, std::span<const float> depth, int width,
-                                int height, double slack);
+std::vector<Line> visible_lines(std::span<const Line> lines, const Camera& camera, std::span<const float> depth,
+                                int width, int height, double slack);
 
 }  // namespace rakelight::viewer

@@ -28,8 +28,7 @@ void scale_marks(RenderSettings& s, double scale) {
 
 }  // namespace
 
-struct Painter::Studio : viewer::Studio {
-};
+struct Painter::Studio : viewer::Studio {};
 
 Painter::Painter(std::function<void()> wake, int threads, std::uint64_t max_memory)
     : wake_(std::move(wake)), threads_(threads), max_memory_(max_memory), studio_(std::make_unique<Studio>()) {
@@ -187,7 +186,8 @@ void Painter::answer(const Probe& probe, const PaintJob& job) {
     if (job.model) try {
             PictureRequest request = request_of(job.look, job.width, job.height);
             request.engine = "soft";
-            request.settings.window = {std::clamp(probe.x, 0, job.width - 1), std::clamp(probe.y, 0, job.height - 1), 1, 1};
+            request.settings.window = {std::clamp(probe.x, 0, job.width - 1), std::clamp(probe.y, 0, job.height - 1), 1,
+                                       1};
             request.settings.channels = channel_position | channel_object | channel_material;
             request.settings.samples = 1;
             Frame frame;

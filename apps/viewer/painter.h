@@ -31,9 +31,9 @@ struct PaintJob {
 struct Painting {
     std::uint64_t number = 0;  ///< of its job
     std::shared_ptr<const Model> model;
-    int width = 0, height = 0;          ///< [px] of `codes`
-    std::vector<std::uint32_t> codes;   ///< sRGB, R in the low byte
-    std::vector<float> depth;           ///< [m] along the view; empty: not asked for
+    int width = 0, height = 0;         ///< [px] of `codes`
+    std::vector<std::uint32_t> codes;  ///< sRGB, R in the low byte
+    std::vector<float> depth;          ///< [m] along the view; empty: not asked for
     Camera camera;
     PictureRequest request;  ///< at the job's size
     std::shared_ptr<const PreparedScene> prepared;

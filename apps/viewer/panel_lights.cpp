@@ -48,7 +48,8 @@ void draw_light(PanelView& view, LightItem& item) {
     const double step = 0.005 * view.model->box.bounds().diagonal();
     if (light.type != LightType::directional) edit_place("place", light.position, step);
     dvec3 direction = light.direction;
-    if (light.type != LightType::point && edit_place("direction", direction, 0.01) && !(direction == dvec3{})) light.direction = direction;
+    if (light.type != LightType::point && edit_place("direction", direction, 0.01) && !(direction == dvec3{}))
+        light.direction = direction;
     ImGui::Checkbox("casts shadows", &light.casts_shadow);
     ImGui::SameLine();
     ImGui::Checkbox("follows the camera", &item.follows_camera);
@@ -57,13 +58,15 @@ void draw_light(PanelView& view, LightItem& item) {
 void draw_environment(PanelView& view) {
     PictureRequest& r = view.look.request;
     const auto& own = view.model->scene.environment;
-    bool gives_light = r.hdri_ambient.value_or(own && own->is_light), is_seen = r.hdri_skybox.value_or(own && own->is_background);
+    bool gives_light = r.hdri_ambient.value_or(own && own->is_light),
+         is_seen = r.hdri_skybox.value_or(own && own->is_background);
     if (ImGui::Checkbox("environment gives light", &gives_light)) r.hdri_ambient = gives_light;
     if (ImGui::Checkbox("environment is seen", &is_seen)) r.hdri_skybox = is_seen;
     float intensity = float(r.hdri_intensity.value_or(1)), turn = float(degrees(r.hdri_rotation_rad.value_or(0)));
     if (slide("its intensity", intensity, 0, 10)) r.hdri_intensity = double(intensity);
     if (slide("its rotation", turn, -180, 180, "%.1f deg")) r.hdri_rotation_rad = radians(double(turn));
-    ImGui::TextDisabled("%s", r.hdri_file.empty() ? "Drop a .hdr or .exr file to take it" : one_line(r.hdri_file, 60).c_str());
+    ImGui::TextDisabled(
+        "%s", r.hdri_file.empty() ? "Drop a .hdr or .exr file to take it" : one_line(r.hdri_file, 60).c_str());
 }
 
 Light new_light(const PanelView& view) {
@@ -84,7 +87,8 @@ void draw_lights_panel(PanelView& view) {
         ImGui::Checkbox("##on", &lights[i].is_on);
         ImGui::SameLine();
         const std::string& name = lights[i].light.name;
-        const std::string title = std::string(light_types[std::size_t(lights[i].light.type)]) + (name.empty() ? "" : " " + one_line(name, 40));
+        const std::string title = std::string(light_types[std::size_t(lights[i].light.type)]) +
+                                  (name.empty() ? "" : " " + one_line(name, 40));
         if (ImGui::Selectable(title.c_str(), view.ui.light == i)) view.ui.light = i;
         ImGui::PopID();
     }

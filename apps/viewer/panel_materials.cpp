@@ -18,7 +18,8 @@ void value_of(const PanelView& view, const std::string& name, const char* key, f
     for (const MaterialEdit& edit : view.look.materials)
         if (edit.name == name)
             for (const WorldValue& value : edit.values)
-                for (std::size_t i = 0; value.key == key && i < std::min(count, value.numbers.size()); ++i) values[i] = float(value.numbers[i]);
+                for (std::size_t i = 0; value.key == key && i < std::min(count, value.numbers.size()); ++i)
+                    values[i] = float(value.numbers[i]);
 }
 
 void set(PanelView& view, const std::string& name, const std::string& key_and_value) try {
@@ -39,8 +40,8 @@ void draw_color(PanelView& view, const std::string& name, const char* key, vec3 
     value_of(view, name, key, &value.x, 3);
     if (!edit_light_color(key, value)) return;
     char text[120];
-    std::snprintf(text, sizeof text, "%s=%.9g,%.9g,%.9g", key, double(std::max(0.0f, value.x)), double(std::max(0.0f, value.y)),
-                  double(std::max(0.0f, value.z)));
+    std::snprintf(text, sizeof text, "%s=%.9g,%.9g,%.9g", key, double(std::max(0.0f, value.x)),
+                  double(std::max(0.0f, value.y)), double(std::max(0.0f, value.z)));
     set(view, name, text);
 }
 
@@ -58,8 +59,10 @@ void draw_material(PanelView& view, const Material& m) {
     draw_color(view, m.name, "emission", m.emission);
     draw_number(view, m.name, "normal_scale", m.normal_scale, 0, 4);
     static std::string text;
-    if (ImGui::InputTextWithHint("any key", "bump_depth=0.1", &text, ImGuiInputTextFlags_EnterReturnsTrue)) set(view, m.name, text);
-    if (ImGui::Button("as in the file")) std::erase_if(view.look.materials, [&](const MaterialEdit& e) { return e.name == m.name; });
+    if (ImGui::InputTextWithHint("any key", "bump_depth=0.1", &text, ImGuiInputTextFlags_EnterReturnsTrue))
+        set(view, m.name, text);
+    if (ImGui::Button("as in the file"))
+        std::erase_if(view.look.materials, [&](const MaterialEdit& e) { return e.name == m.name; });
 }
 
 }  // namespace
@@ -67,7 +70,8 @@ void draw_material(PanelView& view, const Material& m) {
 void draw_materials_panel(PanelView& view) {
     const std::vector<Material>& materials = view.model->scene.materials;
     ImGui::TextDisabled(materials.empty() ? "The file has no materials" : "Alt+click on the picture selects");
-    ImGui::BeginChild("list", {0, std::min(160 * view.scale, float(materials.size() + 1) * ImGui::GetTextLineHeightWithSpacing())});
+    ImGui::BeginChild(
+        "list", {0, std::min(160 * view.scale, float(materials.size() + 1) * ImGui::GetTextLineHeightWithSpacing())});
     ImGuiListClipper clipper;
     clipper.Begin(int(materials.size()));
     while (clipper.Step())

@@ -7,10 +7,15 @@ namespace rakelight::viewer {
 
 void draw_normals_panel(PanelView& view) {
     PrepareOptions& p = view.look.request.prepare;
-    constexpr Word<NormalSource> sources[] = {{"auto", NormalSource::automatic}, {"file", NormalSource::file}, {"flat", NormalSource::flat},
-                                              {"object", NormalSource::object},  {"model", NormalSource::model}};
-    constexpr Word<CornerWeight> weights[] = {{"angle", CornerWeight::angle}, {"uniform", CornerWeight::uniform},
-                                              {"area", CornerWeight::area},   {"angle-area", CornerWeight::angle_area}};
+    constexpr Word<NormalSource> sources[] = {{"auto", NormalSource::automatic},
+                                              {"file", NormalSource::file},
+                                              {"flat", NormalSource::flat},
+                                              {"object", NormalSource::object},
+                                              {"model", NormalSource::model}};
+    constexpr Word<CornerWeight> weights[] = {{"angle", CornerWeight::angle},
+                                              {"uniform", CornerWeight::uniform},
+                                              {"area", CornerWeight::area},
+                                              {"angle-area", CornerWeight::angle_area}};
     choose("normals", sources, p.normals);
     choose("weight", weights, p.weight);
     double crease_deg = degrees(p.crease_angle_rad);

@@ -34,7 +34,8 @@ PictureRequest with_key(const PictureRequest& request, const std::string& key, c
     std::erase_if(values, [&](const WorldValue& value) { return value.key == key; });
     if (!text.empty()) {
         const bool is_list = require_render_key(key).kind == RenderKey::Kind::list;
-        values.push_back({.key = key, .words = is_list ? split(text) : std::vector<std::string>{text}, .is_array = is_list});
+        values.push_back(
+            {.key = key, .words = is_list ? split(text) : std::vector<std::string>{text}, .is_array = is_list});
     }
     PictureRequest changed;
     changed.input = request.input, changed.load = request.load;
@@ -68,7 +69,8 @@ void draw_setting(PanelView& view, const apps::Option& option) {
 
 /// Of the view, the picture's size and its files the window decides; lights have a panel of their own.
 bool is_left_out(const std::string& name) {
-    constexpr const char* names[] = {"resolution", "window", "channels", "channel-files", "exr-colors", "light", "material"};
+    constexpr const char* names[] = {"resolution", "window", "channels", "channel-files",
+                                     "exr-colors", "light",  "material"};
     return std::ranges::find(names, name) != std::end(names);
 }
 

@@ -82,7 +82,8 @@ void draw_shading_panel(PanelView& view) {
     constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
     choose("samples", sample_words, s.samples);
     slide("anisotropy", s.anisotropy, 1, 16);
-    constexpr Word<Cull> cull_words[] = {{"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
+    constexpr Word<Cull> cull_words[] = {
+        {"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
     choose("faces left out", cull_words, s.cull);
     choose("tone mapping", tone_mapping_words, r.tone.mapping);
     slide("exposure", r.tone.exposure_ev, -8, 8, "%.2f EV");

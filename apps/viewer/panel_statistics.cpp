@@ -54,14 +54,17 @@ void draw_statistics_panel(PanelView& view) {
         ImGui::EndTable();
     }
     for (const ReportEntry& entry : m.remarks)
-        if (entry.remark != Remark::note) ImGui::TextWrapped("%s: %s", name_of(entry.remark), one_line(entry.message).c_str());
+        if (entry.remark != Remark::note)
+            ImGui::TextWrapped("%s: %s", name_of(entry.remark), one_line(entry.message).c_str());
 }
 
 void draw_pixel_panel(PanelView& view) {
     ImGui::Checkbox("explain the pixel that is clicked (P)", &view.ui.is_picking);
     if (view.ui.explained.empty()) return;
     ImGui::BeginChild("explained", {0, 420 * view.scale}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
     ImGui::TextUnformatted(view.ui.explained.c_str(), view.ui.explained.c_str() + view.ui.explained.size());
+    ImGui::PopFont();
     ImGui::EndChild();
 }
 

@@ -21,8 +21,9 @@ void draw_side_buttons(PanelView& view) {
     constexpr struct {
         const char* name;
         Command command;
-    } sides[] = {{"front", Command::front}, {"back", Command::back},   {"right", Command::right},         {"left", Command::left},
-                 {"top", Command::top},     {"bottom", Command::bottom}, {"isometric", Command::isometric}, {"fit", Command::fit}};
+    } sides[] = {{"front", Command::front},         {"back", Command::back}, {"right", Command::right},
+                 {"left", Command::left},           {"top", Command::top},   {"bottom", Command::bottom},
+                 {"isometric", Command::isometric}, {"fit", Command::fit}};
     for (std::size_t i = 0; i < std::size(sides); ++i) {
         if (i % 4 != 0) ImGui::SameLine();
         if (ImGui::Button(sides[i].name)) view.commands.push_back(sides[i].command);
@@ -43,7 +44,10 @@ void draw_view_panel(PanelView& view) {
     const bool is_possible = !(eye.position == eye.focal);
     if (!(eye == before) && is_possible) view.look.eye = eye;
     const dvec3 up = view.look.world_up;
-    const std::string axis = up == dvec3{0, 1, 0} ? "+Y" : up == dvec3{0, 0, 1} ? "+Z" : up == dvec3{1, 0, 0} ? "+X" : "as given";
+    const std::string axis = up == dvec3{0, 1, 0}   ? "+Y"
+                             : up == dvec3{0, 0, 1} ? "+Z"
+                             : up == dvec3{1, 0, 0} ? "+X"
+                                                    : "as given";
     if (ImGui::Button(("up axis: " + axis).c_str())) view.commands.push_back(Command::up_axis);
     ImGui::SameLine();
     ImGui::Checkbox("arcball", &view.ui.is_arcball);
@@ -55,7 +59,10 @@ void draw_view_panel(PanelView& view) {
     ImGui::RadioButton("A|B", &split, 1);
     ImGui::SameLine();
     ImGui::RadioButton("two views", &split, 2);
-    if (split != int(view.ui.split)) view.commands.push_back(split == 0 ? (view.ui.split == Split::wipe ? Command::split : Command::second_view) : split == 1 ? Command::split : Command::second_view);
+    if (split != int(view.ui.split))
+        view.commands.push_back(split == 0   ? (view.ui.split == Split::wipe ? Command::split : Command::second_view)
+                                : split == 1 ? Command::split
+                                             : Command::second_view);
     ImGui::InputInt("pictures of a turn", &view.ui.record_frames);
     view.ui.record_frames = std::clamp(view.ui.record_frames, 1, 10000);
     if (ImGui::Button("record a turn")) view.commands.push_back(Command::record);

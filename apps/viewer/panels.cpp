@@ -14,14 +14,17 @@ struct PanelEntry {
     Panel panel;
     void (*draw)(PanelView&);
 };
-constexpr PanelEntry entries[] = {{Panel::view, draw_view_panel},           {Panel::shading, draw_shading_panel},
-                                  {Panel::normals, draw_normals_panel},     {Panel::lights, draw_lights_panel},
-                                  {Panel::materials, draw_materials_panel}, {Panel::pixel, draw_pixel_panel},
+constexpr PanelEntry entries[] = {{Panel::view, draw_view_panel},
+                                  {Panel::shading, draw_shading_panel},
+                                  {Panel::normals, draw_normals_panel},
+                                  {Panel::lights, draw_lights_panel},
+                                  {Panel::materials, draw_materials_panel},
+                                  {Panel::pixel, draw_pixel_panel},
                                   {Panel::statistics, draw_statistics_panel}};
 
 constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoInputs;
+                                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoInputs;
 
 void draw_help_group(const char* group, float scale) {
     ImGui::TextColored({0.4f, 0.65f, 1, 1}, "%s", group);
@@ -35,9 +38,12 @@ void draw_help_group(const char* group, float scale) {
 }
 
 void draw_mouse_help(float scale) {
-    constexpr const char* rows[][2] = {{"left", "orbit"},         {"Shift+left", "pan"},
-                                       {"Ctrl+left", "roll"},     {"middle", "pan; click: center there"},
-                                       {"wheel, right", "zoom"},  {"2 clicks", "center on the point"},
+    constexpr const char* rows[][2] = {{"left", "orbit"},
+                                       {"Shift+left", "pan"},
+                                       {"Ctrl+left", "roll"},
+                                       {"middle", "pan; click: center there"},
+                                       {"wheel, right", "zoom"},
+                                       {"2 clicks", "center on the point"},
                                        {"Alt+click", "its material"}};
     ImGui::TextColored({0.4f, 0.65f, 1, 1}, "Mouse");
     for (const auto& row : rows) {
@@ -51,7 +57,10 @@ void draw_mouse_help(float scale) {
 std::string time_text(const Painting& painting) {
     char text[200];
     std::snprintf(text, sizeof text, "%.1f ms  %d x %d  %s%s", painting.ms, painting.width, painting.height,
-                  painting.request.engine.c_str(), painting.is_final ? "" : painting.is_whole ? "  (1 sample)" : "  (coarse)");
+                  painting.request.engine.c_str(),
+                  painting.is_final   ? ""
+                  : painting.is_whole ? "  (1 sample)"
+                                      : "  (coarse)");
     return text;
 }
 
@@ -64,15 +73,18 @@ void draw_panels(PanelView& view) {
     const float width = std::min(380 * view.scale, widest);
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, float(view.window_height)});
-    ImGui::Begin("Panels", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::Begin("Panels", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PushItemWidth(0.55f * ImGui::GetWindowWidth());
     if (view.ui.split != Split::none)
-        ImGui::TextDisabled("Keys and panels change picture %s (click into the other one)", view.ui.active == 0 ? "A" : "B");
+        ImGui::TextWrapped("Keys and panels change picture %s; click into the other one to change that.",
+                           view.ui.active == 0 ? "A" : "B");
     for (const PanelEntry& entry : entries) {
         bool& is_open = view.ui.open[std::size_t(entry.panel)];
         if (!is_open) continue;
-        if (!ImGui::CollapsingHeader(panel_titles[std::size_t(entry.panel)], &is_open, ImGuiTreeNodeFlags_DefaultOpen)) continue;
+        if (!ImGui::CollapsingHeader(panel_titles[std::size_t(entry.panel)], &is_open, ImGuiTreeNodeFlags_DefaultOpen))
+            continue;
         ImGui::PushID(int(entry.panel));
         entry.draw(view);
         ImGui::PopID();
@@ -117,7 +129,9 @@ void draw_help(PanelView& view) {
     const ImVec2 middle{0.5f * float(view.window_width), 0.5f * float(view.window_height)};
     ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {0.96f * float(view.window_width), 0.96f * float(view.window_height)});
-    ImGui::Begin("Keys (H closes)", &view.ui.help, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::Begin(
+        "Keys (H closes)", &view.ui.help,
+        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar);
     const float scale = view.scale;
     ImGui::BeginGroup();
     draw_help_group("View", scale), draw_mouse_help(scale);

@@ -36,12 +36,16 @@ void move_names(WorldFile& world, const fs::path& from, const fs::path& to) {
             if (value.key.ends_with("_texture") && !value.words.empty()) move(value.words[0]);
 }
 
-void add_values(WorldFile& world, const std::string& name, const std::vector<WorldValue>& values, const fs::path& folder) {
+void add_values(WorldFile& world, const std::string& name, const std::vector<WorldValue>& values,
+                const fs::path& folder) {
     if (values.empty()) return;
-    const auto found = std::ranges::find_if(world.materials, [&](const WorldMaterial& m) { return m.name == name && m.model.empty(); });
-    WorldMaterial& to = found != world.materials.end() ? *found : world.materials.emplace_back(WorldMaterial{.name = name});
+    const auto found = std::ranges::find_if(world.materials,
+                                            [&](const WorldMaterial& m) { return m.name == name && m.model.empty(); });
+    WorldMaterial& to =
+        found != world.materials.end() ? *found : world.materials.emplace_back(WorldMaterial{.name = name});
     for (WorldValue value : values) {
-        if (value.key.ends_with("_texture") && !value.words.empty()) value.words[0] = from_folder(value.words[0], folder);
+        if (value.key.ends_with("_texture") && !value.words.empty())
+            value.words[0] = from_folder(value.words[0], folder);
         std::erase_if(to.values, [&](const WorldValue& v) { return v.key == value.key; });
         to.values.push_back(std::move(value));
     }
@@ -80,7 +84,8 @@ std::vector<WorldValue> render_of(const PictureRequest& request, const fs::path&
 
 std::string quoted(const std::string& word) {
     const auto is_plain = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("-_./:,=+@%").find(c) != std::string_view::npos;
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("-_./:,=+@%").find(c) != std::string_view::npos;
     };
     if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
     std::string out = "'";

@@ -17,14 +17,15 @@ struct Flag {
     const char* key;
     bool UiState::*field;
 };
-constexpr Flag flags[] = {{"dark", &UiState::is_dark},   {"arcball", &UiState::is_arcball},
-                          {"grid", &UiState::grid},      {"axes", &UiState::axes},
+constexpr Flag flags[] = {{"dark", &UiState::is_dark},        {"arcball", &UiState::is_arcball},
+                          {"grid", &UiState::grid},           {"axes", &UiState::axes},
                           {"file-name", &UiState::file_name}, {"frame-time", &UiState::frame_time}};
 
 int number_in(const std::string& text, int low, int high, int otherwise) {
     int value = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return fault == std::errc() && end == text.data() + text.size() && value >= low && value <= high ? value : otherwise;
+    return fault == std::errc() && end == text.data() + text.size() && value >= low && value <= high ? value
+                                                                                                     : otherwise;
 }
 
 void take(Remembered& to, const std::string& key, const std::string& value) {
@@ -64,7 +65,8 @@ std::string settings_text(const Remembered& remembered) {
     put("width", std::to_string(remembered.width));
     put("height", std::to_string(remembered.height));
     put("record-frames", std::to_string(remembered.ui.record_frames));
-    for (std::size_t i = 0; i < panel_count; ++i) put(std::string("panel-") + panel_titles[i], remembered.ui.open[i] ? "on" : "off");
+    for (std::size_t i = 0; i < panel_count; ++i)
+        put(std::string("panel-") + panel_titles[i], remembered.ui.open[i] ? "on" : "off");
     return text;
 }
 

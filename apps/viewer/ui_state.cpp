@@ -5,9 +5,7 @@
 
 namespace rakelight::viewer {
 
-bool UiState::shows_panels() const {
-    return !are_panels_hidden && std::ranges::find(open, true) != open.end();
-}
+bool UiState::shows_panels() const { return !are_panels_hidden && std::ranges::find(open, true) != open.end(); }
 
 void UiState::toggle(Panel panel) {
     bool& is_open = open[std::size_t(panel)];

@@ -11,7 +11,8 @@ namespace rakelight::viewer {
 
 enum class Panel : std::uint8_t { view, shading, normals, lights, materials, pixel, statistics };
 inline constexpr std::size_t panel_count = 7;
-inline constexpr const char* panel_titles[panel_count] = {"View", "Shading", "Normals", "Lights", "Materials", "Pixel", "Statistics"};
+inline constexpr const char* panel_titles[panel_count] = {"View",      "Shading", "Normals",   "Lights",
+                                                          "Materials", "Pixel",   "Statistics"};
 
 /// Two pictures: none; B over A right of a line; side by side, each with a camera of its own.
 enum class Split : std::uint8_t { none, wipe, beside };
@@ -20,12 +21,13 @@ struct UiState {
     std::array<bool, panel_count> open{};
     bool are_panels_hidden = false;
     float panel_width = 0;  ///< [px] that the panels take at the left
-    bool grid = false, axes = false, light_glyphs = false, normals = false, tangents = false, bitangents = false, seams = false;
+    bool grid = false, axes = false, light_glyphs = false, normals = false, tangents = false, bitangents = false,
+         seams = false;
     bool file_name = true, frame_time = false, help = false, is_picking = false, is_walking = false;
     bool is_arcball = false, is_dark = true;
     Split split = Split::none;
-    double wipe = 0.5;  ///< 0..1 across the picture
-    std::size_t active = 0;  ///< look that keys and panels change
+    double wipe = 0.5;                    ///< 0..1 across the picture
+    std::size_t active = 0;               ///< look that keys and panels change
     std::size_t light = 0, material = 0;  ///< selected
     std::string message, explained;
     bool is_message_error = false;

@@ -30,11 +30,13 @@ bool choose(const char* label, const Word<T> (&words)[n], T& value) {
 }
 
 /// A number between limits; typed ones (Ctrl+click) are kept within them, too.
-inline bool slide(const char* label, float& value, float low, float high, const char* format = "%.3f", bool is_logarithmic = false) {
+inline bool slide(const char* label, float& value, float low, float high, const char* format = "%.3f",
+                  bool is_logarithmic = false) {
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     return ImGui::SliderFloat(label, &value, low, high, format, flags);
 }
-inline bool slide(const char* label, double& value, double low, double high, const char* format = "%.3f", bool is_logarithmic = false) {
+inline bool slide(const char* label, double& value, double low, double high, const char* format = "%.3f",
+                  bool is_logarithmic = false) {
     float single = float(value);
     if (!slide(label, single, float(low), float(high), format, is_logarithmic)) return false;
     value = std::clamp(double(single), low, high);

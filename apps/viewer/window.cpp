@@ -34,11 +34,26 @@ F* gl(const char* name) {
 constexpr float text_px = 16;
 
 /// Where distributions have legible fonts.
-constexpr const char* fonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                 "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-                                 "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
-                                 "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-                                 "/usr/share/fonts/TTF/DejaVuSans.ttf"};
+constexpr const char* fonts[] = {
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+    "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
+    "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf"};
+
+/// For texts in columns.
+constexpr const char* table_fonts[] = {
+    "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf", "/usr/share/fonts/truetype/noto/NotoSansMono-Regular.ttf",
+    "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf",
+    "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf", "/usr/share/fonts/TTF/DejaVuSansMono.ttf"};
+
+/// Adds the first font that is there; false: none is.
+template <std::size_t n>
+bool add_first(const char* const (&paths)[n], float size_px) {
+    std::error_code ignored;
+    for (const char* path : paths)
+        if (std::filesystem::exists(path, ignored) && ImGui::GetIO().Fonts->AddFontFromFileTTF(path, size_px))
+            return true;
+    return false;
+}
 
 }  // namespace
 
@@ -101,7 +116,8 @@ struct Callbacks {
     static void refresh(GLFWwindow* window) { of(window).needs_drawing_ = true; }
     static void focus(GLFWwindow* window, int has_focus) {
         ImGui_ImplGlfw_WindowFocusCallback(window, has_focus);
-        if (!has_focus) of(window).events_.push_back({.kind = Event::Kind::key_up, .key = -1});  // keys held are forgotten
+        if (!has_focus)
+            of(window).events_.push_back({.kind = Event::Kind::key_up, .key = -1});  // keys held are forgotten
     }
 };
 
@@ -157,13 +173,9 @@ void GlfwWindow::load_font() {
     font_scale_ = scale();
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
-    bool has_font = false;
-    for (const char* font : fonts) {
-        std::error_code ignored;
-        if (!has_font && std::filesystem::exists(font, ignored))
-            has_font = io.Fonts->AddFontFromFileTTF(font, std::round(text_px * font_scale_)) != nullptr;
-    }
+    const bool has_font = add_first(fonts, std::round(text_px * font_scale_));
     if (!has_font) io.Fonts->AddFontDefault();
+    if (!add_first(table_fonts, std::round(0.85f * text_px * font_scale_))) io.Fonts->AddFontDefault();
     io.FontGlobalScale = has_font ? 1 : font_scale_ * text_px / 13;  // 13: the size of ImGui's own
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();

@@ -37,7 +37,7 @@ public:
     void catch_pointer(bool is_caught);
     void set_clipboard(const std::string& text);
 
-    /// Panels: between the two calls ImGui's functions are used.
+    /// Panels: between the two calls ImGui's functions are used. Its font 0 is for words, font 1 for texts in columns.
     void begin_panels();
     void end_panels();
     void set_theme(bool is_dark);

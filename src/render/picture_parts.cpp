@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/picture_parts.h>
 
-#include <cstring>
 #include <rakelight/linear.h>
 #include <rakelight/validate.h>
+#include <cstring>
 
 #include "engines/channel_arrays.h"
 #include "render/channel_view.h"

@@ -292,6 +292,44 @@ class Viewer(unittest.TestCase):
         self.assertIn("no window can be opened", done.stderr)
 
 
+    def test_rakelight_says_where_no_viewer_is_installed(self):
+        alone = self.folder / "rakelight"
+        shutil.copy(PROGRAM, alone)
+        done = subprocess.run([alone, "view", "parts.obj"], capture_output=True, text=True, timeout=PATIENCE, env={"PATH": str(self.folder)})
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, "^rakelight: error: the viewer 'rakelight-view' is neither beside this program nor in PATH.*\n$")
+
+    def test_a_model_alone_opens_the_viewer(self):
+        process = subprocess.Popen([PROGRAM, "parts.obj"], cwd=self.folder, env=dict(os.environ, XDG_CONFIG_HOME=str(self.folder)))
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        wait_for(lambda: subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(process.pid)], capture_output=True).stdout, "no window appeared")
+
+    def test_lights_are_dragged_in_the_picture(self):
+        (self.folder / "lamp.scene.toml").write_text("[[model]]\nfile = 'parts.obj'\n[[light]]\ntype = 'point'\nposition = [0, 0.5, 1]\n"
+                                                     "[[camera]]\nposition = [0, 0.5, 6]\ntarget = [0, 0.5, 0]\n")
+        window = self.open("lamp.scene.toml")
+        window.key("d")
+        window.drag(1, 100, 0)  # the lamp is in the middle
+        _, scene = window.save()
+        self.assertGreater(scene["light"][0]["position"][0], 0.3)
+        self.assertAlmostEqual(scene["light"][0]["position"][1], 0.5, 6)
+        self.assertNotIn("camera-position", scene.get("render", {}))
+
+    def test_a_pixel_is_explained(self):
+        window = self.open()
+        before = window.settled_picture()
+        window.key("p")
+        window.tool("mousemove", 320, 240, "click", 1)
+        window.differs_from(before, 10000)  # the panel with its text
+
+    def test_a_missing_file_is_told_of_on_the_terminal_too(self):
+        process = subprocess.Popen([VIEWER, "nowhere.glb"], cwd=self.folder, stderr=subprocess.PIPE, text=True, env=dict(os.environ, XDG_CONFIG_HOME=str(self.folder)))
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertRegex(process.stderr.readline(), "^rakelight: error: .*nowhere.glb")
+
+
 def main():
     missing = [tool for tool in NEEDED if not shutil.which(tool)]
     if missing:

@@ -25,7 +25,8 @@ class Looks : public testing::Test {
 protected:
     /// Two squares of two materials, one of them with a texture's coordinates, and a lamp.
     std::string write_model() {
-        std::ofstream(folder_.path() / "m.mtl") << "newmtl red\nKd 1 0 0\nKs 0.4 0.4 0.4\nNs 20\nnewmtl gray\nKd 0.5 0.5 0.5\n";
+        std::ofstream(folder_.path() / "m.mtl")
+            << "newmtl red\nKd 1 0 0\nKs 0.4 0.4 0.4\nNs 20\nnewmtl gray\nKd 0.5 0.5 0.5\n";
         std::ofstream(folder_.path() / "model.obj")
             << "mtllib m.mtl\no left\nv -2 -1 0\nv 0 -1 0\nv 0 1 0.6\nv -2 1 0\nusemtl red\nf 1 2 3 4\n"
                "o right\nv 0 -1 0\nv 2 -1 0\nv 2 1 0\nv 0 1 0.6\nusemtl gray\nf 5 6 7 8\n";
@@ -39,7 +40,8 @@ protected:
     Frame drawn(const std::shared_ptr<const Model>& model, const Look& look) {
         Studio studio;
         Frame frame;
-        studio.draw(model, look, request_of(look, width, height), camera_of(look, *model, width, height), 0, frame, context_);
+        studio.draw(model, look, request_of(look, width, height), camera_of(look, *model, width, height), 0, frame,
+                    context_);
         return frame;
     }
     std::string file(const char* name) { return (folder_.path() / name).string(); }
@@ -49,14 +51,15 @@ protected:
 };
 
 /// The picture of what is saved is the picture of what was seen.
-#define EXPECT_SAVED_AS_SEEN(look, of)                                                            \
-    do {                                                                                          \
+#define EXPECT_SAVED_AS_SEEN(look, of)                                                                        \
+    do {                                                                                                      \
         save_world(world_of(look, *(of), width, height, file("saved.scene.toml")), file("saved.scene.toml")); \
-        const auto saved = model(file("saved.scene.toml"));                                       \
-        const Look back = first_look(*saved);                                                     \
-        const dvec3 moved = camera_of(back, *saved, width, height).to_world[3].xyz() - camera_of(look, *(of), width, height).to_world[3].xyz(); \
-        EXPECT_LT(length(moved), 1e-12);                                                          \
-        EXPECT_TRUE(drawn(saved, back).color == drawn(of, look).color);                           \
+        const auto saved = model(file("saved.scene.toml"));                                                   \
+        const Look back = first_look(*saved);                                                                 \
+        const dvec3 moved = camera_of(back, *saved, width, height).to_world[3].xyz() -                        \
+                            camera_of(look, *(of), width, height).to_world[3].xyz();                          \
+        EXPECT_LT(length(moved), 1e-12);                                                                      \
+        EXPECT_TRUE(drawn(saved, back).color == drawn(of, look).color);                                       \
     } while (false)
 
 TEST_F(Looks, AFirstLookIsSavedAsSeen) {
@@ -80,12 +83,14 @@ TEST_F(Looks, AMovedCameraIsSavedAsSeen) {
 TEST_F(Looks, SettingsAreSavedAsSeen) {
     const auto m = model(write_model());
     Look look = first_look(*m);
-    for (const Command command : {Command::shading, Command::lighting, Command::shadows, Command::edges, Command::tone, Command::samples,
-                                  Command::brighter, Command::environment_light, Command::top, Command::orthographic, Command::up_axis})
+    for (const Command command :
+         {Command::shading, Command::lighting, Command::shadows, Command::edges, Command::tone, Command::samples,
+          Command::brighter, Command::environment_light, Command::top, Command::orthographic, Command::up_axis})
         ASSERT_TRUE(apply(command, look, *m, width, height)) << int(command);
     look.request.prepare.normals = NormalSource::model;
     look.request.prepare.crease_angle_rad = radians(33.3);
-    look.request.settings.background = {linear_from_srgb({0.2f, 0.4f, 0.6f}).x, linear_from_srgb({0.2f, 0.4f, 0.6f}).y, 0, 1};
+    look.request.settings.background = {linear_from_srgb({0.2f, 0.4f, 0.6f}).x, linear_from_srgb({0.2f, 0.4f, 0.6f}).y,
+                                        0, 1};
     EXPECT_SAVED_AS_SEEN(look, m);
 }
 
@@ -98,12 +103,23 @@ TEST_F(Looks, LightsAreSavedAsSeen) {
     Light lamp{.name = "lamp", .position = {0.5, 1.1, 1.7}, .diffuse = {0.9f, 0.6f, 0.3f}};
     lamp.quadratic = 0.31f;
     lights.push_back({.light = lamp});
-    Light spot{.type = LightType::spot, .position = {-1, 1, 2}, .direction = {0.3, -0.4, -0.85}, .cutoff_rad = 0.4f, .exponent = 3};
+    Light spot{.type = LightType::spot,
+               .position = {-1, 1, 2},
+               .direction = {0.3, -0.4, -0.85},
+               .cutoff_rad = 0.4f,
+               .exponent = 3};
     lights.push_back({.light = spot});
     EXPECT_SAVED_AS_SEEN(look, m);
     for (LightItem& item : lights) item.is_on = false;
     EXPECT_SAVED_AS_SEEN(look, m);
     EXPECT_EQ(drawn(m, look).color[height / 2 * width + width / 2].x, 0);  // all off is dark, not the default rig
+}
+
+TEST_F(Looks, WhereAnEnvironmentGivesLightThereIsNoDefaultRigInTheList) {
+    const auto m = model(write_model());
+    Look look = first_look(*m);
+    apply(Command::environment_light, look, *m, width, height);
+    EXPECT_TRUE(changing_lights(look, *m, width, height).empty());
 }
 
 TEST_F(Looks, MaterialsAreSavedAsSeen) {
@@ -123,9 +139,12 @@ TEST_F(Looks, MaterialsAreSavedAsSeen) {
 
 TEST_F(Looks, AChangedWorldIsSavedAgainAsSeen) {
     write_model();
-    std::ofstream(file("world.scene.toml")) << "[[model]]\nfile = \"model.obj\"\nrotation_deg = [0, 30, 0]\n[[primitive]]\ntype = \"sphere\"\nposition = [0, 2, 0]\n"
-                                               "radius = 0.5\ntolerance = 0.01\n[[light]]\ntype = \"point\"\nposition = [1, 3, 3]\n[[camera]]\nposition = [0, 1, 6]\ntarget = [0, 0.5, 0]\n"
-                                               "[[material]]\nname = \"red\"\ncolor = [0, 0, 1]\n[render]\nshading = \"flat\"\n";
+    std::ofstream(file("world.scene.toml"))
+        << "[[model]]\nfile = \"model.obj\"\nrotation_deg = [0, 30, 0]\n[[primitive]]\ntype = \"sphere\"\nposition = "
+           "[0, 2, 0]\n"
+           "radius = 0.5\ntolerance = 0.01\n[[light]]\ntype = \"point\"\nposition = [1, 3, 3]\n[[camera]]\nposition = "
+           "[0, 1, 6]\ntarget = [0, 0.5, 0]\n"
+           "[[material]]\nname = \"red\"\ncolor = [0, 0, 1]\n[render]\nshading = \"flat\"\n";
     const auto m = model(file("world.scene.toml"));
     Look look = first_look(*m);
     EXPECT_EQ(look.request.settings.shading, Shading::flat);
@@ -151,7 +170,8 @@ TEST_F(Looks, TheCommandLineIsTheOneOfThePicture) {
 TEST_F(Looks, LightsThatFollowTheCameraGoAsItWent) {
     const auto m = model(write_model());
     Look look = first_look(*m);
-    changing_lights(look, *m, width, height) = {{.light = {.position = {0, 0, 5}}, .follows_camera = true}, {.light = {.position = {0, 0, 5}}}};
+    changing_lights(look, *m, width, height) = {{.light = {.position = {0, 0, 5}}, .follows_camera = true},
+                                                {.light = {.position = {0, 0, 5}}}};
     Camera from, to;
     from.to_world = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0});
     to.to_world = look_at({5, 0, 0}, {0, 0, 0}, {0, 1, 0});
@@ -195,7 +215,8 @@ TEST_F(Looks, PicturesComeWhileTheCameraMovesOnAndOn) {
     int pictures = 0;
     const auto begin = std::chrono::steady_clock::now();
     std::uint64_t number = 0;
-    while (pictures < 5 && std::chrono::steady_clock::now() - begin < std::chrono::seconds(60)) {  // a job every millisecond
+    while (pictures < 5 &&
+           std::chrono::steady_clock::now() - begin < std::chrono::seconds(60)) {  // a job every millisecond
         turn_table(moving_eye(look, *m, 640, 480), 0.01, 0, look.world_up);
         painter.paint({.model = m, .look = look, .width = 1280, .height = 960, .is_moving = true, .number = ++number});
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -246,7 +267,8 @@ TEST_F(Looks, DroppedFilesAreToldByTheirEndings) {
 TEST(Overlay, SurfacesHideLinesBehindThem) {
     Camera camera;  // at the origin, along -Z
     const std::vector<float> depth(16, 5.0f);
-    const std::vector<Line> lines = {{{0, 0, -4}, {0, 0.1, -4}}, {{0, 0, -6}, {0, 0.1, -6}}, {{0, 0, -6}, {0, 0.1, -6}, {1, 1, 1, 1}, 1, true}};
+    const std::vector<Line> lines = {
+        {{0, 0, -4}, {0, 0.1, -4}}, {{0, 0, -6}, {0, 0.1, -6}}, {{0, 0, -6}, {0, 0.1, -6}, {1, 1, 1, 1}, 1, true}};
     const std::vector<Line> seen = visible_lines(lines, camera, depth, 4, 4, 0.01);
     ASSERT_EQ(seen.size(), 2u);
     EXPECT_EQ(seen[0].from.z, -4);

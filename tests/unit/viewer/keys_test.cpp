@@ -17,7 +17,8 @@ namespace {
 
 TEST(Keys, NoKeyDoesTwoThings) {
     std::set<std::pair<Key, int>> seen;
-    for (const Binding& b : bindings()) EXPECT_TRUE(seen.emplace(b.key, b.modifiers).second) << b.key << " " << b.modifiers;
+    for (const Binding& b : bindings())
+        EXPECT_TRUE(seen.emplace(b.key, b.modifiers).second) << b.key << " " << b.modifiers;
 }
 
 TEST(Keys, EveryCommandHasAKey) {

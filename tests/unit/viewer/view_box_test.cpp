@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <rakelight/load.h>
 #include <rakelight/linear.h>
+#include <rakelight/load.h>
 
 namespace rakelight::viewer {
 namespace {
@@ -36,7 +36,8 @@ TEST(ViewBox, GivesTheCamerasOfTheWholeSceneToTheBit) {
                                  {.vertical_fov_rad = radians(70), .orthographic = true}};
     for (const ViewRequest& view : views)
         for (const double aspect : {0.3, 1.6})
-            EXPECT_EQ(box.camera(view, aspect), choose_camera(scene, view, aspect, context)) << view.side << view.camera;
+            EXPECT_EQ(box.camera(view, aspect), choose_camera(scene, view, aspect, context))
+                << view.side << view.camera;
 }
 
 TEST(ViewBox, NamesCamerasByNumberWhereTheyHaveNoName) {
