@@ -131,7 +131,8 @@ void step_channel(Look& look, int by) {
 }
 
 void next_engine(PictureRequest& request) {
-    request.engine = request.engine == "soft" ? "gl" : "soft";  // where GlView is built, gl is
+    const std::string all[] = {"soft", "gl", "auto"};  // where GlView is built, gl is
+    request.engine = next(all, request.engine);
 }
 
 bool apply_to_picture(Command command, Look& look, const Model& model) {

@@ -20,6 +20,13 @@ double ms_since(std::chrono::steady_clock::time_point begin) {
 
 int scaled(int size, double scale) { return std::max(1, int(std::lround(size * scale))); }
 
+/// Engines that do not tell their stages apart are taken to work for pixels alone.
+void note_pace(Pace& pace, const Painting& painting) {
+    const StageTimes& times = painting.stats.times;
+    const bool is_told = times.tiles > 0;
+    pace.measured(1e3 * times.front_end, is_told ? 1e3 * times.tiles : painting.ms, double(painting.codes.size()));
+}
+
 /// Widths are pixels of the picture: those of a coarse one stand for more on the screen.
 void scale_marks(RenderSettings& s, double scale) {
     s.line_width = std::max(0.5f, s.line_width * float(scale));
@@ -166,8 +173,7 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
         painting->number = job.number;
         painting->is_whole = scale == 1, painting->is_final = is_final;
         painting->ms = ms_since(begin);
-        const StageTimes& times = painting->stats.times;
-        if (samples == 1) pace_.measured(1e3 * times.front_end, 1e3 * times.tiles, double(painting->codes.size()));
+        if (samples == 1) note_pace(pace_, *painting);
         const std::scoped_lock lock(mutex_);
         painting_ = std::move(painting);
     } catch (...) {

@@ -72,9 +72,9 @@ void draw_lines(RenderSettings& s) {
 void draw_shading_panel(PanelView& view) {
     PictureRequest& r = view.look.request;
     RenderSettings& s = r.settings;
-    constexpr const char* engines[] = {"soft", "gl"};
-    int engine = r.engine == "gl";
-    if (ImGui::Combo("engine", &engine, engines, 2)) r.engine = engines[engine];
+    constexpr const char* engines[] = {"soft", "gl", "auto"};
+    int engine = int(std::ranges::find(engines, r.engine) - engines);
+    if (ImGui::Combo("engine", &engine, engines, 3)) r.engine = engines[engine];
     draw_channels(view);
     if (choose("shading", shading_words, s.shading)) s.own_shading = false, s.shading_rules.clear();
     choose("lighting", lighting_words, s.lighting);
