@@ -26,8 +26,11 @@ constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoDecoration | ImGuiWindo
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoInputs;
 
+/// Legible on dark and on light ground.
+ImVec4 heading() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x < 0.5f ? ImVec4{0.45f, 0.7f, 1, 1} : ImVec4{0.05f, 0.3f, 0.7f, 1}; }
+
 void draw_help_group(const char* group, float scale) {
-    ImGui::TextColored({0.4f, 0.65f, 1, 1}, "%s", group);
+    ImGui::TextColored(heading(), "%s", group);
     for (const Binding& binding : bindings()) {
         if (std::string(binding.group) != group || !*binding.keys) continue;
         ImGui::TextUnformatted(binding.keys);
@@ -45,7 +48,7 @@ void draw_mouse_help(float scale) {
                                        {"wheel, right", "zoom"},
                                        {"2 clicks", "center on the point"},
                                        {"Alt+click", "its material"}};
-    ImGui::TextColored({0.4f, 0.65f, 1, 1}, "Mouse");
+    ImGui::TextColored(heading(), "Mouse");
     for (const auto& row : rows) {
         ImGui::TextUnformatted(row[0]);
         ImGui::SameLine(112 * scale);
@@ -132,7 +135,9 @@ void draw_help(PanelView& view) {
     ImGui::Begin(
         "Keys (H closes)", &view.ui.help,
         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar);
-    const float scale = view.scale;
+    constexpr float wide = 1200, smallest = 0.6f;  // what the sheet takes at scale 1; texts are smaller where there is less
+    const float shrink = std::clamp(float(view.window_width) / (wide * view.scale), smallest, 1.0f), scale = view.scale * shrink;
+    ImGui::SetWindowFontScale(shrink);
     ImGui::BeginGroup();
     draw_help_group("View", scale), draw_mouse_help(scale);
     ImGui::EndGroup();

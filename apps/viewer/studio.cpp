@@ -13,6 +13,11 @@ bool leaves_lights_to_the_session(const PictureRequest& r, const Scene& scene) {
 
 }  // namespace
 
+bool Studio::is_taken_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request) const {
+    return is_set_ && engine_ == request.engine && model_ == model && look_ && have_same_surfaces(*look_, look) &&
+           prepare_ == request.prepare;
+}
+
 void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
                      const Camera& camera, Context& context) {
     if (!session_ || engine_ != request.engine) {
@@ -42,11 +47,11 @@ void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look
 
 RenderStats Studio::draw(const std::shared_ptr<const Model>& model, const Look& look, PictureRequest request,
                          const Camera& camera, std::uint32_t wished, Sink& sink, Context& context) {
+    context.progress(is_taken_up(model, look, request) ? "render" : "prepare", 0);
     take_up(model, look, request, camera, context);
     request.settings.channels |= wished & session_->engine().abilities().channels;
     prepared_ = session_->prepared(request.settings, context);
-    context.progress("render", 0);
-    return session_->render(camera, request.settings, sink, context);
+    return session_->render(camera, request.settings, sink, context);  // which takes the scene up where it is new
 }
 
 }  // namespace rakelight::viewer

@@ -21,6 +21,8 @@ public:
     const std::shared_ptr<const PreparedScene>& prepared() const { return prepared_; }
 
 private:
+    /// Whether nothing but lights and camera changed.
+    bool is_taken_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request) const;
     void take_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
                  const Camera& camera, Context& context);
 
