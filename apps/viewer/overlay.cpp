@@ -92,7 +92,7 @@ std::vector<Line> grid_lines(const Bounds& bounds, dvec3 world_up) {
     const dvec3 at = a * snapped(dot(c, a)) + b * snapped(dot(c, b)) + world_up * ground;
     constexpr int half = 10;
     for (int i = -half; i <= half; ++i) {
-        const vec4 color = i == 0 ? vec4{0.6f, 0.6f, 0.6f, 0.7f} : vec4{0.5f, 0.5f, 0.5f, 0.35f};
+        const vec4 color{0.03f, 0.03f, 0.03f, i == 0 ? 0.7f : 0.35f};
         lines.push_back({at + a * (i * step) - b * (half * step), at + a * (i * step) + b * (half * step), color, 1});
         lines.push_back({at + b * (i * step) - a * (half * step), at + b * (i * step) + a * (half * step), color, 1});
     }
