@@ -93,8 +93,12 @@ std::vector<Line> grid_lines(const Bounds& bounds, dvec3 world_up) {
     constexpr int half = 10;
     for (int i = -half; i <= half; ++i) {
         const vec4 color{0.03f, 0.03f, 0.03f, i == 0 ? 0.7f : 0.35f};
-        lines.push_back({at + a * (i * step) - b * (half * step), at + a * (i * step) + b * (half * step), color, 1});
-        lines.push_back({at + b * (i * step) - a * (half * step), at + b * (i * step) + a * (half * step), color, 1});
+        for (int j = -half; j < half; ++j) {  // cell by cell, since lines are hidden by whether their ends are
+            lines.push_back(
+                {at + a * (i * step) + b * (j * step), at + a * (i * step) + b * ((j + 1) * step), color, 1});
+            lines.push_back(
+                {at + b * (i * step) + a * (j * step), at + b * (i * step) + a * ((j + 1) * step), color, 1});
+        }
     }
     return lines;
 }

@@ -27,7 +27,10 @@ constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoDecoration | ImGuiWindo
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoInputs;
 
 /// Legible on dark and on light ground.
-ImVec4 heading() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x < 0.5f ? ImVec4{0.45f, 0.7f, 1, 1} : ImVec4{0.05f, 0.3f, 0.7f, 1}; }
+ImVec4 heading() {
+    return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x < 0.5f ? ImVec4{0.45f, 0.7f, 1, 1}
+                                                                : ImVec4{0.05f, 0.3f, 0.7f, 1};
+}
 
 void draw_help_group(const char* group, float scale) {
     ImGui::TextColored(heading(), "%s", group);
@@ -135,8 +138,10 @@ void draw_help(PanelView& view) {
     ImGui::Begin(
         "Keys (H closes)", &view.ui.help,
         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar);
-    constexpr float wide = 1200, smallest = 0.6f;  // what the sheet takes at scale 1; texts are smaller where there is less
-    const float shrink = std::clamp(float(view.window_width) / (wide * view.scale), smallest, 1.0f), scale = view.scale * shrink;
+    constexpr float wide = 1200,
+                    smallest = 0.6f;  // what the sheet takes at scale 1; texts are smaller where there is less
+    const float shrink = std::clamp(float(view.window_width) / (wide * view.scale), smallest, 1.0f),
+                scale = view.scale * shrink;
     ImGui::SetWindowFontScale(shrink);
     ImGui::BeginGroup();
     draw_help_group("View", scale), draw_mouse_help(scale);

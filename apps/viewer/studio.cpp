@@ -13,7 +13,8 @@ bool leaves_lights_to_the_session(const PictureRequest& r, const Scene& scene) {
 
 }  // namespace
 
-bool Studio::is_taken_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request) const {
+bool Studio::is_taken_up(const std::shared_ptr<const Model>& model, const Look& look,
+                         const PictureRequest& request) const {
     return is_set_ && engine_ == request.engine && model_ == model && look_ && have_same_surfaces(*look_, look) &&
            prepare_ == request.prepare;
 }

@@ -38,8 +38,9 @@ TEST(Background, FinishesInTheThreadThatPolls) {
 TEST(Background, TellsWhatFailed) {
     Background background([] {}, 1, 0);
     std::string told;
-    background.start("work", [](Context&) -> Background::Finish { throw Error(ErrorCode::bad_file, "broken"); },
-                     [&](const Error& error) { told = error.reason(); });
+    background.start(
+        "work", [](Context&) -> Background::Finish { throw Error(ErrorCode::bad_file, "broken"); },
+        [&](const Error& error) { told = error.reason(); });
     poll_until_done(background);
     EXPECT_EQ(told, "broken");
 }
@@ -62,7 +63,9 @@ TEST(Background, ANewWorkTakesThePlaceOfOneThatDoesNotListen) {
         return [&] { is_first_told = true; };
     };
     background.start("first", deaf, [&](const Error&) { is_first_told = true; });
-    background.start("second", [&](Context&) -> Background::Finish { return [&] { is_second_done = true; }; }, [](const Error&) { FAIL(); });
+    background.start(
+        "second", [&](Context&) -> Background::Finish { return [&] { is_second_done = true; }; },
+        [](const Error&) { FAIL(); });
     poll_until_done(background);  // would hang if anybody waited for the first
     EXPECT_TRUE(is_second_done);
     may_end = true;
