@@ -63,9 +63,9 @@ PUBLIC = {
     "attributes": "geometry",
     "scene": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "unfinished_outputs": "io",
     "prepare": "prepare",
-    "engine": "engines", "line": "engines", "values": "world", "request": "world", "load": "world",
+    "engine": "engines", "line": "engines", "values": "world", "request": "world", "material_changes": "world", "load": "world",
     "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
-    "picture": "render", "version": "render",
+    "picture": "render", "picture_parts": "render", "version": "render",
     "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
 }
 
@@ -81,6 +81,7 @@ LIBRARIES = {
     r"assimp/": ["apps/import"],
     r"CLI/": ["apps/common"],
     r"opensubdiv/": ["geometry"],
+    r"GLFW/|imgui": ["apps/viewer"],
     r"embree": ["engines/raytrace"],
     r"epoxy/|EGL/|GL/": ["engines/opengl"],
     r"toml": ["io"],

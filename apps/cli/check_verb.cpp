@@ -6,6 +6,7 @@
 #include <rakelight/tools/rows.h>
 
 #include "../common/picture_options.h"
+#include "../common/view_command.h"
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
@@ -27,7 +28,7 @@ namespace {
 /// Reads [render] of a world, and holds it against the loaded scene; nothing for other files. @throws Error bad_file
 void check_render(const Run& run, const std::string& input, const Scene& scene, Context& context) {
     if (!is_world_file(input)) return;
-    const auto takes = [](std::string_view key) { return refuse_options_of_the_run(key), true; };
+    const auto takes = [](std::string_view key) { return apps::refuse_options_of_the_run(key), true; };
     const WorldRequest world = read_world_request(input, run.picture.load, {.values = {}, .takes = takes}, context);
     try {
         check_picture(scene, world.picture, context);

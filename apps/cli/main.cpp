@@ -2,6 +2,7 @@
 // The program `rakelight`. What the commands do is the library's; here are files in, messages out and the exit code.
 #include <rakelight/tools/exit_code.h>
 
+#include "../common/view_command.h"
 #include "bench_verb.h"
 #include "check_verb.h"
 #include "compare_verb.h"
@@ -14,6 +15,7 @@
 #include "smooth_verb.h"
 #include "stages_verb.h"
 #include "version_text.h"
+#include "view_verb.h"
 
 namespace rakelight::cli {
 namespace {
@@ -21,14 +23,15 @@ namespace {
 /// A command, and what it does.
 struct Verb {
     Command command;
-    int (*run)(const Run&);
+    int (*run)(const Run&);  ///< null: another program does it
 };
 
 int run(int argc, const char* const* argv) {
-    const Verb verbs[] = {{render_command(), run_render},   {inspect_command(), run_inspect},
-                          {smooth_command(), run_smooth},   {bench_command(), run_bench},
-                          {explain_command(), run_explain}, {stages_command(), run_stages},
-                          {compare_command(), run_compare}, {check_command(), run_check}};
+    if (is_model_to_view(argc, argv)) become_viewer(argc, argv, 1);
+    const Verb verbs[] = {
+        {render_command(), run_render},   {inspect_command(), run_inspect}, {smooth_command(), run_smooth},
+        {bench_command(), run_bench},     {explain_command(), run_explain}, {stages_command(), run_stages},
+        {compare_command(), run_compare}, {check_command(), run_check},     {apps::view_command(), nullptr}};
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command);
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",
@@ -39,6 +42,7 @@ int run(int argc, const char* const* argv) {
         return 0;
     }
     const std::size_t number = line.command;
+    if (!verbs[number].run) become_viewer(argc, argv, 2);
     return verbs[number].run(run_of(commands[number], std::move(line)));
 }
 

@@ -5,15 +5,16 @@
 
 #include <rakelight/tools/values.h>
 
+#include "../common/view_command.h"
+
 namespace rakelight::cli {
 namespace {
 
 /// Whether a setting of a world's means something to this command.
 bool takes(const Run& run, std::string_view key) {
-    refuse_options_of_the_run(key);
-    const Option* const option = apps::find_or_null(run.command.options, key);
-    if (!option || !option->is_setting) return false;
-    return std::string_view(option->group) != "Heat map" || run.given.has("heatmap");
+    if (!apps::takes_setting(run.command, key)) return false;
+    return std::string_view(apps::find_or_null(run.command.options, key)->group) != "Heat map" ||
+           run.given.has("heatmap");
 }
 
 /// Then what several settings can only get wrong together depends on what the worlds say.
@@ -25,12 +26,6 @@ bool are_all_worlds(const Run& run) {
 }
 
 }  // namespace
-
-void refuse_options_of_the_run(std::string_view key) {
-    for (const std::string_view name :
-         {"output", "help", "json", "quiet", "verbose", "stats", "threads", "max-memory", "allow-outside"})
-        if (key == name) throw Error(ErrorCode::bad_file, "'" + std::string(key) + "' is for the command line alone");
-}
 
 Run run_of(const Command& command, apps::CommandLine line) {
     Run run{.command = command, .given = std::move(line.given), .inputs = std::move(line.positionals), .picture = {}};

@@ -67,8 +67,4 @@ WorldRequest world_request(const Run& run, const std::string& path, std::vector<
 /// check_request() of all. @throws Error usage, failed; what is wrong with a world's settings becomes its error
 void check_requests(std::vector<InputRequest>& requests);
 
-/// About the run and not about the picture: a file that was sent by somebody does not say them.
-/// @throws Error bad_file: such a key in [render]
-void refuse_options_of_the_run(std::string_view key);
-
 }  // namespace rakelight::cli

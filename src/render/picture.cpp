@@ -26,13 +26,6 @@ std::uint64_t count_objects(const Scene& scene) {
         std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
 }
 
-void scale_light(Light& light, float factor) {
-    light.ambient = light.ambient * factor;
-    light.diffuse = light.diffuse * factor;
-    light.specular = light.specular * factor;
-    light.intensity *= factor;
-}
-
 /// What the scales of PNG channels mean.
 std::string text_of(const ViewRange& r) {
     char text[240];
@@ -52,14 +45,7 @@ void note_drawn(const Window& window, const ExtremePixels& extremes, PictureResu
 }  // namespace
 
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
-    if (request.lights)
-        scene.lights = *request.lights;
-    else if (request.default_lights)
-        scene.lights = default_lights(camera.to_world);
-    else
-        scene.lights = lights_of(scene, camera);
-    if (request.light_intensity != 1)
-        for (Light& light : scene.lights) scale_light(light, float(request.light_intensity));
+    scene.lights = chosen_lights(scene, request, camera);
     if (request.fog) scene.fog = *request.fog;
     return scene;
 }

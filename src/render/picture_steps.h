@@ -11,6 +11,9 @@ namespace rakelight {
 /// The window that is rendered: the whole picture where none is asked for.
 Window whole_window(const RenderSettings& settings);
 
+/// asked_lights() before any is cut.
+std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
+
 /// The scene with the lights that the picture is lit by, and the fog.
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include <rakelight/material_changes.h>
 #include <rakelight/request.h>
 
 #include "io/file.h"
@@ -62,22 +63,28 @@ std::vector<WorldValue> checked(const std::vector<WorldValue>& values) {
     return material_values(words);
 }
 
-/// The keys of a world file's [[material]]. Classical materials under keys of metallic-roughness ones show a highlight.
-void set_values(Scene& scene, const std::vector<WorldValue>& values, Context& context) {
-    if (values.empty()) return;
+/// Calls change(material, picture) for all materials; a picture that several name becomes one texture.
+template <class Change>
+void for_each_material(Scene& scene, Context& context, const Change& change) {
     std::map<std::string, TextureUse> pictures;
     const auto picture = [&](const WorldValue& value) {
         const auto known = pictures.find(value.words[0]);
         if (known != pictures.end()) return known->second;
         return pictures.emplace(value.words[0], add_texture(scene, value.words[0], context)).first->second;
     };
+    for (Material& m : scene.materials) change(m, picture);
+}
+
+/// The keys of a world file's [[material]]. Classical materials under keys of metallic-roughness ones show a highlight.
+void set_values(Scene& scene, const std::vector<WorldValue>& values, Context& context) {
+    if (values.empty()) return;
     const bool is_metallic_roughness = std::any_of(values.begin(), values.end(), [](const WorldValue& value) {
         return io::world::find_material_key(value.key)->of == io::world::Of::metallic_roughness;
     });
-    for (Material& m : scene.materials) {
+    for_each_material(scene, context, [&](Material& m, const auto& picture) {
         if (is_metallic_roughness && m.model == MaterialModel::classical) m = as_metallic_roughness(m);
         change_material(m, values, picture);
-    }
+    });
 }
 
 }  // namespace
@@ -87,6 +94,19 @@ Scene override_materials(const Scene& scene, const MaterialOverrides& overrides,
     Scene changed = valid::override_materials(scene, overrides, context);
     validate_changes(changed, scene);  // a factor may be no number
     return changed;
+}
+
+Scene with_material_values(Scene scene, const std::string& name, const std::vector<WorldValue>& values,
+                           Context& context) {
+    validate(scene);
+    const Scene before = scene;
+    name_default_material(scene);
+    const std::vector<WorldValue> as_said = checked(values);
+    for_each_material(scene, context, [&](Material& m, const auto& picture) {
+        if (m.name == name) change_material(m, as_said, picture);
+    });
+    validate_changes(scene, before);
+    return scene;
 }
 
 Scene valid::override_materials(Scene scene, const MaterialOverrides& overrides, Context& context) {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view_command.h"
+
+#include "picture_options.h"
+
+namespace rakelight::apps {
+
+Command view_command() {
+    const Option stats = {"stats", "Output", "",
+                          "Say at the end how long the first picture and the window's longest pause took", Form::flag};
+    std::vector<Option> options =
+        without(joined({picture_options(), {stats}, common_options()}),
+                {"window", "channels", "channel-files", "exr-colors", "json", "quiet", "verbose"});
+    find(options, "resolution").help = "Size of the window in pixels, also WxH";
+    return {"view",
+            "Open models in a window",
+            "Press H in the window for its keys. docs/viewer.md tells more.",
+            {{"MODEL", "Model or world files, or builtin:teapot, ...; left and right arrows step through them", false}},
+            options};
+}
+
+void refuse_options_of_the_run(std::string_view key) {
+    for (const std::string_view name :
+         {"output", "help", "json", "quiet", "verbose", "stats", "threads", "max-memory", "allow-outside"})
+        if (key == name) throw Error(ErrorCode::bad_file, "'" + std::string(key) + "' is for the command line alone");
+}
+
+bool takes_setting(const Command& command, std::string_view key) {
+    refuse_options_of_the_run(key);
+    const Option* const option = find_or_null(command.options, key);
+    return option && option->is_setting;
+}
+
+}  // namespace rakelight::apps

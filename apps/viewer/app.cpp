@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace rakelight::viewer {
+namespace {
+
+constexpr double message_s = 8;    // that what was done is said; errors stay until Esc
+constexpr double motion_s = 0.15;  // after the last step of a motion the whole picture is made
+
+double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+}  // namespace
+
+App::App(Start start)
+    : start_(std::move(start)),
+      loader_(
+          [this] {
+              if (has_window_) GlfwWindow::wake();
+          },
+          start_.threads, start_.max_memory),
+      chores_(
+          [this] {
+              if (has_window_) GlfwWindow::wake();
+          },
+          start_.threads, start_.max_memory),
+      seam_search_(
+          [this] {
+              if (has_window_) GlfwWindow::wake();
+          },
+          start_.threads, start_.max_memory),
+      remembered_(read_settings()),
+      ui_(remembered_.ui) {
+    if (!start_.files.empty()) load_current(false);  // beside the opening of the window
+    int width = remembered_.width, height = remembered_.height;
+    PictureRequest given;
+    for (const WorldValue& value : start_.settings)
+        if (value.key == "resolution")
+            read_render_keys({&value, 1}, given), width = given.settings.width, height = given.settings.height;
+    window_ = std::make_unique<GlfwWindow>("Rakelight", width, height);
+    has_window_ = true;
+    window_->set_theme(ui_.is_dark);
+    gl_ = std::make_unique<GlView>();
+}
+
+App::~App() {
+    has_window_ = false;
+    loader_.cancel();
+    chores_.cancel();
+    seam_search_.cancel();
+    for (View& view : views_) view.painter.reset();
+    gl_.reset();  // before its context
+}
+
+bool App::is_busy() const {
+    return loader_.is_running() || chores_.is_running() || seam_search_.is_running() || views_[0].is_painting ||
+           views_[1].is_painting;
+}
+
+void App::run() {
+    Clock::time_point woke = Clock::now();
+    bool was_loading = false;
+    while (!window_->is_closing() && !is_quitting_) {
+        const double block_ms = 1e3 * seconds(Clock::now() - woke);
+        longest_block_ms_ = std::max(longest_block_ms_, block_ms);
+        if (was_loading) longest_load_block_ms_ = std::max(longest_load_block_ms_, block_ms);
+        const bool is_live = frames_to_draw_ > 0 || ui_.is_walking;
+        window_->wait(is_live ? 0 : is_busy() ? 0.1 : 0.25);
+        woke = Clock::now();
+        was_loading = loader_.is_running();
+        const std::vector<Event> events = window_->take_events();
+        for (const Event& event : events) handle(event);
+        for (const Command command : std::exchange(from_panels_, {})) this->command(command);
+        if (!events.empty()) frames_to_draw_ = 3;
+        poll();
+        if (ui_.is_walking) step_walk();
+        lay_out();
+        for (std::size_t i = 0; i < view_count(); ++i) submit(views_[i]);
+        look_for_seams();
+        if (is_busy() || window_->needs_drawing()) is_dirty_ = true;
+        if (!is_dirty_ && frames_to_draw_ == 0) continue;
+        frames_to_draw_ = std::max(0, frames_to_draw_ - 1);
+        is_dirty_ = false;
+        draw();
+    }
+    if (!window_->is_full_screen() && window_->width() > 0)
+        remembered_.width = window_->width(), remembered_.height = window_->height();
+    remembered_.ui = ui_;
+    write_settings(remembered_);
+    log_stats();
+}
+
+void App::log_stats() const {
+    if (!start_.wants_stats) return;
+    std::fprintf(stderr,
+                 "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms), %s\n",
+                 first_picture_ms_, longest_block_ms_, longest_load_block_ms_, one_line(gl_->renderer(), 100).c_str());
+}
+
+void App::poll() {
+    loader_.poll();
+    chores_.poll();
+    seam_search_.poll();
+    for (std::size_t i = 0; i < 2; ++i) poll_view(views_[i]);
+    if (!ui_.message.empty() && !ui_.is_message_error && seconds(Clock::now() - said_) > message_s)
+        ui_.message.clear(), frames_to_draw_ = 3;
+    if (seconds(Clock::now() - last_watch_) > 0.5) watch_file();
+}
+
+void App::poll_view(View& view) {
+    if (!view.painter) return;
+    view.painter->poll();
+    if (auto painting = view.painter->take()) {
+        view.shown = std::move(painting);
+        is_dirty_ = true;
+        if (view.shown->number == view.number) {
+            view.good = view.submitted, view.good_model = view.submitted_model;
+            if (view.shown->is_final || view.is_submitted_moving) view.is_painting = false;
+        }
+    }
+    const auto error = view.painter->take_error();
+    if (!error) return;
+    report(error->second);
+    if (error->first != view.number) return;
+    view.is_painting = false;
+    const bool can_go_back = view.good_model == model_ && !(view.good == view.submitted);
+    if (can_go_back) view.look = view.good;  // what worked last
+}
+
+void App::lay_out() {
+    const int left = std::min(int(ui_.panel_width), std::max(0, window_->width() - 1));
+    const int width = std::max(1, window_->width() - left), height = std::max(1, window_->height());
+    if (window_->width() == 0 || window_->height() == 0) return;  // minimized: as it was
+    views_[0].area = views_[1].area = {left, 0, width, height};
+    if (ui_.split != Split::beside) return;
+    views_[0].area.width = std::max(1, width / 2);
+    views_[1].area = {left + views_[0].area.width, 0, std::max(1, width - views_[0].area.width), height};
+}
+
+/// Has a picture made where another one is wanted than the last time.
+void App::submit(View& view) {
+    if (!model_) return;
+    if (ui_.split == Split::wipe) {  // one view of two looks
+        const Look& leader = active().look;
+        view.look.eye = leader.eye, view.look.world_up = leader.world_up, view.look.request.view = leader.request.view;
+    }
+    const bool is_moving = drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom || drag_ == Drag::roll ||
+                           drag_ == Drag::light || seconds(Clock::now() - last_motion_) < motion_s;
+    const bool wants_depth = ui_.normals || ui_.tangents || ui_.bitangents || ui_.seams || ui_.grid;
+    const Rectangle &a = view.area, &b = view.submitted_area;
+    const bool is_same = view.submitted_model == model_ && view.look == view.submitted && a.width == b.width &&
+                         a.height == b.height && view.is_submitted_with_depth == wants_depth;
+    if (is_same && (is_moving || !view.is_submitted_moving)) return;
+    if (!view.painter)
+        view.painter = std::make_unique<Painter>([] { GlfwWindow::wake(); }, start_.threads, start_.max_memory);
+    try {
+        const Camera camera = camera_of(view.look, *model_, a.width, a.height);
+        if (view.submitted_model == model_) carry_lights(view.look, view.camera, camera);
+        view.camera = camera;
+    } catch (const Error& error) {
+        report(error);
+        if (view.submitted_model == model_)
+            view.look = view.submitted;
+        else
+            view.look.eye.reset(), view.look.request.view = {.side = "default"};
+        return;
+    }
+    view.submitted = view.look, view.submitted_model = model_, view.submitted_area = a;
+    view.is_submitted_moving = is_moving, view.is_submitted_with_depth = wants_depth, view.is_painting = true;
+    view.painter->paint({.model = model_,
+                         .look = view.look,
+                         .width = a.width,
+                         .height = a.height,
+                         .is_moving = is_moving,
+                         .wants_depth = wants_depth,
+                         .number = ++view.number});
+}
+
+void App::report(const Error& error) {
+    ui_.message = error.what();
+    ui_.is_message_error = true;
+    is_dirty_ = true;
+    frames_to_draw_ = 3;
+}
+
+void App::say(const std::string& text) {
+    ui_.message = text;
+    ui_.is_message_error = false;
+    said_ = Clock::now();
+    frames_to_draw_ = 3;
+}
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// The viewer: events change looks, painters make pictures of looks, the window shows the newest ones. The window's thread only
+// handles events and shows what is finished.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <rakelight/gl_view.h>
+#include <rakelight/inspect.h>
+
+#include "background.h"
+#include "input.h"
+#include "load_model.h"
+#include "painter.h"
+#include "panels.h"
+#include "settings_file.h"
+#include "window.h"
+
+namespace rakelight::viewer {
+
+class App {
+public:
+    explicit App(Start start);
+    ~App();
+    /// Until the window is closed.
+    void run();
+
+private:
+    using Clock = std::chrono::steady_clock;
+    /// [px] of the window, y down.
+    struct Rectangle {
+        int x = 0, y = 0, width = 1, height = 1;
+        bool holds(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
+    };
+    /// A picture of the window: what it is to show, and what it shows.
+    struct View {
+        Look look, submitted, good;  ///< good: of the last picture without an error
+        std::unique_ptr<Painter> painter;
+        std::shared_ptr<const Painting> shown;
+        std::shared_ptr<const Model> submitted_model, good_model;
+        Rectangle area, submitted_area;
+        Camera camera;  ///< of what was submitted
+        bool is_submitted_moving = false, is_submitted_with_depth = false, is_painting = false;
+        std::uint64_t number = 0;
+    };
+
+    // app.cpp: the loop
+    void poll();
+    void poll_view(View& view);
+    void lay_out();
+    void submit(View& view);
+    void report(const Error& error);
+    void say(const std::string& text);
+    bool is_busy() const;
+    void log_stats() const;
+    View& active() { return views_[ui_.active]; }
+    std::size_t view_count() const { return ui_.split == Split::none ? 1 : 2; }
+
+    // app_input.cpp: what the user does
+    void handle(const Event& event);
+    void press(Button button, const Event& event);
+    void move(const Event& event);
+    void zoom(const Event& event);
+    void command(Command command);
+    void leave();
+    void step_walk();
+    void click(const Event& event);
+    void drop(const Event& event);
+    void activate_at(double x, double y);
+    bool take_light(double x, double y);
+    void move_light(double dx, double dy);
+
+    // app_work.cpp: what runs in the background
+    void load_current(bool keeps_look);
+    void take_model(const std::shared_ptr<const Model>& model, bool keeps_look);
+    void step_file(int by);
+    void watch_file();
+    void screenshot(bool is_transparent);
+    void save_scene();
+    void save_seamless();
+    void copy_command_line();
+    void record();
+    void explain_at(int x, int y);
+    void look_for_seams();
+
+    // app_draw.cpp: what is shown
+    void draw();
+    void draw_picture(View& view);
+    void draw_wipe();
+    void draw_lines(View& view);
+    void draw_panels_over();
+
+    Start start_;
+    std::atomic<bool> has_window_{false};
+    Background loader_, chores_, seam_search_;
+    View views_[2];
+    Remembered remembered_;
+    UiState ui_;
+    std::unique_ptr<GlfwWindow> window_;
+    std::unique_ptr<GlView> gl_;
+    std::shared_ptr<const Model> model_;
+    std::size_t file_ = 0;
+
+    HeldKeys held_;
+    Drag drag_ = Drag::none;
+    double last_x_ = 0, last_y_ = 0, press_x_ = 0, press_y_ = 0;
+    int press_modifiers_ = 0;
+    Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, said_{};
+    bool is_quitting_ = false, is_dirty_ = true;
+    int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
+    std::vector<Command> from_panels_;
+
+    std::filesystem::file_time_type file_time_{}, changed_time_{};
+    std::optional<std::vector<SeamLine>> seams_;
+    std::shared_ptr<const Model> seams_model_;
+    PrepareOptions seams_prepare_;
+    std::vector<Line> vector_lines_;
+    const void* vector_lines_of_ = nullptr;
+    int vector_lines_which_ = 0;
+    std::vector<std::uint32_t> wiped_;
+
+    Clock::time_point began_ = Clock::now();
+    double first_picture_ms_ = 0, longest_block_ms_ = 0, longest_load_block_ms_ = 0;
+};
+
+}  // namespace rakelight::viewer

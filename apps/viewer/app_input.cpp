@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user does.
+#include <algorithm>
+#include <cmath>
+
+#include <rakelight/linear.h>
+
+#include "app.h"
+#include "overlay.h"
+
+namespace rakelight::viewer {
+namespace {
+
+constexpr double turn_of_window_rad = pi;  // by which a drag across the smaller side orbits
+constexpr double double_click_s = 0.35;
+constexpr double still_px = 4;                 // a press that moves less is a click
+constexpr double walk_share = 0.25, fast = 4;  // of the model's size a second
+
+double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+}  // namespace
+
+void App::handle(const Event& event) {
+    switch (event.kind) {
+        case Event::Kind::key_down:
+            if (event.is_for_panels) return;
+            held_.take(event);
+            if (ui_.is_walking &&
+                std::string_view("WASDQE").find(char(event.key < 128 ? event.key : 0)) != std::string_view::npos &&
+                !(event.modifiers & mod_control))
+                return;
+            return command(command_of(event.key, event.modifiers));
+        case Event::Kind::key_up:
+            return event.key < 0 ? held_.clear() : held_.take(event);
+        case Event::Kind::button_down:
+            if (!event.is_for_panels) press(event.button, event);
+            return;
+        case Event::Kind::button_up:
+            if (drag_ != Drag::none && std::hypot(event.x - press_x_, event.y - press_y_) < still_px) click(event);
+            if (drag_ != Drag::none) last_motion_ = Clock::now() - std::chrono::seconds(1);
+            drag_ = Drag::none;
+            return;
+        case Event::Kind::move:
+            return move(event);
+        case Event::Kind::scroll:
+            if (!event.is_for_panels) zoom(event);
+            return;
+        case Event::Kind::drop:
+            return drop(event);
+    }
+}
+
+void App::activate_at(double x, double y) {
+    if (ui_.split == Split::none) return;
+    const bool is_right = ui_.split == Split::beside ? views_[1].area.holds(x, y)
+                                                     : x > views_[0].area.x + ui_.wipe * views_[0].area.width;
+    ui_.active = is_right ? 1 : 0;
+}
+
+void App::press(Button button, const Event& event) {
+    last_x_ = press_x_ = event.x, last_y_ = press_y_ = event.y;
+    press_modifiers_ = event.modifiers;
+    const double line = views_[0].area.x + ui_.wipe * views_[0].area.width;
+    if (ui_.split == Split::wipe && button == Button::left &&
+        std::fabs(event.x - line) < 8 * double(window_->scale())) {
+        drag_ = Drag::wipe;
+        return;
+    }
+    activate_at(event.x, event.y);
+    if (button == Button::left && take_light(event.x, event.y)) {
+        drag_ = Drag::light;
+        return;
+    }
+    drag_ = ui_.is_walking ? Drag::look : drag_of(button, event.modifiers);
+    if (button == Button::middle) press_modifiers_ |= 1 << 8;  // told from a left click later
+}
+
+void App::move(const Event& event) {
+    const double dx = event.x - last_x_, dy = event.y - last_y_;
+    const dvec2 before{last_x_, last_y_};
+    last_x_ = event.x, last_y_ = event.y;
+    if (drag_ == Drag::wipe) {
+        ui_.wipe = std::clamp((event.x - views_[0].area.x) / views_[0].area.width, 0.0, 1.0);
+        return;
+    }
+    const bool looks = ui_.is_walking && (dx != 0 || dy != 0);
+    if (!model_ || (drag_ == Drag::none && !looks)) return;
+    const bool is_click_yet = std::hypot(event.x - press_x_, event.y - press_y_) < still_px;
+    if (!looks && is_click_yet) return;
+    Look& look = active().look;
+    const Rectangle& area = active().area;
+    const double side = std::max(1, std::min(area.width, area.height)), angle = turn_of_window_rad / side;
+    if (drag_ == Drag::light) return last_motion_ = Clock::now(), move_light(dx, dy);
+    Eye& eye = moving_eye(look, *model_, area.width, area.height);
+    const auto on_ball = [&](dvec2 p) {
+        return dvec2{(2 * (p.x - area.x) - area.width) / side, (area.height - 2 * (p.y - area.y)) / side};
+    };
+    last_motion_ = Clock::now();
+    if (looks) return viewer::look(eye, dx * angle, -dy * angle, look.world_up);
+    switch (drag_) {
+        case Drag::orbit:
+            return ui_.is_arcball ? turn_ball(eye, on_ball(before), on_ball({event.x, event.y}))
+                                  : turn_table(eye, dx * angle, dy * angle, look.world_up);
+        case Drag::pan:
+            return pan(eye, dx, dy, area.height);
+        case Drag::zoom:
+            return dolly(eye, std::exp(dy * 3 / side));
+        case Drag::roll:
+            return roll(eye, dx * angle);
+        default:
+            return;
+    }
+}
+
+/// Whether a light that is shown is under the pointer; it is selected then.
+bool App::take_light(double x, double y) {
+    View& view = active();
+    if (!ui_.light_glyphs || !model_ || !view.shown) return false;
+    Look lit = view.look;
+    const std::vector<LightItem>& lights = changing_lights(lit, *model_, view.area.width, view.area.height);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const std::optional<dvec3> place = place_of(lights[i].light, model_->box.bounds());
+        const std::optional<dvec2> p =
+            place ? pixel_of(*place, view.camera, view.area.width, view.area.height) : std::nullopt;
+        if (!p || std::hypot(p->x + view.area.x - x, p->y + view.area.y - y) > 14 * double(window_->scale())) continue;
+        ui_.light = i;
+        return true;
+    }
+    return false;
+}
+
+/// A lamp goes with the pointer across the view; a directional light turns about the model.
+void App::move_light(double dx, double dy) {
+    View& view = active();
+    const Rectangle& area = view.area;
+    std::vector<LightItem>& lights = changing_lights(view.look, *model_, area.width, area.height);
+    if (ui_.light >= lights.size()) return;
+    Light& light = lights[ui_.light].light;
+    const dmat4& m = view.camera.to_world;
+    if (light.type == LightType::directional) {
+        const double angle = turn_of_window_rad / std::max(1, std::min(area.width, area.height));
+        const dvec3 turned = rotated(rotated(light.direction, m[1].xyz(), dx * angle), m[0].xyz(), dy * angle);
+        light.direction = normalize_or(turned, light.direction);
+        return;
+    }
+    const bool is_parallel = view.camera.projection == Projection::orthographic;
+    const double away = -dot(light.position - m[3].xyz(), m[2].xyz());
+    const double half = is_parallel ? view.camera.half_height : away * std::tan(0.5 * view.camera.vertical_fov_rad);
+    const double meters = 2 * half / area.height;
+    light.position += m[0].xyz() * (dx * meters) - m[1].xyz() * (dy * meters);
+}
+
+void App::zoom(const Event& event) {
+    if (!model_ || event.y == 0) return;
+    activate_at(last_x_, last_y_);
+    const Rectangle& area = active().area;
+    dolly(moving_eye(active().look, *model_, area.width, area.height),
+          std::exp(-0.15 * std::clamp(event.y, -20.0, 20.0)));
+    last_motion_ = Clock::now();
+}
+
+void App::step_walk() {
+    const auto now = Clock::now();
+    const double dt = std::min(0.1, seconds(now - last_step_));
+    last_step_ = now;
+    if (!model_) return;
+    const auto axis = [this](Key more, Key less) { return double(held_.has(more)) - double(held_.has(less)); };
+    const double ahead = axis('W', 'S'), right = axis('D', 'A'), up = axis('E', 'Q');
+    if (ahead == 0 && right == 0 && up == 0) return;
+    Look& look = active().look;
+    const double step = dt * walk_share * model_->box.bounds().diagonal() * (held_.is_fast ? fast : 1);
+    walk(moving_eye(look, *model_, active().area.width, active().area.height), ahead * step, right * step, up * step,
+         look.world_up);
+    last_motion_ = now;
+}
+
+void App::click(const Event& event) {
+    View& view = active();
+    if (!model_ || !view.painter || !view.area.holds(event.x, event.y) || ui_.is_walking) return;
+    const int x = int(event.x) - view.area.x, y = int(event.y) - view.area.y;
+    const auto now = Clock::now();
+    const bool is_double = seconds(now - last_click_) < double_click_s, is_middle = press_modifiers_ & (1 << 8);
+    last_click_ = now;
+    if (ui_.is_picking && event.button == Button::left) return explain_at(x, y);
+    if (event.button == Button::left && (press_modifiers_ & mod_alt))
+        return view.painter->look_at_pixel(x, y, [this](std::optional<Painter::Hit> hit) {
+            if (!hit || hit->material == no_index) return say("nothing with a material is there");
+            ui_.material = hit->material;
+            ui_.open[std::size_t(Panel::materials)] = true, ui_.are_panels_hidden = false;
+            frames_to_draw_ = 3;
+        });
+    if (!is_middle && !(event.button == Button::left && is_double)) return;
+    view.painter->look_at_pixel(x, y, [this, &view](std::optional<Painter::Hit> hit) {
+        if (!hit || !model_) return;
+        center_on(moving_eye(view.look, *model_, view.area.width, view.area.height), hit->position);
+    });
+}
+
+void App::leave() {
+    if (ui_.is_walking) return ui_.is_walking = false, window_->catch_pointer(false);
+    if (ui_.is_picking) return void(ui_.is_picking = false);
+    if (ui_.help) return void(ui_.help = false);
+    if (loader_.is_running() || chores_.is_running() || seam_search_.is_running()) {
+        loader_.cancel(), chores_.cancel(), seam_search_.cancel();
+        return;
+    }
+    for (View& view : views_) {
+        std::string stage;
+        double fraction = 0;
+        if (view.painter && view.is_painting) view.painter->progress().get(stage, fraction);
+        if (!stage.empty() && stage != "render") view.painter->cancel();
+    }
+    if (!ui_.message.empty()) return ui_.message.clear();
+    if (window_->is_full_screen()) window_->set_full_screen(false);
+}
+
+void App::command(Command command) {
+    frames_to_draw_ = 3;
+    if (viewer::apply(command, ui_)) {
+        window_->set_theme(ui_.is_dark);
+        if (command == Command::walk) window_->catch_pointer(ui_.is_walking), last_step_ = Clock::now();
+        const bool begins_split =
+            (command == Command::split || command == Command::second_view) && ui_.split != Split::none;
+        if (begins_split && views_[1].submitted_model != model_) views_[1].look = views_[0].look;
+        if (ui_.split == Split::none) ui_.active = 0;
+        return;
+    }
+    View& view = active();
+    try {
+        if (model_ && viewer::apply(command, view.look, *model_, view.area.width, view.area.height)) return;
+    } catch (const Error& error) {
+        return report(error);
+    }
+    switch (command) {
+        case Command::next_file:
+            return step_file(1);
+        case Command::previous_file:
+            return step_file(-1);
+        case Command::reload:
+            return load_current(true);
+        case Command::screenshot:
+            return screenshot(false);
+        case Command::clean_screenshot:
+            return screenshot(true);
+        case Command::save_world:
+            return save_scene();
+        case Command::save_seamless:
+            return save_seamless();
+        case Command::record:
+            return record();
+        case Command::copy_command_line:
+        case Command::quit:
+        case Command::full_screen:
+        case Command::leave:
+            break;
+        default:
+            return;
+    }
+    if (command == Command::quit) is_quitting_ = true;
+    if (command == Command::full_screen) window_->set_full_screen(!window_->is_full_screen());
+    if (command == Command::leave) leave();
+    if (command == Command::copy_command_line) copy_command_line();
+}
+
+void App::drop(const Event& event) {
+    for (const std::string& file : event.files) {
+        switch (kind_of_drop(file, event.modifiers & mod_shift)) {
+            case Dropped::model: {
+                if (!(event.modifiers & mod_control)) start_.files.clear();
+                const std::size_t first = start_.files.size();
+                for (const std::string& model : event.files)
+                    for (std::string& name : models_in(model)) start_.files.push_back(std::move(name));
+                if (first == start_.files.size()) return say("there is no model in this folder");
+                file_ = first;
+                return load_current(false);
+            }
+            case Dropped::environment:
+                if (!model_) continue;
+                active().look.request.hdri_file = file;
+                active().look.request.hdri_ambient = active().look.request.hdri_skybox = true;
+                continue;
+            case Dropped::picture:
+                if (!model_ || !active().painter) continue;
+                activate_at(event.x, event.y);
+                active().painter->look_at_pixel(
+                    int(event.x) - active().area.x, int(event.y) - active().area.y,
+                    [this, file](std::optional<Painter::Hit> hit) {
+                        if (!hit) return say("a picture is dropped onto an object, which gets it as its texture");
+                        try {
+                            set_material(active().look, material_name(model_->scene, hit->material),
+                                         "color_texture=" + file);
+                        } catch (const Error& error) {
+                            report(error);
+                        }
+                    });
+        }
+    }
+}
+
+}  // namespace rakelight::viewer

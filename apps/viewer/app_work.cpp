@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// What runs in the background: loading, saving, recording, explaining, looking for seams.
+#include <cstdio>
+
+#include <rakelight/explain.h>
+#include <rakelight/render.h>
+#include <rakelight/smooth_file.h>
+
+#include "app.h"
+#include "save.h"
+#include "studio.h"
+
+namespace rakelight::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::file_time_type time_of(const std::string& file) {
+    std::error_code fault;
+    const fs::file_time_type time = fs::last_write_time(file, fault);
+    return fault ? fs::file_time_type{} : time;
+}
+
+}  // namespace
+
+void App::load_current(bool keeps_look) {
+    if (file_ >= start_.files.size()) return;
+    const std::string file = start_.files[file_];
+    file_time_ = changed_time_ = time_of(file);
+    ui_.message.clear();
+    const auto work = [this, file, start = start_, keeps_look](Context& context) -> Background::Finish {
+        const auto model = load_model(file, start, context);
+        return [this, model, keeps_look] { take_model(model, keeps_look); };
+    };
+    loader_.start("load", work, [this](const Error& error) {
+        std::fprintf(stderr, "rakelight: error: %s\n", error.what());
+        report(error);
+    });
+}
+
+void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look) {
+    const bool keeps = keeps_look && model_ && model_->file == model->file;
+    model_ = model;
+    seams_.reset();
+    if (!keeps) {
+        for (View& view : views_) view.look = first_look(*model);
+        ui_.light = ui_.material = 0;
+        ui_.explained.clear();
+    }
+    window_->set_title(one_line(fs::path(model->file).filename().string(), 100) + " - Rakelight");
+    std::size_t warnings = 0;
+    for (const ReportEntry& entry : model->remarks) warnings += entry.remark != Remark::note;
+    if (warnings > 0)
+        say(std::to_string(warnings) + (warnings == 1 ? " remark" : " remarks") +
+            " about the file: see the panel Statistics (F8)");
+    frames_to_draw_ = 3;
+}
+
+void App::step_file(int by) {
+    const int count = int(start_.files.size());
+    if (count == 0) return;
+    file_ = std::size_t((int(file_) + by + count) % count);
+    load_current(false);
+}
+
+/// Loads the file again when it has changed and then been left alone for a while.
+void App::watch_file() {
+    last_watch_ = Clock::now();
+    if (!model_ || loader_.is_running()) return;
+    const fs::file_time_type now = time_of(model_->file);
+    if (now == fs::file_time_type{} || now == file_time_) return;
+    if (now == changed_time_)
+        load_current(true);
+    else
+        changed_time_ = now;
+}
+
+void App::screenshot(bool is_transparent) {
+    if (!model_) return;
+    const View& view = active();
+    PictureRequest request = request_of(view.look, view.area.width, view.area.height);
+    if (is_transparent) request.settings.background = {0, 0, 0, 0};
+    if (view.look.channel) request.settings.channels = view.look.channel, request.channel_files = channel_files_png;
+    request.output = free_name(model_->file, "", ".png");
+    const auto work = [this, model = model_, look = view.look, request](Context& context) -> Background::Finish {
+        const PictureResult result =
+            render_picture(with_edits(model->scene, look.materials, context), request, context);
+        return [this, name = result.channel_files.empty() ? result.output : result.channel_files.back()] {
+            say("wrote " + name);
+        };
+    };
+    chores_.start("screenshot", work, [this](const Error& error) { report(error); });
+}
+
+void App::save_scene() {
+    if (!model_) return;
+    const View& view = active();
+    const std::string path = free_world_name(model_->file);
+    const auto work = [this, model = model_, look = view.look, area = view.area, path](Context&) -> Background::Finish {
+        save_world(world_of(look, *model, area.width, area.height, path), path);
+        return [this, path] { say("wrote " + path); };
+    };
+    chores_.start("save", work, [this](const Error& error) { report(error); });
+}
+
+void App::copy_command_line() {
+    if (!model_) return;
+    const View& view = active();
+    try {
+        window_->set_clipboard(command_line_of(view.look, *model_, view.area.width, view.area.height));
+        say(view.look.materials.empty()
+                ? "copied the command line"
+                : "copied the command line, but for changed materials: save the scene for these (Ctrl+S)");
+    } catch (const Error& error) {
+        report(error);
+    }
+}
+
+void App::save_seamless() {
+    if (!model_) return;
+    const fs::path input = model_->file;
+    const std::string ending = input.extension().string();
+    const bool is_own_format = ending == ".glb" || ending == ".gltf" || ending == ".obj";
+    const fs::path output =
+        input.parent_path() / (input.stem().string() + "-seamless" + (is_own_format ? ending : ".glb"));
+    SmoothFileOptions options{.load = active().look.request.load};
+    options.attributes.crease_angle_rad = active().look.request.prepare.crease_angle_rad;
+    options.attributes.weight = active().look.request.prepare.weight;
+    const auto work = [this, input, output, options](Context& context) -> Background::Finish {
+        const SmoothedFile result = smooth_file(input.string(), output.string(), options, context);
+        return [this, text = summary(result)] { say(text); };
+    };
+    chores_.start("save seamless", work, [this](const Error& error) { report(error); });
+}
+
+void App::record() {
+    if (!model_) return;
+    const View& view = active();
+    const fs::path folder = free_name(model_->file, "-turn", "");
+    const int count = ui_.record_frames;
+    const auto work = [this, model = model_, look = view.look, area = view.area, folder,
+                       count](Context& context) -> Background::Finish {
+        fs::create_directories(folder);
+        Studio studio;
+        Look turned = look;
+        const Eye eye = moving_eye(turned, *model, area.width, area.height);
+        for (int i = 0; i < count; ++i) {
+            context.throw_if_cancelled();
+            context.progress("record", double(i) / count);
+            context.set_progress_part(double(i) / count, double(i + 1) / count);
+            turned.eye = eye;
+            turn_table(*turned.eye, 2 * pi * i / count, 0, look.world_up);
+            const PictureRequest request = request_of(turned, area.width, area.height);
+            Frame frame;
+            studio.draw(model, turned, request, camera_of(turned, *model, area.width, area.height), 0, frame, context);
+            char name[32];
+            std::snprintf(name, sizeof name, "%04d.png", i + 1);
+            save(frame, (folder / name).string(), request.tone);
+        }
+        return [this, folder, count] { say("wrote " + std::to_string(count) + " pictures to " + folder.string()); };
+    };
+    chores_.start("record", work, [this](const Error& error) { report(error); });
+}
+
+void App::explain_at(int x, int y) {
+    const View& view = active();
+    const PictureRequest request = request_of(view.look, view.area.width, view.area.height);
+    const std::string remark =
+        view.look.materials.empty() ? "" : "(materials as in the file, without the changes made here)\n";
+    const auto work = [this, request, x, y, remark](Context& context) -> Background::Finish {
+        std::string text = remark + to_text(*explain(request, x, y, context));
+        return [this, text = std::move(text)] {
+            ui_.explained = text;
+            ui_.open[std::size_t(Panel::pixel)] = true, ui_.are_panels_hidden = false;
+            frames_to_draw_ = 3;
+        };
+    };
+    chores_.start("explain", work, [this](const Error& error) { report(error); });
+}
+
+/// Seams are looked for anew whenever normals change.
+void App::look_for_seams() {
+    if (!ui_.seams || !model_) return;
+    const PrepareOptions& prepare = active().look.request.prepare;
+    const bool is_known = seams_model_ == model_ && seams_prepare_ == prepare;
+    if (is_known || (seam_search_.is_running() && drag_ == Drag::none)) return;
+    seams_model_ = model_, seams_prepare_ = prepare;
+    const InspectOptions options{.surfaces = false, .seam_lines = true, .prepare = prepare};
+    const auto work = [this, model = model_, options](Context& context) -> Background::Finish {
+        Inspection result = inspect(model->scene, options, context);
+        return [this, lines = std::move(result.seam_lines)]() mutable {
+            seams_ = std::move(lines);
+            is_dirty_ = true;
+        };
+    };
+    seam_search_.start("seams", work, [this](const Error& error) { report(error); });
+}
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "background.h"
+
+#include <atomic>
+#include <thread>
+
+#include <rakelight/tools/current_error.h>
+
+namespace rakelight::viewer {
+
+void Progress::set(std::string_view stage, double fraction) {
+    const std::scoped_lock lock(mutex_);
+    stage_ = stage;
+    fraction_ = fraction;
+}
+
+void Progress::get(std::string& stage, double& fraction) const {
+    const std::scoped_lock lock(mutex_);
+    stage = stage_;
+    fraction = fraction_;
+}
+
+struct Background::Run {
+    Work work;
+    std::function<void(const Error&)> failed;
+    std::unique_ptr<Context> context;
+    Finish finish{};
+    std::atomic<bool> is_done{false};  ///< set last: `finish` is there
+    std::thread thread{};
+};
+
+Background::Background(std::function<void()> wake, int threads, std::uint64_t max_memory)
+    : wake_(std::move(wake)), threads_(threads), max_memory_(max_memory) {}
+
+Background::~Background() {
+    for (const auto& run : runs_) run->context->cancel();
+    for (const auto& run : runs_) run->thread.join();
+}
+
+void Background::start(const std::string& title, Work work, std::function<void(const Error&)> failed) {
+    cancel();
+    progress_.set(title, 0);
+    const auto report = [this](std::string_view stage, double fraction) { progress_.set(stage, fraction); };
+    auto context =
+        std::make_unique<Context>(ContextOptions{.threads = threads_, .max_memory = max_memory_, .progress = report});
+    current_ = runs_.emplace_back(new Run{std::move(work), std::move(failed), std::move(context)}).get();
+    current_->thread = std::thread([this, run = current_] { this->run(*run); });
+}
+
+void Background::run(Run& run) {
+    try {
+        run.finish = run.work(*run.context);
+    } catch (...) {
+        run.finish = [failed = run.failed, error = current_error()] { failed(error); };
+    }
+    run.is_done = true;
+    wake_();
+}
+
+void Background::poll() {
+    Finish finish;
+    const auto end = [&](const std::unique_ptr<Run>& run) {
+        if (!run->is_done) return false;
+        run->thread.join();
+        if (run.get() != current_) return true;  // another work took its place
+        finish = std::move(run->finish);
+        current_ = nullptr;
+        return true;
+    };
+    std::erase_if(runs_, end);
+    if (!finish) return;
+    progress_.set({}, 0);
+    finish();
+}
+
+void Background::cancel() {
+    if (current_) current_->context->cancel();
+}
+
+}  // namespace rakelight::viewer

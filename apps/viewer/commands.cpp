@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// What commands do to a look.
+#include <algorithm>
+#include <cmath>
+
+#include <rakelight/linear.h>
+
+#include "document.h"
+
+namespace rakelight::viewer {
+namespace {
+
+/// The value behind `value` in a list; the first behind the last, and for one that is not in it.
+template <class T, std::size_t n>
+T next(const T (&values)[n], T value) {
+    const auto at = std::ranges::find(values, value);
+    return at == std::end(values) || at + 1 == std::end(values) ? values[0] : *(at + 1);
+}
+
+void show_side(Look& look, const char* side) {
+    const bool is_parallel = look.eye ? look.eye->is_orthographic : look.request.view.orthographic;
+    look.eye.reset();
+    const ViewRequest& was = look.request.view;
+    look.request.view = {.side = side, .z_near = was.z_near, .z_far = was.z_far, .orthographic = is_parallel};
+    if (look.world_up != dvec3{0, 1, 0} && std::string(side) == "default") look.request.view.up = look.world_up;
+}
+
+void next_camera(Look& look, const Model& model) {
+    const std::size_t count = model.box.cameras().size();
+    if (count == 0) return;
+    const std::string& now = look.request.view.camera;
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (now == std::to_string(i)) number = (i + 1) % count;
+    look.eye.reset();
+    look.request.view = {.camera = std::to_string(number)};
+}
+
+void next_up_axis(Look& look) {
+    const dvec3 up = look.world_up;
+    look.world_up = up == dvec3{0, 1, 0} ? dvec3{0, 0, 1} : up == dvec3{0, 0, 1} ? dvec3{1, 0, 0} : dvec3{0, 1, 0};
+    show_side(look, "default");
+}
+
+/// Over the poles too, where the turntable would stop.
+void raise(Look& look, const Model& model, int width, int height, double angle_rad) {
+    Eye& eye = moving_eye(look, model, width, height);
+    const double distance = distance_of(eye);
+    const dvec3 right = right_of(eye), to_eye = rotated(-forward_of(eye), right, -angle_rad);
+    eye.up = rotated(eye.up, right, -angle_rad);
+    eye.position = eye.focal + to_eye * distance;
+}
+
+bool apply_to_view(Command command, Look& look, const Model& model, int width, int height) {
+    switch (command) {
+        case Command::fit:
+            fit(moving_eye(look, model, width, height), model.box.bounds(), double(width) / double(height));
+            return true;
+        case Command::reset_view:
+            look.eye.reset();
+            look.request.view = model.request.view;
+            return true;
+        case Command::front:
+            return show_side(look, "front"), true;
+        case Command::back:
+            return show_side(look, "back"), true;
+        case Command::right:
+            return show_side(look, "right"), true;
+        case Command::left:
+            return show_side(look, "left"), true;
+        case Command::top:
+            return show_side(look, "top"), true;
+        case Command::bottom:
+            return show_side(look, "bottom"), true;
+        case Command::isometric:
+            return show_side(look, "isometric"), true;
+        case Command::orthographic: {
+            Eye& eye = moving_eye(look, model, width, height);
+            eye.is_orthographic = !eye.is_orthographic;
+            return true;
+        }
+        case Command::roll_left:
+            return roll(moving_eye(look, model, width, height), radians(90)), true;
+        case Command::roll_right:
+            return roll(moving_eye(look, model, width, height), radians(-90)), true;
+        case Command::raise:
+            return raise(look, model, width, height, radians(90)), true;
+        case Command::lower:
+            return raise(look, model, width, height, radians(-90)), true;
+        case Command::next_camera:
+            return next_camera(look, model), true;
+        case Command::up_axis:
+            return next_up_axis(look), true;
+        default:
+            return false;
+    }
+}
+
+void set_shading(PictureRequest& request) {
+    constexpr Shading all[] = {Shading::phong, Shading::gouraud, Shading::flat, Shading::unlit, Shading::automatic};
+    request.settings.shading = next(all, request.settings.shading);
+    request.settings.own_shading = false;
+    request.settings.shading_rules.clear();
+}
+
+void set_bump(PictureRequest& request) {
+    constexpr Bump all[] = {Bump::automatic,        Bump::none,  Bump::height,    Bump::normal,      Bump::parallax,
+                            Bump::parallax_limited, Bump::steep, Bump::occlusion, Bump::displacement};
+    request.settings.bump = next(all, request.settings.bump);
+}
+
+void set_lighting(PictureRequest& request) {
+    constexpr Lighting all[] = {Lighting::automatic,  Lighting::lambert, Lighting::phong, Lighting::blinn_phong,
+                                Lighting::oren_nayar, Lighting::ward,    Lighting::pbr};
+    request.settings.lighting = next(all, request.settings.lighting);
+}
+
+void set_wireframe(RenderSettings& s) {
+    s.surfaces = !s.surfaces;
+    s.edges = !s.surfaces;
+}
+
+void step_channel(Look& look, int by) {
+    constexpr int count = 19;  // colors, and 18 bits
+    static_assert(channels_all == (1u << (count - 1)) - 1);
+    int now = 0;
+    for (int i = 1; i < count; ++i)
+        if (look.channel == 1u << (i - 1)) now = i;
+    now = (now + by + count) % count;
+    look.channel = now == 0 ? 0 : 1u << (now - 1);
+}
+
+void next_engine(PictureRequest& request) {
+    const std::string all[] = {"soft", "gl", "auto"};  // where GlView is built, gl is
+    request.engine = next(all, request.engine);
+}
+
+bool apply_to_picture(Command command, Look& look, const Model& model) {
+    PictureRequest& r = look.request;
+    RenderSettings& s = r.settings;
+    constexpr int samples[] = {1, 4, 8};
+    constexpr ToneMapping tones[] = {ToneMapping::none, ToneMapping::reinhard, ToneMapping::neutral, ToneMapping::aces,
+                                     ToneMapping::agx};
+    const auto& own = model.scene.environment;
+    switch (command) {
+        case Command::shading:
+            return set_shading(r), true;
+        case Command::lighting:
+            return set_lighting(r), true;
+        case Command::bump:
+            return set_bump(r), true;
+        case Command::channel:
+            return step_channel(look, 1), true;
+        case Command::previous_channel:
+            return step_channel(look, -1), true;
+        case Command::samples:
+            return s.samples = next(samples, s.samples), true;
+        case Command::tone:
+            return r.tone.mapping = next(tones, r.tone.mapping), true;
+        case Command::shadows:
+            return s.shadows = !s.shadows, true;
+        case Command::edges:
+            return s.edges = !s.edges, true;
+        case Command::wireframe:
+            return set_wireframe(s), true;
+        case Command::points:
+            return s.points = s.points == PointShape::none ? PointShape::disc : PointShape::none, true;
+        case Command::environment_light:
+            return r.hdri_ambient = !r.hdri_ambient.value_or(own && own->is_light), true;
+        case Command::environment_background:
+            return r.hdri_skybox = !r.hdri_skybox.value_or(own && own->is_background), true;
+        case Command::brighter:
+            return r.light_intensity = std::min(r.light_intensity * 1.25, 1e6), true;
+        case Command::darker:
+            return r.light_intensity = r.light_intensity * 0.8, true;
+        case Command::engine:
+            return next_engine(r), true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+bool apply(Command command, Look& look, const Model& model, int width, int height) {
+    return apply_to_view(command, look, model, width, height) || apply_to_picture(command, look, model);
+}
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "document.h"
+
+#include <algorithm>
+
+#include <rakelight/linear.h>
+#include <rakelight/material_changes.h>
+#include <rakelight/picture_parts.h>
+
+namespace rakelight::viewer {
+
+PictureRequest request_of(const Look& look, int width, int height) {
+    PictureRequest request = look.request;
+    request.settings.width = width;
+    request.settings.height = height;
+    request.settings.window = {};
+    request.settings.channels = 0;
+    if (look.eye) place(request.view, *look.eye);
+    if (look.lights) {
+        request.lights.emplace();
+        for (const LightItem& item : *look.lights)
+            if (item.is_on) request.lights->push_back(item.light);
+        // No lights at all would ask for the default ones.
+        if (request.lights->empty()) request.lights->push_back({.type = LightType::ambient});
+    }
+    return request;
+}
+
+Camera camera_of(const Look& look, const Model& model, int width, int height) {
+    return model.box.camera(request_of(look, width, height).view, double(width) / double(height));
+}
+
+Eye& moving_eye(Look& look, const Model& model, int width, int height) {
+    if (!look.eye) look.eye = eye_of(camera_of(look, model, width, height), model.box.bounds());
+    return *look.eye;
+}
+
+std::vector<LightItem>& changing_lights(Look& look, const Model& model, int width, int height) {
+    if (look.lights) return *look.lights;
+    Scene lit;  // what asked_lights() looks at
+    lit.lights = model.lights;
+    lit.environment = model.scene.environment;
+    PictureRequest request = request_of(look, width, height);
+    request.light_intensity = 1;  // stays a setting of its own
+    request.light_cutoff = 0;
+    request.materials = {};
+    request.hdri_file.clear();  // whether an environment gives light does not depend on its picture
+    Context quiet({.threads = 1});
+    lit = with_asked_surfaces(std::move(lit), request, quiet);
+    look.lights.emplace();
+    for (Light& light : asked_lights(lit, request, camera_of(look, model, width, height)))
+        look.lights->push_back({.light = std::move(light)});
+    return *look.lights;
+}
+
+void carry_lights(Look& look, const Camera& from, const Camera& to) {
+    dmat4 back;
+    if (!look.lights || from.to_world == to.to_world || !inverse_affine(from.to_world, back)) return;
+    const dmat4 move = to.to_world * back;
+    for (LightItem& item : *look.lights) {
+        if (!item.follows_camera) continue;
+        item.light.position = transform_point(move, item.light.position);
+        item.light.direction = normalize_or(transform_direction(move, item.light.direction), dvec3{0, 0, -1});
+    }
+}
+
+std::vector<WorldValue>& changing_material(Look& look, const std::string& name) {
+    const auto found = std::ranges::find(look.materials, name, &MaterialEdit::name);
+    return found != look.materials.end() ? found->values : look.materials.emplace_back(MaterialEdit{name, {}}).values;
+}
+
+void set_material(Look& look, const std::string& name, const std::string& key_and_value) {
+    const std::string words[] = {key_and_value};
+    const std::vector<WorldValue> set = material_values(words);
+    std::vector<WorldValue>& values = changing_material(look, name);
+    for (const WorldValue& value : set) {
+        std::erase_if(values, [&](const WorldValue& v) { return v.key == value.key; });
+        values.push_back(value);
+    }
+}
+
+Look first_look(const Model& model) {
+    Look look{.request = model.request};
+    if (model.request.view.up) look.world_up = normalize_or(*model.request.view.up, dvec3{0, 1, 0});
+    return look;
+}
+
+bool have_same_surfaces(const Look& a, const Look& b) {
+    const PictureRequest &x = a.request, &y = b.request;
+    return a.materials == b.materials && x.materials == y.materials && x.hdri_file == y.hdri_file &&
+           x.hdri_ambient == y.hdri_ambient && x.hdri_skybox == y.hdri_skybox && x.hdri_intensity == y.hdri_intensity &&
+           x.hdri_rotation_rad == y.hdri_rotation_rad;
+}
+
+std::string material_name(const Scene& scene, std::uint32_t material) {
+    return material < scene.materials.size() ? scene.materials[material].name : "default";
+}
+
+Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& context) {
+    for (const MaterialEdit& edit : edits)
+        scene = with_material_values(std::move(scene), edit.name, edit.values, context);
+    return scene;
+}
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is looked at, and how: everything that a save keeps. No window: commands change it, pictures are made of it.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rakelight/request.h>
+#include <rakelight/world.h>
+
+#include "eye.h"
+#include "keys.h"
+#include "view_box.h"
+
+namespace rakelight::viewer {
+
+/// A file that was loaded. Immutable.
+struct Model {
+    std::string file;
+    Scene scene;
+    ViewBox box;
+    PictureRequest request;     ///< by the command line, and of a world by its [render]
+    std::vector<Light> lights;  ///< the file's own, placed in the world
+    std::vector<ReportEntry> remarks;
+    std::uint64_t triangles = 0, vertices = 0, objects = 0;
+    double load_ms = 0;
+};
+
+/// A light of the list.
+struct LightItem {
+    Light light;  ///< at its place in the world: on no node
+    bool is_on = true;
+    bool follows_camera = false;
+    bool operator==(const LightItem&) const = default;
+};
+
+/// Changed keys of [[material]] of the materials of a name.
+struct MaterialEdit {
+    std::string name;
+    std::vector<WorldValue> values;
+    bool operator==(const MaterialEdit&) const = default;
+};
+
+/// What is drawn of a model.
+struct Look {
+    PictureRequest request;  ///< its size, view and lights are those of the members below where they say so
+    dvec3 world_up{0, 1, 0};
+    std::optional<Eye> eye;                        ///< absent: as `request.view` says
+    std::optional<std::vector<LightItem>> lights;  ///< absent: as `request` says
+    std::vector<MaterialEdit> materials;
+    std::uint32_t channel = 0;  ///< shown in place of the colors; 0: colors
+    bool operator==(const Look&) const = default;
+};
+
+/// The request of a picture of that size: what render_picture() draws to the pixel, but for edited materials.
+PictureRequest request_of(const Look& look, int width, int height);
+/// Where its camera stands. @throws Error usage, as choose_camera()
+Camera camera_of(const Look& look, const Model& model, int width, int height);
+
+/// The eye, made from the camera that is seen now where nobody has moved it.
+Eye& moving_eye(Look& look, const Model& model, int width, int height);
+/// The list of lights, made from those that are seen now where nobody has changed them.
+std::vector<LightItem>& changing_lights(Look& look, const Model& model, int width, int height);
+/// Lights that follow the camera go as it went.
+void carry_lights(Look& look, const Camera& from, const Camera& to);
+/// The values that a material's edit holds; made where there is none.
+std::vector<WorldValue>& changing_material(Look& look, const std::string& name);
+/// Sets a key of [[material]], as "roughness=0.5" says it. @throws Error usage
+void set_material(Look& look, const std::string& name, const std::string& key_and_value);
+
+/// A fresh look at a model: as its request says.
+Look first_look(const Model& model);
+
+/// What a command does to a look; false: it is not about looks. @throws Error usage
+bool apply(Command command, Look& look, const Model& model, int width, int height);
+
+/// Whether pictures of two looks of one model need the same surfaces: materials and environment.
+bool have_same_surfaces(const Look& a, const Look& b);
+
+/// The model's scene with edited materials. @throws Error as with_material_values()
+Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& context);
+/// The name by which [[material]] knows a material.
+std::string material_name(const Scene& scene, std::uint32_t material);
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input.h"
+
+#include <algorithm>
+
+namespace rakelight::viewer {
+
+Drag drag_of(Button button, int modifiers) {
+    if (button == Button::middle) return Drag::pan;
+    if (button == Button::right) return Drag::zoom;
+    if (button != Button::left) return Drag::none;
+    if (modifiers & mod_shift) return Drag::pan;
+    return modifiers & mod_control ? Drag::roll : Drag::orbit;
+}
+
+void HeldKeys::take(const Event& event) {
+    is_fast = event.modifiers & mod_shift;
+    std::erase(keys_, event.key);
+    if (event.kind == Event::Kind::key_down) keys_.push_back(event.key);
+}
+
+bool HeldKeys::has(Key key) const { return std::ranges::find(keys_, key) != keys_.end(); }
+
+}  // namespace rakelight::viewer

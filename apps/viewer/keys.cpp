@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "keys.h"
+
+namespace rakelight::viewer {
+namespace {
+
+// GLFW's numbers of keys that are no characters (glfw3.h, which is the window's alone).
+constexpr Key escape = 256, enter = 257, tab = 258, right = 262, left = 263, up = 265, page_down = 267, home = 268,
+              f1 = 290, keypad_0 = 320, keypad_decimal = 330, keypad_enter = 335;
+constexpr const char *files = "Files", *view = "View", *picture = "Picture", *marks = "Marks", *window = "Window";
+
+constexpr Binding table[] = {
+    {Command::next_file, right, 0, "Right", "next file of the list", files},
+    {Command::previous_file, left, 0, "Left", "previous file", files},
+    {Command::reload, up, 0, "Up", "load the file again", files},
+    {Command::screenshot, f1 + 11, 0, "F12", "screenshot", files},
+    {Command::clean_screenshot, f1 + 11, mod_control, "Ctrl+F12", "transparent screenshot", files},
+    {Command::save_world, 'S', mod_control, "Ctrl+S", "save as *.scene.toml", files},
+    {Command::copy_command_line, 'C', mod_control, "Ctrl+C", "copy as command line", files},
+    {Command::save_seamless, 'S', mod_control | mod_shift, "Ctrl+Shift+S", "save with seam-free normals", files},
+    {Command::record, f1 + 8, 0, "F9", "record a turn as numbered pictures", files},
+    {Command::quit, 'Q', mod_control, "Ctrl+Q", "quit", files},
+
+    {Command::fit, 'F', 0, "F, .", "fit the model, same direction", view},
+    {Command::fit, '.', 0, "", "", view},
+    {Command::reset_view, home, 0, "Enter, Home", "first view", view},
+    {Command::reset_view, enter, 0, "", "", view},
+    {Command::reset_view, keypad_enter, 0, "", "", view},
+    {Command::front, '1', 0, "1, Ctrl+1", "from the front, from the back", view},
+    {Command::back, '1', mod_control, "", "", view},
+    {Command::right, '3', 0, "3, Ctrl+3", "from the right, from the left", view},
+    {Command::left, '3', mod_control, "", "", view},
+    {Command::top, '7', 0, "7, Ctrl+7", "from above, from below", view},
+    {Command::bottom, '7', mod_control, "", "", view},
+    {Command::isometric, '9', 0, "9", "isometric view", view},
+    {Command::orthographic, '5', 0, "5", "parallel projection", view},
+    {Command::roll_left, '4', 0, "4, 6", "roll by 90 degrees", view},
+    {Command::roll_right, '6', 0, "", "", view},
+    {Command::raise, '8', 0, "8, 2", "raise, lower by 90 degrees", view},
+    {Command::lower, '2', 0, "", "", view},
+    {Command::next_camera, page_down, 0, "Page down", "next camera of the file", view},
+    {Command::up_axis, 'U', 0, "U", "next up axis: +Y, +Z, +X", view},
+    {Command::walk, '`', 0, "`", "walk: W A S D, Q E, mouse, Shift; Esc", view},
+    {Command::arcball, 'K', 0, "K", "arcball or turntable", view},
+
+    {Command::shading, 'S', 0, "S", "shading frequency", picture},
+    {Command::lighting, 'Y', 0, "Y", "lighting model", picture},
+    {Command::bump, 'B', 0, "B", "bump technique", picture},
+    {Command::channel, 'C', 0, "C, Shift+C", "next, previous data channel", picture},
+    {Command::previous_channel, 'C', mod_shift, "", "", picture},
+    {Command::samples, 'A', 0, "A", "samples a pixel: 1, 4, 8", picture},
+    {Command::tone, 'T', 0, "T", "tone mapping", picture},
+    {Command::shadows, 'Q', 0, "Q", "shadows", picture},
+    {Command::edges, 'E', 0, "E", "edges of the triangles", picture},
+    {Command::wireframe, 'W', 0, "W", "edges alone", picture},
+    {Command::points, 'O', 0, "O", "vertices", picture},
+    {Command::environment_light, 'I', 0, "I", "light from the environment", picture},
+    {Command::environment_background, 'J', 0, "J", "environment as background", picture},
+    {Command::brighter, 'L', 0, "L, Shift+L", "lights brighter, darker", picture},
+    {Command::darker, 'L', mod_shift, "", "", picture},
+    {Command::engine, 'R', 0, "R", "next engine", picture},
+
+    {Command::grid, 'G', 0, "G", "grid", marks},
+    {Command::axes, 'X', 0, "X", "axes", marks},
+    {Command::light_glyphs, 'D', 0, "D", "lights", marks},
+    {Command::normals, 'N', mod_shift, "Shift+N T B", "normals, tangents, bitangents", marks},
+    {Command::tangents, 'T', mod_shift, "", "", marks},
+    {Command::bitangents, 'B', mod_shift, "", "", marks},
+    {Command::seams, 'V', 0, "V", "seams between objects by angle", marks},
+
+    {Command::panel_view, f1 + 1, 0, "F2 to F8", "view, shading, normals, lights,", window},
+    {Command::panel_shading, f1 + 2, 0, " ", "materials, pixel, statistics", window},
+    {Command::panel_normals, f1 + 3, 0, "", "", window},
+    {Command::panel_lights, f1 + 4, 0, "", "", window},
+    {Command::panel_materials, f1 + 5, 0, "", "", window},
+    {Command::panel_pixel, f1 + 6, 0, "", "", window},
+    {Command::panel_statistics, f1 + 7, 0, "", "", window},
+    {Command::panel_statistics, 'M', 0, "M", "statistics", window},
+    {Command::all_panels, tab, 0, "Tab", "hide or show the panels", window},
+    {Command::file_name, 'N', 0, "N", "name of the file", window},
+    {Command::frame_time, 'Z', 0, "Z", "time of a picture", window},
+    {Command::split, '\\', 0, "\\", "split A|B; drag the line", window},
+    {Command::second_view, '\\', mod_shift, "Shift+\\", "second view beside the first", window},
+    {Command::pick, 'P', 0, "P", "explain the pixel clicked", window},
+    {Command::theme, f1 + 9, 0, "F10", "dark or light", window},
+    {Command::full_screen, f1 + 10, 0, "F11", "full screen", window},
+    {Command::help, 'H', 0, "H, ?, F1", "this sheet", window},
+    {Command::help, '/', mod_shift, "", "", window},
+    {Command::help, f1, 0, "", "", window},
+    {Command::leave, escape, 0, "Esc", "leave the mode, cancel what runs", window},
+};
+
+/// The keypad's digits do what the digits do.
+Key without_keypad(Key key) {
+    if (key >= keypad_0 && key < keypad_0 + 10) return '0' + (key - keypad_0);
+    return key == keypad_decimal ? '.' : key;
+}
+
+}  // namespace
+
+std::span<const Binding> bindings() { return table; }
+
+Command command_of(Key key, int modifiers) {
+    const Key plain = without_keypad(key);
+    for (const Binding& b : table)
+        if (b.key == plain && b.modifiers == modifiers) return b.command;
+    return Command::none;
+}
+
+std::string key_table_text() {
+    const auto cell = [](const std::string& text) {
+        std::string out;
+        for (const char c : text) out += c == '|' || c == '`' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+        return out;
+    };
+    std::string text, group;
+    for (const Binding& b : table) {
+        const std::string keys = b.keys;
+        if (keys.empty()) continue;
+        if (group != b.group) text += (group.empty() ? "" : "\n") + ("| " + std::string(b.group) + " | |\n|---|---|\n");
+        group = b.group;
+        if (keys == " ") text.erase(text.size() - 3);  // goes on with the row above
+        text += keys == " " ? " " + cell(b.what) + " |\n" : "| " + cell(keys) + " | " + cell(b.what) + " |\n";
+    }
+    return text;
+}
+
+}  // namespace rakelight::viewer

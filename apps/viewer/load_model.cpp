@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "load_model.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include <rakelight/linear.h>
+
+namespace rakelight::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ending_of(const std::string& file) {
+    std::string ending = fs::path(file).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    return ending;
+}
+
+PictureRequest request_for(const std::string& file, const Start& start) {
+    PictureRequest request;
+    if (is_world_file(file)) {
+        Context quiet({.threads = 1});
+        request = read_world_request(file, start.load, {start.settings, start.takes}, quiet).picture;
+    } else {
+        request.load = start.load;
+        read_render_keys(start.settings, request);
+        request.settings.own_shading = !shades_the_whole(start.settings);
+    }
+    request.input = file;
+    request.settings.channels = 0;
+    return request;
+}
+
+std::vector<Light> lights_in_world(const Scene& scene) {
+    std::vector<Light> lights = scene.lights;
+    const std::vector<dmat4> world = node_matrices(scene);
+    for (Light& light : lights) {
+        if (light.node >= world.size()) continue;
+        const dmat4& m = world[light.node];
+        light.position = m[3].xyz();
+        light.direction = normalize_or(-m[2].xyz(), dvec3{0, 0, -1});
+        light.node = no_index;
+    }
+    return lights;
+}
+
+void count(Model& model) {
+    for (const Node& node : model.scene.nodes) {
+        if (!node.meshes.empty()) ++model.objects;
+        for (const std::uint32_t m : node.meshes) {
+            model.triangles += model.scene.meshes[m].triangle_count();
+            model.vertices += model.scene.meshes[m].positions.size();
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<dmat4> node_matrices(const Scene& scene) {
+    std::vector<dmat4> world(scene.nodes.size());
+    for (std::size_t i = 0; i < world.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        const dmat4 local = node.local.matrix ? *node.local.matrix
+                                              : compose(node.local.translation, node.local.rotation, node.local.scale);
+        world[i] = node.parent == no_index ? local : world[node.parent] * local;
+    }
+    return world;
+}
+
+std::shared_ptr<const Model> load_model(const std::string& file, const Start& start, Context& context) {
+    const auto begin = std::chrono::steady_clock::now();
+    auto model = std::make_shared<Model>();
+    model->file = file;
+    model->request = request_for(file, start);
+    model->scene = load(file, model->request.load, context);
+    context.throw_if_cancelled();
+    model->box = ViewBox(model->scene);
+    model->lights = lights_in_world(model->scene);
+    count(*model);
+    model->remarks = context.report().entries();
+    model->load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    return model;
+}
+
+Dropped kind_of_drop(const std::string& file, bool is_shift_down) {
+    const std::string ending = ending_of(file);
+    if (ending == ".hdr" || ending == ".exr") return Dropped::environment;
+    constexpr const char* pictures[] = {".png", ".jpg", ".jpeg", ".webp", ".tga", ".bmp"};
+    if (std::ranges::find(pictures, ending) == std::end(pictures)) return Dropped::model;
+    return is_shift_down ? Dropped::environment : Dropped::picture;
+}
+
+std::vector<std::string> models_in(const std::string& path) {
+    std::error_code fault;
+    if (!fs::is_directory(path, fault)) return {path};
+    constexpr const char* endings[] = {".glb",   ".gltf", ".obj", ".fbx", ".dae", ".3ds", ".ase",
+                                       ".blend", ".stl",  ".ply", ".off", ".x",   ".toml"};
+    std::vector<std::string> files;
+    for (fs::directory_iterator at(path, fault), end; !fault && at != end && files.size() < 10000; at.increment(fault))
+        if (std::ranges::find(endings, ending_of(at->path().string())) != std::end(endings))
+            files.push_back(at->path().string());
+    std::ranges::sort(files);
+    return files;
+}
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// A file becomes a model. Runs in the background.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "document.h"
+
+namespace rakelight::viewer {
+
+/// What the command line says of every file.
+struct Start {
+    std::vector<std::string> files;
+    std::vector<WorldValue> settings;
+    LoadOptions load;
+    std::function<bool(std::string_view)> takes;  ///< RenderOverrides::takes
+    int threads = 0;
+    std::uint64_t max_memory = 0;
+    bool wants_stats = false;
+};
+
+/// @throws Error not_found, bad_file, usage; failed: cancelled
+std::shared_ptr<const Model> load_model(const std::string& file, const Start& start, Context& context);
+
+/// Matrices node -> world, [nodes], of a scene that passed validate().
+std::vector<dmat4> node_matrices(const Scene& scene);
+
+/// What a dropped file is, by its ending.
+enum class Dropped { model, environment, picture };
+Dropped kind_of_drop(const std::string& file, bool is_shift_down);
+/// A folder's files that may be models, by name; a file alone.
+std::vector<std::string> models_in(const std::string& path);
+
+}  // namespace rakelight::viewer

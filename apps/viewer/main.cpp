@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program `rakelight-view`: a window in which to live with a model. `rakelight view` starts it.
+#include <cstdio>
+
+#include <rakelight/tools/current_error.h>
+#include <rakelight/tools/exit_code.h>
+#include <rakelight/tools/values.h>
+
+#include "../common/command_line.h"
+#include "../common/view_command.h"
+#include "app.h"
+
+namespace rakelight::viewer {
+namespace {
+
+/// The words behind the program's name as those of `rakelight view`.
+std::vector<const char*> words_of(int argc, char** argv) {
+    std::vector<const char*> words{"rakelight", "view"};
+    words.insert(words.end(), argv + std::min(argc, 1), argv + argc);
+    return words;
+}
+
+Start start_of(const apps::Command& command, const apps::CommandLine& line) {
+    const apps::Given& given = line.given;
+    Start start{.files = line.positionals, .settings = given.settings()};
+    start.takes = [&command](std::string_view key) { return apps::takes_setting(command, key); };
+    start.load.allow_outside = given.has("allow-outside");
+    if (given.has("threads")) start.threads = values::integer("threads", given.word("threads"), 1, 1024);
+    if (given.has("max-memory")) start.max_memory = values::byte_size("max-memory", given.word("max-memory"));
+    start.wants_stats = given.has("stats");
+    PictureRequest checked;  // what is wrong with them is said before a window opens
+    read_render_keys(start.settings, checked);
+    return start;
+}
+
+int run(int argc, char** argv) {
+    const apps::Command commands[] = {apps::view_command()};
+    const apps::Program program{"rakelight", "Shows 3D models made of many parts in a window.", "", commands};
+    const std::vector<const char*> words = words_of(argc, argv);
+    const apps::CommandLine line = apps::read_command_line(program, int(words.size()), words.data());
+    if (!line.help.empty()) return std::fputs(line.help.c_str(), stdout) < 0;
+    App(start_of(commands[0], line)).run();
+    return 0;
+}
+
+}  // namespace
+}  // namespace rakelight::viewer
+
+int main(int argc, char** argv) {
+    try {
+        return rakelight::viewer::run(argc, argv);
+    } catch (...) {
+        const rakelight::Error error = rakelight::current_error();
+        std::fprintf(stderr, "rakelight: error: %s\n", error.what());
+        return rakelight::exit_code(error.code());
+    }
+}

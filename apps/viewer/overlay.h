@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines over the picture: grid, axes, lights, normals and the like, seams.
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <rakelight/inspect.h>
+#include <rakelight/line.h>
+
+#include "document.h"
+
+namespace rakelight::viewer {
+
+std::vector<Line> grid_lines(const Bounds& bounds, dvec3 world_up);
+std::vector<Line> axis_lines(const Bounds& bounds);
+/// Where a light is seen: a lamp at its place, a directional light at its arrow's middle. Ambient light is nowhere.
+std::optional<dvec3> place_of(const Light& light, const Bounds& bounds);
+/// [px] of a picture of that size, y down; none: behind the camera.
+std::optional<dvec2> pixel_of(dvec3 place, const Camera& camera, int width, int height);
+
+/// A star where a lamp is, an arrow the way that a light goes, the cone of a spot.
+std::vector<Line> light_lines(std::span<const LightItem> lights, const Bounds& bounds, std::size_t selected);
+
+enum class VertexVector { normal, tangent, bitangent };
+/// A line a vertex of a prepared scene, in the world; at most `most`, taken evenly.
+std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const Bounds& bounds,
+                               std::size_t most = 20000);
+
+/// Colored by heat_color().
+std::vector<Line> seam_lines(std::span<const SeamLine> seams);
+
+/// Those that no surface hides: both ends are compared with the depths of a picture, up to `slack` of the model's size. Lines that
+/// are seen through surfaces stay.
+/// @param depth  [width * height] of a picture by `camera`
+std::vector<Line> visible_lines(std::span<const Line> lines, const Camera& camera, std::span<const float> depth,
+                                int width, int height, double slack);
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "painter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <rakelight/picture_parts.h>
+#include <rakelight/render.h>
+#include <rakelight/tools/current_error.h>
+
+#include "studio.h"
+
+namespace rakelight::viewer {
+namespace {
+
+double ms_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+int scaled(int size, double scale) { return std::max(1, int(std::lround(size * scale))); }
+
+/// Engines that do not tell their stages apart are taken to work for pixels alone.
+void note_pace(Pace& pace, const Painting& painting) {
+    const StageTimes& times = painting.stats.times;
+    const bool is_told = times.tiles > 0;
+    pace.measured(1e3 * times.front_end, is_told ? 1e3 * times.tiles : painting.ms, double(painting.codes.size()));
+}
+
+/// Widths are pixels of the picture: those of a coarse one stand for more on the screen.
+void scale_marks(RenderSettings& s, double scale) {
+    s.line_width = std::max(0.5f, s.line_width * float(scale));
+    s.point_size = std::max(1.0f, s.point_size * float(scale));
+}
+
+}  // namespace
+
+struct Painter::Studio : viewer::Studio {};
+
+Painter::Painter(std::function<void()> wake, int threads, std::uint64_t max_memory)
+    : wake_(std::move(wake)), threads_(threads), max_memory_(max_memory), studio_(std::make_unique<Studio>()) {
+    thread_ = std::thread([this] { run(); });
+}
+
+Painter::~Painter() {
+    {
+        const std::scoped_lock lock(mutex_);
+        is_ending_ = true;
+        if (context_) context_->cancel();
+    }
+    news_.notify_all();
+    thread_.join();
+}
+
+void Painter::paint(PaintJob job) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (context_ && may_break_off_) context_->cancel();
+        next_ = std::move(job);
+    }
+    news_.notify_all();
+}
+
+std::shared_ptr<const Painting> Painter::take() {
+    const std::scoped_lock lock(mutex_);
+    return std::move(painting_);
+}
+
+std::optional<std::pair<std::uint64_t, Error>> Painter::take_error() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(error_, std::nullopt);
+}
+
+void Painter::cancel() {
+    const std::scoped_lock lock(mutex_);
+    if (!context_) return;
+    may_break_off_ = false;  // so that it is told
+    context_->cancel();
+}
+
+void Painter::look_at_pixel(int x, int y, std::function<void(std::optional<Hit>)> done) {
+    {
+        const std::scoped_lock lock(mutex_);
+        probes_.push_back({x, y, std::move(done)});
+    }
+    news_.notify_all();
+}
+
+void Painter::poll() {
+    std::vector<std::function<void()>> answers;
+    {
+        const std::scoped_lock lock(mutex_);
+        answers.swap(answers_);
+    }
+    for (const auto& answer : answers) answer();
+}
+
+bool Painter::is_outdated(const PaintJob& job) {
+    const std::scoped_lock lock(mutex_);
+    return is_ending_ || (next_ && next_->number != job.number);
+}
+
+std::shared_ptr<Context> Painter::new_context(bool may_break_off) {
+    const auto report = [this](std::string_view stage, double fraction) { progress_.set(stage, fraction); };
+    auto context =
+        std::make_shared<Context>(ContextOptions{.threads = threads_, .max_memory = max_memory_, .progress = report});
+    const std::scoped_lock lock(mutex_);
+    context_ = context;
+    may_break_off_ = may_break_off;
+    if (is_ending_) context->cancel();
+    return context;
+}
+
+void Painter::run() {
+    for (;;) {
+        std::optional<PaintJob> job;
+        std::vector<Probe> probes;
+        {
+            std::unique_lock lock(mutex_);
+            news_.wait(lock, [this] { return is_ending_ || next_ || !probes_.empty(); });
+            if (is_ending_) return;
+            job.swap(next_);
+            probes.swap(probes_);
+        }
+        if (job) last_ = *job;
+        for (const Probe& probe : probes) answer(probe, last_);
+        if (job) work(*job);
+        progress_.set({}, 0);
+        {
+            const std::scoped_lock lock(mutex_);
+            context_.reset();
+        }
+        wake_();
+    }
+}
+
+/// The passes of a job; what is outdated is left.
+void Painter::work(const PaintJob& job) {
+    const double coarse = pace_.scale(double(job.width) * double(job.height));
+    const int samples = job.look.request.settings.samples;
+    const bool is_coarse_first = job.is_moving || coarse < 0.6;
+    if (is_coarse_first && !paint_pass(job, coarse, 1, false)) return;
+    if (job.is_moving || is_outdated(job)) return;
+    if (samples > 1 && (!paint_pass(job, 1, 1, false) || is_outdated(job))) return;
+    paint_pass(job, 1, samples, true);
+}
+
+bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is_final) {
+    // What is shown in motion always comes to its end: else nothing would be shown while new jobs come.
+    const bool is_refinement = !job.is_moving && scale == 1;
+    const std::shared_ptr<Context> context = new_context(is_refinement);
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+        auto painting = std::make_shared<Painting>();
+        painting->request = request_of(job.look, job.width, job.height);
+        painting->camera = camera_of(job.look, *job.model, job.width, job.height);
+        PictureRequest request = painting->request;
+        request.settings.width = scaled(job.width, scale);
+        request.settings.height = scaled(job.height, scale);
+        request.settings.samples = job.look.channel ? 1 : samples;
+        request.settings.channels = job.look.channel;
+        const std::uint32_t wished = job.wants_depth ? std::uint32_t(channel_depth) : 0u;
+        if (scale < 1) scale_marks(request.settings, scale);
+        Frame frame;
+        painting->stats = studio_->draw(job.model, job.look, request, painting->camera, wished, frame, *context);
+        painting->prepared = studio_->prepared();
+        painting->width = frame.width, painting->height = frame.height;
+        painting->codes = job.look.channel ? channel_codes(frame, job.look.channel,
+                                                           view_range_of(job.model->box.bounds(), painting->camera))
+                                           : to_srgb8(frame, request.tone);
+        painting->depth = std::move(frame.depth);
+        painting->model = job.model;
+        painting->number = job.number;
+        painting->is_whole = scale == 1, painting->is_final = is_final;
+        painting->ms = ms_since(begin);
+        if (samples == 1) note_pace(pace_, *painting);
+        const std::scoped_lock lock(mutex_);
+        painting_ = std::move(painting);
+    } catch (...) {
+        const Error error = current_error();
+        const std::scoped_lock lock(mutex_);
+        const bool is_broken_off = context->cancelled() && may_break_off_;
+        if (!is_broken_off && !is_ending_) error_ = {job.number, error};
+        return false;
+    }
+    wake_();
+    return true;
+}
+
+void Painter::answer(const Probe& probe, const PaintJob& job) {
+    std::optional<Hit> hit;
+    if (job.model) try {
+            PictureRequest request = request_of(job.look, job.width, job.height);
+            request.engine = "soft";
+            request.settings.window = {std::clamp(probe.x, 0, job.width - 1), std::clamp(probe.y, 0, job.height - 1), 1,
+                                       1};
+            request.settings.channels = channel_position | channel_object | channel_material;
+            request.settings.samples = 1;
+            Frame frame;
+            const Camera camera = camera_of(job.look, *job.model, job.width, job.height);
+            studio_->draw(job.model, job.look, request, camera, 0, frame, *new_context(false));
+            if (frame.object.at(0) != no_index) {
+                const vec3 p = frame.position.at(0);
+                hit = Hit{{p.x, p.y, p.z}, frame.object[0], frame.material.at(0)};
+            }
+        } catch (...) {
+            hit.reset();  // the picture says what is wrong
+        }
+    const std::scoped_lock lock(mutex_);
+    answers_.push_back([done = probe.done, hit] { done(hit); });
+}
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Smoothing: scope, weight, crease angle, and the seams that are left.
+#include "panels.h"
+#include "widgets.h"
+
+namespace rakelight::viewer {
+
+void draw_normals_panel(PanelView& view) {
+    PrepareOptions& p = view.look.request.prepare;
+    constexpr Word<NormalSource> sources[] = {{"auto", NormalSource::automatic},
+                                              {"file", NormalSource::file},
+                                              {"flat", NormalSource::flat},
+                                              {"object", NormalSource::object},
+                                              {"model", NormalSource::model}};
+    constexpr Word<CornerWeight> weights[] = {{"angle", CornerWeight::angle},
+                                              {"uniform", CornerWeight::uniform},
+                                              {"area", CornerWeight::area},
+                                              {"angle-area", CornerWeight::angle_area}};
+    choose("normals", sources, p.normals);
+    choose("weight", weights, p.weight);
+    double crease_deg = degrees(p.crease_angle_rad);
+    if (slide("crease angle", crease_deg, 0, 180, "%.1f deg")) p.crease_angle_rad = radians(crease_deg);
+    slide("subdivision", p.subdivision.level, 0, 4);
+    ImGui::Checkbox("normals", &view.ui.normals);
+    ImGui::SameLine();
+    ImGui::Checkbox("tangents", &view.ui.tangents);
+    ImGui::SameLine();
+    ImGui::Checkbox("bitangents", &view.ui.bitangents);
+    ImGui::Checkbox("seams between objects", &view.ui.seams);
+    if (view.seams) {
+        double worst = 0;
+        for (const SeamLine& line : *view.seams) worst = std::max(worst, double(std::max(line.deg_a, line.deg_b)));
+        ImGui::Text("%zu pieces of seams, worst %.2f degrees", view.seams->size(), worst);
+    }
+    if (ImGui::Button("save seamless")) view.commands.push_back(Command::save_seamless);
+    ImGui::TextDisabled("writes the model with normals over all objects");
+}
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Engine, shading frequency, lighting model, bump technique, channels, lines, tone.
+#include "panels.h"
+#include "widgets.h"
+
+#include <cmath>
+
+#include <rakelight/picture_parts.h>
+
+namespace rakelight::viewer {
+namespace {
+
+/// sRGB code 0..255 by IEC 61966-2-1, for showing alone.
+float code_of_linear(float c) {
+    c = std::clamp(c, 0.0f, 1.0f);
+    return std::round(255 * (c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f));
+}
+
+void draw_channels(PanelView& view) {
+    static const std::vector<std::string> words = channel_words();
+    std::size_t now = 0;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (view.look.channel == 1u << i) now = i + 1;
+    if (!ImGui::BeginCombo("shows", now == 0 ? "colors" : words[now - 1].c_str())) return;
+    if (ImGui::Selectable("colors", now == 0)) view.look.channel = 0;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (ImGui::Selectable(words[i].c_str(), now == i + 1)) view.look.channel = 1u << i;
+    ImGui::EndCombo();
+}
+
+void draw_bumps(PictureRequest& r) {
+    RenderSettings& s = r.settings;
+    choose("bump", bump_words, s.bump);
+    choose("acts on", bump_terms_words, s.bump_terms);
+    slide("depth", s.relief.depth, 0, 0.5f);
+    slide("bias", s.relief.bias, 0, 1);
+    choose("maps hold", polarity_words, s.relief.holds_depth);
+    slide("fewest layers", s.relief.min_steps, 1, 128);
+    slide("most layers", s.relief.max_steps, 1, 256);
+    s.relief.max_steps = std::max(s.relief.max_steps, s.relief.min_steps);
+    slide("bisections", s.relief.refinement_steps, 0, 32);
+    ImGui::Checkbox("self-shadow", &s.relief.self_shadow);
+    ImGui::SameLine();
+    ImGui::Checkbox("silhouette", &s.relief.limit_silhouette);
+    float scale = float(r.materials.normal_scale.value_or(1));
+    if (slide("normal maps", scale, 0, 4)) r.materials.normal_scale = double(scale);
+}
+
+/// In codes of the display: only such colors are written as texts that are read as the same.
+void edit_background(vec4& background) {
+    float shown[3];
+    for (std::size_t i = 0; i < 3; ++i) shown[i] = code_of_linear(background[i]) / 255.0f;
+    if (!ImGui::ColorEdit3("background", shown)) return;
+    const auto code = [&](int i) { return std::round(shown[i] * 255) / 255; };
+    const vec3 linear = linear_from_srgb({code(0), code(1), code(2)});
+    background = {linear.x, linear.y, linear.z, background.w};
+}
+
+void draw_lines(RenderSettings& s) {
+    ImGui::Checkbox("surfaces", &s.surfaces);
+    ImGui::SameLine();
+    ImGui::Checkbox("edges", &s.edges);
+    ImGui::SameLine();
+    bool has_points = s.points != PointShape::none;
+    if (ImGui::Checkbox("vertices", &has_points)) s.points = has_points ? PointShape::disc : PointShape::none;
+    slide("line width", s.line_width, 0.5f, 16, "%.1f px");
+    slide("point size", s.point_size, 1, 32, "%.1f px");
+}
+
+}  // namespace
+
+void draw_shading_panel(PanelView& view) {
+    PictureRequest& r = view.look.request;
+    RenderSettings& s = r.settings;
+    constexpr const char* engines[] = {"soft", "gl", "auto"};
+    int engine = int(std::ranges::find(engines, r.engine) - engines);
+    if (ImGui::Combo("engine", &engine, engines, 3)) r.engine = engines[engine];
+    draw_channels(view);
+    if (choose("shading", shading_words, s.shading)) s.own_shading = false, s.shading_rules.clear();
+    choose("lighting", lighting_words, s.lighting);
+    choose("specular", specular_form_words, s.specular_form);
+    constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
+    choose("samples", sample_words, s.samples);
+    slide("anisotropy", s.anisotropy, 1, 16);
+    constexpr Word<Cull> cull_words[] = {
+        {"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
+    choose("faces left out", cull_words, s.cull);
+    choose("tone mapping", tone_mapping_words, r.tone.mapping);
+    slide("exposure", r.tone.exposure_ev, -8, 8, "%.2f EV");
+    edit_background(s.background);
+    if (ImGui::TreeNode("Bumps")) draw_bumps(r), ImGui::TreePop();
+    if (ImGui::TreeNode("Lines and vertices")) draw_lines(s), ImGui::TreePop();
+    if (ImGui::TreeNode("All settings")) draw_all_settings(view), ImGui::TreePop();
+}
+
+}  // namespace rakelight::viewer

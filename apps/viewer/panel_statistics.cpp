@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was counted; and the pixel that was picked.
+#include "panels.h"
+#include "widgets.h"
+
+#include <cstdio>
+
+namespace rakelight::viewer {
+namespace {
+
+void row(const char* what, const std::string& value) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(what);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(value.c_str());
+}
+
+std::string ms(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.1f ms", value);
+    return text;
+}
+
+void draw_painting(const Painting& p) {
+    const RenderStats& s = p.stats;
+    row("engine", p.request.engine);
+    row("picture", std::to_string(p.width) + " x " + std::to_string(p.height));
+    row("whole picture", ms(p.ms));
+    row("front end", ms(1e3 * s.times.front_end));
+    row("tiles", ms(1e3 * s.times.tiles));
+    row("triangles in", std::to_string(s.triangles_in));
+    row("culled: back", std::to_string(s.culled_back));
+    row("culled: outside", std::to_string(s.culled_outside));
+    row("drawn", std::to_string(s.drawn));
+    row("pixels shaded", std::to_string(s.pixels_shaded));
+    row("shadow maps", std::to_string(s.shadow_maps));
+}
+
+}  // namespace
+
+void draw_statistics_panel(PanelView& view) {
+    const Model& m = *view.model;
+    if (ImGui::BeginTable("statistics", 2, ImGuiTableFlags_SizingStretchProp)) {
+        row("objects", std::to_string(m.objects));
+        row("triangles", std::to_string(m.triangles));
+        row("vertices", std::to_string(m.vertices));
+        row("materials", std::to_string(m.scene.materials.size()));
+        row("textures", std::to_string(m.scene.textures.size()));
+        row("lights", std::to_string(m.scene.lights.size()));
+        row("loaded in", ms(m.load_ms));
+        if (view.painting) draw_painting(*view.painting);
+        row("window's longest pause", ms(view.longest_block_ms));
+        ImGui::EndTable();
+    }
+    for (const ReportEntry& entry : m.remarks)
+        if (entry.remark != Remark::note)
+            ImGui::TextWrapped("%s: %s", name_of(entry.remark), one_line(entry.message).c_str());
+}
+
+void draw_pixel_panel(PanelView& view) {
+    ImGui::Checkbox("explain the pixel that is clicked (P)", &view.ui.is_picking);
+    if (view.ui.explained.empty()) return;
+    ImGui::BeginChild("explained", {0, 420 * view.scale}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
+    ImGui::TextUnformatted(view.ui.explained.c_str(), view.ui.explained.c_str() + view.ui.explained.size());
+    ImGui::PopFont();
+    ImGui::EndChild();
+}
+
+}  // namespace rakelight::viewer

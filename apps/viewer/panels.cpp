@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "panels.h"
+
+#include <cstdio>
+
+#include <rakelight/picture_parts.h>
+
+#include "widgets.h"
+
+namespace rakelight::viewer {
+namespace {
+
+struct PanelEntry {
+    Panel panel;
+    void (*draw)(PanelView&);
+};
+constexpr PanelEntry entries[] = {{Panel::view, draw_view_panel},
+                                  {Panel::shading, draw_shading_panel},
+                                  {Panel::normals, draw_normals_panel},
+                                  {Panel::lights, draw_lights_panel},
+                                  {Panel::materials, draw_materials_panel},
+                                  {Panel::pixel, draw_pixel_panel},
+                                  {Panel::statistics, draw_statistics_panel}};
+
+constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoInputs;
+
+/// Legible on dark and on light ground.
+ImVec4 heading() {
+    return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x < 0.5f ? ImVec4{0.45f, 0.7f, 1, 1}
+                                                                : ImVec4{0.05f, 0.3f, 0.7f, 1};
+}
+
+void draw_help_group(const char* group, float scale) {
+    ImGui::TextColored(heading(), "%s", group);
+    for (const Binding& binding : bindings()) {
+        if (std::string(binding.group) != group || !*binding.keys) continue;
+        ImGui::TextUnformatted(binding.keys);
+        ImGui::SameLine(112 * scale);
+        ImGui::TextUnformatted(binding.what);
+    }
+    ImGui::Spacing();
+}
+
+void draw_mouse_help(float scale) {
+    constexpr const char* rows[][2] = {{"left", "orbit"},
+                                       {"Shift+left", "pan"},
+                                       {"Ctrl+left", "roll"},
+                                       {"middle", "pan; click: center there"},
+                                       {"wheel, right", "zoom"},
+                                       {"2 clicks", "center on the point"},
+                                       {"Alt+click", "its material"}};
+    ImGui::TextColored(heading(), "Mouse");
+    for (const auto& row : rows) {
+        ImGui::TextUnformatted(row[0]);
+        ImGui::SameLine(112 * scale);
+        ImGui::TextUnformatted(row[1]);
+    }
+    ImGui::TextUnformatted("drop: model (Ctrl: add), .hdr: environment,\npicture on an object: its texture");
+}
+
+std::string time_text(const Painting& painting) {
+    char text[200];
+    std::snprintf(text, sizeof text, "%.1f ms  %d x %d  %s%s", painting.ms, painting.width, painting.height,
+                  painting.request.engine.c_str(),
+                  painting.is_final   ? ""
+                  : painting.is_whole ? "  (1 sample)"
+                                      : "  (coarse)");
+    return text;
+}
+
+}  // namespace
+
+void draw_panels(PanelView& view) {
+    view.ui.panel_width = 0;
+    if (!view.ui.shows_panels() || !view.model) return;
+    const float widest = 0.6f * float(view.window_width);
+    const float width = std::min(380 * view.scale, widest);
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({width, float(view.window_height)});
+    ImGui::Begin("Panels", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PushItemWidth(0.55f * ImGui::GetWindowWidth());
+    if (view.ui.split != Split::none)
+        ImGui::TextWrapped("Keys and panels change picture %s; click into the other one to change that.",
+                           view.ui.active == 0 ? "A" : "B");
+    for (const PanelEntry& entry : entries) {
+        bool& is_open = view.ui.open[std::size_t(entry.panel)];
+        if (!is_open) continue;
+        if (!ImGui::CollapsingHeader(panel_titles[std::size_t(entry.panel)], &is_open, ImGuiTreeNodeFlags_DefaultOpen))
+            continue;
+        ImGui::PushID(int(entry.panel));
+        entry.draw(view);
+        ImGui::PopID();
+        ImGui::Spacing();
+    }
+    ImGui::PopItemWidth();
+    ImGui::End();
+    view.ui.panel_width = width;
+}
+
+void draw_status(const PanelView& view) {
+    const float left = view.ui.panel_width + 8 * view.scale;
+    std::string text;
+    if (view.ui.file_name && view.model) text += one_line(view.model->file, 100) + "\n";
+    if (view.ui.frame_time && view.painting) text += time_text(*view.painting) + "\n";
+    for (const std::string& work : view.works) text += work + "  (Esc cancels)\n";
+    if (view.ui.is_walking) text += "walking: W A S D, Q E, mouse, Shift; Esc leaves\n";
+    if (view.ui.is_picking) text += "click a pixel to have it explained; Esc leaves\n";
+    if (view.model && view.look.channel) {
+        int bit = 0;
+        while (view.look.channel >> bit != 1) ++bit;
+        text += "channel: " + channel_words()[std::size_t(bit)] + "\n";
+    }
+    if (!view.model && view.works.empty()) text += "Drop a model here, or name one on the command line\nH: keys\n";
+    if ((text.empty() && view.ui.message.empty()) || view.ui.help) return;
+    if (!text.empty()) text.pop_back();
+    ImGui::SetNextWindowPos({left, float(view.window_height) - 8 * view.scale}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowBgAlpha(0.75f);
+    ImGui::Begin("Status", nullptr, floating);
+    ImGui::PushTextWrapPos(std::max(100.0f, float(view.window_width) - left - 24 * view.scale));
+    if (!text.empty()) ImGui::TextUnformatted(text.c_str());
+    const ImVec4 alarm = view.ui.is_dark ? ImVec4{1, 0.6f, 0.5f, 1} : ImVec4{0.7f, 0.1f, 0, 1};
+    if (view.ui.is_message_error) ImGui::PushStyleColor(ImGuiCol_Text, alarm);
+    if (!view.ui.message.empty()) ImGui::TextUnformatted(view.ui.message.c_str());
+    if (view.ui.is_message_error) ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+}
+
+void draw_help(PanelView& view) {
+    if (!view.ui.help) return;
+    const ImVec2 middle{0.5f * float(view.window_width), 0.5f * float(view.window_height)};
+    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {0.96f * float(view.window_width), 0.96f * float(view.window_height)});
+    ImGui::Begin(
+        "Keys (H closes)", &view.ui.help,
+        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar);
+    constexpr float wide = 1200,
+                    smallest = 0.6f;  // what the sheet takes at scale 1; texts are smaller where there is less
+    const float shrink = std::clamp(float(view.window_width) / (wide * view.scale), smallest, 1.0f),
+                scale = view.scale * shrink;
+    ImGui::SetWindowFontScale(shrink);
+    ImGui::BeginGroup();
+    draw_help_group("View", scale), draw_mouse_help(scale);
+    ImGui::EndGroup();
+    ImGui::SameLine(0, 24 * scale);
+    ImGui::BeginGroup();
+    draw_help_group("Picture", scale), draw_help_group("Marks", scale);
+    ImGui::EndGroup();
+    ImGui::SameLine(0, 24 * scale);
+    ImGui::BeginGroup();
+    draw_help_group("Files", scale), draw_help_group("Window", scale);
+    ImGui::EndGroup();
+    ImGui::End();
+}
+
+}  // namespace rakelight::viewer

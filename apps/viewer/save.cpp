@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "save.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace rakelight::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_shape(const std::string& file) { return file.starts_with("builtin:"); }
+
+/// A file's name from the folder of a world.
+std::string from_folder(const std::string& file, const fs::path& folder) {
+    if (file.empty() || is_shape(file)) return file;
+    std::error_code fault;
+    const fs::path near = fs::proximate(fs::absolute(file), fs::absolute(folder), fault);
+    return fault ? file : near.generic_string();
+}
+
+fs::path folder_of(const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    return folder.empty() ? fs::path(".") : folder;
+}
+
+/// Names of a world from another folder than its own.
+void move_names(WorldFile& world, const fs::path& from, const fs::path& to) {
+    const auto move = [&](std::string& name) {
+        if (!name.empty() && !is_shape(name)) name = from_folder((from / name).string(), to);
+    };
+    for (WorldModel& model : world.models) move(model.file);
+    if (world.environment) move(world.environment->file);
+    for (WorldMaterial& material : world.materials)
+        for (WorldValue& value : material.values)
+            if (value.key.ends_with("_texture") && !value.words.empty()) move(value.words[0]);
+}
+
+void add_values(WorldFile& world, const std::string& name, const std::vector<WorldValue>& values,
+                const fs::path& folder) {
+    if (values.empty()) return;
+    const auto found = std::ranges::find_if(world.materials,
+                                            [&](const WorldMaterial& m) { return m.name == name && m.model.empty(); });
+    WorldMaterial& to =
+        found != world.materials.end() ? *found : world.materials.emplace_back(WorldMaterial{.name = name});
+    for (WorldValue value : values) {
+        if (value.key.ends_with("_texture") && !value.words.empty())
+            value.words[0] = from_folder(value.words[0], folder);
+        std::erase_if(to.values, [&](const WorldValue& v) { return v.key == value.key; });
+        to.values.push_back(std::move(value));
+    }
+}
+
+void set_lights(WorldFile& world, std::vector<Light> lights) {
+    for (WorldModel& model : world.models) model.lights = false;
+    for (Light& light : lights) light.name = one_line(light.name, 100);
+    world.lights = std::move(lights);
+}
+
+/// Shading of the whole that goes before what parts and materials say: [render] of a world says it by taking that away.
+void take_own_shading(WorldFile& world, PictureRequest& request) {
+    if (request.settings.own_shading) return;
+    for (WorldModel& model : world.models) model.shading.reset();
+    for (WorldPrimitive& shape : world.primitives) shape.shading.reset();
+    for (WorldMaterial& material : world.materials)
+        std::erase_if(material.values, [](const WorldValue& value) { return value.key == "shading"; });
+    request.settings.own_shading = true;
+}
+
+std::vector<WorldValue> render_of(const PictureRequest& request, const fs::path& folder) {
+    std::vector<WorldValue> values = written_render_keys(request);
+    bool has_size = false;
+    for (WorldValue& value : values) {
+        has_size |= value.key == "resolution";
+        const RenderKey* const key = find_render_key(value.key);
+        if (key && key->kind == RenderKey::Kind::file)
+            for (std::string& word : value.words) word = from_folder(word, folder);
+    }
+    const RenderSettings& s = request.settings;
+    if (!has_size)  // what is the default today need not be it for ever
+        values.push_back({.key = "resolution", .words = {std::to_string(s.width) + "," + std::to_string(s.height)}});
+    return values;
+}
+
+std::string quoted(const std::string& word) {
+    const auto is_plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("-_./:,=+@%").find(c) != std::string_view::npos;
+    };
+    if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
+    std::string out = "'";
+    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
+
+std::string stem_of(const std::string& file) {
+    std::string stem = is_shape(file) ? file.substr(8) : fs::path(file).stem().string();
+    if (is_world_file(file)) stem = fs::path(stem).stem().string();
+    for (char& c : stem) c = c == ':' || c == '=' || c == '/' ? '-' : c;
+    return stem.empty() ? "picture" : stem;
+}
+
+}  // namespace
+
+WorldFile world_of(const Look& look, const Model& model, int width, int height, const std::string& path) {
+    const fs::path folder = folder_of(path);
+    WorldFile world;
+    if (is_world_file(model.file)) {
+        Context quiet({.threads = 1});
+        world = read_world(model.file, quiet);
+        move_names(world, folder_of(model.file), folder);
+    } else {
+        WorldModel part{.file = from_folder(model.file, folder)};
+        part.lights = !model.scene.lights.empty(), part.cameras = !model.scene.cameras.empty();
+        part.name = stem_of(model.file);
+        world.models.push_back(std::move(part));
+    }
+    PictureRequest request = request_of(look, width, height);
+    if (request.lights) set_lights(world, std::move(*request.lights));
+    request.lights.reset();
+    for (const MaterialEdit& edit : look.materials) add_values(world, edit.name, edit.values, folder);
+    add_values(world, "*", request.materials.values, folder);
+    request.materials.values.clear();
+    take_own_shading(world, request);
+    world.render = render_of(request, folder);
+    world.remarks.clear();
+    return world;
+}
+
+std::string command_line_of(const Look& look, const Model& model, int width, int height) {
+    PictureRequest request = request_of(look, width, height);
+    std::string text = "rakelight render " + quoted(model.file) + " -o " + quoted(stem_of(model.file) + ".png");
+    if (request.load.allow_outside) text += " --allow-outside";
+    const bool is_said = !request.settings.own_shading && request.settings.shading == Shading::phong;
+    if (is_said) text += " --shading phong";  // the default, but here it takes away what materials say
+    request.settings.own_shading = true;
+    for (const WorldValue& value : written_render_keys(request)) {
+        const RenderKey& key = require_render_key(value.key);
+        const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
+        for (const std::string& word : value.words) text += " --" + value.key + (is_flag ? "=" : " ") + quoted(word);
+    }
+    return text;
+}
+
+std::string free_world_name(const std::string& model_file) {
+    const fs::path folder = is_shape(model_file) ? fs::path(".") : folder_of(model_file);
+    std::error_code ignored;
+    for (int i = 1;; ++i) {
+        const std::string number = i == 1 ? "" : "-" + std::to_string(i);
+        const fs::path path = (folder / (stem_of(model_file) + number + ".scene.toml")).lexically_normal();
+        if (!fs::exists(path, ignored)) return path.string();
+    }
+}
+
+std::string free_name(const std::string& model_file, const std::string& middle, const std::string& ending) {
+    std::error_code ignored;
+    for (int i = 1;; ++i) {
+        const std::string name = stem_of(model_file) + middle + "-" + std::to_string(i) + ending;
+        if (!fs::exists(name, ignored)) return name;
+    }
+}
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// A look as text: a world file that `rakelight render` reproduces, and its command line.
+#pragma once
+#include <string>
+
+#include "document.h"
+
+namespace rakelight::viewer {
+
+/// What a world file at `path` says so that its picture is this look's. Names of files are from the world's folder. Cameras
+/// of another world file come with the rounding of one look_at(), see to_toml().
+/// @throws Error usage: a look that no world file can say; and as read_world()
+WorldFile world_of(const Look& look, const Model& model, int width, int height, const std::string& path);
+
+/// "rakelight render MODEL -o picture.png --resolution 640,480 ...", each word quoted for a shell where it must be. Changed
+/// materials are no options of it.
+std::string command_line_of(const Look& look, const Model& model, int width, int height);
+
+/// "folder/name.scene.toml" beside the model, for shapes in the working folder; one that is not there yet.
+std::string free_world_name(const std::string& model_file);
+/// "name-1.png", "name-2.png", ... in the working folder: the first that is not there yet.
+std::string free_name(const std::string& model_file, const std::string& middle, const std::string& ending);
+
+}  // namespace rakelight::viewer

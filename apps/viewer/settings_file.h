@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the viewer remembers from run to run: $XDG_CONFIG_HOME/rakelight/view.conf, else ~/.config/rakelight/view.conf.
+#pragma once
+#include <string>
+
+#include "ui_state.h"
+
+namespace rakelight::viewer {
+
+struct Remembered {
+    UiState ui;
+    int width = 1280, height = 800;  ///< [px] of the window
+};
+
+/// Empty: no such folder can be named.
+std::string settings_path();
+/// Lines "key = value"; what is not understood is left out.
+Remembered parse_settings(const std::string& text);
+std::string settings_text(const Remembered& remembered);
+Remembered read_settings();
+/// Says nothing where it cannot be written: the viewer works without.
+void write_settings(const Remembered& remembered) noexcept;
+
+}  // namespace rakelight::viewer

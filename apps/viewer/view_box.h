@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cameras of a scene without the scene: choose_camera() goes over all vertices, which takes too long for every picture of
+// a large model.
+#pragma once
+#include <string>
+#include <vector>
+
+#include <rakelight/picture.h>
+#include <rakelight/scene_queries.h>
+
+namespace rakelight::viewer {
+
+class ViewBox {
+public:
+    ViewBox() = default;
+    /// @throws Error bad_file: see validate(), or there is nothing to draw
+    explicit ViewBox(const Scene& scene);
+
+    const Bounds& bounds() const { return bounds_; }
+    const std::vector<std::string>& cameras() const { return cameras_; }  ///< a title each
+    /// What choose_camera() gives for the scene, to the bit. @throws Error as choose_camera()
+    Camera camera(const ViewRequest& view, double aspect) const;
+
+private:
+    Bounds bounds_;
+    Scene stand_in_;  ///< its nodes, cameras, and two vertices at the corners of its box
+    std::vector<std::string> cameras_;
+};
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The window, its OpenGL context and what comes from it. The one place that sees GLFW, with the panels' back end.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "input.h"
+
+struct GLFWwindow;
+
+namespace rakelight::viewer {
+
+class GlfwWindow {
+public:
+    /// @param width,height  [px] of the framebuffer @throws Error failed: no display, no OpenGL 3.3
+    GlfwWindow(const std::string& title, int width, int height);
+    ~GlfwWindow();
+    GlfwWindow(const GlfwWindow&) = delete;
+    GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+    /// Waits for events, at most so long; 0: takes those that are there.
+    void wait(double seconds);
+    /// Ends a wait(); from any thread.
+    static void wake();
+    std::vector<Event> take_events();
+    bool is_closing() const;
+    bool needs_drawing() const { return needs_drawing_; }  ///< resized or uncovered since swap()
+
+    int width() const { return width_; }    ///< [px] of the framebuffer; 0: minimized
+    int height() const { return height_; }  ///< likewise
+    float scale() const;                    ///< of texts on this display, 1 where a pixel has 1/96 inch
+    void set_title(const std::string& title);
+    void set_full_screen(bool is_full);
+    bool is_full_screen() const { return is_full_; }
+    /// The pointer disappears and moves without end, for walking.
+    void catch_pointer(bool is_caught);
+    void set_clipboard(const std::string& text);
+
+    /// Panels: between the two calls ImGui's functions are used. Its font 0 is for words, font 1 for texts in columns.
+    void begin_panels();
+    void end_panels();
+    void set_theme(bool is_dark);
+    /// [px] rows from above; everything that is drawn from now on lies there. All 0: the whole window
+    void set_viewport(int x, int y, int width, int height);
+    void clear();
+    void swap();
+
+private:
+    void make_panels();
+    void load_font();
+    friend struct Callbacks;
+
+    GLFWwindow* window_ = nullptr;
+    std::vector<Event> events_;
+    int width_ = 0, height_ = 0;
+    int windowed_[4] = {0, 0, 1280, 800};
+    float font_scale_ = 0;
+    bool is_full_ = false, needs_drawing_ = true, is_dark_ = true, is_caught_ = false;
+};
+
+}  // namespace rakelight::viewer

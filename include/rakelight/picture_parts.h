@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of render_picture() for programs that show pictures as they change: what is the same for many pictures is made once.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <rakelight/picture.h>
+#include <rakelight/scene_queries.h>
+
+namespace rakelight {
+
+/// A loaded scene with the materials and the environment that a request asks for. Textures that the request names are new
+/// in each result: call it again only where PictureRequest::materials or hdri_... changed.
+/// @throws Error bad_file: see validate(); not_found, bad_file: a picture of the request
+Scene with_asked_surfaces(Scene scene, const PictureRequest& request, Context& context);
+
+/// The lights of a picture seen by a camera of choose_camera(): those that were asked for, the scene's or the default rig,
+/// with light_intensity and light_cutoff.
+std::vector<Light> asked_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
+
+/// As PictureResult::view_range. @param camera  of choose_camera()
+ViewRange view_range_of(const Bounds& bounds, const Camera& camera);
+
+/// A channel of a frame for the eye, as PNG files of channels are: [width * height of its window] sRGB codes, R in the low byte.
+/// @param channel  one Channel bit @throws Error usage: the frame has no such channel
+std::vector<std::uint32_t> channel_codes(const Frame& frame, std::uint32_t channel, const ViewRange& range);
+
+/// The words of --channels, in the order of the Channel bits.
+std::vector<std::string> channel_words();
+
+}  // namespace rakelight

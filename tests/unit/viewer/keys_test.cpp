@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "../../../apps/viewer/keys.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "../../../apps/viewer/input.h"
+#include "../../../apps/viewer/pace.h"
+#include "../../../apps/viewer/settings_file.h"
+#include "support/shared.h"
+
+namespace rakelight::viewer {
+namespace {
+
+TEST(Keys, NoKeyDoesTwoThings) {
+    std::set<std::pair<Key, int>> seen;
+    for (const Binding& b : bindings())
+        EXPECT_TRUE(seen.emplace(b.key, b.modifiers).second) << b.key << " " << b.modifiers;
+}
+
+TEST(Keys, EveryCommandHasAKey) {
+    std::set<Command> bound;
+    for (const Binding& b : bindings()) bound.insert(b.command);
+    for (int i = 1; i <= int(Command::leave); ++i) EXPECT_TRUE(bound.contains(Command(i))) << i;
+}
+
+TEST(Keys, FollowF3DWhereItHasThem) {
+    EXPECT_EQ(command_of('1', 0), Command::front);
+    EXPECT_EQ(command_of('3', 0), Command::right);
+    EXPECT_EQ(command_of('7', 0), Command::top);
+    EXPECT_EQ(command_of('9', 0), Command::isometric);
+    EXPECT_EQ(command_of('5', 0), Command::orthographic);
+    EXPECT_EQ(command_of('`', 0), Command::walk);
+    EXPECT_EQ(command_of('/', mod_shift), Command::help);
+    EXPECT_EQ(command_of(290 + 10, 0), Command::full_screen);
+    EXPECT_EQ(command_of('Q', mod_control), Command::quit);
+    EXPECT_EQ(command_of('Q', mod_control | mod_shift), Command::none);
+}
+
+TEST(Keys, TheKeypadDoesWhatTheDigitsDo) {
+    EXPECT_EQ(command_of(320 + 7, 0), Command::top);
+    EXPECT_EQ(command_of(320 + 1, mod_control), Command::back);
+    EXPECT_EQ(command_of(330, 0), Command::fit);
+}
+
+TEST(Keys, TheTableForPeopleNamesEveryGroupOnce) {
+    const std::string text = key_table_text();
+    for (const char* group : {"| Files |", "| View |", "| Picture |", "| Marks |", "| Window |"}) {
+        const std::size_t at = text.find(group);
+        ASSERT_NE(at, std::string::npos) << group;
+        EXPECT_EQ(text.find(group, at + 1), std::string::npos) << group;
+    }
+}
+
+TEST(Keys, TheDocumentationHasTheTable) {
+    std::ifstream file(test::source_dir() / "docs/viewer.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(text.find(key_table_text()), std::string::npos) << "docs/viewer.md should hold:\n" << key_table_text();
+}
+
+TEST(Input, ButtonsDragAsInF3D) {
+    EXPECT_EQ(drag_of(Button::left, 0), Drag::orbit);
+    EXPECT_EQ(drag_of(Button::left, mod_shift), Drag::pan);
+    EXPECT_EQ(drag_of(Button::left, mod_control), Drag::roll);
+    EXPECT_EQ(drag_of(Button::middle, 0), Drag::pan);
+    EXPECT_EQ(drag_of(Button::right, 0), Drag::zoom);
+}
+
+TEST(Input, KeysAreHeldUntilTheyAreReleased) {
+    HeldKeys held;
+    held.take({.kind = Event::Kind::key_down, .key = 'W'});
+    held.take({.kind = Event::Kind::key_down, .key = 'D', .modifiers = mod_shift});
+    EXPECT_TRUE(held.has('W') && held.has('D') && held.is_fast);
+    held.take({.kind = Event::Kind::key_up, .key = 'W'});
+    EXPECT_FALSE(held.has('W') || held.is_fast);
+    held.clear();
+    EXPECT_FALSE(held.has('D'));
+}
+
+TEST(Pace, SlowPixelsMakePicturesInMotionCoarse) {
+    Pace pace(40);
+    pace.measured(5, 400, 1e6);  // 35 ms are left for pixels of 400 ns
+    const double scale = pace.scale(1e6);
+    EXPECT_NEAR(scale * scale * 400, 35, 1);
+    Pace fast(40);
+    fast.measured(1, 10, 1e6);
+    EXPECT_EQ(fast.scale(1e6), 1);
+}
+
+TEST(Pace, WhereVerticesTakeAllTheTimePixelsGetHalfAsMuch) {
+    Pace pace(40);
+    pace.measured(200, 1000, 1e6);
+    const double scale = pace.scale(1e6);
+    EXPECT_NEAR(scale * scale * 1000, 100, 1);
+}
+
+TEST(Settings, AreReadAsTheyWereWritten) {
+    Remembered r;
+    r.ui.is_dark = false, r.ui.grid = true, r.ui.open[3] = true, r.ui.record_frames = 12;
+    r.width = 900, r.height = 700;
+    const Remembered back = parse_settings(settings_text(r));
+    EXPECT_FALSE(back.ui.is_dark);
+    EXPECT_TRUE(back.ui.grid && back.ui.open[3] && !back.ui.open[2]);
+    EXPECT_EQ(back.ui.record_frames, 12);
+    EXPECT_EQ(back.width, 900);
+    EXPECT_EQ(back.height, 700);
+}
+
+TEST(Settings, NonsenseIsLeftOut) {
+    const Remembered r = parse_settings("width = -5\nheight = 1e9\ndark = maybe\nx\n = \n");
+    EXPECT_EQ(r.width, Remembered().width);
+    EXPECT_EQ(r.height, Remembered().height);
+    EXPECT_TRUE(r.ui.is_dark);
+}
+
+}  // namespace
+}  // namespace rakelight::viewer

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "../../../apps/viewer/view_box.h"
+
+#include <gtest/gtest.h>
+
+#include <rakelight/linear.h>
+#include <rakelight/load.h>
+
+namespace rakelight::viewer {
+namespace {
+
+/// A teapot with a camera on a node that another one carries.
+Scene scene_with_cameras() {
+    Context context;
+    Scene scene = load("builtin:teapot", {}, context);
+    const std::uint32_t first = std::uint32_t(scene.nodes.size());
+    scene.nodes.push_back({.name = "arm", .local = {.translation = {0.1, 0.7, 0.3}}});
+    scene.nodes.push_back({.name = "head", .parent = first, .local = {.translation = {0, 0, 3.3}}});
+    scene.cameras.push_back({.name = "mounted", .node = first + 1, .vertical_fov_rad = radians(33), .aspect = 2.5});
+    scene.cameras.push_back({.to_world = look_at({1, 2, 3}, {0, 0, 0}, {0, 1, 0}), .half_height = 2});
+    scene.cameras.back().projection = Projection::orthographic;
+    return scene;
+}
+
+TEST(ViewBox, GivesTheCamerasOfTheWholeSceneToTheBit) {
+    Context context;
+    const Scene scene = scene_with_cameras();
+    const ViewBox box(scene);
+    const ViewRequest views[] = {{},
+                                 {.side = "top"},
+                                 {.side = "default", .up = dvec3{0, 0, 1}},
+                                 {.camera = "1"},
+                                 {.camera = "mounted"},
+                                 {.position = dvec3{1, 0.3, 2}},
+                                 {.position = dvec3{0, 0.5, 0}, .focal_point = dvec3{0, 0.5, -1}},
+                                 {.vertical_fov_rad = radians(70), .orthographic = true}};
+    for (const ViewRequest& view : views)
+        for (const double aspect : {0.3, 1.6})
+            EXPECT_EQ(box.camera(view, aspect), choose_camera(scene, view, aspect, context))
+                << view.side << view.camera;
+}
+
+TEST(ViewBox, NamesCamerasByNumberWhereTheyHaveNoName) {
+    const ViewBox box(scene_with_cameras());
+    ASSERT_EQ(box.cameras().size(), 2u);
+    EXPECT_EQ(box.cameras()[0], "mounted");
+    EXPECT_EQ(box.cameras()[1], "camera 1");
+}
+
+TEST(ViewBox, RefusesAnEmptyScene) { EXPECT_THROW(ViewBox{Scene{}}, Error); }
+
+}  // namespace
+}  // namespace rakelight::viewer
