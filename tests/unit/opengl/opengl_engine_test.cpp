@@ -336,6 +336,34 @@ TEST_F(OpenGl, AMaterialWithMoreMapsThanUnitsLosesTheLeastVisible) {
     EXPECT_EQ(warning->message.find("base_color"), std::string::npos) << warning->message;
 }
 
+TEST_F(OpenGl, OfThirteenMapsAndSixteenUnitsTheLeastVisibleGoes) {
+    const EnvironmentVariable units("RAKELIGHT_GL_TEXTURE_UNITS", "16");
+    engine = opengl::make_engine();
+    Scene scene = two_squares();
+    Material& m = scene.materials[0];
+    const TextureUse use = m.base_color_texture;
+    m.model = MaterialModel::metallic_roughness;
+    m.normal_texture = m.occlusion_texture = m.emission_texture = use;
+    m.emission = {0.1f, 0.1f, 0.1f};
+    MetallicRoughnessParameters& p = m.metallic_roughness;
+    p.texture = p.specular_texture = p.specular_color_texture = p.anisotropy_texture = p.clearcoat_texture = use;
+    p.clearcoat_roughness_texture = p.clearcoat_normal_texture = p.sheen_color_texture = p.sheen_roughness_texture =
+        use;
+    p.anisotropy = 0.4f, p.clearcoat = 0.5f, p.clearcoat_roughness = 0.3f;
+    p.sheen_color = {0.2f, 0.1f, 0.3f}, p.sheen_roughness = 0.5f;
+    scene.lights[0].ambient = {0.2f, 0.2f, 0.2f};
+    const Frame all = drawn(*engine, scene, small(), context);
+    const auto entries = context.report().entries();
+    ASSERT_EQ(
+        std::ranges::count_if(entries, [](const ReportEntry& e) { return e.message.starts_with("textures left out"); }),
+        1);
+    EXPECT_TRUE(std::ranges::any_of(entries, [](const ReportEntry& e) {
+        return e.message.starts_with("textures left out: clearcoat_roughness: this OpenGL driver samples 16");
+    }));
+    p.clearcoat_roughness_texture = {};
+    EXPECT_LT(rmse(all, by_soft(scene, small(), context)), 0.004) << "all others act";
+}
+
 constexpr const char* steps =
     "RL_FN LightTerms user_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light)\n"
     "{\n"
