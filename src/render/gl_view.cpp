@@ -28,10 +28,10 @@ bool GlView::upload(std::shared_ptr<const PreparedScene> scene, double milliseco
     if (scene == s.whole) return true;
     if (scene != s.incoming) {
         validate(scene->scene);
-        s.incoming = scene;
+        s.incoming = std::move(scene);
         ++s.number;
     }
-    if (!s.view.upload(scene->scene, s.number, milliseconds, context)) return false;
+    if (!s.view.upload(s.incoming->scene, s.number, milliseconds, context)) return false;
     s.whole = std::move(s.incoming);
     return true;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Data channels: passes of their own, one sample at the middle of each pixel, into floats and whole numbers.
 #pragma once
+#include <array>
 #include <functional>
 
 #include <rakelight/engine.h>
@@ -24,7 +25,8 @@ public:
 
 private:
     int width_ = 0, height_ = 0;
-    GlTexture floats_[4], numbers_, count_;
+    std::array<GlTexture, 4> floats_;
+    GlTexture numbers_, count_;
     GlRenderbuffer depth_;
     GlFramebuffer float_frame_, number_frame_, count_frame_;
 };

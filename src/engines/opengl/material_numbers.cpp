@@ -30,12 +30,14 @@ std::vector<Number> placed(std::vector<Number> numbers) {
     return numbers;
 }
 
+constexpr std::size_t components(std::size_t bytes) { return bytes / sizeof(float); }
+
 std::vector<Number> make_numbers() {
-#define RL_OWN(field) {"m_" #field, offsetof(MaterialNumbers, field), sizeof(MaterialNumbers::field) / sizeof(float)}
+#define RL_OWN(field) {"m_" #field, offsetof(MaterialNumbers, field), components(sizeof(MaterialNumbers::field))}
 #define RL_FACTOR(field)                                                                             \
     {                                                                                                \
         "m_" #field, offsetof(MaterialNumbers, factors) + offsetof(shading::MaterialFactors, field), \
-            sizeof(shading::MaterialFactors::field) / sizeof(float)                                  \
+            components(sizeof(shading::MaterialFactors::field))                                      \
     }
     std::vector<Number> all = {RL_FACTOR(metallic),
                                RL_FACTOR(roughness),

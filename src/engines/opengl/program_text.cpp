@@ -91,29 +91,28 @@ std::string numbers_of(const Features& f) {
            define("RL_OUTPUT_PLACES", int(Output::places)) + define("RL_OUTPUT_COUNT", int(Output::count));
 }
 
-/// RL_HAS_<ROLE>_MAP and <role>_texel(p) of each role; a missing map is white.
+/// RL_HAS_<ROLE>_MAP and <role>_texel(p); a missing map is white.
+std::string map_function(const Features& f, const TextureRole& role) {
+    const std::string name = role.name, number = std::to_string(role.number);
+    std::string upper = name;
+    for (char& c : upper) c = char(std::toupper(static_cast<unsigned char>(c)));
+    const std::string has_map = "#define RL_HAS_" + upper + "_MAP ";
+    if (!f.has(role.number)) return has_map + "0\nvec4 " + name + "_texel(Point p) { return vec4(1.0); }\n";
+    const bool is_height = role.number == role_height;
+    const std::string sampler = is_height ? "rl_heights" : "rl_map_" + number;
+    const std::string uniform = is_height ? "" : "uniform sampler2D " + sampler + ";\n";
+    const std::string set = "p.texcoords[" + std::to_string(f.second_sets >> role.number & 1u) + "]";
+    const bool is_turned = (f.turned_maps >> role.number & 1u) != 0;
+    const std::string coords =
+        is_turned ? "transformed(" + set + ", RL_TURN_" + number + ", RL_OFFSET_" + number + ")" : set;
+    const char* has_levels = (f.level_maps >> role.number & 1u) != 0 ? "true" : "false";
+    return has_map + "1\n" + uniform + "TexCoords " + name + "_coords(Point p) { return " + coords + "; }\nvec4 " +
+           name + "_texel(Point p) { return read_map(" + sampler + ", " + name + "_coords(p), " + has_levels + "); }\n";
+}
+
 std::string map_functions(const Features& f) {
     std::string text;
-    for (const TextureRole& role : texture_roles()) {
-        const std::string name = role.name, number = std::to_string(role.number);
-        std::string upper = name;
-        for (char& c : upper) c = char(std::toupper(static_cast<unsigned char>(c)));
-        text += "#define RL_HAS_" + upper + "_MAP " + (f.has(role.number) ? "1\n" : "0\n");
-        if (!f.has(role.number)) {
-            text += "vec4 " + name + "_texel(Point p) { return vec4(1.0); }\n";
-            continue;
-        }
-        const bool is_height = role.number == role_height;
-        const std::string sampler = is_height ? "rl_heights" : "rl_map_" + number;
-        if (!is_height) text += "uniform sampler2D " + sampler + ";\n";
-        const std::string set = "p.texcoords[" + std::to_string(f.second_sets >> role.number & 1u) + "]";
-        const bool is_turned = (f.turned_maps >> role.number & 1u) != 0;
-        text += "TexCoords " + name + "_coords(Point p) { return " +
-                (is_turned ? "transformed(" + set + ", RL_TURN_" + number + ", RL_OFFSET_" + number + ")" : set) +
-                "; }\n";
-        text += "vec4 " + name + "_texel(Point p) { return read_map(" + sampler + ", " + name + "_coords(p), " +
-                ((f.level_maps >> role.number & 1u) != 0 ? "true" : "false") + "); }\n";
-    }
+    for (const TextureRole& role : texture_roles()) text += map_function(f, role);
     return text;
 }
 

@@ -125,7 +125,7 @@ struct WindowView::State::Incoming {
     Incoming(const Scene& scene, std::uint64_t its_number, const Renderer& renderer, const Context& context)
         : number(its_number),
           own({.threads = context.threads()}),
-          taken(std::async(std::launch::async, [this, scene, cache = renderer.decoded(),
+          taken(std::async(std::launch::async, [this, scene = Scene(scene), cache = renderer.decoded(),
                                                 environments = renderer.decoded_environment()]() mutable {
               return take_scene(std::move(scene), std::move(cache), std::move(environments), own);
           })) {}
