@@ -55,6 +55,36 @@ bool add_first(const char* const (&paths)[n], float size_px) {
     return false;
 }
 
+/// OpenGL as it is asked for, of windows that are seen and of those that are not.
+void wish_for_opengl() {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+}
+
+/// GLFW has contexts with windows alone.
+class HiddenWindow final : public SharedContext {
+public:
+    explicit HiddenWindow(GLFWwindow* shared) {
+        wish_for_opengl();
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        window_ = glfwCreateWindow(1, 1, "", nullptr, shared);
+        glfwDefaultWindowHints();
+        if (!window_) throw Error(ErrorCode::failed, "no second context of OpenGL: " + last_glfw_error());
+    }
+    ~HiddenWindow() override { glfwDestroyWindow(window_); }
+    void make_current() override {
+        glfwMakeContextCurrent(window_);
+        if (glfwGetCurrentContext() != window_)
+            throw Error(ErrorCode::failed, "no context of OpenGL in another thread: " + last_glfw_error());
+    }
+    void release() override { glfwMakeContextCurrent(nullptr); }
+
+private:
+    GLFWwindow* window_ = nullptr;
+};
+
 }  // namespace
 
 struct Callbacks {
@@ -125,10 +155,7 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height) {
     if (!glfwInit())
         throw Error(ErrorCode::failed, "no window can be opened: " + last_glfw_error(), {},
                     "rakelight render makes pictures without a display");
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    wish_for_opengl();
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!window_) {
         const std::string why = last_glfw_error();
@@ -258,6 +285,8 @@ void GlfwWindow::clear() {
     clear_color(gray, gray, gray, 1);
     clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
+
+std::unique_ptr<SharedContext> GlfwWindow::make_shared_context() { return std::make_unique<HiddenWindow>(window_); }
 
 void GlfwWindow::swap() {
     needs_drawing_ = false;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "input.h"
+#include "shared_context.h"
 
 struct GLFWwindow;
 
@@ -45,6 +46,8 @@ public:
     void set_viewport(int x, int y, int width, int height);
     void clear();
     void swap();
+    /// Ends before the window. @throws Error failed
+    std::unique_ptr<SharedContext> make_shared_context();
 
 private:
     void make_panels();
