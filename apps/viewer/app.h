@@ -103,7 +103,7 @@ private:
     void draw_wipe();
     void draw_wipe_on_gpu();
     void draw_wipe_of_codes();
-    GlBox box_of(const View& view) const;
+    PixelBox box_of(const View& view) const;
     void draw_lines(View& view);
     void draw_panels_over();
 
@@ -114,7 +114,6 @@ private:
     Remembered remembered_;
     UiState ui_;
     std::unique_ptr<GlfwWindow> window_;
-    GlScreen gl_screen_;
     bool has_gl_failed_ = false;
     std::uint64_t gl_pictures_ = 0;  ///< shown
     LightingFile lighting_file_;

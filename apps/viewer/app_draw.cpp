@@ -16,24 +16,27 @@ void App::draw() {
     if (window_->width() == 0 || window_->height() == 0) return;
     window_->set_viewport(0, 0, 0, 0);
     window_->clear();
+    window_->begin_panels();
     if (ui_.split != Split::wipe) wipe_ = {};
     if (ui_.split == Split::wipe)
         draw_wipe();
     else
         for (std::size_t i = 0; i < view_count(); ++i) draw_picture(views_[i]);
     draw_panels_over();
+    window_->end_panels();
+    for (std::size_t i = 0; i < view_count(); ++i)
+        if (views_[i].shown && views_[i].shown->picture) mark_as_shown(*views_[i].shown->picture);
     window_->swap();
     if (first_picture_ms_ == 0 && views_[0].shown)
         first_picture_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - began_).count();
 }
 
-GlBox App::box_of(const View& view) const { return {view.area.x, view.area.y, view.area.width, view.area.height}; }
+PixelBox App::box_of(const View& view) const { return {view.area.x, view.area.y, view.area.width, view.area.height}; }
 
 /// With its lines.
 void App::draw_picture(View& view) {
     if (!view.shown) return;
-    if (view.shown->picture)
-        return gl_screen_.show(*view.shown->picture, box_of(view), box_of(view), window_->height());
+    if (view.shown->picture) return window_->show(*view.shown->picture, box_of(view), box_of(view));
     show_codes(view);
     draw_lines(view);
 }
@@ -57,15 +60,15 @@ void App::draw_wipe() {
 }
 
 void App::draw_wipe_on_gpu() {
-    const GlBox all = box_of(views_[0]);
+    const PixelBox all = box_of(views_[0]);
     const int line = int(ui_.wipe * all.width);
-    const GlBox halves[2] = {{all.x, all.y, line, all.height}, {all.x + line, all.y, all.width - line, all.height}};
+    const PixelBox halves[2] = {{all.x, all.y, line, all.height}, {all.x + line, all.y, all.width - line, all.height}};
     for (View& view : views_)
         if (!view.shown->picture) draw_picture(view);  // whole: the other one covers a half of it
     for (int i = 0; i < 2; ++i)
-        if (views_[i].shown->picture) gl_screen_.show(*views_[i].shown->picture, all, halves[i], window_->height());
+        if (views_[i].shown->picture) window_->show(*views_[i].shown->picture, all, halves[i]);
     const int from = std::max(0, line - 1), to = std::min(all.width, line + 1);
-    gl_screen_.fill({all.x + from, all.y, to - from, all.height}, line_color, window_->height());
+    window_->fill({all.x + from, all.y, to - from, all.height}, line_color);
 }
 
 /// Pictures of different sizes (one is coarse still) are sampled at their nearest pixels.
@@ -110,7 +113,6 @@ void App::draw_lines(View& view) {
 }
 
 void App::draw_panels_over() {
-    window_->begin_panels();
     View& view = active();
     PanelView panels{.model = model_.get(), .look = view.look, .ui = ui_, .painting = view.shown.get()};
     panels.width = view.area.width, panels.height = view.area.height;
@@ -137,7 +139,6 @@ void App::draw_panels_over() {
     draw_help(panels);
     from_panels_ = std::move(panels.commands);
     if (!from_panels_.empty()) frames_to_draw_ = 3;
-    window_->end_panels();
 }
 
 }  // namespace rakelight::viewer

@@ -3,7 +3,10 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <bit>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include <rakelight/error.h>
@@ -23,22 +26,25 @@ void wait_for(GLsync fence, const char* what) {
     }
 }
 
-void give_storage(GlPicture& picture, int width, int height) {
+/// [px] of a texture for so many. llvmpipe makes code for textures whose sides are powers of two and others apart, some 150 ms in
+/// the window's thread; that for the former is there, since the texture of ImGui's font is one.
+int texture_side(int pixels) {
+    constexpr int most = 2048;  // larger ones would waste too much
+    return pixels <= most ? int(std::bit_ceil(unsigned(pixels))) : (pixels + 255) / 256 * 256;
+}
+
+void give_storage(GlPicture& picture) {
     while (glGetError() != GL_NO_ERROR) {
     }
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, picture.texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    picture.width = width, picture.height = height;
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, picture.texture_width, picture.texture_height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 nullptr);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
     if (glGetError() != GL_NO_ERROR)
-        throw Error(ErrorCode::failed, "OpenGL has no memory for a picture of " + std::to_string(width) + " x " +
-                                           std::to_string(height) + " pixels");
-}
-
-void set_scissor(const GlBox& box, int window_height) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(box.x, window_height - box.y - box.height, box.width, box.height);
+        throw Error(ErrorCode::failed, "OpenGL has no memory for a picture of " + std::to_string(picture.width) +
+                                           " x " + std::to_string(picture.height) + " pixels");
 }
 
 }  // namespace
@@ -59,39 +65,48 @@ GlPicturePool::~GlPicturePool() {
     for (const GlPicture& picture : store_->free) glDeleteSync(static_cast<GLsync>(picture.shown));
 }
 
+/// One that nobody holds, of this size if there is one; else a new one.
+GlPicture GlPicturePool::take_free(int texture_width, int texture_height) {
+    const std::scoped_lock lock(store_->mutex);
+    auto& free = store_->free;
+    auto at = std::ranges::find_if(free, [=](const GlPicture& p) {
+        return p.texture_width == texture_width && p.texture_height == texture_height;
+    });
+    if (at == free.end()) {
+        if (free.size() < most_free) return {};
+        at = free.begin();
+    }
+    const GlPicture taken = *at;
+    free.erase(at);
+    return taken;
+}
+
 void GlPicturePool::begin(int width, int height) {
     drawn_.reset();
-    GlPicture taken;
-    {
-        const std::scoped_lock lock(store_->mutex);
-        auto& free = store_->free;
-        std::size_t at = 0;
-        while (at < free.size() && (free[at].width != width || free[at].height != height)) ++at;
-        if (at == free.size()) at = 0;  // of another size: the one let go first
-        const bool is_fitting = !free.empty() && free[at].width == width && free[at].height == height;
-        if (is_fitting || free.size() >= most_free) {
-            taken = free[at];
-            free.erase(free.begin() + std::ptrdiff_t(at));
-        }
-    }
-    if (taken.texture == 0) {
-        glGenTextures(1, &taken.texture);
-        store_->textures.push_back(taken.texture);
-    }
+    const int texture_width = texture_side(width), texture_height = texture_side(height);
     const auto give_back = [store = store_](GlPicture* picture) {
         const std::unique_ptr<GlPicture> owned(picture);
         const std::scoped_lock lock(store->mutex);
         store->free.push_back(*owned);
     };
-    drawn_ = std::shared_ptr<GlPicture>(new GlPicture(taken), give_back);
-    if (taken.shown) {  // the window's thread may still be reading it
-        wait_for(static_cast<GLsync>(taken.shown), "showing a picture");
-        glDeleteSync(static_cast<GLsync>(taken.shown));
-        drawn_->shown = nullptr;
+    drawn_ = std::shared_ptr<GlPicture>(new GlPicture(take_free(texture_width, texture_height)), give_back);
+    GlPicture& picture = *drawn_;
+    if (picture.shown) {  // the window's thread may still be reading it
+        wait_for(static_cast<GLsync>(picture.shown), "showing a picture");
+        glDeleteSync(static_cast<GLsync>(picture.shown));
+        picture.shown = nullptr;
     }
-    if (taken.width != width || taken.height != height) give_storage(*drawn_, width, height);
+    if (picture.texture == 0) {
+        glGenTextures(1, &picture.texture);
+        store_->textures.push_back(picture.texture);
+    }
+    picture.width = width, picture.height = height;
+    if (picture.texture_width != texture_width || picture.texture_height != texture_height) {
+        picture.texture_width = texture_width, picture.texture_height = texture_height;
+        give_storage(picture);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, frame_);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, drawn_->texture, 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.texture, 0);
     glViewport(0, 0, width, height);
 }
 
@@ -108,30 +123,9 @@ std::shared_ptr<GlPicture> GlPicturePool::finish() {
     return std::move(drawn_);
 }
 
-void GlScreen::show(GlPicture& picture, const GlBox& to, const GlBox& clip, int window_height) {
-    if (frame_ == 0) glGenFramebuffers(1, &frame_);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
-    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.texture, 0);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    set_scissor(clip, window_height);
-    const int bottom = window_height - to.y - to.height;
-    const bool is_same_size = picture.width == to.width && picture.height == to.height;
-    glBlitFramebuffer(0, 0, picture.width, picture.height, to.x, bottom, to.x + to.width, bottom + to.height,
-                      GL_COLOR_BUFFER_BIT, is_same_size ? GL_NEAREST : GL_LINEAR);
-    glDisable(GL_SCISSOR_TEST);
-    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+void mark_as_shown(GlPicture& picture) {
     glDeleteSync(static_cast<GLsync>(picture.shown));  // null is ignored
     picture.shown = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-}
-
-void GlScreen::fill(const GlBox& box, unsigned color, int window_height) {
-    set_scissor(box, window_height);
-    const auto part = [color](int byte) { return float(color >> 8 * byte & 255) / 255; };
-    glClearColor(part(0), part(1), part(2), 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace rakelight::viewer

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures in textures: one thread draws them, the window's thread shows them. All calls of OpenGL that the viewer makes for this
-// are in gl_pictures.cpp.
+// Pictures in textures: one thread draws them, the window's thread shows them (GlfwWindow::show()). All calls of OpenGL that the
+// viewer makes for this are in gl_pictures.cpp.
 #pragma once
 #include <memory>
 
 namespace rakelight::viewer {
 
-/// A finished picture; its lowest row comes first.
+/// A finished picture, in a corner of a texture; its lowest row comes first.
 struct GlPicture {
     unsigned texture = 0;
-    int width = 0, height = 0;  ///< [px]
-    void* shown = nullptr;      ///< fence behind its last use by the window's thread; null: never shown
+    int width = 0, height = 0;                  ///< [px]
+    int texture_width = 0, texture_height = 0;  ///< [px] at least those
+    void* shown = nullptr;                      ///< fence behind its last use by the window's thread; null: never shown
 };
 
 /// Textures to draw pictures into. In one thread, whose context is current.
@@ -29,26 +30,13 @@ public:
 
 private:
     struct Store;
+    GlPicture take_free(int texture_width, int texture_height);
     std::shared_ptr<Store> store_;  ///< held by pictures, too
     std::shared_ptr<GlPicture> drawn_;
     unsigned frame_ = 0;
 };
 
-/// [px] y down.
-struct GlBox {
-    int x = 0, y = 0, width = 0, height = 0;
-};
-
-/// The window, in its thread.
-class GlScreen {
-public:
-    /// @param to  where the whole picture would lie  @param clip  what of that is drawn  @param window_height  [px]
-    void show(GlPicture& picture, const GlBox& to, const GlBox& clip, int window_height);
-    /// @param color  sRGB, R in the low byte
-    void fill(const GlBox& box, unsigned color, int window_height);
-
-private:
-    unsigned frame_ = 0;  ///< ends with its context
-};
+/// In the window's thread, once what shows a picture is drawn: it is not drawn into again before that is done.
+void mark_as_shown(GlPicture& picture);
 
 }  // namespace rakelight::viewer

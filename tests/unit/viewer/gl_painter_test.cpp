@@ -84,13 +84,15 @@ TEST_F(GlPainters, DrawThePictureOfTheEngineIntoATexture) {
     for (int repeat = 0; repeat < 6; ++repeat) {  // the textures of those let go are drawn into again
         const GlPainter::Drawn drawn = painter.draw(camera, settings, {}, {}, context_);
         ASSERT_EQ(drawn.picture->width, width);
-        std::vector<std::uint32_t> got(width * height);
+        const int stride = drawn.picture->texture_width;
+        ASSERT_GE(drawn.picture->texture_height, height);
+        std::vector<std::uint32_t> got(std::size_t(stride) * std::size_t(drawn.picture->texture_height));
         glBindTexture(GL_TEXTURE_2D, drawn.picture->texture);
-        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, got.data());
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, got.data());  // lowest row first
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
                 for (int c = 0; c < 24; c += 8)
-                    ASSERT_NEAR(got[std::size_t((height - 1 - y) * width + x)] >> c & 255,
+                    ASSERT_NEAR(got[std::size_t((height - 1 - y) * stride + x)] >> c & 255,
                                 expected[std::size_t(y * width + x)] >> c & 255, 1)
                         << x << ", " << y;
     }
