@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -42,7 +43,7 @@ App::App(Start start)
     window_ = std::make_unique<GlfwWindow>("Rakelight", width, height);
     has_window_ = true;
     window_->set_theme(ui_.is_dark);
-    gl_ = std::make_unique<GlView>();
+    views_[0].screen = std::make_unique<GlView>();
 }
 
 App::~App() {
@@ -50,8 +51,11 @@ App::~App() {
     loader_.cancel();
     chores_.cancel();
     seam_search_.cancel();
-    for (View& view : views_) view.painter.reset();
-    gl_.reset();  // before its context
+    for (View& view : views_) {  // before their contexts
+        view.painter.reset();
+        view.gl.reset();
+        view.screen.reset();
+    }
 }
 
 bool App::is_busy() const {
@@ -61,15 +65,17 @@ bool App::is_busy() const {
 
 void App::run() {
     Clock::time_point woke = Clock::now();
-    bool was_loading = false;
+    bool was_loading = false, was_gl_drawing = false;
     while (!window_->is_closing() && !is_quitting_) {
         const double block_ms = 1e3 * seconds(Clock::now() - woke);
         longest_block_ms_ = std::max(longest_block_ms_, block_ms);
         if (was_loading) longest_load_block_ms_ = std::max(longest_load_block_ms_, block_ms);
+        if (was_gl_drawing) longest_gl_block_ms_ = std::max(longest_gl_block_ms_, block_ms);
         const bool is_live = frames_to_draw_ > 0 || ui_.is_walking;
         window_->wait(is_live ? 0 : is_busy() ? 0.1 : 0.25);
         woke = Clock::now();
         was_loading = loader_.is_running();
+        was_gl_drawing = std::ranges::any_of(views_, [](const View& v) { return v.is_painting && v.gl; });
         const std::vector<Event> events = window_->take_events();
         for (const Event& event : events) handle(event);
         for (const Command command : std::exchange(from_panels_, {})) this->command(command);
@@ -95,8 +101,10 @@ void App::run() {
 void App::log_stats() const {
     if (!start_.wants_stats) return;
     std::fprintf(stderr,
-                 "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms), %s\n",
-                 first_picture_ms_, longest_block_ms_, longest_load_block_ms_, one_line(gl_->renderer(), 100).c_str());
+                 "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms, while gl "
+                 "draws %.0f ms), %llu pictures by GlView, %s\n",
+                 first_picture_ms_, longest_block_ms_, longest_load_block_ms_, longest_gl_block_ms_,
+                 static_cast<unsigned long long>(gl_pictures_), one_line(views_[0].screen->renderer(), 100).c_str());
 }
 
 void App::poll() {
@@ -114,16 +122,18 @@ void App::poll_view(View& view) {
     view.painter->poll();
     if (auto painting = view.painter->take()) {
         view.shown = std::move(painting);
+        gl_pictures_ += view.shown->picture != nullptr;
         is_dirty_ = true;
         if (view.shown->number == view.number) {
             view.good = view.submitted, view.good_model = view.submitted_model;
             if (view.shown->is_final || view.is_submitted_moving) view.is_painting = false;
         }
     }
-    const auto error = view.painter->take_error();
-    if (!error) return;
-    report(error->second);
-    if (error->first != view.number) return;
+    const auto fault = view.painter->take_fault();
+    if (!fault) return;
+    if (fault->is_of_gl) return give_up_gl(fault->error);
+    report(fault->error);
+    if (fault->number != view.number) return;
     view.is_painting = false;
     const bool can_go_back = view.good_model == model_ && !(view.good == view.submitted);
     if (can_go_back) view.look = view.good;  // what worked last
@@ -150,8 +160,11 @@ void App::submit(View& view) {
                            drag_ == Drag::light || seconds(Clock::now() - last_motion_) < motion_s;
     const bool wants_depth = ui_.normals || ui_.tangents || ui_.bitangents || ui_.seams || ui_.grid;
     const Rectangle &a = view.area, &b = view.submitted_area;
+    const bool is_by_gl = is_drawn_by_gl(view.look);  // then lines are in the picture
+    const Marks wanted_marks = marks();
     const bool is_same = view.submitted_model == model_ && view.look == view.submitted && a.width == b.width &&
-                         a.height == b.height && view.is_submitted_with_depth == wants_depth;
+                         a.height == b.height && view.is_submitted_with_depth == wants_depth &&
+                         (!is_by_gl || view.submitted_marks == wanted_marks);
     if (is_same && (is_moving || !view.is_submitted_moving)) return;
     if (!view.painter)
         view.painter = std::make_unique<Painter>([] { GlfwWindow::wake(); }, start_.threads, start_.max_memory);
@@ -168,6 +181,7 @@ void App::submit(View& view) {
         return;
     }
     view.submitted = view.look, view.submitted_model = model_, view.submitted_area = a;
+    view.submitted_marks = wanted_marks;
     view.is_submitted_moving = is_moving, view.is_submitted_with_depth = wants_depth, view.is_painting = true;
     view.painter->paint({.model = model_,
                          .look = view.look,
@@ -175,7 +189,9 @@ void App::submit(View& view) {
                          .height = a.height,
                          .is_moving = is_moving,
                          .wants_depth = wants_depth,
-                         .number = ++view.number});
+                         .number = ++view.number,
+                         .gl = is_by_gl ? gl_of(view) : nullptr,
+                         .marks = wanted_marks});
 }
 
 void App::report(const Error& error) {

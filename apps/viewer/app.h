@@ -13,6 +13,7 @@
 
 #include "background.h"
 #include "input.h"
+#include "lighting_file.h"
 #include "load_model.h"
 #include "painter.h"
 #include "panels.h"
@@ -37,9 +38,13 @@ private:
     };
     /// A picture of the window: what it is to show, and what it shows.
     struct View {
-        Look look, submitted, good;  ///< good: of the last picture without an error
+        Look look, submitted, good;     ///< good: of the last picture without an error
+        std::shared_ptr<GlPainter> gl;  ///< null: it was not needed yet; ends in the window's thread
         std::unique_ptr<Painter> painter;
-        std::shared_ptr<const Painting> shown;
+        std::unique_ptr<GlView> screen;                    ///< shows pictures that are not on the GPU
+        std::shared_ptr<const Painting> shown, on_screen;  ///< the second: what `screen` holds
+        MarkLines mark_lines;
+        Marks submitted_marks;
         std::shared_ptr<const Model> submitted_model, good_model;
         Rectangle area, submitted_area;
         Camera camera;  ///< of what was submitted
@@ -52,6 +57,10 @@ private:
     void poll_view(View& view);
     void lay_out();
     void submit(View& view);
+    bool is_drawn_by_gl(const Look& look) const;
+    std::shared_ptr<GlPainter> gl_of(View& view);
+    void give_up_gl(const Error& error);
+    Marks marks() const;
     void report(const Error& error);
     void say(const std::string& text);
     bool is_busy() const;
@@ -78,6 +87,7 @@ private:
     void take_model(const std::shared_ptr<const Model>& model, bool keeps_look);
     void step_file(int by);
     void watch_file();
+    void watch_lighting();
     void screenshot(bool is_transparent);
     void save_scene();
     void save_seamless();
@@ -89,7 +99,11 @@ private:
     // app_draw.cpp: what is shown
     void draw();
     void draw_picture(View& view);
+    void show_codes(View& view);
     void draw_wipe();
+    void draw_wipe_on_gpu();
+    void draw_wipe_of_codes();
+    PixelBox box_of(const View& view) const;
     void draw_lines(View& view);
     void draw_panels_over();
 
@@ -100,7 +114,9 @@ private:
     Remembered remembered_;
     UiState ui_;
     std::unique_ptr<GlfwWindow> window_;
-    std::unique_ptr<GlView> gl_;
+    bool has_gl_failed_ = false;
+    std::uint64_t gl_pictures_ = 0;  ///< shown
+    LightingFile lighting_file_;
     std::shared_ptr<const Model> model_;
     std::size_t file_ = 0;
 
@@ -114,16 +130,20 @@ private:
     std::vector<Command> from_panels_;
 
     std::filesystem::file_time_type file_time_{}, changed_time_{};
-    std::optional<std::vector<SeamLine>> seams_;
+    std::shared_ptr<const std::vector<SeamLine>> seams_;
     std::shared_ptr<const Model> seams_model_;
     PrepareOptions seams_prepare_;
-    std::vector<Line> vector_lines_;
-    const void* vector_lines_of_ = nullptr;
-    int vector_lines_which_ = 0;
+    /// What is on the screen of a wipe.
+    struct Wipe {
+        std::shared_ptr<const Painting> a, b;
+        int line = 0, width = 0, height = 0;
+        bool operator==(const Wipe&) const = default;
+    };
+    Wipe wipe_;
     std::vector<std::uint32_t> wiped_;
 
     Clock::time_point began_ = Clock::now();
-    double first_picture_ms_ = 0, longest_block_ms_ = 0, longest_load_block_ms_ = 0;
+    double first_picture_ms_ = 0, longest_block_ms_ = 0, longest_load_block_ms_ = 0, longest_gl_block_ms_ = 0;
 };
 
 }  // namespace rakelight::viewer

@@ -6,36 +6,81 @@
 #include "overlay.h"
 
 namespace rakelight::viewer {
+namespace {
+
+constexpr std::uint32_t line_color = 0xff40a0ffu;  // between A and B; sRGB, R in the low byte
+
+}  // namespace
 
 void App::draw() {
     if (window_->width() == 0 || window_->height() == 0) return;
     window_->set_viewport(0, 0, 0, 0);
     window_->clear();
+    window_->begin_panels();
+    if (ui_.split != Split::wipe) wipe_ = {};
     if (ui_.split == Split::wipe)
         draw_wipe();
     else
         for (std::size_t i = 0; i < view_count(); ++i) draw_picture(views_[i]);
-    for (std::size_t i = 0; i < (ui_.split == Split::beside ? 2 : 1); ++i) draw_lines(views_[i]);
     draw_panels_over();
+    window_->end_panels();
+    for (std::size_t i = 0; i < view_count(); ++i)
+        if (views_[i].shown && views_[i].shown->picture) mark_as_shown(*views_[i].shown->picture);
     window_->swap();
     if (first_picture_ms_ == 0 && views_[0].shown)
         first_picture_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - began_).count();
 }
 
+PixelBox App::box_of(const View& view) const { return {view.area.x, view.area.y, view.area.width, view.area.height}; }
+
+/// With its lines.
 void App::draw_picture(View& view) {
     if (!view.shown) return;
-    const Rectangle& a = view.area;
-    window_->set_viewport(a.x, a.y, a.width, a.height);
-    gl_->show(view.shown->width, view.shown->height, view.shown->codes);
+    if (view.shown->picture) return window_->show(*view.shown->picture, box_of(view), box_of(view));
+    show_codes(view);
+    draw_lines(view);
 }
 
-/// A left of the line, B right of it. Pictures of different sizes (one is coarse still) are sampled at their nearest pixels.
+void App::show_codes(View& view) {
+    const Rectangle& a = view.area;
+    window_->set_viewport(a.x, a.y, a.width, a.height);
+    if (!view.screen) view.screen = std::make_unique<GlView>();
+    if (view.on_screen == view.shown && view.screen->show_again()) return;
+    view.screen->show(view.shown->width, view.shown->height, view.shown->codes);
+    view.on_screen = view.shown;
+}
+
+/// A left of the line, B right of it.
 void App::draw_wipe() {
     const auto &a = views_[0].shown, &b = views_[1].shown;
     if (!a || !b) return draw_picture(views_[a ? 0 : 1]);
+    if (a->picture || b->picture) return draw_wipe_on_gpu();
+    draw_wipe_of_codes();
+    draw_lines(views_[0]);
+}
+
+void App::draw_wipe_on_gpu() {
+    const PixelBox all = box_of(views_[0]);
+    const int line = int(ui_.wipe * all.width);
+    const PixelBox halves[2] = {{all.x, all.y, line, all.height}, {all.x + line, all.y, all.width - line, all.height}};
+    for (View& view : views_)
+        if (!view.shown->picture) draw_picture(view);  // whole: the other one covers a half of it
+    for (int i = 0; i < 2; ++i)
+        if (views_[i].shown->picture) window_->show(*views_[i].shown->picture, all, halves[i]);
+    const int from = std::max(0, line - 1), to = std::min(all.width, line + 1);
+    window_->fill({all.x + from, all.y, to - from, all.height}, line_color);
+}
+
+/// Pictures of different sizes (one is coarse still) are sampled at their nearest pixels.
+void App::draw_wipe_of_codes() {
+    const auto &a = views_[0].shown, &b = views_[1].shown;
     const Rectangle& area = views_[0].area;
-    wiped_.resize(std::size_t(area.width) * std::size_t(area.height));
+    GlView& screen = *views_[0].screen;
+    window_->set_viewport(area.x, area.y, area.width, area.height);
     const int line = int(ui_.wipe * area.width);
+    const Wipe wanted{a, b, line, area.width, area.height};
+    if (wipe_ == wanted && !views_[0].on_screen && screen.show_again()) return;
+    wiped_.resize(std::size_t(area.width) * std::size_t(area.height));
     const auto copy = [&](const Painting& from, int begin, int end) {
         for (int y = 0; y < area.height; ++y) {
             const std::size_t row = std::size_t(std::int64_t(y) * from.height / area.height) * std::size_t(from.width);
@@ -48,50 +93,32 @@ void App::draw_wipe() {
     copy(*b, line, area.width);
     for (int x = std::max(0, line - 1); x < std::min(area.width, line + 1); ++x)
         for (int y = 0; y < area.height; ++y)
-            wiped_[std::size_t(y) * std::size_t(area.width) + std::size_t(x)] = 0xff40a0ffu;
-    window_->set_viewport(area.x, area.y, area.width, area.height);
-    gl_->show(area.width, area.height, wiped_, false);
+            wiped_[std::size_t(y) * std::size_t(area.width) + std::size_t(x)] = line_color;
+    screen.show(area.width, area.height, wiped_, false);
+    wipe_ = wanted;
+    views_[0].on_screen.reset();
 }
 
+/// Over a picture that is not on the GPU: those on it have theirs.
 void App::draw_lines(View& view) {
     if (!view.shown || !model_ || view.shown->model != model_) return;
     const Painting& p = *view.shown;
-    const Bounds& bounds = model_->box.bounds();
-    std::vector<Line> lines;
-    const auto add = [&lines](const std::vector<Line>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
-    if (ui_.grid) add(grid_lines(bounds, view.look.world_up));
-    if (ui_.seams && seams_ && seams_model_ == model_) add(seam_lines(*seams_));
-    const int which = (ui_.normals ? 1 : 0) | (ui_.tangents ? 2 : 0) | (ui_.bitangents ? 4 : 0);
-    if (which != 0 && (vector_lines_of_ != p.prepared.get() || vector_lines_which_ != which)) {
-        vector_lines_.clear();
-        for (int i = 0; i < 3; ++i)
-            if (which >> i & 1) {
-                const auto more = vertex_lines(scene_of(*p.prepared), VertexVector(i), bounds);
-                vector_lines_.insert(vector_lines_.end(), more.begin(), more.end());
-            }
-        vector_lines_of_ = p.prepared.get(), vector_lines_which_ = which;
-    }
-    if (which != 0) add(vector_lines_);
-    if (ui_.axes) add(axis_lines(bounds));
-    if (ui_.light_glyphs) {
-        Look lit = view.look;
-        add(light_lines(changing_lights(lit, *model_, view.area.width, view.area.height), bounds, ui_.light));
-    }
-    if (lines.empty()) return;
-    if (!p.depth.empty()) lines = visible_lines(lines, p.camera, p.depth, p.width, p.height, 0.004 * bounds.diagonal());
     const Rectangle& a = view.area;
+    std::vector<Line> lines = view.mark_lines.lines(marks(), view.look, *model_, p.prepared, a.width, a.height);
+    if (lines.empty()) return;
+    if (!p.depth.empty())
+        lines = visible_lines(lines, p.camera, p.depth, p.width, p.height, 0.004 * model_->box.bounds().diagonal());
     window_->set_viewport(a.x, a.y, a.width, a.height);
-    gl_->lines(p.camera, lines);
+    view.screen->lines(p.camera, lines);
 }
 
 void App::draw_panels_over() {
-    window_->begin_panels();
     View& view = active();
     PanelView panels{.model = model_.get(), .look = view.look, .ui = ui_, .painting = view.shown.get()};
     panels.width = view.area.width, panels.height = view.area.height;
     panels.window_width = window_->width(), panels.window_height = window_->height();
     panels.scale = window_->scale(), panels.longest_block_ms = longest_block_ms_;
-    panels.seams = seams_ && seams_model_ == model_ ? &*seams_ : nullptr;
+    panels.seams = seams_model_ == model_ ? seams_.get() : nullptr;
     const auto add = [&panels](const Progress& progress) {
         std::string stage;
         double fraction = 0;
@@ -112,7 +139,6 @@ void App::draw_panels_over() {
     draw_help(panels);
     from_panels_ = std::move(panels.commands);
     if (!from_panels_.empty()) frames_to_draw_ = 3;
-    window_->end_panels();
 }
 
 }  // namespace rakelight::viewer

@@ -66,6 +66,7 @@ void App::step_file(int by) {
 /// Loads the file again when it has changed and then been left alone for a while.
 void App::watch_file() {
     last_watch_ = Clock::now();
+    watch_lighting();
     if (!model_ || loader_.is_running()) return;
     const fs::file_time_type now = time_of(model_->file);
     if (now == fs::file_time_type{} || now == file_time_) return;
@@ -189,7 +190,7 @@ void App::look_for_seams() {
     const auto work = [this, model = model_, options](Context& context) -> Background::Finish {
         Inspection result = inspect(model->scene, options, context);
         return [this, lines = std::move(result.seam_lines)]() mutable {
-            seams_ = std::move(lines);
+            seams_ = std::make_shared<const std::vector<SeamLine>>(std::move(lines));
             is_dirty_ = true;
         };
     };

@@ -18,13 +18,18 @@ double ms_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
+constexpr double upload_slice_ms = 20;  // after which newer jobs are looked for
+constexpr double told_after_ms = 200;   // shorter uploads are not told of
+
 int scaled(int size, double scale) { return std::max(1, int(std::lround(size * scale))); }
 
 /// Engines that do not tell their stages apart are taken to work for pixels alone.
 void note_pace(Pace& pace, const Painting& painting) {
     const StageTimes& times = painting.stats.times;
-    const bool is_told = times.tiles > 0;
-    pace.measured(1e3 * times.front_end, is_told ? 1e3 * times.tiles : painting.ms, double(painting.codes.size()));
+    const double pixels_ms = times.tiles > 0          ? 1e3 * times.tiles
+                             : painting.pixels_ms > 0 ? painting.pixels_ms
+                                                      : painting.ms;
+    pace.measured(1e3 * times.front_end, pixels_ms, double(painting.width) * double(painting.height));
 }
 
 /// Widths are pixels of the picture: those of a coarse one stand for more on the screen.
@@ -66,9 +71,9 @@ std::shared_ptr<const Painting> Painter::take() {
     return std::move(painting_);
 }
 
-std::optional<std::pair<std::uint64_t, Error>> Painter::take_error() {
+std::optional<Painter::Fault> Painter::take_fault() {
     const std::scoped_lock lock(mutex_);
-    return std::exchange(error_, std::nullopt);
+    return std::exchange(fault_, std::nullopt);
 }
 
 void Painter::cancel() {
@@ -118,7 +123,7 @@ void Painter::run() {
         {
             std::unique_lock lock(mutex_);
             news_.wait(lock, [this] { return is_ending_ || next_ || !probes_.empty(); });
-            if (is_ending_) return;
+            if (is_ending_) break;
             job.swap(next_);
             probes.swap(probes_);
         }
@@ -132,6 +137,7 @@ void Painter::run() {
         }
         wake_();
     }
+    if (gl_) gl_->end();
 }
 
 /// The passes of a job; what is outdated is left.
@@ -155,20 +161,16 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
         painting->request = request_of(job.look, job.width, job.height);
         painting->camera = camera_of(job.look, *job.model, job.width, job.height);
         PictureRequest request = painting->request;
+        is_in_gl_ = false;
         request.settings.width = scaled(job.width, scale);
         request.settings.height = scaled(job.height, scale);
         request.settings.samples = job.look.channel ? 1 : samples;
         request.settings.channels = job.look.channel;
-        const std::uint32_t wished = job.wants_depth ? std::uint32_t(channel_depth) : 0u;
         if (scale < 1) scale_marks(request.settings, scale);
-        Frame frame;
-        painting->stats = studio_->draw(job.model, job.look, request, painting->camera, wished, frame, *context);
-        painting->prepared = studio_->prepared();
-        painting->width = frame.width, painting->height = frame.height;
-        painting->codes = job.look.channel ? channel_codes(frame, job.look.channel,
-                                                           view_range_of(job.model->box.bounds(), painting->camera))
-                                           : to_srgb8(frame, request.tone);
-        painting->depth = std::move(frame.depth);
+        painting->width = request.settings.width, painting->height = request.settings.height;
+        const Outcome by_gl = draw_by_gl(job, request, scale, *painting, *context);
+        if (by_gl == Outcome::outdated) return false;
+        if (by_gl == Outcome::cannot) draw_by_session(job, request, *painting, *context);
         painting->model = job.model;
         painting->number = job.number;
         painting->is_whole = scale == 1, painting->is_final = is_final;
@@ -180,10 +182,64 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
         const Error error = current_error();
         const std::scoped_lock lock(mutex_);
         const bool is_broken_off = context->cancelled() && may_break_off_;
-        if (!is_broken_off && !is_ending_) error_ = {job.number, error};
+        const bool is_of_gl = is_in_gl_ && error.code() == ErrorCode::failed && !context->cancelled();
+        if (!is_broken_off && !is_ending_) fault_ = {job.number, error, is_of_gl};
         return false;
     }
     wake_();
+    return true;
+}
+
+void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request, Painting& to, Context& context) {
+    is_in_gl_ = false;
+    const std::uint32_t wished = job.wants_depth ? std::uint32_t(channel_depth) : 0u;
+    Frame frame;
+    to.stats = studio_->draw(job.model, job.look, request, to.camera, wished, frame, context);
+    to.prepared = studio_->prepared();
+    to.codes = job.look.channel
+                   ? channel_codes(frame, job.look.channel, view_range_of(job.model->box.bounds(), to.camera))
+                   : to_srgb8(frame, request.tone);
+    to.depth = std::move(frame.depth);
+}
+
+/// What GlView cannot do is left to a session, which says so where it cannot either.
+Painter::Outcome Painter::draw_by_gl(const PaintJob& job, const PictureRequest& request, double scale, Painting& to,
+                                     Context& context) {
+    if (!job.gl || job.look.channel) return Outcome::cannot;
+    PictureRequest to_prepare = request;
+    to_prepare.engine = "soft";  // scenes are prepared alike for every engine
+    const auto scene = studio_->prepare(job.model, job.look, to_prepare, to.camera, context);
+    is_in_gl_ = true;
+    gl_ = job.gl;
+    if (!take_up_by_gl(job, scene, context)) return Outcome::outdated;
+    context.progress("render", 0);
+    to.prepared = gl_->scene();
+    std::vector<Line> lines = mark_lines_.lines(job.marks, job.look, *job.model, to.prepared, job.width, job.height);
+    for (Line& line : lines) line.width_px *= float(scale);
+    try {
+        GlPainter::Drawn drawn = gl_->draw(to.camera, request.settings, request.tone, lines, context);
+        to.picture = std::move(drawn.picture);
+        to.stats = std::move(drawn.stats);
+        to.pixels_ms = drawn.ms;
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::usage) return Outcome::cannot;
+        throw;
+    }
+    return Outcome::drawn;
+}
+
+/// False: another job waits, and nothing can be drawn of this one. Its scene stays on its way.
+bool Painter::take_up_by_gl(const PaintJob& job, const std::shared_ptr<const PreparedScene>& scene, Context& context) {
+    const auto begin = std::chrono::steady_clock::now();
+    Context not_broken_off({.threads = threads_, .max_memory = max_memory_});  // jobs are, their scenes are not
+    while (!gl_->upload(scene, upload_slice_ms, not_broken_off)) {
+        if (is_outdated(job)) return false;
+        const bool can_show_motion = job.is_moving && gl_->scene() && gl_model_ == job.model;
+        if (can_show_motion) return true;  // the scene before, seen from where the camera is now
+        context.throw_if_cancelled();
+        if (ms_since(begin) > told_after_ms) context.progress("upload", 0);
+    }
+    gl_model_ = job.model;
     return true;
 }
 

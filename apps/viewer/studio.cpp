@@ -46,6 +46,15 @@ void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look
     is_set_ = true;
 }
 
+const std::shared_ptr<const PreparedScene>& Studio::prepare(const std::shared_ptr<const Model>& model, const Look& look,
+                                                            const PictureRequest& request, const Camera& camera,
+                                                            Context& context) {
+    context.progress(is_taken_up(model, look, request) ? "render" : "prepare", 0);
+    take_up(model, look, request, camera, context);
+    prepared_ = session_->prepared(request.settings, context);
+    return prepared_;
+}
+
 RenderStats Studio::draw(const std::shared_ptr<const Model>& model, const Look& look, PictureRequest request,
                          const Camera& camera, std::uint32_t wished, Sink& sink, Context& context) {
     context.progress(is_taken_up(model, look, request) ? "render" : "prepare", 0);

@@ -17,7 +17,12 @@ public:
     RenderStats draw(const std::shared_ptr<const Model>& model, const Look& look, PictureRequest request,
                      const Camera& camera, std::uint32_t wished, Sink& sink, Context& context);
 
-    /// What was drawn last.
+    /// The scene that such a picture is drawn of, for others to draw; nothing is drawn.
+    const std::shared_ptr<const PreparedScene>& prepare(const std::shared_ptr<const Model>& model, const Look& look,
+                                                        const PictureRequest& request, const Camera& camera,
+                                                        Context& context);
+
+    /// What was drawn or prepared last.
     const std::shared_ptr<const PreparedScene>& prepared() const { return prepared_; }
 
 private:

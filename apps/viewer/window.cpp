@@ -13,17 +13,13 @@
 
 #include <rakelight/error.h>
 
+#include "hidden_window.h"
+
 namespace rakelight::viewer {
 namespace {
 
 static_assert(GLFW_KEY_A == 'A' && GLFW_KEY_ESCAPE == 256 && GLFW_KEY_F1 == 290 && GLFW_KEY_KP_0 == 320);
 static_assert(GLFW_MOD_SHIFT == mod_shift && GLFW_MOD_CONTROL == mod_control && GLFW_MOD_ALT == mod_alt);
-
-std::string last_glfw_error() {
-    const char* text = nullptr;
-    glfwGetError(&text);
-    return text ? one_line(text) : "GLFW says nothing of it";
-}
 
 /// glfw3.h declares what OpenGL 1.1 has; the functions themselves are the driver's.
 template <class F>
@@ -53,6 +49,12 @@ bool add_first(const char* const (&paths)[n], float size_px) {
         if (std::filesystem::exists(path, ignored) && ImGui::GetIO().Fonts->AddFontFromFileTTF(path, size_px))
             return true;
     return false;
+}
+
+/// ImGui's coordinates of a pixel's corner.
+ImVec2 corner(int x, int y) {
+    const ImVec2 pixels_a_point = ImGui::GetIO().DisplayFramebufferScale;
+    return {float(x) / pixels_a_point.x, float(y) / pixels_a_point.y};
 }
 
 }  // namespace
@@ -125,10 +127,7 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height) {
     if (!glfwInit())
         throw Error(ErrorCode::failed, "no window can be opened: " + last_glfw_error(), {},
                     "rakelight render makes pictures without a display");
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    wish_for_opengl();
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!window_) {
         const std::string why = last_glfw_error();
@@ -242,6 +241,26 @@ void GlfwWindow::end_panels() {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
+void GlfwWindow::show(const GlPicture& picture, const PixelBox& to, const PixelBox& clip) {
+    const bool is_same_size = picture.width == to.width && picture.height == to.height;
+    // Pixels of the same size hit the middles of texels, and a little more, lest rounding takes a part of their neighbors;
+    // others stay within the picture, beyond which the texture goes on.
+    const float first = is_same_size ? 1.0f / 512 : 0.5f, behind = is_same_size ? -first : 0.5f;
+    const float u = 1.0f / float(picture.texture_width), v = 1.0f / float(picture.texture_height);
+    const ImVec2 top_left{first * u, (float(picture.height) - behind) * v},
+        bottom_right{(float(picture.width) - behind) * u, first * v};
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.PushClipRect(corner(clip.x, clip.y), corner(clip.x + clip.width, clip.y + clip.height));
+    list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(picture.texture)), corner(to.x, to.y),
+                  corner(to.x + to.width, to.y + to.height), top_left, bottom_right);
+    list.PopClipRect();
+}
+
+void GlfwWindow::fill(const PixelBox& box, std::uint32_t color) {
+    ImGui::GetBackgroundDrawList()->AddRectFilled(corner(box.x, box.y), corner(box.x + box.width, box.y + box.height),
+                                                  color);
+}
+
 void GlfwWindow::set_viewport(int x, int y, int width, int height) {
     using Viewport = void(GLint, GLint, GLsizei, GLsizei);
     static auto* const viewport = gl<Viewport>("glViewport");
@@ -258,6 +277,8 @@ void GlfwWindow::clear() {
     clear_color(gray, gray, gray, 1);
     clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
+
+std::unique_ptr<SharedContext> GlfwWindow::make_shared_context() { return make_hidden_window(window_); }
 
 void GlfwWindow::swap() {
     needs_drawing_ = false;

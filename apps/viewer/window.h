@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // The window, its OpenGL context and what comes from it. The one place that sees GLFW, with the panels' back end.
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "gl_pictures.h"
 #include "input.h"
+#include "shared_context.h"
 
 struct GLFWwindow;
 
 namespace rakelight::viewer {
+
+/// [px] y down.
+struct PixelBox {
+    int x = 0, y = 0, width = 0, height = 0;
+};
 
 class GlfwWindow {
 public:
@@ -40,11 +48,17 @@ public:
     /// Panels: between the two calls ImGui's functions are used. Its font 0 is for words, font 1 for texts in columns.
     void begin_panels();
     void end_panels();
+    /// Between them: shows a picture below the panels. @param to  where all of it would lie  @param clip  what of that is seen
+    void show(const GlPicture& picture, const PixelBox& to, const PixelBox& clip);
+    /// Likewise. @param color  sRGB, R in the low byte, A in the highest
+    void fill(const PixelBox& box, std::uint32_t color);
     void set_theme(bool is_dark);
     /// [px] rows from above; everything that is drawn from now on lies there. All 0: the whole window
     void set_viewport(int x, int y, int width, int height);
     void clear();
     void swap();
+    /// Ends before the window. @throws Error failed
+    std::unique_ptr<SharedContext> make_shared_context();
 
 private:
     void make_panels();

@@ -37,6 +37,9 @@ public:
     void show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth = true);
     /// The same of a frame of linear colors.
     void show(const Frame& frame, const ToneSettings& tone = {});
+    /// Shows the picture of the last show() once more, as it was to be filtered then; nothing is uploaded. For windows
+    /// that are drawn again while their picture stays. @return false: there is none, and nothing was drawn
+    bool show_again();
     /// Lines over what was drawn or shown. Those that are no overlay are hidden by the surfaces of the last draw(); after
     /// show() nothing hides them.
     void lines(const Camera& camera, std::span<const Line> lines);

@@ -56,6 +56,8 @@ void GlView::show(const Frame& frame, const ToneSettings& tone) {
     state_->view.show(frame.window.width, frame.window.height, to_srgb8(frame, tone), true);
 }
 
+bool GlView::show_again() { return state_->view.show_again(); }
+
 void GlView::lines(const Camera& camera, std::span<const Line> lines) {
     State& s = *state_;
     check_camera(camera, s.whole ? s.whole->scene.nodes.size() : 0, CameraUse::in_scene);

@@ -7,6 +7,7 @@
 Runs itself under xvfb-run. Without xvfb-run, xdotool or ImageMagick it is skipped, loudly (exit code 77)."""
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -19,12 +20,24 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
 from program import png  # noqa: E402
 
 PROGRAM, VIEWER = "", ""
+HERE = pathlib.Path(__file__).resolve().parent
+SHARED = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", HERE.parent.parent.parent / "shared"))
 NEEDED = ("xvfb-run", "xdotool", "import")
 SIZE = (640, 480)
 PATIENCE = 10  # [s] for what has to happen; a wait ends as soon as it has
 
 PARTS = ("mtllib m.mtl\no left\nv -2 -1 0\nv 0 -1 0\nv 0 1 0.6\nv -2 1 0\nusemtl red\nf 1 2 3 4\n"
          "o right\nv 0 -1 0\nv 2 -1 0\nv 2 1 0\nv 0 1 0.6\nusemtl gray\nf 5 6 7 8\n")
+STEPS = """RL_FN LightTerms user_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light)
+{
+    LightTerms terms;
+    real steps = floor(lambert_cosine(dot(s.diffuse_n, light.l)) * 3.0f + 0.5f) / 3.0f;
+    terms.ambient = s.base.ambient * (light.ambient * light.attenuation);
+    terms.diffuse = s.base.diffuse * (light.diffuse * (steps * light.attenuation));
+    terms.specular = vec3(0.0f);
+    return terms;
+}
+"""
 MATERIALS = "newmtl red\nKd 0.8 0.1 0.1\nKs 0.3 0.3 0.3\nNs 20\nnewmtl gray\nKd 0.5 0.5 0.5\n"
 
 
@@ -117,6 +130,17 @@ def wait_for(happened, message):
             return result
         time.sleep(0.05)
     raise AssertionError(message)
+
+
+def far_apart(a, b, most=1, columns=range(SIZE[0])):
+    """The share of pixels, in these columns, whose components differ by more than `most` codes."""
+    count = sum(any(abs(x - y) > most for x, y in zip(p[3 * c:3 * c + 3], q[3 * c:3 * c + 3])) for p, q in zip(a, b) if p != q for c in columns)
+    return count / (len(columns) * SIZE[1])
+
+
+def gl_pictures(stats):
+    """How many pictures GlView drew, by --stats."""
+    return int(re.search(r"(\d+) pictures by GlView", stats)[1])
 
 
 class Viewer(unittest.TestCase):
@@ -322,6 +346,74 @@ class Viewer(unittest.TestCase):
         window.key("p")
         window.tool("mousemove", 320, 240, "click", 1)
         window.differs_from(before, 10000)  # the panel with its text
+
+    def test_with_gl_the_window_shows_what_render_draws(self):
+        window = self.open("parts.obj", "--engine", "gl")
+        window.key("n")
+        window.drag(1, 90, 40)
+        window.key("s", "q")
+        shown = window.settled_picture()
+        path, scene = window.save()
+        self.assertEqual(scene["render"]["engine"], "gl")
+        self.assertLess(far_apart(shown, self.render(path)[3]), 0.001)
+        self.assertTrue(png(window.screenshot()) == self.render(path))
+        self.assertGreater(gl_pictures(window.close()[1]), 0)
+
+    def test_with_gl_surfaces_hide_lines_exactly(self):
+        window = self.open("parts.obj", "--engine", "gl")
+        window.key("n", "9")
+        plain = window.settled_picture()
+        window.key("g")
+        window.differs_from(plain, 500)
+        gridded = window.settled_picture()
+        is_red = lambda row, x: row[3 * x] > 60 and row[3 * x] > 2 * row[3 * x + 1]
+        covered = [(x, y) for y in range(3, SIZE[1] - 3) for x in range(3, SIZE[0] - 3)
+                   if all(is_red(plain[y + dy], x + dx) for dx in (-3, 0, 3) for dy in (-3, 0, 3))]
+        self.assertGreater(len(covered), 5000)
+        self.assertEqual([p for p in covered if plain[p[1]][3 * p[0]:3 * p[0] + 3] != gridded[p[1]][3 * p[0]:3 * p[0] + 3]], [])
+
+    def test_a_split_shows_gl_beside_soft(self):
+        window = self.open()
+        window.key("n")
+        soft = window.settled_picture()
+        window.key("backslash")
+        window.settled_picture()
+        window.tool("mousemove", 20, 200, "click", 1)
+        window.key("r")
+        both = window.settled_picture()
+        middle = SIZE[0] // 2
+        self.assertLess(far_apart(both, soft, 2, range(middle - 9)), 0.01)
+        self.assertEqual([row[3 * (middle + 9):] for row in both], [row[3 * (middle + 9):] for row in soft])
+        window.key("shift+backslash")  # side by side
+        window.settled_picture()
+        self.assertGreater(gl_pictures(window.close()[1]), 1)
+
+    def test_a_lighting_model_is_read_again_when_its_file_changes(self):
+        steps = self.folder / "steps.glsl"
+        steps.write_text(STEPS)
+        window = self.open("builtin:sphere", "--engine", "gl", "--lighting", "steps.glsl")
+        three = window.settled_picture()
+        steps.write_text(STEPS.replace("3.0f", "2.0f"))
+        window.differs_from(three, 3000)
+        two = window.settled_picture()
+        steps.write_text(STEPS.replace("floor(", "no_such_function("))
+        window.differs_from(two, 100)  # the compiler's line
+        self.assertEqual(window.settled_picture()[:400], two[:400])  # texts stand below
+        steps.write_text(STEPS)
+        wait_for(lambda: window.picture()[:400] == three[:400], "the mended lighting model is not shown")
+        self.assertEqual(window.close()[0], 0)
+
+    def test_the_pause_of_the_window_while_gl_draws_a_real_model(self):
+        helmet = SHARED / "assets" / "gltf" / "FlightHelmet" / "FlightHelmet.gltf"
+        if not helmet.exists():
+            self.skipTest("there is no FlightHelmet")
+        window = self.open(helmet, "--engine", "gl")
+        window.drag(1, 200, 40)
+        window.settled_picture()
+        code, stats = window.close()
+        print(stats.strip(), file=sys.stderr)  # depends on the machine: reported, not judged
+        self.assertEqual(code, 0)
+        self.assertGreater(gl_pictures(stats), 1)
 
     def test_a_missing_file_is_told_of_on_the_terminal_too(self):
         process = subprocess.Popen([VIEWER, "nowhere.glb"], cwd=self.folder, stderr=subprocess.PIPE, text=True, env=dict(os.environ, XDG_CONFIG_HOME=str(self.folder)))

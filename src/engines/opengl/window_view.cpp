@@ -240,6 +240,15 @@ void WindowView::show(int width, int height, std::span<const std::uint32_t> srgb
     s.draw_display(screen, s.picture.name(), shows_codes, 1);
 }
 
+bool WindowView::show_again() {
+    State& s = *state_;
+    if (!s.picture) return false;
+    const Screen screen = Screen::with_own_state(s.driver().is_es);
+    s.has_depth = false;
+    s.draw_display(screen, s.picture.name(), shows_codes, 1);
+    return true;
+}
+
 void WindowView::lines(const Camera& camera, std::span<const Line> lines) {
     State& s = *state_;
     const Screen screen = Screen::with_own_state(s.driver().is_es);

@@ -28,6 +28,7 @@ public:
     /// As GlView has them. @param camera  of the world
     RenderStats draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context);
     void show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth);
+    bool show_again();
     void lines(const Camera& camera, std::span<const Line> lines);
 
 private:

@@ -87,6 +87,22 @@ TEST_F(GlViews, CodesAreShownAsTheyAre) {
     EXPECT_EQ(test::error_of([&] { view.show(width, height + 1, codes); }).code(), ErrorCode::usage);
 }
 
+TEST_F(GlViews, ThePictureThatWasShownIsShownAgain) {
+    GlView view;
+    EXPECT_FALSE(view.show_again()) << "there is none";
+    std::vector<std::uint32_t> codes;
+    for (std::uint32_t i = 0; i < width * height; ++i) codes.push_back(0xFF000000u | i * 2654435761u >> 8);
+    view.show(width, height, codes, false);
+    upload(view, red_square());
+    view.draw(camera, settings, {}, context);
+    EXPECT_NE(screen(), codes);
+    EXPECT_TRUE(view.show_again());
+    EXPECT_EQ(screen(), codes);
+    const Line behind{.from = {-0.9, 0, -0.5}, .to = {0.9, 0, -0.5}, .color = {1, 1, 1, 1}, .width_px = 3};
+    view.lines(camera, {&behind, 1});
+    EXPECT_EQ(at(screen(), width / 2, height / 2), 0xFFFFFFu) << "nothing hides lines over a picture";
+}
+
 TEST_F(GlViews, TheBoundFramebufferAndItsViewportStay) {
     GlView view;
     upload(view, red_square());

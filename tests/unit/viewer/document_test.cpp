@@ -201,7 +201,7 @@ TEST_F(Looks, ThePainterEndsWithThePictureOfRender) {
     std::shared_ptr<const Painting> last;
     while (!last || !last->is_final) {
         if (auto next = painter.take()) last = next;
-        ASSERT_FALSE(painter.take_error());
+        ASSERT_FALSE(painter.take_fault());
         std::this_thread::yield();
     }
     EXPECT_TRUE(last->codes == to_srgb8(drawn(m, look), {}));
@@ -242,10 +242,11 @@ TEST_F(Looks, ThePainterTellsWhatIsWrong) {
     look.request.settings.samples = 3;
     Painter painter([] {}, 0, 0);
     painter.paint({.model = m, .look = look, .width = width, .height = height, .number = 7});
-    std::optional<std::pair<std::uint64_t, Error>> error;
-    while (!(error = painter.take_error())) std::this_thread::yield();
-    EXPECT_EQ(error->first, 7u);
-    EXPECT_EQ(error->second.code(), ErrorCode::usage);
+    std::optional<Painter::Fault> fault;
+    while (!(fault = painter.take_fault())) std::this_thread::yield();
+    EXPECT_EQ(fault->number, 7u);
+    EXPECT_EQ(fault->error.code(), ErrorCode::usage);
+    EXPECT_FALSE(fault->is_of_gl);
 }
 
 TEST_F(Looks, APixelIsFoundOnItsMaterial) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures that are drawn on the GPU: when, by what, and what is done where that fails.
+#include <algorithm>
+
+#include "app.h"
+
+namespace rakelight::viewer {
+
+bool App::is_drawn_by_gl(const Look& look) const {
+    const std::string& engine = look.request.engine;
+    const bool is_wanted = engine == "gl" || (engine == "auto" && views_[0].screen->has_gpu());
+    return is_wanted && !has_gl_failed_ && look.channel == 0;
+}
+
+std::shared_ptr<GlPainter> App::gl_of(View& view) {
+    if (!view.gl) try {
+            view.gl = std::make_shared<GlPainter>(window_->make_shared_context());
+        } catch (const Error& error) {
+            give_up_gl(error);
+        }
+    return view.gl;
+}
+
+/// From now on pictures are made by sessions, those that were GlView's by soft. Engine gl can be chosen again: it has a context of
+/// its own.
+void App::give_up_gl(const Error& error) {
+    has_gl_failed_ = true;
+    for (View& view : views_)
+        if (view.look.request.engine == "gl" || view.look.request.engine == "auto") view.look.request.engine = "soft";
+    report(Error(ErrorCode::failed, "OpenGL fails in the window: " + error.reason(), {},
+                 "the engine soft draws from now on"));
+}
+
+Marks App::marks() const {
+    return {.grid = ui_.grid,
+            .axes = ui_.axes,
+            .lights = ui_.light_glyphs,
+            .vectors = {ui_.normals, ui_.tangents, ui_.bitangents},
+            .seams = ui_.seams && seams_model_ == model_ ? seams_ : nullptr,
+            .light = ui_.light};
+}
+
+/// Reads the file of a lighting model again when it has changed.
+void App::watch_lighting() {
+    try {
+        const std::string file = active().look.request.settings.lighting_name;
+        const std::optional<std::string> text = lighting_file_.changed(file);
+        if (!text) return;
+        for (View& view : views_)
+            if (view.look.request.settings.lighting_name == file) view.look.request.settings.lighting_text = *text;
+        say("read " + one_line(file, 100) + " again");
+    } catch (const Error& error) {
+        report(error);
+    }
+}
+
+}  // namespace rakelight::viewer

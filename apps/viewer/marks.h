@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which lines are wanted over a picture, and the lines themselves.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include <rakelight/session.h>
+
+#include "overlay.h"
+
+namespace rakelight::viewer {
+
+struct Marks {
+    bool grid = false, axes = false, lights = false;
+    bool vectors[3] = {};                                ///< by VertexVector
+    std::shared_ptr<const std::vector<SeamLine>> seams;  ///< null: none
+    std::size_t light = 0;                               ///< selected
+    bool operator==(const Marks&) const = default;
+
+    /// Some that surfaces hide.
+    bool has_hidden() const { return grid || vectors[0] || vectors[1] || vectors[2] || seams; }
+};
+
+/// Keeps what takes long to find.
+class MarkLines {
+public:
+    /// @param prepared  what the picture was drawn of
+    std::vector<Line> lines(const Marks& marks, const Look& look, const Model& model,
+                            const std::shared_ptr<const PreparedScene>& prepared, int width, int height);
+
+private:
+    std::vector<Line> vectors_;
+    std::shared_ptr<const PreparedScene> vectors_of_;
+    bool vectors_which_[3] = {};
+};
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "../../../apps/viewer/marks.h"
+
+#include <gtest/gtest.h>
+
+#include "../../../apps/viewer/load_model.h"
+
+namespace rakelight::viewer {
+namespace {
+
+TEST(Marks, AreTheLinesOfEachThatIsWanted) {
+    Context context({.threads = 1});
+    Start start;
+    start.takes = [](std::string_view) { return true; };
+    const auto model = load_model("builtin:plane", start, context);
+    const Look look = first_look(*model);
+    Session session;
+    session.set(model->scene);
+    const auto prepared = session.prepared({}, context);
+    MarkLines made;
+    const auto count = [&](const Marks& marks) { return made.lines(marks, look, *model, prepared, 64, 64).size(); };
+    EXPECT_EQ(count({}), 0u);
+    EXPECT_EQ(count({.axes = true}), 3u);
+    const std::size_t normals = count({.vectors = {true}});
+    EXPECT_EQ(normals, model->vertices);
+    EXPECT_EQ(count({.axes = true, .vectors = {true}}), 3 + normals);
+    EXPECT_EQ(count({}), 0u);
+    const auto seams = std::make_shared<const std::vector<SeamLine>>(7);
+    EXPECT_EQ(count({.seams = seams}), 7u);
+    EXPECT_GT(count({.lights = true}), 0u);
+}
+
+}  // namespace
+}  // namespace rakelight::viewer
