@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "shown_path.h"
+
 namespace rakelight::viewer {
 namespace {
 
@@ -179,7 +181,7 @@ void App::submit(View& view) {
 }
 
 void App::report(const Error& error) {
-    ui_.message = error.what();
+    ui_.message = with_short_paths(error.what());
     ui_.is_message_error = true;
     is_dirty_ = true;
     frames_to_draw_ = 3;

@@ -73,10 +73,7 @@ void App::draw_lines(View& view) {
     }
     if (which != 0) add(vector_lines_);
     if (ui_.axes) add(axis_lines(bounds));
-    if (ui_.light_glyphs) {
-        Look lit = view.look;
-        add(light_lines(changing_lights(lit, *model_, view.area.width, view.area.height), bounds, ui_.light));
-    }
+    if (ui_.light_glyphs) add(light_marks(view));
     if (lines.empty()) return;
     if (!p.depth.empty()) lines = visible_lines(lines, p.camera, p.depth, p.width, p.height, 0.004 * bounds.diagonal());
     const Rectangle& a = view.area;
