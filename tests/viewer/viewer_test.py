@@ -309,8 +309,12 @@ class Viewer(unittest.TestCase):
         (self.folder / "lamp.scene.toml").write_text("[[model]]\nfile = 'parts.obj'\n[[light]]\ntype = 'point'\nposition = [0, 0.5, 1]\n"
                                                      "[[camera]]\nposition = [0, 0.5, 6]\ntarget = [0, 0.5, 0]\n")
         window = self.open("lamp.scene.toml")
+        before = window.settled_picture()
         window.key("d")
+        window.differs_from(before, 20, "after d")
+        before = window.settled_picture()
         window.drag(1, 100, 0)  # the lamp is in the middle
+        window.differs_from(before, 200, "when the lamp was dragged")
         _, scene = window.save()
         self.assertGreater(scene["light"][0]["position"][0], 0.3)
         self.assertAlmostEqual(scene["light"][0]["position"][1], 0.5, 6)
