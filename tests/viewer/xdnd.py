@@ -5,13 +5,26 @@
 As toolkits do, the source grabs pointer and keyboard while it drags: the target sees no key of the user."""
 import pathlib
 import select
+import sys
 import time
 
-from Xlib import X, XK, Xatom, display
-from Xlib.ext import xtest
-from Xlib.protocol import event as events
+try:
+    import Xlib  # noqa: F401
+except ImportError:
+    sys.path.append("/usr/lib/python3/dist-packages")  # where Debian has it, whichever Python runs
+try:
+    from Xlib import X, XK, display
+    from Xlib.ext import xtest
+    from Xlib.protocol import event as events
+except ImportError:
+    display = None
 
 PATIENCE = 10  # [s] for an answer of the target
+
+
+def is_there():
+    """Whether python3-xlib is installed."""
+    return display is not None
 
 
 class Refused(Exception):
@@ -63,7 +76,7 @@ class Desktop:
             self._send(window, "XdndLeave", 0, 0, 0, 0)
             raise Refused("the window takes no drop here")
         self._send(window, "XdndDrop", 0, X.CurrentTime, 0, 0)
-        if not self._answer("XdndFinished")[1] & 1:
+        if not self._answer("XdndFinished")[1]:  # GLFW sends the number of bytes, so that bit 0 alone would say nothing
             raise Refused("the window did not take what was dropped")
 
     def _send(self, window, name, *data):
