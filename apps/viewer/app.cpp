@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "shown_path.h"
+
 namespace rakelight::viewer {
 namespace {
 
@@ -161,7 +163,7 @@ void App::submit(View& view) {
     const bool wants_depth = ui_.normals || ui_.tangents || ui_.bitangents || ui_.seams || ui_.grid;
     const Rectangle &a = view.area, &b = view.submitted_area;
     const bool is_by_gl = is_drawn_by_gl(view.look);  // then lines are in the picture
-    const Marks wanted_marks = marks();
+    const Marks wanted_marks = marks(view);
     const bool is_same = view.submitted_model == model_ && view.look == view.submitted && a.width == b.width &&
                          a.height == b.height && view.is_submitted_with_depth == wants_depth &&
                          (!is_by_gl || view.submitted_marks == wanted_marks);
@@ -195,7 +197,7 @@ void App::submit(View& view) {
 }
 
 void App::report(const Error& error) {
-    ui_.message = error.what();
+    ui_.message = with_short_paths(error.what());
     ui_.is_message_error = true;
     is_dirty_ = true;
     frames_to_draw_ = 3;

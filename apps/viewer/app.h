@@ -12,9 +12,11 @@
 #include <rakelight/inspect.h>
 
 #include "background.h"
+#include "gizmo.h"
 #include "input.h"
 #include "lighting_file.h"
 #include "load_model.h"
+#include "materials.h"
 #include "painter.h"
 #include "panels.h"
 #include "settings_file.h"
@@ -60,7 +62,7 @@ private:
     bool is_drawn_by_gl(const Look& look) const;
     std::shared_ptr<GlPainter> gl_of(View& view);
     void give_up_gl(const Error& error);
-    Marks marks() const;
+    Marks marks(const View& view) const;
     void report(const Error& error);
     void say(const std::string& text);
     bool is_busy() const;
@@ -77,10 +79,21 @@ private:
     void leave();
     void step_walk();
     void click(const Event& event);
-    void drop(const Event& event);
     void activate_at(double x, double y);
+
+    // app_drop.cpp: what is dropped on the window
+    void drop(const Event& event);
+    void open_dropped(const std::vector<std::string>& models, bool adds);
+    void take_files_back();
+    void give_picture(const Event& event, const std::string& file);
+
+    // app_lights.cpp: lights in the picture
+    GizmoView gizmo_view(const View& view) const;
+    std::optional<Light> selected_light(const View& view) const;
     bool take_light(double x, double y);
-    void move_light(double dx, double dy);
+    void move_light(double x, double y);
+    void hover_light(double x, double y, bool is_over_panel);
+    void follow_camera();
 
     // app_work.cpp: what runs in the background
     void load_current(bool keeps_look);
@@ -88,6 +101,7 @@ private:
     void step_file(int by);
     void watch_file();
     void watch_lighting();
+    void note_file_time();
     void screenshot(bool is_transparent);
     void save_scene();
     void save_seamless();
@@ -119,11 +133,23 @@ private:
     LightingFile lighting_file_;
     std::shared_ptr<const Model> model_;
     std::size_t file_ = 0;
+    struct FileList {
+        std::vector<std::string> files;
+        std::size_t number = 0;
+    };
+    std::optional<FileList> before_drop_;  ///< while what was dropped is loaded
 
     HeldKeys held_;
     Drag drag_ = Drag::none;
     double last_x_ = 0, last_y_ = 0, press_x_ = 0, press_y_ = 0;
     int press_modifiers_ = 0;
+    struct LightDrag {
+        Handle handle = Handle::none;
+        Light start;
+        dvec2 from;
+    };
+    LightDrag light_drag_;
+    Handle hovered_ = Handle::none;
     Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, said_{};
     bool is_quitting_ = false, is_dirty_ = true;
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle

@@ -104,7 +104,8 @@ void App::draw_lines(View& view) {
     if (!view.shown || !model_ || view.shown->model != model_) return;
     const Painting& p = *view.shown;
     const Rectangle& a = view.area;
-    std::vector<Line> lines = view.mark_lines.lines(marks(), view.look, *model_, p.prepared, a.width, a.height);
+    std::vector<Line> lines =
+        view.mark_lines.lines(marks(view), view.look, *model_, p.prepared, p.camera, a.width, a.height);
     if (lines.empty()) return;
     if (!p.depth.empty())
         lines = visible_lines(lines, p.camera, p.depth, p.width, p.height, 0.004 * model_->box.bounds().diagonal());

@@ -31,13 +31,18 @@ void App::give_up_gl(const Error& error) {
                  "the engine soft draws from now on"));
 }
 
-Marks App::marks() const {
+Marks App::marks(const View& view) const {
+    const bool has_handles = ui_.light_glyphs && &view == &views_[ui_.active];
+    const Handle lit = drag_ == Drag::light ? light_drag_.handle : hovered_;
     return {.grid = ui_.grid,
             .axes = ui_.axes,
             .lights = ui_.light_glyphs,
             .vectors = {ui_.normals, ui_.tangents, ui_.bitangents},
             .seams = ui_.seams && seams_model_ == model_ ? seams_ : nullptr,
-            .light = ui_.light};
+            .light = ui_.light,
+            .has_handles = has_handles,
+            .lit = has_handles ? lit : Handle::none,
+            .scale = double(window_->scale())};
 }
 
 /// Reads the file of a lighting model again when it has changed.

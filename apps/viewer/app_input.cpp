@@ -6,7 +6,6 @@
 #include <rakelight/linear.h>
 
 #include "app.h"
-#include "overlay.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -84,13 +83,14 @@ void App::move(const Event& event) {
         return;
     }
     const bool looks = ui_.is_walking && (dx != 0 || dy != 0);
+    if (drag_ == Drag::none) hover_light(event.x, event.y, event.is_for_panels);
     if (!model_ || (drag_ == Drag::none && !looks)) return;
     const bool is_click_yet = std::hypot(event.x - press_x_, event.y - press_y_) < still_px;
     if (!looks && is_click_yet) return;
     Look& look = active().look;
     const Rectangle& area = active().area;
     const double side = std::max(1, std::min(area.width, area.height)), angle = turn_of_window_rad / side;
-    if (drag_ == Drag::light) return last_motion_ = Clock::now(), move_light(dx, dy);
+    if (drag_ == Drag::light) return last_motion_ = Clock::now(), move_light(event.x, event.y);
     Eye& eye = moving_eye(look, *model_, area.width, area.height);
     const auto on_ball = [&](dvec2 p) {
         return dvec2{(2 * (p.x - area.x) - area.width) / side, (area.height - 2 * (p.y - area.y)) / side};
@@ -110,44 +110,6 @@ void App::move(const Event& event) {
         default:
             return;
     }
-}
-
-/// Whether a light that is shown is under the pointer; it is selected then.
-bool App::take_light(double x, double y) {
-    View& view = active();
-    if (!ui_.light_glyphs || !model_ || !view.shown) return false;
-    Look lit = view.look;
-    const std::vector<LightItem>& lights = changing_lights(lit, *model_, view.area.width, view.area.height);
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const std::optional<dvec3> place = place_of(lights[i].light, model_->box.bounds());
-        const std::optional<dvec2> p =
-            place ? pixel_of(*place, view.camera, view.area.width, view.area.height) : std::nullopt;
-        if (!p || std::hypot(p->x + view.area.x - x, p->y + view.area.y - y) > 14 * double(window_->scale())) continue;
-        ui_.light = i;
-        return true;
-    }
-    return false;
-}
-
-/// A lamp goes with the pointer across the view; a directional light turns about the model.
-void App::move_light(double dx, double dy) {
-    View& view = active();
-    const Rectangle& area = view.area;
-    std::vector<LightItem>& lights = changing_lights(view.look, *model_, area.width, area.height);
-    if (ui_.light >= lights.size()) return;
-    Light& light = lights[ui_.light].light;
-    const dmat4& m = view.camera.to_world;
-    if (light.type == LightType::directional) {
-        const double angle = turn_of_window_rad / std::max(1, std::min(area.width, area.height));
-        const dvec3 turned = rotated(rotated(light.direction, m[1].xyz(), dx * angle), m[0].xyz(), dy * angle);
-        light.direction = normalize_or(turned, light.direction);
-        return;
-    }
-    const bool is_parallel = view.camera.projection == Projection::orthographic;
-    const double away = -dot(light.position - m[3].xyz(), m[2].xyz());
-    const double half = is_parallel ? view.camera.half_height : away * std::tan(0.5 * view.camera.vertical_fov_rad);
-    const double meters = 2 * half / area.height;
-    light.position += m[0].xyz() * (dx * meters) - m[1].xyz() * (dy * meters);
 }
 
 void App::zoom(const Event& event) {
@@ -183,9 +145,10 @@ void App::click(const Event& event) {
     last_click_ = now;
     if (ui_.is_picking && event.button == Button::left) return explain_at(x, y);
     if (event.button == Button::left && (press_modifiers_ & mod_alt))
-        return view.painter->look_at_pixel(x, y, [this](std::optional<Painter::Hit> hit) {
-            if (!hit || hit->material == no_index) return say("nothing with a material is there");
-            ui_.material = hit->material;
+        return view.painter->look_at_pixel(x, y, [this, &view](std::optional<Painter::Hit> hit) {
+            if (!model_ || !hit || hit->material == no_index) return say("there is no surface at this pixel");
+            ui_.material = source_material(model_->scene, view.look.materials, hit->material);
+            ui_.object = hit->object;
             ui_.open[std::size_t(Panel::materials)] = true, ui_.are_panels_hidden = false;
             frames_to_draw_ = 3;
         });
@@ -249,6 +212,7 @@ void App::command(Command command) {
         case Command::record:
             return record();
         case Command::copy_command_line:
+        case Command::follow_camera:
         case Command::quit:
         case Command::full_screen:
         case Command::leave:
@@ -260,41 +224,7 @@ void App::command(Command command) {
     if (command == Command::full_screen) window_->set_full_screen(!window_->is_full_screen());
     if (command == Command::leave) leave();
     if (command == Command::copy_command_line) copy_command_line();
-}
-
-void App::drop(const Event& event) {
-    for (const std::string& file : event.files) {
-        switch (kind_of_drop(file, event.modifiers & mod_shift)) {
-            case Dropped::model: {
-                if (!(event.modifiers & mod_control)) start_.files.clear();
-                const std::size_t first = start_.files.size();
-                for (const std::string& model : event.files)
-                    for (std::string& name : models_in(model)) start_.files.push_back(std::move(name));
-                if (first == start_.files.size()) return say("there is no model in this folder");
-                file_ = first;
-                return load_current(false);
-            }
-            case Dropped::environment:
-                if (!model_) continue;
-                active().look.request.hdri_file = file;
-                active().look.request.hdri_ambient = active().look.request.hdri_skybox = true;
-                continue;
-            case Dropped::picture:
-                if (!model_ || !active().painter) continue;
-                activate_at(event.x, event.y);
-                active().painter->look_at_pixel(
-                    int(event.x) - active().area.x, int(event.y) - active().area.y,
-                    [this, file](std::optional<Painter::Hit> hit) {
-                        if (!hit) return say("a picture is dropped onto an object, which gets it as its texture");
-                        try {
-                            set_material(active().look, material_name(model_->scene, hit->material),
-                                         "color_texture=" + file);
-                        } catch (const Error& error) {
-                            report(error);
-                        }
-                    });
-        }
-    }
+    if (command == Command::follow_camera) follow_camera();
 }
 
 }  // namespace rakelight::viewer

@@ -7,7 +7,9 @@
 #include <rakelight/smooth_file.h>
 
 #include "app.h"
+#include "materials.h"
 #include "save.h"
+#include "shown_path.h"
 #include "studio.h"
 
 namespace rakelight::viewer {
@@ -23,10 +25,15 @@ fs::file_time_type time_of(const std::string& file) {
 
 }  // namespace
 
+/// The time of the file that is shown or could not be, so that a later change is seen.
+void App::note_file_time() {
+    file_time_ = changed_time_ = file_ < start_.files.size() ? time_of(start_.files[file_]) : fs::file_time_type{};
+}
+
 void App::load_current(bool keeps_look) {
     if (file_ >= start_.files.size()) return;
     const std::string file = start_.files[file_];
-    file_time_ = changed_time_ = time_of(file);
+    note_file_time();
     ui_.message.clear();
     const auto work = [this, file, start = start_, keeps_look](Context& context) -> Background::Finish {
         const auto model = load_model(file, start, context);
@@ -34,6 +41,7 @@ void App::load_current(bool keeps_look) {
     };
     loader_.start("load", work, [this](const Error& error) {
         std::fprintf(stderr, "rakelight: error: %s\n", error.what());
+        take_files_back();
         report(error);
     });
 }
@@ -41,10 +49,12 @@ void App::load_current(bool keeps_look) {
 void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look) {
     const bool keeps = keeps_look && model_ && model_->file == model->file;
     model_ = model;
+    before_drop_.reset();
     seams_.reset();
+    ui_.objects_are_of = no_index;
     if (!keeps) {
         for (View& view : views_) view.look = first_look(*model);
-        ui_.light = ui_.material = 0;
+        ui_.light = ui_.material = 0, ui_.object = no_index;
         ui_.explained.clear();
     }
     window_->set_title(one_line(fs::path(model->file).filename().string(), 100) + " - Rakelight");
@@ -67,8 +77,8 @@ void App::step_file(int by) {
 void App::watch_file() {
     last_watch_ = Clock::now();
     watch_lighting();
-    if (!model_ || loader_.is_running()) return;
-    const fs::file_time_type now = time_of(model_->file);
+    if (file_ >= start_.files.size() || loader_.is_running()) return;
+    const fs::file_time_type now = time_of(start_.files[file_]);
     if (now == fs::file_time_type{} || now == file_time_) return;
     if (now == changed_time_)
         load_current(true);
@@ -87,7 +97,7 @@ void App::screenshot(bool is_transparent) {
         const PictureResult result =
             render_picture(with_edits(model->scene, look.materials, context), request, context);
         return [this, name = result.channel_files.empty() ? result.output : result.channel_files.back()] {
-            say("wrote " + name);
+            say("wrote " + short_path(name));
         };
     };
     chores_.start("screenshot", work, [this](const Error& error) { report(error); });
@@ -99,7 +109,7 @@ void App::save_scene() {
     const std::string path = free_world_name(model_->file);
     const auto work = [this, model = model_, look = view.look, area = view.area, path](Context&) -> Background::Finish {
         save_world(world_of(look, *model, area.width, area.height, path), path);
-        return [this, path] { say("wrote " + path); };
+        return [this, path] { say("wrote " + short_path(path)); };
     };
     chores_.start("save", work, [this](const Error& error) { report(error); });
 }
@@ -129,7 +139,7 @@ void App::save_seamless() {
     options.attributes.weight = active().look.request.prepare.weight;
     const auto work = [this, input, output, options](Context& context) -> Background::Finish {
         const SmoothedFile result = smooth_file(input.string(), output.string(), options, context);
-        return [this, text = summary(result)] { say(text); };
+        return [this, text = summary(result)] { say(with_short_paths(text)); };
     };
     chores_.start("save seamless", work, [this](const Error& error) { report(error); });
 }
@@ -158,7 +168,9 @@ void App::record() {
             std::snprintf(name, sizeof name, "%04d.png", i + 1);
             save(frame, (folder / name).string(), request.tone);
         }
-        return [this, folder, count] { say("wrote " + std::to_string(count) + " pictures to " + folder.string()); };
+        return [this, folder, count] {
+            say("wrote " + std::to_string(count) + " pictures to " + short_path(folder.string()));
+        };
     };
     chores_.start("record", work, [this](const Error& error) { report(error); });
 }
@@ -171,7 +183,7 @@ void App::explain_at(int x, int y) {
     const auto work = [this, request, x, y, remark](Context& context) -> Background::Finish {
         std::string text = remark + to_text(*explain(request, x, y, context));
         return [this, text = std::move(text)] {
-            ui_.explained = text;
+            ui_.explained = with_short_paths(text, model_ ? model_->file : std::string());
             ui_.open[std::size_t(Panel::pixel)] = true, ui_.are_panels_hidden = false;
             frames_to_draw_ = 3;
         };

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "document.h"
 
-#include <algorithm>
-
 #include <rakelight/linear.h>
-#include <rakelight/material_changes.h>
 #include <rakelight/picture_parts.h>
 
 namespace rakelight::viewer {
@@ -64,21 +61,6 @@ void carry_lights(Look& look, const Camera& from, const Camera& to) {
     }
 }
 
-std::vector<WorldValue>& changing_material(Look& look, const std::string& name) {
-    const auto found = std::ranges::find(look.materials, name, &MaterialEdit::name);
-    return found != look.materials.end() ? found->values : look.materials.emplace_back(MaterialEdit{name, {}}).values;
-}
-
-void set_material(Look& look, const std::string& name, const std::string& key_and_value) {
-    const std::string words[] = {key_and_value};
-    const std::vector<WorldValue> set = material_values(words);
-    std::vector<WorldValue>& values = changing_material(look, name);
-    for (const WorldValue& value : set) {
-        std::erase_if(values, [&](const WorldValue& v) { return v.key == value.key; });
-        values.push_back(value);
-    }
-}
-
 Look first_look(const Model& model) {
     Look look{.request = model.request};
     if (model.request.view.up) look.world_up = normalize_or(*model.request.view.up, dvec3{0, 1, 0});
@@ -90,16 +72,6 @@ bool have_same_surfaces(const Look& a, const Look& b) {
     return a.materials == b.materials && x.materials == y.materials && x.hdri_file == y.hdri_file &&
            x.hdri_ambient == y.hdri_ambient && x.hdri_skybox == y.hdri_skybox && x.hdri_intensity == y.hdri_intensity &&
            x.hdri_rotation_rad == y.hdri_rotation_rad;
-}
-
-std::string material_name(const Scene& scene, std::uint32_t material) {
-    return material < scene.materials.size() ? scene.materials[material].name : "default";
-}
-
-Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& context) {
-    for (const MaterialEdit& edit : edits)
-        scene = with_material_values(std::move(scene), edit.name, edit.values, context);
-    return scene;
 }
 
 }  // namespace rakelight::viewer

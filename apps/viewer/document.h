@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/material_changes.h>
 #include <rakelight/request.h>
 #include <rakelight/world.h>
 
@@ -24,6 +25,7 @@ struct Model {
     std::vector<Light> lights;  ///< the file's own, placed in the world
     std::vector<ReportEntry> remarks;
     std::uint64_t triangles = 0, vertices = 0, objects = 0;
+    bool has_meshes_without_material = false;
     double load_ms = 0;
 };
 
@@ -35,9 +37,9 @@ struct LightItem {
     bool operator==(const LightItem&) const = default;
 };
 
-/// Changed keys of [[material]] of the materials of a name.
+/// Changed keys of [[material]].
 struct MaterialEdit {
-    std::string name;
+    MaterialTarget target;
     std::vector<WorldValue> values;
     bool operator==(const MaterialEdit&) const = default;
 };
@@ -64,10 +66,6 @@ Eye& moving_eye(Look& look, const Model& model, int width, int height);
 std::vector<LightItem>& changing_lights(Look& look, const Model& model, int width, int height);
 /// Lights that follow the camera go as it went.
 void carry_lights(Look& look, const Camera& from, const Camera& to);
-/// The values that a material's edit holds; made where there is none.
-std::vector<WorldValue>& changing_material(Look& look, const std::string& name);
-/// Sets a key of [[material]], as "roughness=0.5" says it. @throws Error usage
-void set_material(Look& look, const std::string& name, const std::string& key_and_value);
 
 /// A fresh look at a model: as its request says.
 Look first_look(const Model& model);
@@ -77,10 +75,5 @@ bool apply(Command command, Look& look, const Model& model, int width, int heigh
 
 /// Whether pictures of two looks of one model need the same surfaces: materials and environment.
 bool have_same_surfaces(const Look& a, const Look& b);
-
-/// The model's scene with edited materials. @throws Error as with_material_values()
-Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& context);
-/// The name by which [[material]] knows a material.
-std::string material_name(const Scene& scene, std::uint32_t material);
 
 }  // namespace rakelight::viewer

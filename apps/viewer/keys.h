@@ -60,6 +60,7 @@ enum class Command : std::uint8_t {
     grid,
     axes,
     light_glyphs,
+    follow_camera,
     normals,
     tangents,
     bitangents,

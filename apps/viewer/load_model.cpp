@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "load_model.h"
 
-#include <algorithm>
 #include <chrono>
-#include <filesystem>
 
 #include <rakelight/linear.h>
 
 namespace rakelight::viewer {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string ending_of(const std::string& file) {
-    std::string ending = fs::path(file).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    return ending;
-}
 
 PictureRequest request_for(const std::string& file, const Start& start) {
     PictureRequest request;
@@ -47,6 +37,7 @@ std::vector<Light> lights_in_world(const Scene& scene) {
 }
 
 void count(Model& model) {
+    for (const Mesh& mesh : model.scene.meshes) model.has_meshes_without_material |= mesh.material == no_index;
     for (const Node& node : model.scene.nodes) {
         if (!node.meshes.empty()) ++model.objects;
         for (const std::uint32_t m : node.meshes) {
@@ -82,27 +73,6 @@ std::shared_ptr<const Model> load_model(const std::string& file, const Start& st
     model->remarks = context.report().entries();
     model->load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return model;
-}
-
-Dropped kind_of_drop(const std::string& file, bool is_shift_down) {
-    const std::string ending = ending_of(file);
-    if (ending == ".hdr" || ending == ".exr") return Dropped::environment;
-    constexpr const char* pictures[] = {".png", ".jpg", ".jpeg", ".webp", ".tga", ".bmp"};
-    if (std::ranges::find(pictures, ending) == std::end(pictures)) return Dropped::model;
-    return is_shift_down ? Dropped::environment : Dropped::picture;
-}
-
-std::vector<std::string> models_in(const std::string& path) {
-    std::error_code fault;
-    if (!fs::is_directory(path, fault)) return {path};
-    constexpr const char* endings[] = {".glb",   ".gltf", ".obj", ".fbx", ".dae", ".3ds", ".ase",
-                                       ".blend", ".stl",  ".ply", ".off", ".x",   ".toml"};
-    std::vector<std::string> files;
-    for (fs::directory_iterator at(path, fault), end; !fault && at != end && files.size() < 10000; at.increment(fault))
-        if (std::ranges::find(endings, ending_of(at->path().string())) != std::end(endings))
-            files.push_back(at->path().string());
-    std::ranges::sort(files);
-    return files;
 }
 
 }  // namespace rakelight::viewer

@@ -27,10 +27,4 @@ std::shared_ptr<const Model> load_model(const std::string& file, const Start& st
 /// Matrices node -> world, [nodes], of a scene that passed validate().
 std::vector<dmat4> node_matrices(const Scene& scene);
 
-/// What a dropped file is, by its ending.
-enum class Dropped { model, environment, picture };
-Dropped kind_of_drop(const std::string& file, bool is_shift_down);
-/// A folder's files that may be models, by name; a file alone.
-std::vector<std::string> models_in(const std::string& path);
-
 }  // namespace rakelight::viewer

@@ -5,13 +5,27 @@
 
 namespace rakelight::viewer {
 
+namespace {
+
+void add(std::vector<Line>& to, const std::vector<Line>& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+void add_lights(const Marks& marks, const Look& look, const Model& model, const Camera& camera, int width, int height,
+                std::vector<Line>& to) {
+    Look lit = look;
+    const std::vector<LightItem>& lights = changing_lights(lit, model, width, height);
+    const Bounds& bounds = model.box.bounds();
+    add(to, light_lines(lights, bounds, marks.light));
+    if (marks.has_handles && marks.light < lights.size())
+        add(to, gizmo_lines(lights[marks.light].light, {camera, width, height, marks.scale, bounds}, marks.lit));
+}
+
+}  // namespace
+
 std::vector<Line> MarkLines::lines(const Marks& marks, const Look& look, const Model& model,
-                                   const std::shared_ptr<const PreparedScene>& prepared, int width, int height) {
+                                   const std::shared_ptr<const PreparedScene>& prepared, const Camera& camera,
+                                   int width, int height) {
     const Bounds& bounds = model.box.bounds();
     std::vector<Line> lines;
-    const auto add = [](std::vector<Line>& to, const std::vector<Line>& more) {
-        to.insert(to.end(), more.begin(), more.end());
-    };
     if (marks.grid) add(lines, grid_lines(bounds, look.world_up));
     if (marks.seams) add(lines, seam_lines(*marks.seams));
     if (vectors_of_ != prepared || !std::ranges::equal(vectors_which_, marks.vectors)) {
@@ -23,10 +37,7 @@ std::vector<Line> MarkLines::lines(const Marks& marks, const Look& look, const M
     }
     add(lines, vectors_);
     if (marks.axes) add(lines, axis_lines(bounds));
-    if (marks.lights) {
-        Look lit = look;
-        add(lines, light_lines(changing_lights(lit, model, width, height), bounds, marks.light));
-    }
+    if (marks.lights) add_lights(marks, look, model, camera, width, height, lines);
     return lines;
 }
 

@@ -6,6 +6,7 @@
 
 #include <rakelight/session.h>
 
+#include "gizmo.h"
 #include "overlay.h"
 
 namespace rakelight::viewer {
@@ -15,6 +16,9 @@ struct Marks {
     bool vectors[3] = {};                                ///< by VertexVector
     std::shared_ptr<const std::vector<SeamLine>> seams;  ///< null: none
     std::size_t light = 0;                               ///< selected
+    bool has_handles = false;                            ///< of that light
+    Handle lit = Handle::none;                           ///< highlighted
+    double scale = 1;                                    ///< of the display
     bool operator==(const Marks&) const = default;
 
     /// Some that surfaces hide.
@@ -24,9 +28,10 @@ struct Marks {
 /// Keeps what takes long to find.
 class MarkLines {
 public:
-    /// @param prepared  what the picture was drawn of
+    /// @param prepared  what the picture was drawn of  @param camera  and by what, of the world
     std::vector<Line> lines(const Marks& marks, const Look& look, const Model& model,
-                            const std::shared_ptr<const PreparedScene>& prepared, int width, int height);
+                            const std::shared_ptr<const PreparedScene>& prepared, const Camera& camera, int width,
+                            int height);
 
 private:
     std::vector<Line> vectors_;

@@ -42,15 +42,6 @@ void add_star(std::vector<Line>& to, dvec3 at, double r, vec4 color, float width
     }
 }
 
-void add_arrow(std::vector<Line>& to, dvec3 from, dvec3 along, double length, vec4 color, float width) {
-    const dvec3 tip = from + along * length;
-    dvec3 a, b;
-    make_frame(along, a, b);
-    to.push_back({from, tip, color, width, true});
-    for (const dvec3 side : {a, -a, b, -b})
-        to.push_back({tip, tip - along * (0.25 * length) + side * (0.1 * length), color, width, true});
-}
-
 void add_cone(std::vector<Line>& to, dvec3 at, dvec3 along, double half_rad, double length, vec4 color, float width) {
     dvec3 a, b;
     make_frame(along, a, b);
@@ -103,6 +94,21 @@ std::vector<Line> grid_lines(const Bounds& bounds, dvec3 world_up) {
     return lines;
 }
 
+void add_arrow(std::vector<Line>& to, dvec3 tail, dvec3 tip, vec4 color, float width) {
+    const double length = rakelight::length(tip - tail);
+    const dvec3 along = normalize_or(tip - tail, dvec3{0, 0, -1});
+    dvec3 a, b;
+    make_frame(along, a, b);
+    to.push_back({tail, tip, color, width, true});
+    for (const dvec3 side : {a, -a, b, -b})
+        to.push_back({tip, tip - along * (0.25 * length) + side * (0.1 * length), color, width, true});
+}
+
+std::pair<dvec3, dvec3> directional_arrow(const Light& light, const Bounds& bounds) {
+    const dvec3 along = normalize_or(light.direction, dvec3{0, 0, -1});
+    return {bounds.center() - along * (0.5 * size_of(bounds)), bounds.center() - along * (0.3 * size_of(bounds))};
+}
+
 std::optional<dvec3> place_of(const Light& light, const Bounds& bounds) {
     if (light.type == LightType::ambient) return {};
     if (light.type != LightType::directional) return light.position;
@@ -125,8 +131,10 @@ std::vector<Line> light_lines(std::span<const LightItem> lights, const Bounds& b
         if (!lights[i].is_on) color.w = 0.3f;
         const float width = i == selected ? 2.5f : 1.5f;
         const dvec3 along = normalize_or(light.direction, dvec3{0, 0, -1});
-        if (light.type == LightType::directional)
-            add_arrow(lines, bounds.center() - along * (0.5 * size), along, 0.2 * size, color, width);
+        if (light.type == LightType::directional) {
+            const auto [tail, tip] = directional_arrow(light, bounds);
+            add_arrow(lines, tail, tip, color, width);
+        }
         if (light.type == LightType::point || light.type == LightType::spot)
             add_star(lines, light.position, 0.03 * size, color, width);
         const bool is_classical = light.units == LightUnits::classical;
@@ -179,12 +187,18 @@ std::vector<Line> seam_lines(std::span<const SeamLine> seams) {
     return lines;
 }
 
-std::optional<dvec2> pixel_of(dvec3 place, const Camera& camera, int width, int height) {
+dvec2 half_size_of(const Camera& camera, int width, int height) {
     const bool is_parallel = camera.projection == Projection::orthographic;
     const double half_height = is_parallel ? camera.half_height : std::tan(0.5 * camera.vertical_fov_rad);
     const double half_width = is_parallel                 ? camera.half_width.value_or(half_height * width / height)
                               : camera.horizontal_fov_rad ? std::tan(0.5 * *camera.horizontal_fov_rad)
                                                           : half_height * width / height;
+    return {half_width, half_height};
+}
+
+std::optional<dvec2> pixel_of(dvec3 place, const Camera& camera, int width, int height) {
+    const bool is_parallel = camera.projection == Projection::orthographic;
+    const auto [half_width, half_height] = half_size_of(camera, width, height);
     const dvec3 p = place - camera.to_world[3].xyz();
     const double away = -dot(p, camera.to_world[2].xyz()), by = is_parallel ? 1 : away;
     if (!(away > 0)) return {};

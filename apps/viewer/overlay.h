@@ -3,6 +3,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <rakelight/inspect.h>
@@ -18,6 +19,13 @@ std::vector<Line> axis_lines(const Bounds& bounds);
 std::optional<dvec3> place_of(const Light& light, const Bounds& bounds);
 /// [px] of a picture of that size, y down; none: behind the camera.
 std::optional<dvec2> pixel_of(dvec3 place, const Camera& camera, int width, int height);
+
+/// Half the width and height of what a camera sees: [m] of a parallel projection, else at distance 1.
+dvec2 half_size_of(const Camera& camera, int width, int height);
+/// Tail and tip of the arrow of a directional light, which points at the model.
+std::pair<dvec3, dvec3> directional_arrow(const Light& light, const Bounds& bounds);
+/// A line with a head of four.
+void add_arrow(std::vector<Line>& to, dvec3 tail, dvec3 tip, vec4 color, float width);
 
 /// A star where a lamp is, an arrow the way that a light goes, the cone of a spot.
 std::vector<Line> light_lines(std::span<const LightItem> lights, const Bounds& bounds, std::size_t selected);

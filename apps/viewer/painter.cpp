@@ -214,7 +214,8 @@ Painter::Outcome Painter::draw_by_gl(const PaintJob& job, const PictureRequest& 
     if (!take_up_by_gl(job, scene, context)) return Outcome::outdated;
     context.progress("render", 0);
     to.prepared = gl_->scene();
-    std::vector<Line> lines = mark_lines_.lines(job.marks, job.look, *job.model, to.prepared, job.width, job.height);
+    std::vector<Line> lines =
+        mark_lines_.lines(job.marks, job.look, *job.model, to.prepared, to.camera, job.width, job.height);
     for (Line& line : lines) line.width_px *= float(scale);
     try {
         GlPainter::Drawn drawn = gl_->draw(to.camera, request.settings, request.tone, lines, context);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of lights, the environment.
 #include "panels.h"
+#include "shown_path.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {
@@ -10,7 +11,7 @@ constexpr const char* light_types[] = {"ambient", "directional", "point", "spot"
 
 void draw_classical(Light& light) {
     edit_light_color("color", light.diffuse);
-    edit_light_color("highlights", light.specular);
+    edit_light_color("specular", light.specular);
     edit_light_color("ambient", light.ambient);
     if (light.type == LightType::directional) return;
     ImGui::DragFloat3("attenuation", &light.constant, 0.01f, 0, 1e6f, "%.3f", ImGuiSliderFlags_AlwaysClamp);
@@ -46,7 +47,7 @@ void draw_light(PanelView& view, LightItem& item) {
     if (ImGui::Combo("units", &unit, units, 2)) light.units = LightUnits(unit);
     light.units == LightUnits::classical ? draw_classical(light) : draw_photometric(light);
     const double step = 0.005 * view.model->box.bounds().diagonal();
-    if (light.type != LightType::directional) edit_place("place", light.position, step);
+    if (light.type != LightType::directional) edit_place("position", light.position, step);
     dvec3 direction = light.direction;
     if (light.type != LightType::point && edit_place("direction", direction, 0.01) && !(direction == dvec3{}))
         light.direction = direction;
@@ -60,13 +61,13 @@ void draw_environment(PanelView& view) {
     const auto& own = view.model->scene.environment;
     bool gives_light = r.hdri_ambient.value_or(own && own->is_light),
          is_seen = r.hdri_skybox.value_or(own && own->is_background);
-    if (ImGui::Checkbox("environment gives light", &gives_light)) r.hdri_ambient = gives_light;
-    if (ImGui::Checkbox("environment is seen", &is_seen)) r.hdri_skybox = is_seen;
+    if (ImGui::Checkbox("environment lighting", &gives_light)) r.hdri_ambient = gives_light;
+    if (ImGui::Checkbox("environment as background", &is_seen)) r.hdri_skybox = is_seen;
     float intensity = float(r.hdri_intensity.value_or(1)), turn = float(degrees(r.hdri_rotation_rad.value_or(0)));
-    if (slide("its intensity", intensity, 0, 10)) r.hdri_intensity = double(intensity);
-    if (slide("its rotation", turn, -180, 180, "%.1f deg")) r.hdri_rotation_rad = radians(double(turn));
-    ImGui::TextDisabled(
-        "%s", r.hdri_file.empty() ? "Drop a .hdr or .exr file to take it" : one_line(r.hdri_file, 60).c_str());
+    if (slide("intensity", intensity, 0, 10)) r.hdri_intensity = double(intensity);
+    if (slide("rotation", turn, -180, 180, "%.1f deg")) r.hdri_rotation_rad = radians(double(turn));
+    ImGui::TextDisabled("%s", r.hdri_file.empty() ? "drop a .hdr or .exr file to use it"
+                                                  : one_line(shown_path(r.hdri_file), 60).c_str());
 }
 
 Light new_light(const PanelView& view) {
@@ -102,9 +103,9 @@ void draw_lights_panel(PanelView& view) {
         if (is_removed) lights.erase(lights.begin() + std::ptrdiff_t(view.ui.light)), view.ui.light = 0;
     }
     if (lights != before) view.look.lights = lights;
-    if (view.look.lights && ImGui::Button("the file's lights again")) view.look.lights.reset();
+    if (view.look.lights && ImGui::Button("reset lights")) view.look.lights.reset();
     double intensity = view.look.request.light_intensity;
-    if (slide("all lights", intensity, 0, 10)) view.look.request.light_intensity = intensity;
+    if (slide("all lights times", intensity, 0, 10)) view.look.request.light_intensity = intensity;
     ImGui::Checkbox("shadows", &view.look.request.settings.shadows);
     ImGui::SameLine();
     ImGui::Checkbox("show lights", &view.ui.light_glyphs);

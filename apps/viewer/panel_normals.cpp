@@ -30,10 +30,10 @@ void draw_normals_panel(PanelView& view) {
     if (view.seams) {
         double worst = 0;
         for (const SeamLine& line : *view.seams) worst = std::max(worst, double(std::max(line.deg_a, line.deg_b)));
-        ImGui::Text("%zu pieces of seams, worst %.2f degrees", view.seams->size(), worst);
+        ImGui::Text("%zu seam edges, worst %.2f degrees", view.seams->size(), worst);
     }
     if (ImGui::Button("save seamless")) view.commands.push_back(Command::save_seamless);
-    ImGui::TextDisabled("writes the model with normals over all objects");
+    ImGui::TextDisabled("writes the model, smoothed across objects");
 }
 
 }  // namespace rakelight::viewer

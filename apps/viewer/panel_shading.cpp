@@ -21,7 +21,7 @@ void draw_channels(PanelView& view) {
     std::size_t now = 0;
     for (std::size_t i = 0; i < words.size(); ++i)
         if (view.look.channel == 1u << i) now = i + 1;
-    if (!ImGui::BeginCombo("shows", now == 0 ? "colors" : words[now - 1].c_str())) return;
+    if (!ImGui::BeginCombo("channel", now == 0 ? "colors" : words[now - 1].c_str())) return;
     if (ImGui::Selectable("colors", now == 0)) view.look.channel = 0;
     for (std::size_t i = 0; i < words.size(); ++i)
         if (ImGui::Selectable(words[i].c_str(), now == i + 1)) view.look.channel = 1u << i;
@@ -31,19 +31,19 @@ void draw_channels(PanelView& view) {
 void draw_bumps(PictureRequest& r) {
     RenderSettings& s = r.settings;
     choose("bump", bump_words, s.bump);
-    choose("acts on", bump_terms_words, s.bump_terms);
+    choose("bump terms", bump_terms_words, s.bump_terms);
     slide("depth", s.relief.depth, 0, 0.5f);
     slide("bias", s.relief.bias, 0, 1);
-    choose("maps hold", polarity_words, s.relief.holds_depth);
-    slide("fewest layers", s.relief.min_steps, 1, 128);
-    slide("most layers", s.relief.max_steps, 1, 256);
+    choose("height maps hold", polarity_words, s.relief.holds_depth);
+    slide("min layers", s.relief.min_steps, 1, 128);
+    slide("max layers", s.relief.max_steps, 1, 256);
     s.relief.max_steps = std::max(s.relief.max_steps, s.relief.min_steps);
     slide("bisections", s.relief.refinement_steps, 0, 32);
     ImGui::Checkbox("self-shadow", &s.relief.self_shadow);
     ImGui::SameLine();
     ImGui::Checkbox("silhouette", &s.relief.limit_silhouette);
     float scale = float(r.materials.normal_scale.value_or(1));
-    if (slide("normal maps", scale, 0, 4)) r.materials.normal_scale = double(scale);
+    if (slide("normal map scale", scale, 0, 4)) r.materials.normal_scale = double(scale);
 }
 
 /// In codes of the display: only such colors are written as texts that are read as the same.
@@ -84,12 +84,12 @@ void draw_shading_panel(PanelView& view) {
     slide("anisotropy", s.anisotropy, 1, 16);
     constexpr Word<Cull> cull_words[] = {
         {"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
-    choose("faces left out", cull_words, s.cull);
+    choose("culling", cull_words, s.cull);
     choose("tone mapping", tone_mapping_words, r.tone.mapping);
     slide("exposure", r.tone.exposure_ev, -8, 8, "%.2f EV");
     edit_background(s.background);
-    if (ImGui::TreeNode("Bumps")) draw_bumps(r), ImGui::TreePop();
-    if (ImGui::TreeNode("Lines and vertices")) draw_lines(s), ImGui::TreePop();
+    if (ImGui::TreeNode("Bump mapping")) draw_bumps(r), ImGui::TreePop();
+    if (ImGui::TreeNode("Wireframe and vertices")) draw_lines(s), ImGui::TreePop();
     if (ImGui::TreeNode("All settings")) draw_all_settings(view), ImGui::TreePop();
 }
 

@@ -26,7 +26,7 @@ void draw_painting(const Painting& p) {
     const RenderStats& s = p.stats;
     row("engine", p.request.engine);
     row("picture", std::to_string(p.width) + " x " + std::to_string(p.height));
-    row("whole picture", ms(p.ms));
+    row("frame time", ms(p.ms));
     row("front end", ms(1e3 * s.times.front_end));
     row("tiles", ms(1e3 * s.times.tiles));
     row("triangles in", std::to_string(s.triangles_in));
@@ -50,7 +50,7 @@ void draw_statistics_panel(PanelView& view) {
         row("lights", std::to_string(m.scene.lights.size()));
         row("loaded in", ms(m.load_ms));
         if (view.painting) draw_painting(*view.painting);
-        row("window's longest pause", ms(view.longest_block_ms));
+        row("longest pause", ms(view.longest_block_ms));
         ImGui::EndTable();
     }
     for (const ReportEntry& entry : m.remarks)
@@ -58,10 +58,23 @@ void draw_statistics_panel(PanelView& view) {
             ImGui::TextWrapped("%s: %s", name_of(entry.remark), one_line(entry.message).c_str());
 }
 
+float explained_width(const PanelView& view) {
+    if (view.ui.explained.empty()) return 0;
+    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
+    const char* const text = view.ui.explained.c_str();
+    const float width = ImGui::CalcTextSize(text, text + view.ui.explained.size()).x;
+    ImGui::PopFont();
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return width + 4 * style.WindowPadding.x + 2 * style.ScrollbarSize;
+}
+
 void draw_pixel_panel(PanelView& view) {
-    ImGui::Checkbox("explain the pixel that is clicked (P)", &view.ui.is_picking);
+    ImGui::Checkbox("explain the clicked pixel (P)", &view.ui.is_picking);
     if (view.ui.explained.empty()) return;
-    ImGui::BeginChild("explained", {0, 420 * view.scale}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    const bool is_last = !view.ui.open[std::size_t(Panel::statistics)];
+    const float least = 420 * view.scale;
+    const float height = is_last ? std::max(least, ImGui::GetContentRegionAvail().y - 8 * view.scale) : least;
+    ImGui::BeginChild("explained", {0, height}, true, ImGuiWindowFlags_HorizontalScrollbar);
     ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
     ImGui::TextUnformatted(view.ui.explained.c_str(), view.ui.explained.c_str() + view.ui.explained.size());
     ImGui::PopFont();

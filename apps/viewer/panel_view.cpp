@@ -36,11 +36,11 @@ void draw_view_panel(PanelView& view) {
     draw_side_buttons(view);
     Eye eye = moving_eye(view.look, *view.model, view.width, view.height);
     const Eye before = eye;
-    ImGui::Checkbox("parallel projection", &eye.is_orthographic);
-    slide("angle of view", eye.fov_deg, 1, 170, "%.1f deg");
+    ImGui::Checkbox("orthographic", &eye.is_orthographic);
+    slide("field of view", eye.fov_deg, 1, 170, "%.1f deg");
     const double step = 0.002 * view.model->box.bounds().diagonal();
     edit_place("position", eye.position, step);
-    edit_place("looks at", eye.focal, step);
+    edit_place("target", eye.focal, step);
     const bool is_possible = !(eye.position == eye.focal);
     if (!(eye == before) && is_possible) view.look.eye = eye;
     const dvec3 up = view.look.world_up;
@@ -54,18 +54,18 @@ void draw_view_panel(PanelView& view) {
     draw_cameras(view);
     ImGui::Separator();
     int split = int(view.ui.split);
-    ImGui::RadioButton("one picture", &split, 0);
+    ImGui::RadioButton("single", &split, 0);
     ImGui::SameLine();
     ImGui::RadioButton("A|B", &split, 1);
     ImGui::SameLine();
-    ImGui::RadioButton("two views", &split, 2);
+    ImGui::RadioButton("side by side", &split, 2);
     if (split != int(view.ui.split))
         view.commands.push_back(split == 0   ? (view.ui.split == Split::wipe ? Command::split : Command::second_view)
                                 : split == 1 ? Command::split
                                              : Command::second_view);
-    ImGui::InputInt("pictures of a turn", &view.ui.record_frames);
+    ImGui::InputInt("turntable frames", &view.ui.record_frames);
     view.ui.record_frames = std::clamp(view.ui.record_frames, 1, 10000);
-    if (ImGui::Button("record a turn")) view.commands.push_back(Command::record);
+    if (ImGui::Button("record turntable")) view.commands.push_back(Command::record);
     ImGui::SameLine();
     if (ImGui::Button("screenshot")) view.commands.push_back(Command::screenshot);
     if (ImGui::Button("save scene")) view.commands.push_back(Command::save_world);

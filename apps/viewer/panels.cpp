@@ -5,6 +5,7 @@
 
 #include <rakelight/picture_parts.h>
 
+#include "shown_path.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {
@@ -60,6 +61,39 @@ void draw_mouse_help(float scale) {
     ImGui::TextUnformatted("drop: model (Ctrl: add), .hdr: environment,\npicture on an object: its texture");
 }
 
+/// As wide as the user dragged it; else as the panels need it, the table of an explained pixel too.
+float column_width(const PanelView& view) {
+    const UiState& ui = view.ui;
+    const float widest = 0.75f * float(view.window_width), narrowest = std::min(200 * view.scale, widest);
+    float width = 380 * view.scale;
+    if (ui.open[std::size_t(Panel::pixel)]) width = std::max(width, explained_width(view));
+    if (ui.panel_column > 0) width = ui.panel_column * view.scale;
+    return std::clamp(width, narrowest, widest);
+}
+
+/// The column's right edge, to be dragged.
+void draw_splitter(PanelView& view, float width) {
+    const float half = 4 * view.scale, height = float(view.window_height);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::SetNextWindowPos({width - half, 0});
+    ImGui::SetNextWindowSize({2 * half, height});
+    ImGui::Begin("Splitter", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::InvisibleButton("edge", {2 * half, height});
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))
+        view.ui.panel_column = std::max(1.0f, ImGui::GetIO().MousePos.x / view.scale);
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        ImGui::GetWindowDrawList()->AddLine({width, 0}, {width, height}, ImGui::GetColorU32(ImGuiCol_SeparatorHovered),
+                                            2 * view.scale);
+    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) view.ui.panel_column = 0;
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
 std::string time_text(const Painting& painting) {
     char text[200];
     std::snprintf(text, sizeof text, "%.1f ms  %d x %d  %s%s", painting.ms, painting.width, painting.height,
@@ -75,8 +109,7 @@ std::string time_text(const Painting& painting) {
 void draw_panels(PanelView& view) {
     view.ui.panel_width = 0;
     if (!view.ui.shows_panels() || !view.model) return;
-    const float widest = 0.6f * float(view.window_width);
-    const float width = std::min(380 * view.scale, widest);
+    const float width = column_width(view);
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, float(view.window_height)});
     ImGui::Begin("Panels", nullptr,
@@ -98,13 +131,14 @@ void draw_panels(PanelView& view) {
     }
     ImGui::PopItemWidth();
     ImGui::End();
+    draw_splitter(view, width);
     view.ui.panel_width = width;
 }
 
 void draw_status(const PanelView& view) {
     const float left = view.ui.panel_width + 8 * view.scale;
     std::string text;
-    if (view.ui.file_name && view.model) text += one_line(view.model->file, 100) + "\n";
+    if (view.ui.file_name && view.model) text += one_line(shown_path(view.model->file), 100) + "\n";
     if (view.ui.frame_time && view.painting) text += time_text(*view.painting) + "\n";
     for (const std::string& work : view.works) text += work + "  (Esc cancels)\n";
     if (view.ui.is_walking) text += "walking: W A S D, Q E, mouse, Shift; Esc leaves\n";

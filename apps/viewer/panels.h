@@ -39,6 +39,8 @@ void draw_normals_panel(PanelView& view);
 void draw_lights_panel(PanelView& view);
 void draw_materials_panel(PanelView& view);
 void draw_pixel_panel(PanelView& view);
+/// [px] of the column in which the text of an explained pixel is seen whole; 0: there is none.
+float explained_width(const PanelView& view);
 void draw_statistics_panel(PanelView& view);
 /// Every setting of pictures by its key, with a field each.
 void draw_all_settings(PanelView& view);

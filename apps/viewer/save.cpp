@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "materials.h"
+
 namespace rakelight::viewer {
 namespace {
 
@@ -36,19 +38,51 @@ void move_names(WorldFile& world, const fs::path& from, const fs::path& to) {
             if (value.key.ends_with("_texture") && !value.words.empty()) move(value.words[0]);
 }
 
-void add_values(WorldFile& world, const std::string& name, const std::vector<WorldValue>& values,
+void set_value(WorldMaterial& material, const WorldValue& value) {
+    std::erase_if(material.values, [&](const WorldValue& v) { return v.key == value.key; });
+    material.values.push_back(value);
+}
+
+bool is_for(const WorldMaterial& material, const WorldMaterial& target) {
+    return material.name == target.name && material.model == target.model && material.object == target.object;
+}
+
+/// Sections for less than all objects, which go over a value for all of them.
+void set_in_narrower(WorldFile& world, const std::string& name, const WorldValue& value) {
+    std::vector<WorldMaterial> more;
+    for (WorldMaterial& m : world.materials) {
+        const bool has_key = std::ranges::find(m.values, value.key, &WorldValue::key) != m.values.end();
+        if (!has_key || (m.model.empty() && m.object.empty())) continue;
+        if (name == "*" || m.name == name)
+            std::erase_if(m.values, [&](const WorldValue& v) { return v.key == value.key; });
+        else if (m.name == "*")
+            more.push_back({.name = name, .model = m.model, .object = m.object, .values = {value}});
+    }
+    for (WorldMaterial& m : more) {
+        const auto known = std::ranges::find_if(world.materials, [&](const WorldMaterial& k) { return is_for(k, m); });
+        known != world.materials.end() ? set_value(*known, value) : world.materials.push_back(std::move(m));
+    }
+}
+
+/// @param target  its name, model and object
+void add_values(WorldFile& world, const WorldMaterial& target, const std::vector<WorldValue>& values,
                 const fs::path& folder) {
     if (values.empty()) return;
-    const auto found = std::ranges::find_if(world.materials,
-                                            [&](const WorldMaterial& m) { return m.name == name && m.model.empty(); });
-    WorldMaterial& to =
-        found != world.materials.end() ? *found : world.materials.emplace_back(WorldMaterial{.name = name});
+    auto found = std::ranges::find_if(world.materials, [&](const WorldMaterial& m) { return is_for(m, target); });
+    if (found == world.materials.end()) found = world.materials.insert(found, target);
+    const std::size_t number = std::size_t(found - world.materials.begin());
     for (WorldValue value : values) {
         if (value.key.ends_with("_texture") && !value.words.empty())
             value.words[0] = from_folder(value.words[0], folder);
-        std::erase_if(to.values, [&](const WorldValue& v) { return v.key == value.key; });
-        to.values.push_back(std::move(value));
+        if (target.model.empty() && target.object.empty()) set_in_narrower(world, target.name, value);
+        set_value(world.materials[number], value);
     }
+}
+
+WorldMaterial world_target(const MaterialTarget& target, const Scene& scene) {
+    if (target.node == no_index) return {.name = target.name};
+    const ObjectInWorld object = object_in_world(scene, target.node);
+    return {.name = target.name, .model = object.model, .object = object.object};
 }
 
 void set_lights(WorldFile& world, std::vector<Light> lights) {
@@ -118,8 +152,11 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
     PictureRequest request = request_of(look, width, height);
     if (request.lights) set_lights(world, std::move(*request.lights));
     request.lights.reset();
-    for (const MaterialEdit& edit : look.materials) add_values(world, edit.name, edit.values, folder);
-    add_values(world, "*", request.materials.values, folder);
+    for (const bool is_of_object : {false, true})
+        for (const MaterialEdit& edit : look.materials)
+            if ((edit.target.node != no_index) == is_of_object)
+                add_values(world, world_target(edit.target, model.scene), edit.values, folder);
+    add_values(world, {.name = "*"}, request.materials.values, folder);
     request.materials.values.clear();
     take_own_shading(world, request);
     world.render = render_of(request, folder);

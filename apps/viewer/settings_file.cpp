@@ -33,6 +33,7 @@ void take(Remembered& to, const std::string& key, const std::string& value) {
         if (key == flag.key && (value == "on" || value == "off")) to.ui.*flag.field = value == "on";
     if (key == "width") to.width = number_in(value, 64, 16384, to.width);
     if (key == "height") to.height = number_in(value, 64, 16384, to.height);
+    if (key == "panel-width") to.ui.panel_column = float(number_in(value, 0, 16384, int(to.ui.panel_column)));
     if (key == "record-frames") to.ui.record_frames = number_in(value, 1, 10000, to.ui.record_frames);
     for (std::size_t i = 0; i < panel_count; ++i)
         if (key == std::string("panel-") + panel_titles[i]) to.ui.open[i] = value == "on";
@@ -64,6 +65,7 @@ std::string settings_text(const Remembered& remembered) {
     for (const Flag& flag : flags) put(flag.key, remembered.ui.*flag.field ? "on" : "off");
     put("width", std::to_string(remembered.width));
     put("height", std::to_string(remembered.height));
+    put("panel-width", std::to_string(int(remembered.ui.panel_column)));
     put("record-frames", std::to_string(remembered.ui.record_frames));
     for (std::size_t i = 0; i < panel_count; ++i)
         put(std::string("panel-") + panel_titles[i], remembered.ui.open[i] ? "on" : "off");

@@ -3,6 +3,8 @@
 
 #include <rakelight/picture_parts.h>
 
+#include "materials.h"
+
 namespace rakelight::viewer {
 namespace {
 

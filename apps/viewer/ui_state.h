@@ -20,7 +20,8 @@ enum class Split : std::uint8_t { none, wipe, beside };
 struct UiState {
     std::array<bool, panel_count> open{};
     bool are_panels_hidden = false;
-    float panel_width = 0;  ///< [px] that the panels take at the left
+    float panel_width = 0;   ///< [px] that the panels take at the left
+    float panel_column = 0;  ///< [px at scale 1] as wide as the user has dragged them; 0: as wide as they need
     bool grid = false, axes = false, light_glyphs = false, normals = false, tangents = false, bitangents = false,
          seams = false;
     bool file_name = true, frame_time = false, help = false, is_picking = false, is_walking = false;
@@ -29,6 +30,11 @@ struct UiState {
     double wipe = 0.5;                    ///< 0..1 across the picture
     std::size_t active = 0;               ///< look that keys and panels change
     std::size_t light = 0, material = 0;  ///< selected
+    std::uint32_t object = no_index;      ///< node that was selected with its material
+    bool is_object_alone = false;         ///< its material alone is changed, not that of all objects that share it
+    /// Nodes that have the selected material, of the material of this number; no_index: not known yet.
+    std::vector<std::uint32_t> objects_with_material;
+    std::uint32_t objects_are_of = no_index;
     std::string message, explained;
     bool is_message_error = false;
     int record_frames = 72;

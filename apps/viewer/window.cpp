@@ -13,6 +13,7 @@
 
 #include <rakelight/error.h>
 
+#include "held_modifiers.h"
 #include "hidden_window.h"
 
 namespace rakelight::viewer {
@@ -67,10 +68,9 @@ struct Callbacks {
         glfwGetWindowSize(window, &w, &h);
         if (w > 0 && h > 0) x *= double(of(window).width_) / w, y *= double(of(window).height_) / h;
     }
+    /// Where the events have brought the pointer: by now, and so by glfwGetCursorPos(), it may be elsewhere.
     static Event at_pointer(GLFWwindow* window, Event::Kind kind) {
-        Event event{.kind = kind};
-        glfwGetCursorPos(window, &event.x, &event.y);
-        to_pixels(window, event.x, event.y);
+        Event event{.kind = kind, .x = of(window).pointer_x_, .y = of(window).pointer_y_};
         event.is_for_panels = !of(window).is_caught_ && ImGui::GetIO().WantCaptureMouse;
         return event;
     }
@@ -95,7 +95,9 @@ struct Callbacks {
         event.modifiers = modifiers & (mod_shift | mod_control | mod_alt);
         of(window).events_.push_back(event);
     }
-    static void move(GLFWwindow* window, double, double) {
+    static void move(GLFWwindow* window, double x, double y) {
+        to_pixels(window, x, y);
+        of(window).pointer_x_ = x, of(window).pointer_y_ = y;
         of(window).events_.push_back(at_pointer(window, Event::Kind::move));
     }
     static void scroll(GLFWwindow* window, double dx, double dy) {
@@ -107,7 +109,7 @@ struct Callbacks {
     }
     static void drop(GLFWwindow* window, int count, const char** paths) {
         Event event = at_pointer(window, Event::Kind::drop);
-        event.modifiers = modifiers_of(window);
+        event.modifiers = modifiers_of(window) | held_modifiers();
         event.files.assign(paths, paths + count);
         of(window).events_.push_back(event);
     }
@@ -138,6 +140,7 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height) {
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);
     glfwGetFramebufferSize(window_, &width_, &height_);
+    find_pointer();
     make_panels();
     glfwSetKeyCallback(window_, Callbacks::key);
     glfwSetCharCallback(window_, ImGui_ImplGlfw_CharCallback);
@@ -157,6 +160,12 @@ GlfwWindow::~GlfwWindow() {
     ImGui::DestroyContext();
     glfwDestroyWindow(window_);
     glfwTerminate();
+}
+
+/// Where it is without an event that says so.
+void GlfwWindow::find_pointer() {
+    glfwGetCursorPos(window_, &pointer_x_, &pointer_y_);
+    Callbacks::to_pixels(window_, pointer_x_, pointer_y_);
 }
 
 void GlfwWindow::make_panels() {
@@ -222,6 +231,7 @@ void GlfwWindow::catch_pointer(bool is_caught) {
     if (is_caught == is_caught_) return;
     is_caught_ = is_caught;
     glfwSetInputMode(window_, GLFW_CURSOR, is_caught ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    find_pointer();
     if (is_caught)  // else ImGui shows the pointer again
         ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange | ImGuiConfigFlags_NoMouse;
     else

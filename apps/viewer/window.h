@@ -63,12 +63,14 @@ public:
 private:
     void make_panels();
     void load_font();
+    void find_pointer();
     friend struct Callbacks;
 
     GLFWwindow* window_ = nullptr;
     std::vector<Event> events_;
     int width_ = 0, height_ = 0;
     int windowed_[4] = {0, 0, 1280, 800};
+    double pointer_x_ = 0, pointer_y_ = 0;  ///< [px] at the event before, y down
     float font_scale_ = 0;
     bool is_full_ = false, needs_drawing_ = true, is_dark_ = true, is_caught_ = false;
 };

@@ -72,6 +72,9 @@ struct WorldPrimitive {
 struct WorldMaterial {
     std::string name{};   ///< of the material; "*": all of `model`
     std::string model{};  ///< changes this model's materials only; empty: those of all models
+    /// Name of an object of the model, or the number of its node there: changes its materials alone, after those of all objects
+    /// were changed. Empty: of all objects.
+    std::string object{};
     std::vector<WorldValue> values{};
     WorldPlace place{};
 };

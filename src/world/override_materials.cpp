@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures and factors from the command line in the place of the materials' own.
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include <rakelight/material_changes.h>
@@ -11,6 +12,7 @@
 #include "io/world/material_keys.h"
 #include "scene/scene_tools.h"
 #include "world/change_material.h"
+#include "world/own_materials.h"
 #include "world/scene_of_request.h"
 
 namespace rakelight {
@@ -63,17 +65,21 @@ std::vector<WorldValue> checked(const std::vector<WorldValue>& values) {
     return material_values(words);
 }
 
-/// Calls change(material, picture) for all materials; a picture that several name becomes one texture.
-template <class Change>
-void for_each_material(Scene& scene, Context& context, const Change& change) {
-    std::map<std::string, TextureUse> pictures;
-    const auto picture = [&](const WorldValue& value) {
-        const auto known = pictures.find(value.words[0]);
-        if (known != pictures.end()) return known->second;
-        return pictures.emplace(value.words[0], add_texture(scene, value.words[0], context)).first->second;
-    };
-    for (Material& m : scene.materials) change(m, picture);
-}
+/// Textures of pictures by their names, each made once.
+class Pictures {
+public:
+    Pictures(Scene& scene, Context& context) : scene_(scene), context_(context) {}
+    TextureUse operator()(const WorldValue& value) {
+        const auto known = uses_.find(value.words[0]);
+        if (known != uses_.end()) return known->second;
+        return uses_.emplace(value.words[0], add_texture(scene_, value.words[0], context_)).first->second;
+    }
+
+private:
+    Scene& scene_;
+    Context& context_;
+    std::map<std::string, TextureUse> uses_;
+};
 
 /// The keys of a world file's [[material]]. Classical materials under keys of metallic-roughness ones show a highlight.
 void set_values(Scene& scene, const std::vector<WorldValue>& values, Context& context) {
@@ -81,10 +87,11 @@ void set_values(Scene& scene, const std::vector<WorldValue>& values, Context& co
     const bool is_metallic_roughness = std::any_of(values.begin(), values.end(), [](const WorldValue& value) {
         return io::world::find_material_key(value.key)->of == io::world::Of::metallic_roughness;
     });
-    for_each_material(scene, context, [&](Material& m, const auto& picture) {
+    Pictures pictures(scene, context);
+    for (Material& m : scene.materials) {
         if (is_metallic_roughness && m.model == MaterialModel::classical) m = as_metallic_roughness(m);
-        change_material(m, values, picture);
-    });
+        change_material(m, values, std::ref(pictures));
+    }
 }
 
 }  // namespace
@@ -96,17 +103,36 @@ Scene override_materials(const Scene& scene, const MaterialOverrides& overrides,
     return changed;
 }
 
-Scene with_material_values(Scene scene, const std::string& name, const std::vector<WorldValue>& values,
-                           Context& context) {
+Scene with_material_changes(Scene scene, std::span<const MaterialChanges> changes, Context& context) {
     validate(scene);
     const Scene before = scene;
     name_default_material(scene);
-    const std::vector<WorldValue> as_said = checked(values);
-    for_each_material(scene, context, [&](Material& m, const auto& picture) {
-        if (m.name == name) change_material(m, as_said, picture);
-    });
+    Pictures pictures(scene, context);
+    for (const MaterialChanges& change : changes) {
+        if (change.target.node != no_index) continue;
+        const std::vector<WorldValue> values = checked(change.values);
+        for (Material& m : scene.materials)
+            if (change.target.name == "*" || m.name == change.target.name)
+                change_material(m, values, std::ref(pictures));
+    }
+    OwnMaterials own(scene, context);
+    for (const MaterialChanges& change : changes) {
+        if (change.target.node == no_index) continue;
+        if (change.target.node >= scene.nodes.size())
+            throw Error(ErrorCode::usage, "there is no node " + std::to_string(change.target.node));
+        const std::vector<WorldValue> values = checked(change.values);
+        for (const std::uint32_t m : own.of(change.target.node, change.target.name))
+            change_material(scene.materials[m], values, std::ref(pictures));
+    }
+    own.finish();
     validate_changes(scene, before);
     return scene;
+}
+
+Scene with_material_values(Scene scene, const std::string& name, const std::vector<WorldValue>& values,
+                           Context& context) {
+    const MaterialChanges changes[] = {{{.name = name}, values}};
+    return with_material_changes(std::move(scene), changes, context);
 }
 
 Scene valid::override_materials(Scene scene, const MaterialOverrides& overrides, Context& context) {

@@ -129,6 +129,28 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
 
 namespace {
 
+/// Without name, direction (words round it) and the numbers that lights of its type and units do not have.
+Light comparable(Light light) {
+    const Light plain{.type = light.type, .units = light.units, .node = light.node};
+    light.name.clear();
+    light.direction = plain.direction;
+    if (light.type == LightType::ambient) {
+        Light out = plain;
+        out.ambient = light.ambient;
+        return out;
+    }
+    const bool is_classical = light.units == LightUnits::classical, is_spot = light.type == LightType::spot;
+    if (light.type == LightType::directional) light.position = plain.position, light.range = plain.range;
+    if (!is_classical) light.ambient = plain.ambient, light.diffuse = plain.diffuse, light.specular = plain.specular;
+    if (!is_classical || light.type == LightType::directional)
+        light.constant = plain.constant, light.linear = plain.linear, light.quadratic = plain.quadratic;
+    if (!is_classical || !is_spot) light.cutoff_rad = plain.cutoff_rad, light.exponent = plain.exponent;
+    if (is_classical) light.color = plain.color, light.intensity = plain.intensity;
+    if (is_classical || !is_spot)
+        light.inner_cone_rad = plain.inner_cone_rad, light.outer_cone_rad = plain.outer_cone_rad;
+    return light;
+}
+
 /// What no key has is left out of a comparison: files and what words round.
 PictureRequest comparable(PictureRequest r) {
     r.input.clear(), r.output.clear(), r.load = {};
@@ -138,10 +160,7 @@ PictureRequest comparable(PictureRequest r) {
     if (r.fog) r.fog->color = {};
     for (WorldValue& value : r.materials.values) value = {.key = value.key, .words = value.words};
     if (r.lights)
-        for (Light& light : *r.lights) {
-            light.name.clear();
-            if (light.type != LightType::point && light.type != LightType::ambient) light.direction = {};
-        }
+        for (Light& light : *r.lights) light = comparable(light);
     return r;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // [[material]] of world files: changes to the models' materials, and materials of the world's own.
 #include <algorithm>
+#include <charconv>
 #include <map>
 
 #include <rakelight/tools/words.h>
@@ -12,6 +13,7 @@
 #include "scene/scene_tools.h"
 #include "world/change_material.h"
 #include "world/load_world.h"
+#include "world/own_materials.h"
 
 namespace rakelight {
 namespace {
@@ -149,14 +151,14 @@ std::string checked_picture(const std::string& path, const std::string& name, Wo
     }
 }
 
-void apply_materials(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts,
-                     const std::string& path, const LoadOptions& options, Context& context) {
-    if (world.materials.empty()) return;
-    MaterialWork work(scene, path, options, context);
+namespace {
+
+/// Changes the materials of the models that a [[material]] names, and makes the world's own.
+void apply_to_models(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts, MaterialWork& work,
+                     std::vector<Changed>& all_changed, const std::string& path, Report& report) {
     std::map<std::string, std::uint32_t> own;
-    std::vector<Changed> all_changed;
     for (const WorldMaterial& from : world.materials) {
-        warn_of_display_colors(from, path, context.report());
+        if (!from.object.empty()) continue;
         bool is_used = false;
         std::vector<std::uint32_t>& changed = all_changed.emplace_back(Changed{&from, {}}).materials;
         const LoadedPart* covered = nullptr;  // has what is to be changed, but all of it is the world's own
@@ -183,12 +185,74 @@ void apply_materials(Scene& scene, const WorldFile& world, const std::vector<Loa
         }
         if (is_used || is_asked_for) continue;
         work.check(from);
-        context.report().add(Remark::warning, path, to_text(from.place), why_unused(from, covered, scene));
+        report.add(Remark::warning, path, to_text(from.place), why_unused(from, covered, scene));
     }
-    for (const Changed& changed : all_changed) warn_of_idle_pictures(scene, changed, path, context.report());
     for (const LoadedPart& part : parts)
         if (const auto material = own.find(part.material); material != own.end())
             for (std::uint32_t i = part.first_mesh; i < part.end_mesh; ++i) scene.meshes[i].material = material->second;
+}
+
+/// The nodes that a [[material]] calls its object, by name or by number in their part.
+std::vector<std::uint32_t> objects_of(const Scene& scene, const WorldMaterial& from,
+                                      const std::vector<LoadedPart>& parts) {
+    const std::string& wanted = from.object;
+    std::uint32_t number = no_index;
+    const auto [end, fault] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+    const bool is_number = fault == std::errc() && end == wanted.data() + wanted.size();
+    std::vector<std::uint32_t> nodes;
+    for (const LoadedPart& part : parts) {
+        if (!from.model.empty() && from.model != part.name) continue;
+        const std::uint32_t first = part.first_node + 1;  // behind the one that places the part
+        for (std::uint32_t n = first; n < part.end_node; ++n)
+            if (!scene.nodes[n].meshes.empty() && (is_number ? n - first == number : scene.nodes[n].name == wanted))
+                nodes.push_back(n);
+    }
+    return nodes;
+}
+
+std::string why_unused(const WorldMaterial& from, const Scene& scene, const std::vector<std::uint32_t>& objects) {
+    const std::string object = "'" + one_line(from.object, 40) + "'";
+    if (!objects.empty()) return "the object " + object + " has no material named '" + one_line(from.name, 40) + "'";
+    std::vector<std::string_view> names;
+    for (const Node& node : scene.nodes)
+        if (!node.meshes.empty()) names.push_back(node.name);
+    const std::string near = nearest_word(from.object, names);
+    return "no model has an object " + object + (near.empty() ? "" : "; did you mean '" + one_line(near, 40) + "'?");
+}
+
+/// Changes materials of single objects, which get materials of their own.
+void apply_to_objects(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts, MaterialWork& work,
+                      std::vector<Changed>& all_changed, const std::string& path, Context& context) {
+    OwnMaterials own(scene, context);
+    for (const WorldMaterial& from : world.materials) {
+        if (from.object.empty()) continue;
+        context.throw_if_cancelled();
+        std::vector<std::uint32_t>& changed = all_changed.emplace_back(Changed{&from, {}}).materials;
+        const std::vector<std::uint32_t> objects = objects_of(scene, from, parts);
+        for (const std::uint32_t node : objects)
+            for (const std::uint32_t material : own.of(node, from.name)) {
+                work.change(scene.materials[material], from);
+                changed.push_back(material);
+            }
+        if (!changed.empty()) continue;
+        work.check(from);
+        context.report().add(Remark::warning, path, to_text(from.place), why_unused(from, scene, objects));
+    }
+    own.finish();
+}
+
+}  // namespace
+
+void apply_materials(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts,
+                     const std::string& path, const LoadOptions& options, Context& context) {
+    if (world.materials.empty()) return;
+    MaterialWork work(scene, path, options, context);
+    std::vector<Changed> all_changed;
+    all_changed.reserve(world.materials.size());
+    for (const WorldMaterial& from : world.materials) warn_of_display_colors(from, path, context.report());
+    apply_to_models(scene, world, parts, work, all_changed, path, context.report());
+    apply_to_objects(scene, world, parts, work, all_changed, path, context);
+    for (const Changed& changed : all_changed) warn_of_idle_pictures(scene, changed, path, context.report());
 }
 
 }  // namespace rakelight

@@ -198,6 +198,7 @@ void write_material(Writer& to, const WorldMaterial& material) {
     to.section("[[material]]");
     to.put_text("name", material.name);
     to.put_text("model", material.model);
+    to.put_text("object", material.object);
     for (const WorldValue& value : material.values) {
         const io::world::MaterialKey* const key = io::world::find_material_key(value.key);
         if (key && key->key.kind == io::world::Kind::flag) {

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Random keys, mouse and sizes against a running rakelight-view that steps through hostile and sound files.
+"""Random keys, mouse, sizes and drops against a running rakelight-view that steps through hostile and sound files.
 
   random_events.py VIEWER SECONDS [--seed N] [--files FOLDER ...]
 
 Fails when the viewer ends by itself, writes an error of a sanitizer, does not end when told to, or when its memory after the first
-third has more than doubled (and grown by 300 MB) at the end. Runs itself under xvfb-run; exit code 77 where that or xdotool is missing."""
+third has more than doubled (and grown by 300 MB) at the end. Runs itself under xvfb-run; exit code 77 where that, xdotool or python3-xlib is missing."""
 import argparse
 import os
 import pathlib
@@ -17,14 +17,19 @@ import sys
 import tempfile
 import time
 
+import xdnd
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 KEYS = ("1 2 3 4 5 6 7 8 9 f h s y b c shift+c a t q e w o i j l shift+l g x d shift+n shift+t shift+b v backslash shift+backslash p k u n z m Tab "
         "Escape Home Return period Page_Down F2 F3 F4 F5 F6 F7 F8 F10 F11 F12 ctrl+c ctrl+1 ctrl+3 ctrl+7 grave Right Right Right Left Up r").split()
 ENDINGS = {".glb", ".gltf", ".obj", ".ply", ".stl", ".toml", ".3ds", ".fbx", ".dae", ".x", ".off", ".ase", ".blend"}
 
 
-def files_of(folders, rng):
-    found = [str(path) for folder in folders for path in sorted(folder.rglob("*")) if path.suffix.lower() in ENDINGS and path.stat().st_size < 5_000_000]
+PICTURES = {".png", ".jpg", ".jpeg", ".webp", ".tga", ".bmp", ".hdr", ".exr"}
+
+
+def files_of(folders, endings, rng):
+    found = [str(path) for folder in folders for path in sorted(folder.rglob("*")) if path.suffix.lower() in endings and path.stat().st_size < 5_000_000]
     rng.shuffle(found)
     return found[:300]
 
@@ -57,16 +62,32 @@ def step(rng, window):
     return ["sleep", "0.3"]
 
 
+def drop(rng, desktop, window, files, pictures):
+    """Whether the window took it: it may be minute, or busy with the drop before."""
+    kind = rng.random()
+    some = [rng.choice(files)] if kind < 0.3 else [rng.choice(pictures)] if kind < 0.8 else rng.sample(files + pictures, 3)
+    if kind > 0.97:
+        some = [str(pathlib.Path(rng.choice(files)).parent)]
+    # Without Control the list is what was dropped alone, and there is little to step through.
+    held = ["Control_L"] if rng.random() < 0.8 else ["Shift_L"] if rng.random() < 0.5 else []
+    try:
+        desktop.drop(window, some, rng.randrange(640), rng.randrange(480), held)
+        return True
+    except xdnd.Refused:
+        return False
+
+
 def run(options):
     rng = random.Random(options.seed)
     folder = pathlib.Path(tempfile.mkdtemp(prefix="rakelight_random_"))
-    files = files_of(options.files, rng)
-    print(f"seed {options.seed}, {len(files)} files", flush=True)
+    files = files_of(options.files, ENDINGS, rng)
+    pictures = files_of([*options.files, ROOT / "data"], PICTURES, rng)
+    print(f"seed {options.seed}, {len(files)} files, {len(pictures)} pictures", flush=True)
     environment = dict(os.environ, XDG_CONFIG_HOME=str(folder))
     with open(folder / "log", "w+") as log:
         viewer = subprocess.Popen([options.viewer, "--stats", "builtin:teapot", *files], cwd=folder, env=environment, stdout=log, stderr=log)
         try:
-            faults = play(options, rng, viewer)
+            faults = play(options, rng, viewer, files, pictures)
         finally:
             if viewer.poll() is None:
                 viewer.kill()
@@ -82,21 +103,25 @@ def run(options):
     return 1 if faults else 0
 
 
-def play(options, rng, viewer):
+def play(options, rng, viewer, files, pictures):
     tool = lambda *words: subprocess.run(["xdotool", *map(str, words)], capture_output=True, text=True).stdout
     end, window = time.monotonic() + options.seconds, ""
     while not window and time.monotonic() < end:
         window = tool("search", "--onlyvisible", "--pid", viewer.pid).split("\n")[0]
-    early_mb, count = 0, 0
+    early_mb, count, drops = 0, 0, 0
+    desktop = xdnd.Desktop()
     while time.monotonic() < end:
-        tool(*step(rng, window))
+        if rng.random() < 0.06:
+            drops += drop(rng, desktop, window, files, pictures)
+        else:
+            tool(*step(rng, window))
         count += 1
         if viewer.poll() is not None:
             return [f"the viewer ended with {viewer.returncode} after {count} events"]
         if early_mb == 0 and time.monotonic() > end - 2 * options.seconds / 3:
             early_mb = memory_mb(viewer.pid)
     late_mb = memory_mb(viewer.pid)
-    print(f"{count} events, {early_mb:.0f} MB after a third, {late_mb:.0f} MB at the end")
+    print(f"{count} events, {drops} drops taken, {early_mb:.0f} MB after a third, {late_mb:.0f} MB at the end")
     faults = [f"memory grew from {early_mb:.0f} to {late_mb:.0f} MB"] if late_mb > max(2 * early_mb, early_mb + 300) else []
     tool("windowsize", window, 640, 480, "mousemove", 600, 440, "key", "Escape", "key", "Escape", "key", "Escape", "key", "ctrl+q")
     try:
@@ -113,10 +138,10 @@ def main():
     parser.add_argument("viewer", type=os.path.abspath)
     parser.add_argument("seconds", type=float)
     parser.add_argument("--seed", type=int, default=1)
-    shared = ROOT.parent / "shared"
+    shared = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", ROOT.parent / "shared"))
     parser.add_argument("--files", type=pathlib.Path, nargs="*", default=[f for f in (shared / "hostile", ROOT / "data") if f.is_dir()])
     options = parser.parse_args()
-    missing = [tool for tool in ("xvfb-run", "xdotool") if not shutil.which(tool)]
+    missing = [tool for tool in ("xvfb-run", "xdotool") if not shutil.which(tool)] + ([] if xdnd.is_there() else ["python3-xlib"])
     if missing:
         print(f"SKIPPED: no random events: {', '.join(missing)} not installed", file=sys.stderr)
         return 77

@@ -4,166 +4,17 @@
 
   viewer_test.py PROGRAM VIEWER [unittest arguments]
 
-Runs itself under xvfb-run. Without xvfb-run, xdotool or ImageMagick it is skipped, loudly (exit code 77)."""
+Runs itself under xvfb-run. Without xvfb-run, xdotool, ImageMagick or python3-xlib it is skipped, loudly (exit code 77)."""
 import os
-import pathlib
-import re
 import shutil
 import subprocess
 import sys
-import tempfile
-import time
-import tomllib
-import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
-from program import png  # noqa: E402
-
-PROGRAM, VIEWER = "", ""
-HERE = pathlib.Path(__file__).resolve().parent
-SHARED = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", HERE.parent.parent.parent / "shared"))
-NEEDED = ("xvfb-run", "xdotool", "import")
-SIZE = (640, 480)
-PATIENCE = 10  # [s] for what has to happen; a wait ends as soon as it has
-
-PARTS = ("mtllib m.mtl\no left\nv -2 -1 0\nv 0 -1 0\nv 0 1 0.6\nv -2 1 0\nusemtl red\nf 1 2 3 4\n"
-         "o right\nv 0 -1 0\nv 2 -1 0\nv 2 1 0\nv 0 1 0.6\nusemtl gray\nf 5 6 7 8\n")
-STEPS = """RL_FN LightTerms user_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light)
-{
-    LightTerms terms;
-    real steps = floor(lambert_cosine(dot(s.diffuse_n, light.l)) * 3.0f + 0.5f) / 3.0f;
-    terms.ambient = s.base.ambient * (light.ambient * light.attenuation);
-    terms.diffuse = s.base.diffuse * (light.diffuse * (steps * light.attenuation));
-    terms.specular = vec3(0.0f);
-    return terms;
-}
-"""
-MATERIALS = "newmtl red\nKd 0.8 0.1 0.1\nKs 0.3 0.3 0.3\nNs 20\nnewmtl gray\nKd 0.5 0.5 0.5\n"
+import support
+from support import PARTS, PATIENCE, SIZE, Case, png, wait_for
 
 
-class Window:
-    """A running viewer."""
-
-    def __init__(self, folder, *arguments):
-        environment = dict(os.environ, XDG_CONFIG_HOME=str(folder / "config"))
-        self.folder = folder
-        self.process = subprocess.Popen([VIEWER, "--resolution", "%dx%d" % SIZE, "--stats", *map(str, arguments)], cwd=folder, env=environment,
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.window = wait_for(lambda: self.process.poll() is not None or self.tool("search", "--onlyvisible", "--pid", self.process.pid),
-                               "no window appeared")
-        if self.process.poll() is not None:
-            raise AssertionError(f"the viewer ended with {self.process.returncode}: {self.process.stderr.read()}")
-        self.tool("mousemove", SIZE[0] // 2, SIZE[1] // 2)
-        wait_for(self.shows_a_picture, "no picture appeared")
-        self.settled_picture()
-
-    def tool(self, *arguments):
-        done = subprocess.run(["xdotool", *map(str, arguments)], capture_output=True, text=True)
-        return done.stdout
-
-    def key(self, *keys):
-        self.tool("key", "--delay", 20, *keys)
-
-    def drag(self, button, dx, dy, modifier=None):
-        x, y = SIZE[0] // 2, SIZE[1] // 2
-        held = ["keydown", modifier] if modifier else []
-        released = ["keyup", modifier] if modifier else []
-        moves = [word for i in range(10) for word in ("mousemove_relative", "--", str(dx // 10), str(dy // 10), "sleep", "0.01")]
-        self.tool(*held, "mousemove", x, y, "mousedown", button, *moves, "mouseup", button, *released)
-
-    def picture(self):
-        """Rows of the display's pixels; the panels and texts are in it."""
-        path = self.folder / "display.png"
-        subprocess.run(["import", "-silent", "-window", "root", "-crop", "%dx%d+0+0" % SIZE, "+repage", "-depth", "8", "-type", "TrueColor", f"png24:{path}"], check=True)
-        return png(path)[3]
-
-    def settled_picture(self):
-        """The display once it stands still: coarse pictures become fine ones."""
-        last = self.picture()
-        for _ in range(100):
-            time.sleep(0.15)
-            now = self.picture()
-            if now == last:
-                return now
-            last = now
-        raise AssertionError("the picture does not stand still")
-
-    def shows_a_picture(self):
-        rows = self.picture()
-        return len({bytes(row[3 * x:3 * x + 3]) for row in rows[::8] for x in range(0, SIZE[0], 8)}) > 8
-
-    def differs_from(self, before, least=200, after=""):
-        """Once as many pixels differ from those of `before`, which it waits for."""
-        def differing():
-            now = self.picture()
-            changed = [(a, b) for a, b in zip(now, before) if a != b]
-            return sum(a[3 * x:3 * x + 3] != b[3 * x:3 * x + 3] for a, b in changed for x in range(SIZE[0])) >= least
-        wait_for(differing, f"the picture did not change {after}")
-
-    def save(self):
-        """The saved scene: its path, and its [render]."""
-        before = set(self.folder.glob("*.scene.toml"))
-        self.key("ctrl+s")
-        path = wait_for(lambda: next(iter(set(self.folder.glob("*.scene.toml")) - before), None), "no scene was saved")
-        return path, tomllib.loads(path.read_text())
-
-    def screenshot(self, keys="F12"):
-        before = set(self.folder.glob("*-?.png"))
-        self.key(keys)
-        return wait_for(lambda: next(iter(set(self.folder.glob("*-?.png")) - before), None), "no screenshot was written")
-
-    def end(self):
-        """Whatever it does."""
-        self.process.kill()
-        self.process.communicate()
-
-    def close(self):
-        self.key("ctrl+q")
-        out, err = self.process.communicate(timeout=PATIENCE)
-        return self.process.returncode, err
-
-
-def wait_for(happened, message):
-    end = time.monotonic() + PATIENCE
-    while time.monotonic() < end:
-        if result := happened():
-            return result
-        time.sleep(0.05)
-    raise AssertionError(message)
-
-
-def far_apart(a, b, most=1, columns=range(SIZE[0])):
-    """The share of pixels, in these columns, whose components differ by more than `most` codes."""
-    count = sum(any(abs(x - y) > most for x, y in zip(p[3 * c:3 * c + 3], q[3 * c:3 * c + 3])) for p, q in zip(a, b) if p != q for c in columns)
-    return count / (len(columns) * SIZE[1])
-
-
-def gl_pictures(stats):
-    """How many pictures GlView drew, by --stats."""
-    return int(re.search(r"(\d+) pictures by GlView", stats)[1])
-
-
-class Viewer(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="rakelight_viewer_"))
-        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-        (self.folder / "parts.obj").write_text(PARTS)
-        (self.folder / "m.mtl").write_text(MATERIALS)
-
-    def open(self, *arguments):
-        window = Window(self.folder, *(arguments or ("parts.obj",)))
-        self.addCleanup(window.end)
-        return window
-
-    def position(self, window):
-        return [float(n) for n in window.save()[1]["render"]["camera-position"].split(",")]
-
-    def render(self, *arguments):
-        out = self.folder / "rendered.png"
-        done = subprocess.run([PROGRAM, "render", *map(str, arguments), "-o", str(out)], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return png(out)
-
+class Viewer(Case):
     def test_a_saved_scene_is_rendered_to_the_pixel_and_shown_again(self):
         window = self.open()
         window.drag(1, 90, 40)
@@ -292,7 +143,7 @@ class Viewer(unittest.TestCase):
         window.key("ctrl+shift+s")
         out = self.folder / "parts-seamless.obj"
         wait_for(out.exists, "no seamless model was saved")
-        done = subprocess.run([PROGRAM, "inspect", str(out), "--check", "--max-seam", "0.1"], capture_output=True, text=True)
+        done = subprocess.run([support.PROGRAM, "inspect", str(out), "--check", "--max-seam", "0.1"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_settings_are_remembered(self):
@@ -305,26 +156,25 @@ class Viewer(unittest.TestCase):
 
     def test_wrong_options_are_refused_before_a_window_opens(self):
         for arguments, code in ((["--shading", "nonsense"], 2), (["--no-such-option"], 2)):
-            done = subprocess.run([VIEWER, *arguments], capture_output=True, text=True, timeout=PATIENCE)
+            done = subprocess.run([support.VIEWER, *arguments], capture_output=True, text=True, timeout=PATIENCE)
             self.assertEqual(done.returncode, code)
             self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
 
     def test_rakelight_view_becomes_the_viewer(self):
-        done = subprocess.run([PROGRAM, "view", "parts.obj"], capture_output=True, text=True, timeout=PATIENCE,
+        done = subprocess.run([support.PROGRAM, "view", "parts.obj"], capture_output=True, text=True, timeout=PATIENCE,
                               env={k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")})
         self.assertEqual(done.returncode, 1)
         self.assertIn("no window can be opened", done.stderr)
 
-
     def test_rakelight_says_where_no_viewer_is_installed(self):
         alone = self.folder / "rakelight"
-        shutil.copy(PROGRAM, alone)
+        shutil.copy(support.PROGRAM, alone)
         done = subprocess.run([alone, "view", "parts.obj"], capture_output=True, text=True, timeout=PATIENCE, env={"PATH": str(self.folder)})
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, "^rakelight: error: the viewer 'rakelight-view' is neither beside this program nor in PATH.*\n$")
 
     def test_a_model_alone_opens_the_viewer(self):
-        process = subprocess.Popen([PROGRAM, "parts.obj"], cwd=self.folder, env=dict(os.environ, XDG_CONFIG_HOME=str(self.folder)))
+        process = subprocess.Popen([support.PROGRAM, "parts.obj"], cwd=self.folder, env=dict(os.environ, XDG_CONFIG_HOME=str(self.folder)))
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         wait_for(lambda: subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(process.pid)], capture_output=True).stdout, "no window appeared")
@@ -333,8 +183,12 @@ class Viewer(unittest.TestCase):
         (self.folder / "lamp.scene.toml").write_text("[[model]]\nfile = 'parts.obj'\n[[light]]\ntype = 'point'\nposition = [0, 0.5, 1]\n"
                                                      "[[camera]]\nposition = [0, 0.5, 6]\ntarget = [0, 0.5, 0]\n")
         window = self.open("lamp.scene.toml")
+        before = window.settled_picture()
         window.key("d")
+        window.differs_from(before, 20, "after d")
+        before = window.settled_picture()
         window.drag(1, 100, 0)  # the lamp is in the middle
+        window.differs_from(before, 200, "when the lamp was dragged")
         _, scene = window.save()
         self.assertGreater(scene["light"][0]["position"][0], 0.3)
         self.assertAlmostEqual(scene["light"][0]["position"][1], 0.5, 6)
@@ -347,93 +201,12 @@ class Viewer(unittest.TestCase):
         window.tool("mousemove", 320, 240, "click", 1)
         window.differs_from(before, 10000)  # the panel with its text
 
-    def test_with_gl_the_window_shows_what_render_draws(self):
-        window = self.open("parts.obj", "--engine", "gl")
-        window.key("n")
-        window.drag(1, 90, 40)
-        window.key("s", "q")
-        shown = window.settled_picture()
-        path, scene = window.save()
-        self.assertEqual(scene["render"]["engine"], "gl")
-        self.assertLess(far_apart(shown, self.render(path)[3]), 0.001)
-        self.assertTrue(png(window.screenshot()) == self.render(path))
-        self.assertGreater(gl_pictures(window.close()[1]), 0)
-
-    def test_with_gl_surfaces_hide_lines_exactly(self):
-        window = self.open("parts.obj", "--engine", "gl")
-        window.key("n", "9")
-        plain = window.settled_picture()
-        window.key("g")
-        window.differs_from(plain, 500)
-        gridded = window.settled_picture()
-        is_red = lambda row, x: row[3 * x] > 60 and row[3 * x] > 2 * row[3 * x + 1]
-        covered = [(x, y) for y in range(3, SIZE[1] - 3) for x in range(3, SIZE[0] - 3)
-                   if all(is_red(plain[y + dy], x + dx) for dx in (-3, 0, 3) for dy in (-3, 0, 3))]
-        self.assertGreater(len(covered), 5000)
-        self.assertEqual([p for p in covered if plain[p[1]][3 * p[0]:3 * p[0] + 3] != gridded[p[1]][3 * p[0]:3 * p[0] + 3]], [])
-
-    def test_a_split_shows_gl_beside_soft(self):
-        window = self.open()
-        window.key("n")
-        soft = window.settled_picture()
-        window.key("backslash")
-        window.settled_picture()
-        window.tool("mousemove", 20, 200, "click", 1)
-        window.key("r")
-        both = window.settled_picture()
-        middle = SIZE[0] // 2
-        self.assertLess(far_apart(both, soft, 2, range(middle - 9)), 0.01)
-        self.assertEqual([row[3 * (middle + 9):] for row in both], [row[3 * (middle + 9):] for row in soft])
-        window.key("shift+backslash")  # side by side
-        window.settled_picture()
-        self.assertGreater(gl_pictures(window.close()[1]), 1)
-
-    def test_a_lighting_model_is_read_again_when_its_file_changes(self):
-        steps = self.folder / "steps.glsl"
-        steps.write_text(STEPS)
-        window = self.open("builtin:sphere", "--engine", "gl", "--lighting", "steps.glsl")
-        three = window.settled_picture()
-        steps.write_text(STEPS.replace("3.0f", "2.0f"))
-        window.differs_from(three, 3000)
-        two = window.settled_picture()
-        steps.write_text(STEPS.replace("floor(", "no_such_function("))
-        window.differs_from(two, 100)  # the compiler's line
-        self.assertEqual(window.settled_picture()[:400], two[:400])  # texts stand below
-        steps.write_text(STEPS)
-        wait_for(lambda: window.picture()[:400] == three[:400], "the mended lighting model is not shown")
-        self.assertEqual(window.close()[0], 0)
-
-    def test_the_pause_of_the_window_while_gl_draws_a_real_model(self):
-        helmet = SHARED / "assets" / "gltf" / "FlightHelmet" / "FlightHelmet.gltf"
-        if not helmet.exists():
-            self.skipTest("there is no FlightHelmet")
-        window = self.open(helmet, "--engine", "gl")
-        window.drag(1, 200, 40)
-        window.settled_picture()
-        code, stats = window.close()
-        print(stats.strip(), file=sys.stderr)  # depends on the machine: reported, not judged
-        self.assertEqual(code, 0)
-        self.assertGreater(gl_pictures(stats), 1)
-
     def test_a_missing_file_is_told_of_on_the_terminal_too(self):
-        process = subprocess.Popen([VIEWER, "nowhere.glb"], cwd=self.folder, stderr=subprocess.PIPE, text=True, env=dict(os.environ, XDG_CONFIG_HOME=str(self.folder)))
+        process = subprocess.Popen([support.VIEWER, "nowhere.glb"], cwd=self.folder, stderr=subprocess.PIPE, text=True, env=dict(os.environ, XDG_CONFIG_HOME=str(self.folder)))
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         self.assertRegex(process.stderr.readline(), "^rakelight: error: .*nowhere.glb")
 
 
-def main():
-    missing = [tool for tool in NEEDED if not shutil.which(tool)]
-    if missing:
-        print(f"SKIPPED: the viewer is not tested: {', '.join(missing)} not installed", file=sys.stderr)
-        return 77
-    if os.environ.get("RAKELIGHT_VIEWER_TEST_DISPLAY") != "1":
-        environment = dict(os.environ, RAKELIGHT_VIEWER_TEST_DISPLAY="1")
-        return subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x900x24 -noreset", sys.executable, *sys.argv], env=environment).returncode
-    global PROGRAM, VIEWER
-    PROGRAM, VIEWER = (os.path.abspath(path) for path in sys.argv[1:3])
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(support.main())

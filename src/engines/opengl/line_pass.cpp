@@ -48,7 +48,8 @@ void add_line(const Line& line, const dmat4& to_clip, double least_w, int width,
     for (const int k : {0, 1, 2, 2, 1, 3}) to.push_back(quad[k]);
 }
 
-std::vector<LineVertex> quads_of(std::span<const Line> lines, const dmat4& to_clip, double least_w, const Screen& screen) {
+std::vector<LineVertex> quads_of(std::span<const Line> lines, const dmat4& to_clip, double least_w,
+                                 const Screen& screen) {
     std::vector<LineVertex> vertices;
     for (const Line& line : lines) add_line(line, to_clip, least_w, screen.width(), screen.height(), vertices);
     return vertices;
@@ -73,8 +74,7 @@ void LinePass::draw(std::span<const Line> lines, const shading::View& view, cons
     const DepthRange::Row nearness = DepthRange::nearness(view);
     const dmat4 to_clip =
         clip_matrix(view, {0, 0, screen.width(), screen.height()}, nearness, 1) * view.world_to_camera;
-    const std::vector<LineVertex> vertices =
-        quads_of(lines, to_clip, view.orthographic ? 0.5 : view.z_near, screen);
+    const std::vector<LineVertex> vertices = quads_of(lines, to_clip, view.orthographic ? 0.5 : view.z_near, screen);
     if (vertices.empty()) return;
     if (!program_) program_ = link_program(line_text(driver));
     screen.bind();

@@ -212,7 +212,9 @@ const MaterialKey* find_material_key(std::string_view name) {
 std::vector<WorldKey> material_keys() {
     std::vector<WorldKey> keys = {
         {"name", Kind::text, "Of the material; '*': all of `model`", any_number, {}, true},
-        {"model", Kind::text, "Name of a [[model]] or [[primitive]]: only its materials (default: all)"}};
+        {"model", Kind::text, "Name of a [[model]] or [[primitive]]: only its materials (default: all)"},
+        {"object", Kind::text,
+         "Name of an object of the model, or the number of its node there: its materials alone (default: of all)"}};
     for (const MaterialKey& key : material_setters()) keys.push_back(key.key);
     return keys;
 }

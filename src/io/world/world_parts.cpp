@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <tuple>
 
 #include "io/world/material_keys.h"
 
@@ -92,12 +93,13 @@ WorldPrimitive read_primitive(const SectionValues& v) {
 }
 
 WorldMaterial read_material(const SectionValues& v) {
-    WorldMaterial material{.name = v.text("name"), .model = v.text("model"), .values = {}, .place = v.place()};
+    WorldMaterial material{
+        .name = v.text("name"), .model = v.text("model"), .object = v.text("object"), .values = {}, .place = v.place()};
     const WorldValue* of_classical = nullptr;
     const WorldValue* of_other = nullptr;
     for (const WorldValue& value : v.all()) {
         const MaterialKey* const key = find_material_key(value.key);
-        if (!key) continue;  // name, model
+        if (!key) continue;  // name, model, object
         if (key->of == Of::classical) of_classical = &value;
         if (key->of == Of::metallic_roughness) of_other = &value;
         if (key->set) material.values.push_back(value);
@@ -144,12 +146,14 @@ static void check_materials(const WorldFile& world) {
     std::set<std::string_view> asked_for;
     for (const WorldModel& m : world.models) asked_for.insert(m.material);
     for (const WorldPrimitive& p : world.primitives) asked_for.insert(p.material);
-    std::set<std::pair<std::string_view, std::string_view>> known;
+    std::set<std::tuple<std::string_view, std::string_view, std::string_view>> known;
     for (const WorldMaterial& m : world.materials) {
-        const bool is_own = asked_for.contains(m.name);
-        if (!known.insert({m.name, is_own ? std::string_view() : m.model}).second)
+        const bool is_own = m.object.empty() && asked_for.contains(m.name);
+        if (!known.insert({m.name, is_own ? std::string_view() : m.model, m.object}).second)
             fail(m.place, "a second [[material]] named '" + one_line(m.name, 40) + "'" +
-                              (is_own ? ", which a part takes as its 'material'" : " for the same models"));
+                              (is_own             ? ", which a part takes as its 'material'"
+                               : m.object.empty() ? " for the same models"
+                                                  : " for the same object"));
     }
 }
 
@@ -157,7 +161,8 @@ void check_names(const WorldFile& world) {
     constexpr std::size_t most = 5;  // names in a message
     check_materials(world);
     std::vector<const char*> materials, models;
-    for (const WorldMaterial& m : world.materials) materials.push_back(m.name.c_str());
+    for (const WorldMaterial& m : world.materials)
+        if (m.object.empty()) materials.push_back(m.name.c_str());
     for (const WorldModel& m : world.models) models.push_back(m.name.c_str());
     for (const WorldPrimitive& p : world.primitives) models.push_back(p.name.c_str());
     const auto is_in = [](const std::string& name, const std::vector<const char*>& names) {

@@ -3,64 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include <atomic>
+#include <thread>
 
 #include <rakelight/linear.h>
 #include <rakelight/render.h>
 
-#include "../../../apps/viewer/load_model.h"
+#include "../../../apps/viewer/drop.h"
 #include "../../../apps/viewer/overlay.h"
 #include "../../../apps/viewer/painter.h"
-#include "../../../apps/viewer/save.h"
-#include "../../../apps/viewer/studio.h"
-#include "support/temporary_folder.h"
+#include "looks.h"
 
 namespace rakelight::viewer {
 namespace {
-
-constexpr int width = 96, height = 64;
-
-class Looks : public testing::Test {
-protected:
-    /// Two squares of two materials, one of them with a texture's coordinates, and a lamp.
-    std::string write_model() {
-        std::ofstream(folder_.path() / "m.mtl")
-            << "newmtl red\nKd 1 0 0\nKs 0.4 0.4 0.4\nNs 20\nnewmtl gray\nKd 0.5 0.5 0.5\n";
-        std::ofstream(folder_.path() / "model.obj")
-            << "mtllib m.mtl\no left\nv -2 -1 0\nv 0 -1 0\nv 0 1 0.6\nv -2 1 0\nusemtl red\nf 1 2 3 4\n"
-               "o right\nv 0 -1 0\nv 2 -1 0\nv 2 1 0\nv 0 1 0.6\nusemtl gray\nf 5 6 7 8\n";
-        return (folder_.path() / "model.obj").string();
-    }
-    std::shared_ptr<const Model> model(const std::string& file) {
-        Start start;
-        start.takes = [](std::string_view) { return true; };
-        return load_model(file, start, context_);
-    }
-    Frame drawn(const std::shared_ptr<const Model>& model, const Look& look) {
-        Studio studio;
-        Frame frame;
-        studio.draw(model, look, request_of(look, width, height), camera_of(look, *model, width, height), 0, frame,
-                    context_);
-        return frame;
-    }
-    std::string file(const char* name) { return (folder_.path() / name).string(); }
-
-    test::TemporaryFolder folder_;
-    Context context_;
-};
-
-/// The picture of what is saved is the picture of what was seen.
-#define EXPECT_SAVED_AS_SEEN(look, of)                                                                        \
-    do {                                                                                                      \
-        save_world(world_of(look, *(of), width, height, file("saved.scene.toml")), file("saved.scene.toml")); \
-        const auto saved = model(file("saved.scene.toml"));                                                   \
-        const Look back = first_look(*saved);                                                                 \
-        const dvec3 moved = camera_of(back, *saved, width, height).to_world[3].xyz() -                        \
-                            camera_of(look, *(of), width, height).to_world[3].xyz();                          \
-        EXPECT_LT(length(moved), 1e-12);                                                                      \
-        EXPECT_TRUE(drawn(saved, back).color == drawn(of, look).color);                                       \
-    } while (false)
 
 TEST_F(Looks, AFirstLookIsSavedAsSeen) {
     const auto m = model(write_model());
@@ -126,15 +81,15 @@ TEST_F(Looks, MaterialsAreSavedAsSeen) {
     const auto m = model(write_model());
     Look look = first_look(*m);
     const Frame before = drawn(m, look);
-    set_material(look, "red", "color=0,0.7,0.1");
-    set_material(look, "red", "color=0,0.7,0.2");
-    set_material(look, "red", "shininess=5");
-    set_material(look, "gray", "roughness=0.3");
+    set_material(look, {.name = "red"}, "color=0,0.7,0.1");
+    set_material(look, {.name = "red"}, "color=0,0.7,0.2");
+    set_material(look, {.name = "red"}, "shininess=5");
+    set_material(look, {.name = "gray"}, "roughness=0.3");
     EXPECT_EQ(look.materials.size(), 2u);
     EXPECT_EQ(look.materials[0].values.size(), 2u);
     EXPECT_FALSE(drawn(m, look).color == before.color);
     EXPECT_SAVED_AS_SEEN(look, m);
-    EXPECT_THROW(set_material(look, "red", "no_such_key=1"), Error);
+    EXPECT_THROW(set_material(look, {.name = "red"}, "no_such_key=1"), Error);
 }
 
 TEST_F(Looks, AChangedWorldIsSavedAgainAsSeen) {
@@ -149,7 +104,7 @@ TEST_F(Looks, AChangedWorldIsSavedAgainAsSeen) {
     Look look = first_look(*m);
     EXPECT_EQ(look.request.settings.shading, Shading::flat);
     EXPECT_SAVED_AS_SEEN(look, m);
-    set_material(look, "red", "color=1,1,0");
+    set_material(look, {.name = "red"}, "color=1,1,0");
     changing_lights(look, *m, width, height)[0].light.position.x = -2;
     turn_table(moving_eye(look, *m, width, height), 0.5, 0.1, look.world_up);
     EXPECT_SAVED_AS_SEEN(look, m);
@@ -208,32 +163,36 @@ TEST_F(Looks, ThePainterEndsWithThePictureOfRender) {
     EXPECT_EQ(last->number, 1u);
 }
 
-TEST_F(Looks, PicturesComeWhileTheCameraMovesOnAndOn) {
-    using Clock = std::chrono::steady_clock;
+TEST_F(Looks, PicturesInMotionAreNotBrokenOffByTheNext) {
     const auto m = model("builtin:teapot");
     Look look = first_look(*m);
-    Painter painter([] {}, 0, 0);
-    std::uint64_t number = 0;
-    // Until `count` pictures are there, with a job a millisecond where the camera moves.
-    const auto time_of = [&](int count, bool is_moving) {
-        const auto begin = Clock::now();
-        for (int pictures = 0; pictures < count;) {
-            if (is_moving) turn_table(moving_eye(look, *m, 1280, 960), 0.01, 0, look.world_up);
-            if (is_moving || number == 0)
-                painter.paint({.model = m,
-                               .look = look,
-                               .width = 1280,
-                               .height = 960,
-                               .is_moving = is_moving,
-                               .number = ++number});
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            const auto painting = painter.take();
-            if (painting && (is_moving || painting->is_final)) ++pictures;
-        }
-        return Clock::now() - begin;
+    std::atomic<std::uint64_t> newest = 0, count = 0;
+    Painter* painting_of = nullptr;
+    Painter painter(
+        [&] {  // in the painter's thread, behind each picture: none is missed
+            if (const auto painting = painting_of->take()) newest = painting->number, ++count;
+        },
+        0, 0);
+    painting_of = &painter;
+    const auto paint = [&](std::uint64_t number) {
+        turn_table(moving_eye(look, *m, 640, 480), 0.01, 0, look.world_up);
+        painter.paint({.model = m, .look = look, .width = 640, .height = 480, .is_moving = true, .number = number});
     };
-    const auto one = time_of(1, false);
-    EXPECT_LT(time_of(5, true), 10 * one);  // were they broken off by the next, few would come at all
+    const auto has_begun = [&](std::uint64_t number) {
+        std::string stage;
+        double fraction = 0;
+        painter.progress().get(stage, fraction);
+        return !stage.empty() || newest == number;
+    };
+    for (std::uint64_t number = 2; number <= 20; number += 2) {
+        paint(number - 1);
+        while (!has_begun(number - 1)) std::this_thread::yield();
+        paint(number);
+        while (newest != number) std::this_thread::yield();
+        EXPECT_EQ(count, number);  // the first one came, too
+        std::string stage = "any";
+        for (double fraction = 0; !stage.empty(); painter.progress().get(stage, fraction)) std::this_thread::yield();
+    }
 }
 
 TEST_F(Looks, ThePainterTellsWhatIsWrong) {
@@ -266,14 +225,27 @@ TEST_F(Looks, APixelIsFoundOnItsMaterial) {
 }
 
 TEST_F(Looks, DroppedFilesAreToldByTheirEndings) {
-    EXPECT_EQ(kind_of_drop("a/B.GLB", false), Dropped::model);
-    EXPECT_EQ(kind_of_drop("sky.HDR", false), Dropped::environment);
-    EXPECT_EQ(kind_of_drop("wood.png", false), Dropped::picture);
-    EXPECT_EQ(kind_of_drop("sky.png", true), Dropped::environment);
+    const auto plan = [](std::vector<std::string> files, bool is_shift_down = false) {
+        return plan_of_drop(files, is_shift_down);
+    };
+    EXPECT_EQ(plan({"a/B.GLB", "c.obj"}).models, (std::vector<std::string>{"a/B.GLB", "c.obj"}));
+    EXPECT_EQ(plan({"sky.HDR"}).environment, "sky.HDR");
+    EXPECT_EQ(plan({"wood.png"}).picture, "wood.png");
+    EXPECT_EQ(plan({"sky.png"}, true).environment, "sky.png");
+    EXPECT_EQ(plan({"notes.txt"}).models.size(), 1u);  // loading it says what is wrong
+    const DropPlan beside = plan({"m.mtl", "a.png", "a.obj", "sky.hdr"});
+    EXPECT_EQ(beside.models, std::vector<std::string>{"a.obj"});
+    EXPECT_TRUE(beside.picture.empty() && beside.environment.empty());
+}
+
+TEST_F(Looks, ADroppedFolderIsItsModels) {
+    EXPECT_TRUE(plan_of_drop({folder_.path().string()}, false).is_empty_folder);
     write_model();
-    const std::vector<std::string> models = models_in(folder_.path().string());
-    ASSERT_EQ(models.size(), 1u);
-    EXPECT_TRUE(models[0].ends_with("model.obj"));
+    std::ofstream(folder_.path() / "settings.toml") << "no world\n";
+    const DropPlan plan = plan_of_drop({folder_.path().string()}, false);
+    EXPECT_FALSE(plan.is_empty_folder);
+    ASSERT_EQ(plan.models.size(), 1u);
+    EXPECT_TRUE(plan.models[0].ends_with("model.obj"));
 }
 
 TEST(Overlay, SurfacesHideLinesBehindThem) {

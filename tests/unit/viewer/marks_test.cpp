@@ -18,7 +18,9 @@ TEST(Marks, AreTheLinesOfEachThatIsWanted) {
     session.set(model->scene);
     const auto prepared = session.prepared({}, context);
     MarkLines made;
-    const auto count = [&](const Marks& marks) { return made.lines(marks, look, *model, prepared, 64, 64).size(); };
+    const auto count = [&](const Marks& marks) {
+        return made.lines(marks, look, *model, prepared, camera_of(look, *model, 64, 64), 64, 64).size();
+    };
     EXPECT_EQ(count({}), 0u);
     EXPECT_EQ(count({.axes = true}), 3u);
     const std::size_t normals = count({.vectors = {true}});
@@ -27,7 +29,10 @@ TEST(Marks, AreTheLinesOfEachThatIsWanted) {
     EXPECT_EQ(count({}), 0u);
     const auto seams = std::make_shared<const std::vector<SeamLine>>(7);
     EXPECT_EQ(count({.seams = seams}), 7u);
-    EXPECT_GT(count({.lights = true}), 0u);
+    const std::size_t lights = count({.lights = true});
+    EXPECT_GT(lights, 0u);
+    EXPECT_EQ(count({.lights = true, .light = 1}), lights);  // 0 is ambient
+    EXPECT_GT(count({.lights = true, .light = 1, .has_handles = true}), lights);
 }
 
 }  // namespace

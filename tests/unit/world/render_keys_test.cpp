@@ -199,6 +199,23 @@ TEST(RenderKeys, WhatNoKeySaysIsNotLeftOutInSilence) {
     EXPECT_TRUE(is_refused([](PictureRequest& r) { r.prepare.displacement.is_on = true; }));
 }
 
+TEST(RenderKeys, LightsKeepWhatTheirTypeDoesNotHaveToThemselves) {
+    PictureRequest request;
+    for (const LightUnits units : {LightUnits::classical, LightUnits::photometric})
+        for (const LightType type : {LightType::ambient, LightType::directional, LightType::point, LightType::spot}) {
+            if (type == LightType::ambient && units == LightUnits::photometric) continue;
+            // As of a spot in either units that was made a light of another type.
+            Light light{.type = type, .units = units, .position = {1, 2, 3}, .direction = {0, -1, 0}};
+            light.ambient = {0.1f, 0.2f, 0.3f}, light.diffuse = {0.5f, 0.5f, 0.5f}, light.color = {1, 0, 0};
+            light.quadratic = 2, light.cutoff_rad = 0.5f, light.exponent = 3, light.range = 7, light.intensity = 4;
+            light.inner_cone_rad = 0.25f, light.outer_cone_rad = 0.5f;
+            request.lights = {light};
+            PictureRequest back;
+            ASSERT_NO_THROW(read_render_keys(written_render_keys(request), back)) << int(type) << int(units);
+            EXPECT_EQ(back.lights->at(0).type, type);
+        }
+}
+
 TEST(RenderKeys, ColorsComeBackAsNearAsDisplayValuesAre) {
     PictureRequest request;
     request.settings.background = {0.1234567f, 0.5f, 0.9f, 1};

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is dropped on the window.
+#include <filesystem>
+
+#include "app.h"
+#include "drop.h"
+
+namespace rakelight::viewer {
+
+void App::drop(const Event& event) {
+    const DropPlan plan = plan_of_drop(event.files, event.modifiers & mod_shift);
+    if (plan.is_empty_folder) return say("there is no model in this folder");
+    if (!plan.models.empty()) return open_dropped(plan.models, event.modifiers & mod_control);
+    if (!model_) return say("drop a model first: pictures are for what is shown");
+    activate_at(event.x, event.y);
+    if (!plan.environment.empty()) {
+        PictureRequest& request = active().look.request;
+        request.hdri_file = plan.environment;
+        request.hdri_ambient = request.hdri_skybox = true;
+    }
+    if (!plan.picture.empty()) give_picture(event, plan.picture);
+}
+
+/// Opens the first; what was there stays until it is loaded, and where it cannot be.
+void App::open_dropped(const std::vector<std::string>& models, bool adds) {
+    if (!before_drop_) before_drop_ = FileList{start_.files, file_};
+    if (!adds) start_.files.clear();
+    file_ = start_.files.size();
+    start_.files.insert(start_.files.end(), models.begin(), models.end());
+    load_current(false);
+}
+
+/// After a drop that could not be loaded.
+void App::take_files_back() {
+    if (!before_drop_) return;
+    start_.files = std::move(before_drop_->files), file_ = before_drop_->number;
+    before_drop_.reset();
+    note_file_time();
+}
+
+/// The object at the pointer gets the picture as the base color texture of its material.
+void App::give_picture(const Event& event, const std::string& file) {
+    View& view = active();
+    if (!view.painter || !view.area.holds(event.x, event.y))
+        return say("drop a picture on an object, which gets it as its texture");
+    const int x = int(event.x) - view.area.x, y = int(event.y) - view.area.y;
+    view.painter->look_at_pixel(x, y, [this, &view, file, model = model_](std::optional<Painter::Hit> hit) {
+        if (model != model_) return;
+        if (!hit) return say("drop a picture on an object, which gets it as its texture");
+        try {
+            const std::uint32_t material = source_material(model_->scene, view.look.materials, hit->material);
+            const MaterialTarget target = target_of(model_->scene, material, hit->object);
+            set_material(view.look, target, "color_texture=" + file);
+            say("texture of " + title_of(model_->scene, target) + ": " +
+                std::filesystem::path(file).filename().string());
+        } catch (const Error& error) {
+            report(error);
+        }
+    });
+}
+
+}  // namespace rakelight::viewer

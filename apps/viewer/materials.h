@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials of a look: which objects an edit means, and what it says.
+#pragma once
+#include "document.h"
+
+namespace rakelight::viewer {
+
+/// Sets a key of [[material]], as "roughness=0.5" says it. @throws Error usage
+void set_material(Look& look, const MaterialTarget& target, const std::string& key_and_value);
+/// What was set for a target; null: nothing.
+const std::vector<WorldValue>* edited_values(const Look& look, const MaterialTarget& target);
+void forget_material(Look& look, const MaterialTarget& target);
+
+/// The model's scene with edited materials. @throws Error as with_material_changes()
+Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& context);
+
+/// The name by which [[material]] knows a material; empty: it has none.
+std::string material_name(const Scene& scene, std::uint32_t material);
+/// Of which of the file's materials a material of a picture is: edited objects have copies behind those of the file.
+/// @param material  as channel_material gives it, in a picture with these edits
+std::uint32_t source_material(const Scene& scene, const std::vector<MaterialEdit>& edits, std::uint32_t material);
+
+/// All objects that have the material, by its name; where it has no name that of this object alone.
+MaterialTarget target_of(const Scene& scene, std::uint32_t material, std::uint32_t node);
+/// That of one object: all its materials where this one has no name.
+MaterialTarget target_in_object(const Scene& scene, std::uint32_t material, std::uint32_t node);
+/// "red", "red of left"
+std::string title_of(const Scene& scene, const MaterialTarget& target);
+/// "left", "node 3"
+std::string object_title(const Scene& scene, std::uint32_t node);
+
+/// Objects (nodes) that have a material, by its number in the file. no_index: of meshes without a material.
+std::vector<std::uint32_t> objects_with(const Scene& scene, std::uint32_t material);
+
+/// How a world file names an object: `model` empty for a scene that is no world's.
+struct ObjectInWorld {
+    std::string model, object;
+};
+ObjectInWorld object_in_world(const Scene& scene, std::uint32_t node);
+
+}  // namespace rakelight::viewer

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials of single objects: a node gets meshes and materials of its own, whose arrays are shared still.
+#pragma once
+#include <string>
+#include <vector>
+
+#include <rakelight/context.h>
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+class OwnMaterials {
+public:
+    /// @param scene  whose meshes have materials all; see name_default_material()
+    OwnMaterials(Scene& scene, Context& context)
+        : scene_(scene), first_own_(std::uint32_t(scene.materials.size())), charge_(context.memory()) {}
+
+    /// The materials of that name ("*": all) of a node's meshes, from now on the node's alone.
+    std::vector<std::uint32_t> of(std::uint32_t node, const std::string& name);
+    /// The scene keeps what pays for them.
+    void finish();
+
+private:
+    void take_own(std::uint32_t& mesh);
+
+    Scene& scene_;
+    std::uint32_t first_own_;
+    MemoryCharge charge_;
+};
+
+}  // namespace rakelight
