@@ -157,14 +157,19 @@ class Case(unittest.TestCase):
         return png(out)
 
 
+def under_xvfb():
+    """Runs this program again in a display of its own."""
+    environment = dict(os.environ, RAKELIGHT_VIEWER_TEST_DISPLAY="1")
+    return subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x900x24 -noreset", sys.executable, *sys.argv], env=environment).returncode
+
+
 def main():
     missing = [tool for tool in NEEDED if not shutil.which(tool)] + ([] if xdnd.is_there() else ["python3-xlib"])
     if missing:
         print(f"SKIPPED: the viewer is not tested: {', '.join(missing)} not installed", file=sys.stderr)
         return 77
     if os.environ.get("RAKELIGHT_VIEWER_TEST_DISPLAY") != "1":
-        environment = dict(os.environ, RAKELIGHT_VIEWER_TEST_DISPLAY="1")
-        return subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x900x24 -noreset", sys.executable, *sys.argv], env=environment).returncode
+        return under_xvfb()
     global PROGRAM, VIEWER
     PROGRAM, VIEWER = (os.path.abspath(path) for path in sys.argv[1:3])
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
