@@ -11,6 +11,7 @@ namespace rakelight::viewer {
 namespace {
 
 constexpr double message_s = 8;    // that what was done is said; errors stay until Esc
+constexpr int most_faults = 3;     // of one turn of the loop after another: the window's context may be lost
 constexpr double motion_s = 0.15;  // after the last step of a motion the whole picture is made
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
@@ -58,6 +59,7 @@ App::~App() {
         view.gl.reset();
         view.screen.reset();
     }
+    lost_gl_.clear();
 }
 
 bool App::is_busy() const {
@@ -66,38 +68,53 @@ bool App::is_busy() const {
 }
 
 void App::run() {
-    Clock::time_point woke = Clock::now();
-    bool was_loading = false, was_gl_drawing = false;
-    while (!window_->is_closing() && !is_quitting_) {
-        const double block_ms = 1e3 * seconds(Clock::now() - woke);
-        longest_block_ms_ = std::max(longest_block_ms_, block_ms);
-        if (was_loading) longest_load_block_ms_ = std::max(longest_load_block_ms_, block_ms);
-        if (was_gl_drawing) longest_gl_block_ms_ = std::max(longest_gl_block_ms_, block_ms);
-        const bool is_live = frames_to_draw_ > 0 || ui_.is_walking;
-        window_->wait(is_live ? 0 : is_busy() ? 0.1 : 0.25);
-        woke = Clock::now();
-        was_loading = loader_.is_running();
-        was_gl_drawing = std::ranges::any_of(views_, [](const View& v) { return v.is_painting && v.gl; });
-        const std::vector<Event> events = window_->take_events();
-        for (const Event& event : events) handle(event);
-        for (const Command command : std::exchange(from_panels_, {})) this->command(command);
-        if (!events.empty()) frames_to_draw_ = 3;
-        poll();
-        if (ui_.is_walking) step_walk();
-        lay_out();
-        for (std::size_t i = 0; i < view_count(); ++i) submit(views_[i]);
-        look_for_seams();
-        if (is_busy() || window_->needs_drawing()) is_dirty_ = true;
-        if (!is_dirty_ && frames_to_draw_ == 0) continue;
-        frames_to_draw_ = std::max(0, frames_to_draw_ - 1);
-        is_dirty_ = false;
-        draw();
-    }
+    int faults = 0;  // one after another
+    woke_ = Clock::now();
+    while (!window_->is_closing() && !is_quitting_) try {
+            step();
+            faults = 0;
+        } catch (const Error& error) {
+            if (++faults > most_faults) throw;
+            window_->abandon_panels();
+            report(error);
+        }
     if (!window_->is_full_screen() && window_->width() > 0)
         remembered_.width = window_->width(), remembered_.height = window_->height();
     remembered_.ui = ui_;
     write_settings(remembered_);
     log_stats();
+}
+
+/// Takes what has happened, and shows it.
+void App::step() {
+    note_pause();
+    const bool is_live = frames_to_draw_ > 0 || (ui_.is_walking && is_stepping());
+    window_->wait(is_live ? 0 : is_busy() ? 0.1 : 0.25);
+    woke_ = Clock::now();
+    was_loading_ = loader_.is_running();
+    was_gl_drawing_ = std::ranges::any_of(views_, [](const View& v) { return v.is_painting && v.gl; });
+    const std::vector<Event> events = window_->take_events();
+    if (!events.empty()) frames_to_draw_ = 3;
+    for (const Event& event : events) handle(event);
+    for (const Command command : std::exchange(from_panels_, {})) this->command(command);
+    poll();
+    if (ui_.is_walking) step_walk();
+    lay_out();
+    for (std::size_t i = 0; i < view_count(); ++i) submit(views_[i]);
+    look_for_seams();
+    if (is_busy() || window_->needs_drawing()) is_dirty_ = true;
+    if (!is_dirty_ && frames_to_draw_ == 0) return;
+    frames_to_draw_ = std::max(0, frames_to_draw_ - 1);
+    is_dirty_ = false;
+    draw();
+}
+
+/// How long the window did not look at events.
+void App::note_pause() {
+    const double pause_ms = 1e3 * seconds(Clock::now() - woke_);
+    longest_block_ms_ = std::max(longest_block_ms_, pause_ms);
+    if (was_loading_) longest_load_block_ms_ = std::max(longest_load_block_ms_, pause_ms);
+    if (was_gl_drawing_) longest_gl_block_ms_ = std::max(longest_gl_block_ms_, pause_ms);
 }
 
 void App::log_stats() const {
@@ -133,7 +150,7 @@ void App::poll_view(View& view) {
     }
     const auto fault = view.painter->take_fault();
     if (!fault) return;
-    if (fault->is_of_gl) return give_up_gl(fault->error);
+    if (fault->is_of_gl) return handle_gl_fault(fault->error);
     report(fault->error);
     if (fault->number != view.number) return;
     view.is_painting = false;
@@ -142,13 +159,31 @@ void App::poll_view(View& view) {
 }
 
 void App::lay_out() {
-    const int left = std::min(int(ui_.panel_width), std::max(0, window_->width() - 1));
+    const int panels = int(ui_.panel_width * window_->pixels_a_point());
+    const int left = std::min(panels, std::max(0, window_->width() - 1));
     const int width = std::max(1, window_->width() - left), height = std::max(1, window_->height());
     if (window_->width() == 0 || window_->height() == 0) return;  // minimized: as it was
     views_[0].area = views_[1].area = {left, 0, width, height};
     if (ui_.split != Split::beside) return;
     views_[0].area.width = std::max(1, width / 2);
     views_[1].area = {left + views_[0].area.width, 0, std::max(1, width - views_[0].area.width), height};
+}
+
+/// Where the camera of a view stands; false: nowhere, and the view is what it was before.
+bool App::take_camera(View& view) {
+    try {
+        const Camera camera = camera_of(view.look, *model_, view.area.width, view.area.height);
+        if (view.submitted_model == model_) carry_lights(view.look, view.camera, camera);
+        view.camera = camera;
+        return true;
+    } catch (const Error& error) {
+        report(error);
+        if (view.submitted_model == model_)
+            view.look = view.submitted;
+        else
+            view.look.eye.reset(), view.look.request.view = {.side = "default"};
+        return false;
+    }
 }
 
 /// Has a picture made where another one is wanted than the last time.
@@ -163,25 +198,14 @@ void App::submit(View& view) {
     const bool wants_depth = ui_.normals || ui_.tangents || ui_.bitangents || ui_.seams || ui_.grid;
     const Rectangle &a = view.area, &b = view.submitted_area;
     const bool is_by_gl = is_drawn_by_gl(view.look);  // then lines are in the picture
-    const Marks wanted_marks = marks(view);
+    Marks wanted_marks = marks(view);
     const bool is_same = view.submitted_model == model_ && view.look == view.submitted && a.width == b.width &&
                          a.height == b.height && view.is_submitted_with_depth == wants_depth &&
                          (!is_by_gl || view.submitted_marks == wanted_marks);
     if (is_same && (is_moving || !view.is_submitted_moving)) return;
     if (!view.painter)
         view.painter = std::make_unique<Painter>([] { GlfwWindow::wake(); }, start_.threads, start_.max_memory);
-    try {
-        const Camera camera = camera_of(view.look, *model_, a.width, a.height);
-        if (view.submitted_model == model_) carry_lights(view.look, view.camera, camera);
-        view.camera = camera;
-    } catch (const Error& error) {
-        report(error);
-        if (view.submitted_model == model_)
-            view.look = view.submitted;
-        else
-            view.look.eye.reset(), view.look.request.view = {.side = "default"};
-        return;
-    }
+    if (!take_camera(view)) return;
     view.submitted = view.look, view.submitted_model = model_, view.submitted_area = a;
     view.submitted_marks = wanted_marks;
     view.is_submitted_moving = is_moving, view.is_submitted_with_depth = wants_depth, view.is_painting = true;
@@ -193,7 +217,7 @@ void App::submit(View& view) {
                          .wants_depth = wants_depth,
                          .number = ++view.number,
                          .gl = is_by_gl ? gl_of(view) : nullptr,
-                         .marks = wanted_marks});
+                         .marks = std::move(wanted_marks)});
 }
 
 void App::report(const Error& error) {

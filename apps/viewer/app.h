@@ -57,11 +57,14 @@ private:
     // app.cpp: the loop
     void poll();
     void poll_view(View& view);
+    void step();
+    void note_pause();
     void lay_out();
+    bool take_camera(View& view);
     void submit(View& view);
     bool is_drawn_by_gl(const Look& look) const;
     std::shared_ptr<GlPainter> gl_of(View& view);
-    void give_up_gl(const Error& error);
+    void handle_gl_fault(const Error& error);
     Marks marks(const View& view) const;
     void report(const Error& error);
     void say(const std::string& text);
@@ -77,6 +80,7 @@ private:
     void zoom(const Event& event);
     void command(Command command);
     void leave();
+    bool is_stepping() const;
     void step_walk();
     void click(const Event& event);
     void activate_at(double x, double y);
@@ -129,7 +133,9 @@ private:
     UiState ui_;
     std::unique_ptr<GlfwWindow> window_;
     bool has_gl_failed_ = false;
-    std::uint64_t gl_pictures_ = 0;  ///< shown
+    int gl_faults_ = 0;
+    std::vector<std::shared_ptr<GlPainter>> lost_gl_;  ///< painters may hold them still; they end in this thread
+    std::uint64_t gl_pictures_ = 0;                    ///< shown
     LightingFile lighting_file_;
     std::shared_ptr<const Model> model_;
     std::size_t file_ = 0;
@@ -141,7 +147,7 @@ private:
 
     HeldKeys held_;
     Drag drag_ = Drag::none;
-    double last_x_ = 0, last_y_ = 0, press_x_ = 0, press_y_ = 0;
+    double last_x_ = 0, last_y_ = 0, press_x_ = 0, press_y_ = 0, last_click_x_ = 0, last_click_y_ = 0;
     int press_modifiers_ = 0;
     struct LightDrag {
         Handle handle = Handle::none;
@@ -151,12 +157,12 @@ private:
     LightDrag light_drag_;
     Handle hovered_ = Handle::none;
     Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, said_{};
-    bool is_quitting_ = false, is_dirty_ = true;
+    bool is_quitting_ = false, is_dirty_ = true, is_walk_step_ = false;
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
     std::vector<Command> from_panels_;
 
     std::filesystem::file_time_type file_time_{}, changed_time_{};
-    std::shared_ptr<const std::vector<SeamLine>> seams_;
+    std::shared_ptr<const Seams> seams_;
     std::shared_ptr<const Model> seams_model_;
     PrepareOptions seams_prepare_;
     /// What is on the screen of a wipe.
@@ -169,6 +175,8 @@ private:
     std::vector<std::uint32_t> wiped_;
 
     Clock::time_point began_ = Clock::now();
+    Clock::time_point woke_{};  ///< when the window last began to look at events
+    bool was_loading_ = false, was_gl_drawing_ = false;
     double first_picture_ms_ = 0, longest_block_ms_ = 0, longest_load_block_ms_ = 0, longest_gl_block_ms_ = 0;
 };
 

@@ -82,11 +82,12 @@ void App::draw_wipe_of_codes() {
     if (wipe_ == wanted && !views_[0].on_screen && screen.show_again()) return;
     wiped_.resize(std::size_t(area.width) * std::size_t(area.height));
     const auto copy = [&](const Painting& from, int begin, int end) {
+        std::vector<std::uint32_t> columns;  // a division a pixel would take long
+        for (int x = begin; x < end; ++x) columns.push_back(std::uint32_t(std::int64_t(x) * from.width / area.width));
         for (int y = 0; y < area.height; ++y) {
             const std::size_t row = std::size_t(std::int64_t(y) * from.height / area.height) * std::size_t(from.width);
-            for (int x = begin; x < end; ++x)
-                wiped_[std::size_t(y) * std::size_t(area.width) + std::size_t(x)] =
-                    from.codes[row + std::size_t(std::int64_t(x) * from.width / area.width)];
+            std::uint32_t* to = wiped_.data() + std::size_t(y) * std::size_t(area.width) + begin;
+            for (const std::uint32_t column : columns) *to++ = from.codes[row + column];
         }
     };
     copy(*a, 0, line);
@@ -117,8 +118,10 @@ void App::draw_panels_over() {
     View& view = active();
     PanelView panels{.model = model_.get(), .look = view.look, .ui = ui_, .painting = view.shown.get()};
     panels.width = view.area.width, panels.height = view.area.height;
-    panels.window_width = window_->width(), panels.window_height = window_->height();
-    panels.scale = window_->scale(), panels.longest_block_ms = longest_block_ms_;
+    const float pixels_a_point = window_->pixels_a_point();
+    panels.window_width = int(float(window_->width()) / pixels_a_point);
+    panels.window_height = int(float(window_->height()) / pixels_a_point);
+    panels.scale = window_->scale() / pixels_a_point, panels.longest_block_ms = longest_block_ms_;
     panels.seams = seams_model_ == model_ ? seams_.get() : nullptr;
     const auto add = [&panels](const Progress& progress) {
         std::string stage;

@@ -5,6 +5,11 @@
 #include "app.h"
 
 namespace rakelight::viewer {
+namespace {
+
+constexpr int most_gl_faults = 2;  // that a new context is made after
+
+}  // namespace
 
 bool App::is_drawn_by_gl(const Look& look) const {
     const std::string& engine = look.request.engine;
@@ -16,14 +21,21 @@ std::shared_ptr<GlPainter> App::gl_of(View& view) {
     if (!view.gl) try {
             view.gl = std::make_shared<GlPainter>(window_->make_shared_context());
         } catch (const Error& error) {
-            give_up_gl(error);
+            handle_gl_fault(error);
         }
     return view.gl;
 }
 
-/// From now on pictures are made by sessions, those that were GlView's by soft. Engine gl can be chosen again: it has a context of
-/// its own.
-void App::give_up_gl(const Error& error) {
+/// A context that is lost is made anew. Where that does not help, pictures are made by sessions from now on, those that were GlView's
+/// by soft. Engine gl can be chosen again: it has a context of its own.
+void App::handle_gl_fault(const Error& error) {
+    if (gl_faults_++ < most_gl_faults) {
+        for (View& view : views_) {
+            if (view.gl) lost_gl_.push_back(std::move(view.gl));
+            view.submitted_model.reset();  // its picture is asked for again
+        }
+        return say("OpenGL is started again: " + one_line(error.reason(), 200));
+    }
     has_gl_failed_ = true;
     for (View& view : views_)
         if (view.look.request.engine == "gl" || view.look.request.engine == "auto") view.look.request.engine = "soft";

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double turn_of_window_rad = pi;  // by which a drag across the smaller side orbits
 constexpr double double_click_s = 0.35;
-constexpr double still_px = 4;                 // a press that moves less is a click
+constexpr double still_px = 4;  // a press that moves less is a click
+constexpr std::string_view walking_keys = "WASDQE";
 constexpr double walk_share = 0.25, fast = 4;  // of the model's size a second
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
@@ -25,7 +26,7 @@ void App::handle(const Event& event) {
             if (event.is_for_panels) return;
             held_.take(event);
             if (ui_.is_walking &&
-                std::string_view("WASDQE").find(char(event.key < 128 ? event.key : 0)) != std::string_view::npos &&
+                walking_keys.find(char(event.place < 128 ? event.place : 0)) != std::string_view::npos &&
                 !(event.modifiers & mod_control))
                 return;
             return command(command_of(event.key, event.modifiers));
@@ -121,16 +122,19 @@ void App::zoom(const Event& event) {
     last_motion_ = Clock::now();
 }
 
+bool App::is_stepping() const {
+    return std::ranges::any_of(walking_keys, [this](char key) { return held_.has(key); });
+}
+
 void App::step_walk() {
     const auto now = Clock::now();
-    const double dt = std::min(0.1, seconds(now - last_step_));
-    last_step_ = now;
-    if (!model_) return;
+    const double dt = is_walk_step_ ? std::min(0.1, seconds(now - last_step_)) : 0;
+    last_step_ = now, is_walk_step_ = is_stepping();
+    if (!model_ || !is_walk_step_) return;
     const auto axis = [this](Key more, Key less) { return double(held_.has(more)) - double(held_.has(less)); };
     const double ahead = axis('W', 'S'), right = axis('D', 'A'), up = axis('E', 'Q');
-    if (ahead == 0 && right == 0 && up == 0) return;
     Look& look = active().look;
-    const double step = dt * walk_share * model_->box.bounds().diagonal() * (held_.is_fast ? fast : 1);
+    const double step = dt * walk_share * model_->box.bounds().diagonal() * (held_.is_fast() ? fast : 1);
     walk(moving_eye(look, *model_, active().area.width, active().area.height), ahead * step, right * step, up * step,
          look.world_up);
     last_motion_ = now;
@@ -141,8 +145,10 @@ void App::click(const Event& event) {
     if (!model_ || !view.painter || !view.area.holds(event.x, event.y) || ui_.is_walking) return;
     const int x = int(event.x) - view.area.x, y = int(event.y) - view.area.y;
     const auto now = Clock::now();
-    const bool is_double = seconds(now - last_click_) < double_click_s, is_middle = press_modifiers_ & (1 << 8);
-    last_click_ = now;
+    const bool is_near = std::hypot(event.x - last_click_x_, event.y - last_click_y_) < 2 * still_px;
+    const bool is_double = is_near && seconds(now - last_click_) < double_click_s;
+    const bool is_middle = press_modifiers_ & (1 << 8);
+    last_click_ = now, last_click_x_ = event.x, last_click_y_ = event.y;
     if (ui_.is_picking && event.button == Button::left) return explain_at(x, y);
     if (event.button == Button::left && (press_modifiers_ & mod_alt))
         return view.painter->look_at_pixel(x, y, [this, &view](std::optional<Painter::Hit> hit) {

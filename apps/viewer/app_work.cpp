@@ -201,8 +201,9 @@ void App::look_for_seams() {
     const InspectOptions options{.surfaces = false, .seam_lines = true, .prepare = prepare};
     const auto work = [this, model = model_, options](Context& context) -> Background::Finish {
         Inspection result = inspect(model->scene, options, context);
-        return [this, lines = std::move(result.seam_lines)]() mutable {
-            seams_ = std::make_shared<const std::vector<SeamLine>>(std::move(lines));
+        const auto seams = std::make_shared<const Seams>(worst_seams(std::move(result.seam_lines)));
+        return [this, seams] {
+            seams_ = seams;
             is_dirty_ = true;
         };
     };

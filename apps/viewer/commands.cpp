@@ -25,14 +25,13 @@ void show_side(Look& look, const char* side) {
     if (look.world_up != dvec3{0, 1, 0} && std::string(side) == "default") look.request.view.up = look.world_up;
 }
 
+/// From one that the user has moved away from, back to it.
 void next_camera(Look& look, const Model& model) {
     const std::size_t count = model.box.cameras().size();
     if (count == 0) return;
-    const std::string& now = look.request.view.camera;
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        if (now == std::to_string(i)) number = (i + 1) % count;
+    const std::optional<std::size_t> now = shown_camera(look, model);
     look.eye.reset();
+    const std::size_t number = now ? (*now + 1) % count : shown_camera(look, model).value_or(0);
     look.request.view = {.camera = std::to_string(number)};
 }
 

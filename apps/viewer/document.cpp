@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "document.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <rakelight/linear.h>
 #include <rakelight/picture_parts.h>
 
@@ -12,7 +15,7 @@ PictureRequest request_of(const Look& look, int width, int height) {
     request.settings.height = height;
     request.settings.window = {};
     request.settings.channels = 0;
-    if (look.eye) place(request.view, *look.eye);
+    if (look.eye) place(request.view, *look.eye, look.world_up);
     if (look.lights) {
         request.lights.emplace();
         for (const LightItem& item : *look.lights)
@@ -27,9 +30,35 @@ Camera camera_of(const Look& look, const Model& model, int width, int height) {
     return model.box.camera(request_of(look, width, height).view, double(width) / double(height));
 }
 
+Eye seen_eye(const Look& look, const Model& model, int width, int height) {
+    return look.eye ? *look.eye : eye_of(camera_of(look, model, width, height), model.box.bounds());
+}
+
 Eye& moving_eye(Look& look, const Model& model, int width, int height) {
-    if (!look.eye) look.eye = eye_of(camera_of(look, model, width, height), model.box.bounds());
+    if (!look.eye) look.eye = seen_eye(look, model, width, height);
     return *look.eye;
+}
+
+bool set_eye(Look& look, const Eye& eye, const Model& model, int width, int height) {
+    Look moved = look;
+    moved.eye = eye;
+    try {
+        camera_of(moved, model, width, height);
+    } catch (const Error&) {
+        return false;
+    }
+    look.eye = eye;
+    return true;
+}
+
+std::optional<std::size_t> shown_camera(const Look& look, const Model& model) {
+    const ViewRequest& view = look.request.view;
+    const std::vector<std::string>& cameras = model.box.cameras();
+    if (look.eye || view.is_placed() || !view.side.empty() || cameras.empty()) return {};
+    if (view.camera.empty()) return 0;
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+        if (view.camera == std::to_string(i) || view.camera == cameras[i]) return i;
+    return {};
 }
 
 std::vector<LightItem>& changing_lights(Look& look, const Model& model, int width, int height) {
@@ -61,11 +90,18 @@ void carry_lights(Look& look, const Camera& from, const Camera& to) {
     }
 }
 
-Look first_look(const Model& model) {
-    Look look{.request = model.request};
-    if (model.request.view.up) look.world_up = normalize_or(*model.request.view.up, dvec3{0, 1, 0});
-    return look;
+/// An up direction across the view, as that of a rolled picture (see place()), says nothing of the world.
+dvec3 world_up_of(const ViewRequest& view) {
+    constexpr dvec3 usual{0, 1, 0};
+    if (!view.up) return usual;
+    const dvec3 up = normalize_or(*view.up, usual);
+    const bool is_axis = std::max({std::fabs(up.x), std::fabs(up.y), std::fabs(up.z)}) == 1;
+    if (is_axis || !view.position || !view.focal_point) return up;
+    const dvec3 ahead = normalize_or(*view.focal_point - *view.position, dvec3{0, 0, 0});
+    return std::fabs(dot(up, ahead)) < 1e-6 ? usual : up;
 }
+
+Look first_look(const Model& model) { return {.request = model.request, .world_up = world_up_of(model.request.view)}; }
 
 bool have_same_surfaces(const Look& a, const Look& b) {
     const PictureRequest &x = a.request, &y = b.request;

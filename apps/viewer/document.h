@@ -60,8 +60,14 @@ PictureRequest request_of(const Look& look, int width, int height);
 /// Where its camera stands. @throws Error usage, as choose_camera()
 Camera camera_of(const Look& look, const Model& model, int width, int height);
 
-/// The eye, made from the camera that is seen now where nobody has moved it.
+/// The eye of the camera that is seen now. @throws Error usage, as choose_camera()
+Eye seen_eye(const Look& look, const Model& model, int width, int height);
+/// Likewise, to be moved: from now on the look has an eye of its own.
 Eye& moving_eye(Look& look, const Model& model, int width, int height);
+/// Moves the eye there, if a camera can stand there. @return false: it cannot, and nothing is changed
+bool set_eye(Look& look, const Eye& eye, const Model& model, int width, int height);
+/// The number of the file's camera that is seen; none: another view.
+std::optional<std::size_t> shown_camera(const Look& look, const Model& model);
 /// The list of lights, made from those that are seen now where nobody has changed them.
 std::vector<LightItem>& changing_lights(Look& look, const Model& model, int width, int height);
 /// Lights that follow the camera go as it went.

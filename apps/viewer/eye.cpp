@@ -69,15 +69,21 @@ Eye eye_of(const Camera& camera, const Bounds& bounds) {
         return eye;
     }
     eye.fov_deg = degrees(camera.vertical_fov_rad);
+    if (camera.horizontal_fov_rad) eye.horizontal_fov_deg = degrees(*camera.horizontal_fov_rad);
     eye.focal = at - back * distance;
     return eye;
 }
 
-void place(ViewRequest& view, const Eye& eye) {
+void place(ViewRequest& view, const Eye& eye, dvec3 world_up) {
+    const dvec3 ahead = forward_of(eye), side = cross(ahead, world_up), off = upright(world_up, ahead) - eye.up;
+    const bool is_upright = dot(side, side) > 1e-6 && dot(off, off) < 1e-24;
+    std::optional<double> horizontal_fov_rad;
+    if (eye.horizontal_fov_deg) horizontal_fov_rad = radians(*eye.horizontal_fov_deg);
     view = {.position = eye.position,
             .focal_point = eye.focal,
-            .up = eye.up,
+            .up = is_upright ? world_up : eye.up,
             .vertical_fov_rad = radians(eye.fov_deg),
+            .horizontal_fov_rad = horizontal_fov_rad,
             .z_near = view.z_near,
             .z_far = view.z_far,
             .orthographic = eye.is_orthographic};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the viewer's camera stands, and how it moves. No window, no scene: numbers in, numbers out.
 #pragma once
+#include <optional>
+
 #include <rakelight/request.h>
 #include <rakelight/scene_queries.h>
 #include <rakelight/vector.h>
@@ -10,8 +12,9 @@ namespace rakelight::viewer {
 /// A camera that looks at a point. Lengths in meters; `focal` never is `position`.
 struct Eye {
     dvec3 position{0, 0, 5}, focal{0, 0, 0};
-    dvec3 up{0, 1, 0};  ///< unit; of the picture, not along the view
-    double fov_deg = 40;
+    dvec3 up{0, 1, 0};                           ///< unit; of the picture, not along the view
+    double fov_deg = 40;                         ///< vertical
+    std::optional<double> horizontal_fov_deg{};  ///< of cameras whose pixels are not square
     bool is_orthographic = false;
     bool operator==(const Eye&) const = default;
 };
@@ -19,8 +22,9 @@ struct Eye {
 /// The eye of a camera that choose_camera() gave; it looks at the point of its axis that is nearest to the model's center.
 Eye eye_of(const Camera& camera, const Bounds& bounds);
 
-/// Says in a request where the eye is, in place of what it said before of the view; near and far stay.
-void place(ViewRequest& view, const Eye& eye);
+/// Says in a request where the eye is, in place of what it said before of the view; near and far stay. The request's up is the
+/// world's where that gives the eye's, so that who reads it knows both; else, of rolled and steep views, the eye's own.
+void place(ViewRequest& view, const Eye& eye, dvec3 world_up);
 
 dvec3 forward_of(const Eye& eye);  ///< unit
 dvec3 right_of(const Eye& eye);    ///< unit

@@ -15,15 +15,13 @@ namespace rakelight::viewer {
 namespace {
 
 constexpr std::size_t most_free = 3;  // textures kept for pictures to come: coarse ones, whole ones, one more
-constexpr GLuint64 second_ns = 1'000'000'000;
+constexpr GLuint64 second_ns = 1'000'000'000, longest_picture_s = 60;  // llvmpipe may need many for a large model
 
-/// Waits for a fence in the thread that draws.
+/// Waits for a fence in the thread that draws; not for ever, since the window waits for this thread when it is closed.
 void wait_for(GLsync fence, const char* what) {
-    for (;;) {
-        const GLenum state = glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, second_ns / 10);
-        if (state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED) return;
-        if (state == GL_WAIT_FAILED) throw Error(ErrorCode::failed, std::string("OpenGL does not finish ") + what);
-    }
+    const GLenum state = glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, longest_picture_s * second_ns);
+    if (state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED) return;
+    throw Error(ErrorCode::failed, std::string("OpenGL does not finish ") + what);
 }
 
 /// [px] of a texture for so many. llvmpipe makes code for textures whose sides are powers of two and others apart, some 150 ms in

@@ -42,6 +42,8 @@ void wish_for_opengl() {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS,
+                   GLFW_LOSE_CONTEXT_ON_RESET);  // else a GPU that was reset would not be told of
 }
 
 std::unique_ptr<SharedContext> make_hidden_window(GLFWwindow* shared) { return std::make_unique<HiddenWindow>(shared); }

@@ -14,9 +14,8 @@ Drag drag_of(Button button, int modifiers) {
 }
 
 void HeldKeys::take(const Event& event) {
-    is_fast = event.modifiers & mod_shift;
-    std::erase(keys_, event.key);
-    if (event.kind == Event::Kind::key_down) keys_.push_back(event.key);
+    std::erase(keys_, event.place);
+    if (event.kind == Event::Kind::key_down) keys_.push_back(event.place);
 }
 
 bool HeldKeys::has(Key key) const { return std::ranges::find(keys_, key) != keys_.end(); }

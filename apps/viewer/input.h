@@ -14,7 +14,8 @@ enum class Button : int { left = 0, right = 1, middle = 2, none = -1 };
 struct Event {
     enum class Kind { key_down, key_up, button_down, button_up, move, scroll, drop };
     Kind kind{};
-    Key key = 0;
+    Key key = 0;        ///< by its letter or sign on the keyboard as it is laid out
+    Key place = 0;      ///< the key that is there on a keyboard of the USA
     int modifiers = 0;  ///< Modifier bits
     Button button = Button::none;
     double x = 0, y = 0;  ///< [px] of the framebuffer, y down; of scroll: how far
@@ -28,13 +29,13 @@ enum class Drag { none, orbit, pan, zoom, roll, look, wipe, light };
 /// F3D's buttons: left orbits, with Shift pans, with Control rolls; middle pans, right zooms.
 Drag drag_of(Button button, int modifiers);
 
-/// Keys that are held down, for walking.
+/// Keys that are held down, by their place, for walking.
 class HeldKeys {
 public:
     void take(const Event& event);
     bool has(Key key) const;
     void clear() { keys_.clear(); }
-    bool is_fast = false;  ///< Shift
+    bool is_fast() const { return has(key_left_shift) || has(key_right_shift); }
 
 private:
     std::vector<Key> keys_;

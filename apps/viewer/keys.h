@@ -87,6 +87,7 @@ enum class Command : std::uint8_t {
 
 /// Keys by GLFW's numbers: letters and digits are their ASCII capitals.
 using Key = int;
+constexpr Key key_left_shift = 340, key_right_shift = 344;  // numbers of keys are GLFW's
 enum Modifier : int { mod_none = 0, mod_shift = 1, mod_control = 2, mod_alt = 4 };
 
 struct Binding {

@@ -27,7 +27,7 @@ std::vector<Line> MarkLines::lines(const Marks& marks, const Look& look, const M
     const Bounds& bounds = model.box.bounds();
     std::vector<Line> lines;
     if (marks.grid) add(lines, grid_lines(bounds, look.world_up));
-    if (marks.seams) add(lines, seam_lines(*marks.seams));
+    if (marks.seams) add(lines, seam_lines(marks.seams->drawn));
     if (vectors_of_ != prepared || !std::ranges::equal(vectors_which_, marks.vectors)) {
         vectors_.clear();
         for (int i = 0; i < 3; ++i)

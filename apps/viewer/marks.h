@@ -13,12 +13,12 @@ namespace rakelight::viewer {
 
 struct Marks {
     bool grid = false, axes = false, lights = false;
-    bool vectors[3] = {};                                ///< by VertexVector
-    std::shared_ptr<const std::vector<SeamLine>> seams;  ///< null: none
-    std::size_t light = 0;                               ///< selected
-    bool has_handles = false;                            ///< of that light
-    Handle lit = Handle::none;                           ///< highlighted
-    double scale = 1;                                    ///< of the display
+    bool vectors[3] = {};                ///< by VertexVector
+    std::shared_ptr<const Seams> seams;  ///< null: none
+    std::size_t light = 0;               ///< selected
+    bool has_handles = false;            ///< of that light
+    Handle lit = Handle::none;           ///< highlighted
+    double scale = 1;                    ///< of the display
     bool operator==(const Marks&) const = default;
 
     /// Some that surfaces hide.

@@ -175,6 +175,19 @@ std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const 
     return lines;
 }
 
+Seams worst_seams(std::vector<SeamLine> all, std::size_t most) {
+    const auto angle = [](const SeamLine& s) { return std::max(s.deg_a, s.deg_b); };
+    Seams seams{.count = all.size()};
+    for (const SeamLine& s : all) seams.worst_deg = std::max(seams.worst_deg, double(angle(s)));
+    if (all.size() > most) {
+        std::ranges::nth_element(all, all.begin() + std::ptrdiff_t(most), std::greater<>(), angle);
+        all.resize(most);
+        all.shrink_to_fit();
+    }
+    seams.drawn = std::move(all);
+    return seams;
+}
+
 std::vector<Line> seam_lines(std::span<const SeamLine> seams) {
     std::vector<Line> lines;
     const auto shown = [](float linear) {

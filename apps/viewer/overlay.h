@@ -35,6 +35,13 @@ enum class VertexVector { normal, tangent, bitangent };
 std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const Bounds& bounds,
                                std::size_t most = 20000);
 
+/// The seams of a model, of which only the worst are drawn.
+struct Seams {
+    std::size_t count = 0;
+    double worst_deg = 0;
+    std::vector<SeamLine> drawn;
+};
+Seams worst_seams(std::vector<SeamLine> all, std::size_t most = 20000);
 /// Colored by heat_color().
 std::vector<Line> seam_lines(std::span<const SeamLine> seams);
 

@@ -210,6 +210,7 @@ Painter::Outcome Painter::draw_by_gl(const PaintJob& job, const PictureRequest& 
     to_prepare.engine = "soft";  // scenes are prepared alike for every engine
     const auto scene = studio_->prepare(job.model, job.look, to_prepare, to.camera, context);
     is_in_gl_ = true;
+    if (gl_ && gl_ != job.gl) gl_->end();
     gl_ = job.gl;
     if (!take_up_by_gl(job, scene, context)) return Outcome::outdated;
     context.progress("render", 0);

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of lights, the environment.
+#include <algorithm>
+
+#include <rakelight/linear.h>
+
 #include "panels.h"
 #include "shown_path.h"
 #include "widgets.h"
@@ -70,9 +74,19 @@ void draw_environment(PanelView& view) {
                                                   : one_line(shown_path(r.hdri_file), 60).c_str());
 }
 
+/// Before the model, a little up and to the right, where it can be seen and dragged.
+dvec3 place_in_view(const PanelView& view) {
+    const Bounds& bounds = view.model->box.bounds();
+    if (!view.painting) return bounds.high;
+    const dmat4& m = view.painting->camera.to_world;
+    const double to_center = -dot(bounds.center() - m[3].xyz(), m[2].xyz());
+    const double away = 0.6 * std::max(to_center, 0.2 * bounds.diagonal());
+    return m[3].xyz() - m[2].xyz() * away + (m[0].xyz() + m[1].xyz()) * (0.2 * away);
+}
+
 Light new_light(const PanelView& view) {
     Light light;
-    light.position = view.painting ? view.painting->camera.to_world[3].xyz() : view.model->box.bounds().high;
+    light.position = place_in_view(view);
     light.diffuse = light.specular = {0.6f, 0.6f, 0.6f};
     return light;
 }

@@ -21,16 +21,16 @@ void draw_normals_panel(PanelView& view) {
     double crease_deg = degrees(p.crease_angle_rad);
     if (slide("crease angle", crease_deg, 0, 180, "%.1f deg")) p.crease_angle_rad = radians(crease_deg);
     slide("subdivision", p.subdivision.level, 0, 4);
-    ImGui::Checkbox("normals", &view.ui.normals);
+    ImGui::Checkbox("normals##lines", &view.ui.normals);
     ImGui::SameLine();
-    ImGui::Checkbox("tangents", &view.ui.tangents);
+    ImGui::Checkbox("tangents##lines", &view.ui.tangents);
     ImGui::SameLine();
-    ImGui::Checkbox("bitangents", &view.ui.bitangents);
+    ImGui::Checkbox("bitangents##lines", &view.ui.bitangents);
     ImGui::Checkbox("seams between objects", &view.ui.seams);
     if (view.seams) {
-        double worst = 0;
-        for (const SeamLine& line : *view.seams) worst = std::max(worst, double(std::max(line.deg_a, line.deg_b)));
-        ImGui::Text("%zu seam edges, worst %.2f degrees", view.seams->size(), worst);
+        ImGui::Text("%zu seam edges, worst %.2f degrees", view.seams->count, view.seams->worst_deg);
+        if (view.seams->drawn.size() < view.seams->count)
+            ImGui::TextDisabled("the worst %zu are drawn", view.seams->drawn.size());
     }
     if (ImGui::Button("save seamless")) view.commands.push_back(Command::save_seamless);
     ImGui::TextDisabled("writes the model, smoothed across objects");

@@ -10,7 +10,7 @@ void draw_cameras(PanelView& view) {
     const auto& cameras = view.model->box.cameras();
     ImGui::TextDisabled(cameras.empty() ? "The file has no cameras" : "Cameras of the file");
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        const bool is_shown = !view.look.eye && view.look.request.view.camera == std::to_string(i);
+        const bool is_shown = shown_camera(view.look, *view.model) == i;
         if (!ImGui::Selectable((cameras[i] + "##" + std::to_string(i)).c_str(), is_shown)) continue;
         view.look.eye.reset();
         view.look.request.view = {.camera = std::to_string(i)};
@@ -34,15 +34,14 @@ void draw_side_buttons(PanelView& view) {
 
 void draw_view_panel(PanelView& view) {
     draw_side_buttons(view);
-    Eye eye = moving_eye(view.look, *view.model, view.width, view.height);
+    Eye eye = seen_eye(view.look, *view.model, view.width, view.height);
     const Eye before = eye;
     ImGui::Checkbox("orthographic", &eye.is_orthographic);
-    slide("field of view", eye.fov_deg, 1, 170, "%.1f deg");
+    if (slide("field of view", eye.fov_deg, 1, 170, "%.1f deg")) eye.horizontal_fov_deg.reset();
     const double step = 0.002 * view.model->box.bounds().diagonal();
     edit_place("position", eye.position, step);
     edit_place("target", eye.focal, step);
-    const bool is_possible = !(eye.position == eye.focal);
-    if (!(eye == before) && is_possible) view.look.eye = eye;
+    if (!(eye == before)) set_eye(view.look, eye, *view.model, view.width, view.height);
     const dvec3 up = view.look.world_up;
     const std::string axis = up == dvec3{0, 1, 0}   ? "+Y"
                              : up == dvec3{0, 0, 1} ? "+Z"

@@ -16,14 +16,14 @@ struct PanelView {
     const Model* model = nullptr;  ///< null: nothing is loaded; then `look` is not read
     Look& look;
     UiState& ui;
-    const Painting* painting = nullptr;  ///< what is shown; null: nothing yet
-    int width = 1, height = 1;           ///< [px] of the picture
-    int window_width = 1, window_height = 1;
+    const Painting* painting = nullptr;       ///< what is shown; null: nothing yet
+    int width = 1, height = 1;                ///< [px] of the picture
+    int window_width = 1, window_height = 1;  ///< points, as ImGui counts
     float scale = 1;
     double longest_block_ms = 0;
-    const std::vector<SeamLine>* seams = nullptr;  ///< null: not looked for
-    std::vector<std::string> works;                ///< what runs: "load 40 %"
-    std::vector<Command> commands;                 ///< out: as if their keys had been pressed
+    const Seams* seams = nullptr;    ///< null: not looked for
+    std::vector<std::string> works;  ///< what runs: "load 40 %"
+    std::vector<Command> commands;   ///< out: as if their keys had been pressed
 };
 
 /// The column at the left; sets UiState::panel_width.

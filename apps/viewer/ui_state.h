@@ -20,7 +20,7 @@ enum class Split : std::uint8_t { none, wipe, beside };
 struct UiState {
     std::array<bool, panel_count> open{};
     bool are_panels_hidden = false;
-    float panel_width = 0;   ///< [px] that the panels take at the left
+    float panel_width = 0;   ///< [points] that the panels take at the left
     float panel_column = 0;  ///< [px at scale 1] as wide as the user has dragged them; 0: as wide as they need
     bool grid = false, axes = false, light_glyphs = false, normals = false, tangents = false, bitangents = false,
          seams = false;

@@ -5,8 +5,10 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // ErrorCheckEndFrameRecover()
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -20,6 +22,7 @@ namespace rakelight::viewer {
 namespace {
 
 static_assert(GLFW_KEY_A == 'A' && GLFW_KEY_ESCAPE == 256 && GLFW_KEY_F1 == 290 && GLFW_KEY_KP_0 == 320);
+static_assert(GLFW_KEY_LEFT_SHIFT == key_left_shift && GLFW_KEY_RIGHT_SHIFT == key_right_shift);
 static_assert(GLFW_MOD_SHIFT == mod_shift && GLFW_MOD_CONTROL == mod_control && GLFW_MOD_ALT == mod_alt);
 
 /// glfw3.h declares what OpenGL 1.1 has; the functions themselves are the driver's.
@@ -52,6 +55,20 @@ bool add_first(const char* const (&paths)[n], float size_px) {
     return false;
 }
 
+/// The letter or digit on a key as the keyboard is laid out; other keys are known by their place.
+int letter_of(int key, int code) {
+    const bool is_printed = key > 32 && key < 128;
+    const char* const name = is_printed ? glfwGetKeyName(key, code) : nullptr;
+    const auto sign = name && !name[1] ? static_cast<unsigned char>(name[0]) : 0u;
+    return sign < 128 && std::isalnum(int(sign)) ? std::toupper(int(sign)) : key;
+}
+
+/// Fields need Control with letters for their own: copy, paste, undo, select all.
+bool goes_past_text_fields(const Event& event) {
+    const bool is_function_key = event.place >= GLFW_KEY_F1 && event.place <= GLFW_KEY_F12;
+    return is_function_key || ((event.modifiers & mod_control) && (event.key == 'S' || event.key == 'Q'));
+}
+
 /// ImGui's coordinates of a pixel's corner.
 ImVec2 corner(int x, int y) {
     const ImVec2 pixels_a_point = ImGui::GetIO().DisplayFramebufferScale;
@@ -82,9 +99,9 @@ struct Callbacks {
     static void key(GLFWwindow* window, int key, int code, int action, int modifiers) {
         ImGui_ImplGlfw_KeyCallback(window, key, code, action, modifiers);
         Event event{.kind = action == GLFW_RELEASE ? Event::Kind::key_up : Event::Kind::key_down};
-        event.key = key;
+        event.key = letter_of(key, code), event.place = key;
         event.modifiers = modifiers & (mod_shift | mod_control | mod_alt);
-        event.is_for_panels = ImGui::GetIO().WantTextInput;
+        event.is_for_panels = ImGui::GetIO().WantTextInput && !goes_past_text_fields(event);
         if (action != GLFW_REPEAT) of(window).events_.push_back(event);
     }
     static void button(GLFWwindow* window, int button, int action, int modifiers) {
@@ -140,6 +157,8 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height) {
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);
     glfwGetFramebufferSize(window_, &width_, &height_);
+    if (const float points = 1 / pixels_a_point(); points != 1)
+        glfwSetWindowSize(window_, std::max(1, int(float(width) * points)), std::max(1, int(float(height) * points)));
     find_pointer();
     make_panels();
     glfwSetKeyCallback(window_, Callbacks::key);
@@ -184,7 +203,7 @@ void GlfwWindow::load_font() {
     const bool has_font = add_first(fonts, std::round(text_px * font_scale_));
     if (!has_font) io.Fonts->AddFontDefault();
     if (!add_first(table_fonts, std::round(0.85f * text_px * font_scale_))) io.Fonts->AddFontDefault();
-    io.FontGlobalScale = has_font ? 1 : font_scale_ * text_px / 13;  // 13: the size of ImGui's own
+    io.FontGlobalScale = (has_font ? 1 : font_scale_ * text_px / 13) / pixels_a_point();  // 13: the size of ImGui's own
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
     set_theme(is_dark_);
@@ -197,13 +216,19 @@ void GlfwWindow::set_theme(bool is_dark) {
     ImGui::GetStyle() = style;
     is_dark ? ImGui::StyleColorsDark() : ImGui::StyleColorsLight();
     ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.97f;
-    ImGui::GetStyle().ScaleAllSizes(std::max(1.0f, font_scale_));
+    ImGui::GetStyle().ScaleAllSizes(std::max(1.0f, font_scale_ / pixels_a_point()));
 }
 
 float GlfwWindow::scale() const {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
     return std::clamp(x, 0.5f, 4.0f);
+}
+
+float GlfwWindow::pixels_a_point() const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    return width > 0 && width_ > 0 ? float(width_) / float(width) : 1;
 }
 
 void GlfwWindow::wait(double seconds) { seconds > 0 ? glfwWaitEventsTimeout(seconds) : glfwPollEvents(); }
@@ -243,9 +268,18 @@ void GlfwWindow::begin_panels() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
+    has_frame_ = true;
+}
+
+void GlfwWindow::abandon_panels() {
+    if (!has_frame_) return;
+    has_frame_ = false;
+    ImGui::ErrorCheckEndFrameRecover(nullptr);
+    ImGui::EndFrame();
 }
 
 void GlfwWindow::end_panels() {
+    has_frame_ = false;
     ImGui::Render();
     set_viewport(0, 0, 0, 0);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

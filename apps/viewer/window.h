@@ -38,6 +38,7 @@ public:
     int width() const { return width_; }    ///< [px] of the framebuffer; 0: minimized
     int height() const { return height_; }  ///< likewise
     float scale() const;                    ///< of texts on this display, 1 where a pixel has 1/96 inch
+    float pixels_a_point() const;           ///< panels count in points: 1 on X11, else the display's scale
     void set_title(const std::string& title);
     void set_full_screen(bool is_full);
     bool is_full_screen() const { return is_full_; }
@@ -48,6 +49,8 @@ public:
     /// Panels: between the two calls ImGui's functions are used. Its font 0 is for words, font 1 for texts in columns.
     void begin_panels();
     void end_panels();
+    /// In place of end_panels() where a fault came between: nothing of them is drawn.
+    void abandon_panels();
     /// Between them: shows a picture below the panels. @param to  where all of it would lie  @param clip  what of that is seen
     void show(const GlPicture& picture, const PixelBox& to, const PixelBox& clip);
     /// Likewise. @param color  sRGB, R in the low byte, A in the highest
@@ -72,7 +75,7 @@ private:
     int windowed_[4] = {0, 0, 1280, 800};
     double pointer_x_ = 0, pointer_y_ = 0;  ///< [px] at the event before, y down
     float font_scale_ = 0;
-    bool is_full_ = false, needs_drawing_ = true, is_dark_ = true, is_caught_ = false;
+    bool is_full_ = false, needs_drawing_ = true, is_dark_ = true, is_caught_ = false, has_frame_ = false;
 };
 
 }  // namespace rakelight::viewer

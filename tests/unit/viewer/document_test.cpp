@@ -13,6 +13,7 @@
 #include "../../../apps/viewer/overlay.h"
 #include "../../../apps/viewer/painter.h"
 #include "looks.h"
+#include "support/shared.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -33,6 +34,46 @@ TEST_F(Looks, AMovedCameraIsSavedAsSeen) {
     EXPECT_SAVED_AS_SEEN(look, m);
     eye.is_orthographic = true;
     EXPECT_SAVED_AS_SEEN(look, m);
+}
+
+TEST_F(Looks, AReopenedSceneTurnsAboutTheSameAxis) {
+    const auto of = model(write_model());
+    Look look = first_look(*of);
+    look.world_up = {0, 0, 1};
+    turn_table(moving_eye(look, *of, width, height), 0.9, 0.5, look.world_up);
+    EXPECT_SAVED_AS_SEEN(look, of);
+    EXPECT_EQ(first_look(*model(file("saved.scene.toml"))).world_up, look.world_up);
+    roll(*look.eye, 0.4);  // the up of a rolled picture is no axis of the world
+    EXPECT_SAVED_AS_SEEN(look, of);
+    EXPECT_EQ(first_look(*model(file("saved.scene.toml"))).world_up, (dvec3{0, 1, 0}));
+}
+
+TEST_F(Looks, AnEyeThatNoCameraCanHaveIsNotTaken) {
+    const auto of = model(write_model());
+    Look look = first_look(*of);
+    const Look before = look;
+    Eye eye = seen_eye(look, *of, width, height);
+    EXPECT_TRUE(look == before);
+    eye.position.x = 1e300;
+    EXPECT_FALSE(set_eye(look, eye, *of, width, height));
+    EXPECT_TRUE(look == before);
+    eye.position.x = 3;
+    EXPECT_TRUE(set_eye(look, eye, *of, width, height));
+    EXPECT_EQ(look.eye->position.x, 3);
+}
+
+TEST_F(Looks, CamerasOfTheFileFollowEachOther) {
+    const auto of = model((test::source_dir() / "data/world/room.scene.toml").string());
+    ASSERT_GT(of->box.cameras().size(), 1u);
+    Look look = first_look(*of);
+    const auto next = [&] { apply(Command::next_camera, look, *of, width, height); };
+    EXPECT_EQ(shown_camera(look, *of), 0u);
+    next();
+    EXPECT_EQ(shown_camera(look, *of), 1u);
+    moving_eye(look, *of, width, height);
+    EXPECT_FALSE(shown_camera(look, *of));
+    next();  // back to where it began
+    EXPECT_EQ(shown_camera(look, *of), 1u);
 }
 
 TEST_F(Looks, SettingsAreSavedAsSeen) {

@@ -140,12 +140,38 @@ TEST(Eye, TheEyeOfACameraSeesWhatTheCameraSees) {
 
 TEST(Eye, PlacingKeepsNearAndFarOfARequest) {
     ViewRequest view{.side = "front", .z_near = 0.5, .z_far = 7};
-    place(view, Eye{.fov_deg = 30, .is_orthographic = true});
+    place(view, Eye{.fov_deg = 30, .is_orthographic = true}, {0, 1, 0});
     EXPECT_TRUE(view.side.empty());
     EXPECT_EQ(view.z_near, 0.5);
     EXPECT_EQ(view.z_far, 7);
     EXPECT_EQ(view.position, (dvec3{0, 0, 5}));
     EXPECT_TRUE(view.orthographic);
+}
+
+TEST(Eye, ARequestHasTheWorldsUpUnlessTheViewIsRolledOrSteep) {
+    const auto up_of = [](const Eye& eye, dvec3 world_up) {
+        ViewRequest view;
+        place(view, eye, world_up);
+        return *view.up;
+    };
+    Eye eye;
+    turn_table(eye, 0.7, 0.4, {0, 1, 0});
+    EXPECT_EQ(up_of(eye, {0, 1, 0}), (dvec3{0, 1, 0}));
+    EXPECT_EQ(up_of(eye, {0, 0, 1}), eye.up);  // of another world
+    Eye rolled = eye;
+    roll(rolled, 0.3);
+    EXPECT_EQ(up_of(rolled, {0, 1, 0}), rolled.up);
+    eye.position = eye.focal + dvec3{0, 5, 0};
+    EXPECT_EQ(up_of(eye, {0, 1, 0}), eye.up);
+}
+
+TEST(Eye, PixelsThatAreNotSquareStaySo) {
+    Camera camera;
+    camera.vertical_fov_rad = radians(40), camera.horizontal_fov_rad = radians(90);
+    ViewRequest view;
+    place(view, eye_of(camera, unit_box()), {0, 1, 0});
+    EXPECT_NEAR(*view.vertical_fov_rad, radians(40), 1e-12);
+    EXPECT_NEAR(*view.horizontal_fov_rad, radians(90), 1e-12);
 }
 
 }  // namespace

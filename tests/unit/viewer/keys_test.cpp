@@ -71,11 +71,14 @@ TEST(Input, ButtonsDragAsInF3D) {
 
 TEST(Input, KeysAreHeldUntilTheyAreReleased) {
     HeldKeys held;
-    held.take({.kind = Event::Kind::key_down, .key = 'W'});
-    held.take({.kind = Event::Kind::key_down, .key = 'D', .modifiers = mod_shift});
-    EXPECT_TRUE(held.has('W') && held.has('D') && held.is_fast);
-    held.take({.kind = Event::Kind::key_up, .key = 'W'});
-    EXPECT_FALSE(held.has('W') || held.is_fast);
+    held.take({.kind = Event::Kind::key_down, .key = 'Z', .place = 'W'});  // as on French keyboards
+    held.take({.kind = Event::Kind::key_down, .key = 'D', .place = 'D'});
+    EXPECT_TRUE(held.has('W') && held.has('D') && !held.is_fast());
+    held.take({.kind = Event::Kind::key_down, .place = key_right_shift});  // pressed last
+    EXPECT_TRUE(held.is_fast());
+    held.take({.kind = Event::Kind::key_up, .place = key_right_shift, .modifiers = mod_shift});
+    held.take({.kind = Event::Kind::key_up, .key = 'Z', .place = 'W'});
+    EXPECT_FALSE(held.has('W') || held.is_fast());
     held.clear();
     EXPECT_FALSE(held.has('D'));
 }

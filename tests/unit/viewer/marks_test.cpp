@@ -27,12 +27,23 @@ TEST(Marks, AreTheLinesOfEachThatIsWanted) {
     EXPECT_EQ(normals, model->vertices);
     EXPECT_EQ(count({.axes = true, .vectors = {true}}), 3 + normals);
     EXPECT_EQ(count({}), 0u);
-    const auto seams = std::make_shared<const std::vector<SeamLine>>(7);
+    const auto seams = std::make_shared<const Seams>(Seams{.drawn = std::vector<SeamLine>(7)});
     EXPECT_EQ(count({.seams = seams}), 7u);
     const std::size_t lights = count({.lights = true});
     EXPECT_GT(lights, 0u);
     EXPECT_EQ(count({.lights = true, .light = 1}), lights);  // 0 is ambient
     EXPECT_GT(count({.lights = true, .light = 1, .has_handles = true}), lights);
+}
+
+TEST(Marks, TheWorstSeamsAreDrawn) {
+    std::vector<SeamLine> all(100);
+    for (std::size_t i = 0; i < all.size(); ++i) (i % 2 ? all[i].deg_a : all[i].deg_b) = float(i * 37 % 100);
+    const Seams few = worst_seams(all, 10), whole = worst_seams(all, 100);
+    EXPECT_EQ(few.count, 100u);
+    EXPECT_EQ(few.worst_deg, 99);
+    ASSERT_EQ(few.drawn.size(), 10u);
+    for (const SeamLine& s : few.drawn) EXPECT_GE(std::max(s.deg_a, s.deg_b), 90);
+    EXPECT_EQ(whole.drawn.size(), 100u);
 }
 
 }  // namespace
