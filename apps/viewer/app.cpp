@@ -10,7 +10,7 @@
 namespace rakelight::viewer {
 namespace {
 
-constexpr double message_s = 8;    // that what was done is said; errors stay until Esc
+constexpr double message_s = 8, error_s = 60;  // that what was done, or could not be, is said; Esc ends it
 constexpr int most_faults = 3;     // of one turn of the loop after another: the window's context may be lost
 constexpr double motion_s = 0.15;  // after the last step of a motion the whole picture is made
 
@@ -131,8 +131,8 @@ void App::poll() {
     chores_.poll();
     seam_search_.poll();
     for (std::size_t i = 0; i < 2; ++i) poll_view(views_[i]);
-    if (!ui_.message.empty() && !ui_.is_message_error && seconds(Clock::now() - said_) > message_s)
-        ui_.message.clear(), frames_to_draw_ = 3;
+    const double said_for_s = ui_.is_message_error ? error_s : message_s;
+    if (!ui_.message.empty() && seconds(Clock::now() - said_) > said_for_s) ui_.message.clear(), frames_to_draw_ = 3;
     if (seconds(Clock::now() - last_watch_) > 0.5) watch_file();
 }
 
@@ -142,6 +142,7 @@ void App::poll_view(View& view) {
     if (auto painting = view.painter->take()) {
         view.shown = std::move(painting);
         gl_pictures_ += view.shown->picture != nullptr;
+        note_warnings(*view.shown);
         is_dirty_ = true;
         if (view.shown->number == view.number) {
             view.good = view.submitted, view.good_model = view.submitted_model;
@@ -156,6 +157,15 @@ void App::poll_view(View& view) {
     view.is_painting = false;
     const bool can_go_back = view.good_model == model_ && !(view.good == view.submitted);
     if (can_go_back) view.look = view.good;  // what worked last
+}
+
+/// Says the first of them that was not said before.
+void App::note_warnings(const Painting& painting) {
+    for (const std::string& warning : painting.warnings)
+        if (ui_.announces && std::ranges::find(warned_, warning) == warned_.end()) {
+            warned_.push_back(warning);
+            return say(warning);
+        }
 }
 
 void App::lay_out() {
@@ -223,6 +233,7 @@ void App::submit(View& view) {
 void App::report(const Error& error) {
     ui_.message = with_short_paths(error.what());
     ui_.is_message_error = true;
+    said_ = Clock::now();
     is_dirty_ = true;
     frames_to_draw_ = 3;
 }

@@ -59,6 +59,7 @@ private:
     void poll_view(View& view);
     void step();
     void note_pause();
+    void note_warnings(const Painting& painting);
     void lay_out();
     bool take_camera(View& view);
     void submit(View& view);
@@ -123,6 +124,7 @@ private:
     void draw_wipe_of_codes();
     PixelBox box_of(const View& view) const;
     void draw_lines(View& view);
+    void draw_split();
     void draw_panels_over();
 
     Start start_;
@@ -134,6 +136,7 @@ private:
     std::unique_ptr<GlfwWindow> window_;
     bool has_gl_failed_ = false;
     int gl_faults_ = 0;
+    std::vector<std::string> warned_;                  ///< of this model
     std::vector<std::shared_ptr<GlPainter>> lost_gl_;  ///< painters may hold them still; they end in this thread
     std::uint64_t gl_pictures_ = 0;                    ///< shown
     LightingFile lighting_file_;

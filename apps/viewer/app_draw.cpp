@@ -22,6 +22,7 @@ void App::draw() {
         draw_wipe();
     else
         for (std::size_t i = 0; i < view_count(); ++i) draw_picture(views_[i]);
+    draw_split();
     draw_panels_over();
     window_->end_panels();
     for (std::size_t i = 0; i < view_count(); ++i)
@@ -114,6 +115,16 @@ void App::draw_lines(View& view) {
     view.screen->lines(p.camera, lines);
 }
 
+/// Which picture is which, and which of them keys and panels change.
+void App::draw_split() {
+    if (ui_.split == Split::none || !model_) return;
+    const PixelBox a = box_of(views_[0]), b = box_of(views_[1]);
+    const int line = ui_.split == Split::beside ? b.x : a.x + int(ui_.wipe * a.width), away = int(8 * window_->scale());
+    if (ui_.split == Split::beside) window_->fill({b.x - 1, b.y, 2, b.height}, line_color);
+    window_->label(a.x + away, a.y + away, "A", ui_.active == 0);
+    window_->label(line + away, a.y + away, "B", ui_.active == 1);
+}
+
 void App::draw_panels_over() {
     View& view = active();
     PanelView panels{.model = model_.get(), .look = view.look, .ui = ui_, .painting = view.shown.get()};
@@ -122,6 +133,7 @@ void App::draw_panels_over() {
     panels.window_width = int(float(window_->width()) / pixels_a_point);
     panels.window_height = int(float(window_->height()) / pixels_a_point);
     panels.scale = window_->scale() / pixels_a_point, panels.longest_block_ms = longest_block_ms_;
+    panels.file_number = file_, panels.file_count = start_.files.size();
     panels.seams = seams_model_ == model_ ? seams_.get() : nullptr;
     const auto add = [&panels](const Progress& progress) {
         std::string stage;

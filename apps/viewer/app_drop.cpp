@@ -49,7 +49,9 @@ void App::give_picture(const Event& event, const std::string& file) {
         if (!hit) return say("drop a picture on an object, which gets it as its texture");
         try {
             const std::uint32_t material = source_material(model_->scene, view.look.materials, hit->material);
-            const MaterialTarget target = target_of(model_->scene, material, hit->object);
+            const MaterialTarget target = ui_.is_object_alone ? target_in_object(model_->scene, material, hit->object)
+                                                              : target_of(model_->scene, material, hit->object);
+            if (ui_.is_object_alone) ui_.material = material, ui_.object = hit->object;
             set_material(view.look, target, "color_texture=" + file);
             say("texture of " + title_of(model_->scene, target) + ": " +
                 std::filesystem::path(file).filename().string());

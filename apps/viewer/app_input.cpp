@@ -6,6 +6,7 @@
 #include <rakelight/linear.h>
 
 #include "app.h"
+#include "feedback.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -166,6 +167,7 @@ void App::click(const Event& event) {
 }
 
 void App::leave() {
+    if (window_->close_lists()) return;
     if (ui_.is_walking) return ui_.is_walking = false, window_->catch_pointer(false);
     if (ui_.is_picking) return void(ui_.is_picking = false);
     if (ui_.help) return void(ui_.help = false);
@@ -196,7 +198,10 @@ void App::command(Command command) {
     }
     View& view = active();
     try {
-        if (model_ && viewer::apply(command, view.look, *model_, view.area.width, view.area.height)) return;
+        if (model_ && viewer::apply(command, view.look, *model_, view.area.width, view.area.height)) {
+            const std::string effect = ui_.announces ? effect_of(command, view.look, *model_) : std::string();
+            return effect.empty() ? void() : say(effect);
+        }
     } catch (const Error& error) {
         return report(error);
     }

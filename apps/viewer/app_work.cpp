@@ -51,13 +51,14 @@ void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look)
     model_ = model;
     before_drop_.reset();
     seams_.reset();
+    warned_.clear();
     ui_.objects_are_of = no_index;
     if (!keeps) {
         for (View& view : views_) view.look = first_look(*model);
         ui_.light = ui_.material = 0, ui_.object = no_index;
         ui_.explained.clear();
     }
-    window_->set_title(one_line(fs::path(model->file).filename().string(), 100) + " - Rakelight");
+    window_->set_title(one_line(fs::path(model->file).filename().string(), 100) + " - Rakelight (H: keys)");
     std::size_t warnings = 0;
     for (const ReportEntry& entry : model->remarks) warnings += entry.remark != Remark::note;
     if (warnings > 0)
@@ -198,7 +199,8 @@ void App::look_for_seams() {
     const bool is_known = seams_model_ == model_ && seams_prepare_ == prepare;
     if (is_known || (seam_search_.is_running() && drag_ == Drag::none)) return;
     seams_model_ = model_, seams_prepare_ = prepare;
-    const InspectOptions options{.surfaces = false, .seam_lines = true, .prepare = prepare};
+    const InspectOptions options{
+        .surfaces = false, .seam_lines = true, .prepare = seam_options(model_->scene, prepare)};
     const auto work = [this, model = model_, options](Context& context) -> Background::Finish {
         Inspection result = inspect(model->scene, options, context);
         const auto seams = std::make_shared<const Seams>(worst_seams(std::move(result.seam_lines)));

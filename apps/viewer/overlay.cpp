@@ -175,6 +175,14 @@ std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const 
     return lines;
 }
 
+PrepareOptions seam_options(const Scene& scene, PrepareOptions of_picture) {
+    const bool is_as_file =
+        std::ranges::all_of(scene.meshes, [](const Mesh& mesh) { return mesh.normals.empty() && !mesh.normal_choice; });
+    if (of_picture.normals == NormalSource::automatic && scene.missing_normals_are_flat && is_as_file)
+        of_picture.normals = NormalSource::flat;
+    return of_picture;
+}
+
 Seams worst_seams(std::vector<SeamLine> all, std::size_t most) {
     const auto angle = [](const SeamLine& s) { return std::max(s.deg_a, s.deg_b); };
     Seams seams{.count = all.size()};

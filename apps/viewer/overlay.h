@@ -41,6 +41,8 @@ struct Seams {
     double worst_deg = 0;
     std::vector<SeamLine> drawn;
 };
+/// How to look for the seams that are seen: missing normals that the file wants to be flat are so.
+PrepareOptions seam_options(const Scene& scene, PrepareOptions of_picture);
 Seams worst_seams(std::vector<SeamLine> all, std::size_t most = 20000);
 /// Colored by heat_color().
 std::vector<Line> seam_lines(std::span<const SeamLine> seams);

@@ -32,6 +32,13 @@ void note_pace(Pace& pace, const Painting& painting) {
     pace.measured(1e3 * times.front_end, pixels_ms, double(painting.width) * double(painting.height));
 }
 
+std::vector<std::string> warnings_of(Context& context) {
+    std::vector<std::string> warnings;
+    for (const ReportEntry& entry : context.report().entries())
+        if (entry.remark != Remark::note) warnings.push_back(one_line(entry.message, 300));
+    return warnings;
+}
+
 /// Widths are pixels of the picture: those of a coarse one stand for more on the screen.
 void scale_marks(RenderSettings& s, double scale) {
     s.line_width = std::max(0.5f, s.line_width * float(scale));
@@ -175,6 +182,7 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
         painting->number = job.number;
         painting->is_whole = scale == 1, painting->is_final = is_final;
         painting->ms = ms_since(begin);
+        painting->warnings = warnings_of(*context);
         if (samples == 1) note_pace(pace_, *painting);
         const std::scoped_lock lock(mutex_);
         painting_ = std::move(painting);

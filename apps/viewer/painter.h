@@ -44,6 +44,7 @@ struct Painting {
     PictureRequest request;  ///< at the job's size
     std::shared_ptr<const PreparedScene> prepared;
     RenderStats stats;
+    std::vector<std::string> warnings;  ///< a line each; of a scene they come with its first picture
     double ms = 0;
     double pixels_ms = 0;   ///< of `ms` what its pixels took; 0: not known
     bool is_whole = false;  ///< full size

@@ -30,7 +30,9 @@ std::vector<std::string> split(const std::string& text) {
 
 /// The request with one key set anew, checked with all others. @throws Error usage
 PictureRequest with_key(const PictureRequest& request, const std::string& key, const std::string& text) {
-    std::vector<WorldValue> values = written_render_keys(request);
+    PictureRequest plain = request;
+    plain.settings.own_shading = PictureRequest().settings.own_shading;  // it has no key; see below
+    std::vector<WorldValue> values = written_render_keys(plain);
     std::erase_if(values, [&](const WorldValue& value) { return value.key == key; });
     if (!text.empty()) {
         const bool is_list = require_render_key(key).kind == RenderKey::Kind::list;

@@ -31,7 +31,11 @@ void draw_channels(PanelView& view) {
 void draw_bumps(PictureRequest& r) {
     RenderSettings& s = r.settings;
     choose("bump", bump_words, s.bump);
-    choose("bump terms", bump_terms_words, s.bump_terms);
+    constexpr Word<BumpTerms> terms[] = {{"auto", BumpTerms::automatic},
+                                         {"both", BumpTerms::both},
+                                         {"diffuse", BumpTerms::diffuse},
+                                         {"specular", BumpTerms::specular}};
+    choose("bump terms", terms, s.bump_terms);
     slide("depth", s.relief.depth, 0, 0.5f);
     slide("bias", s.relief.bias, 0, 1);
     choose("height maps hold", polarity_words, s.relief.holds_depth);

@@ -29,12 +29,17 @@ void draw_painting(const Painting& p) {
     row("frame time", ms(p.ms));
     row("front end", ms(1e3 * s.times.front_end));
     row("tiles", ms(1e3 * s.times.tiles));
-    row("triangles in", std::to_string(s.triangles_in));
-    row("culled: back", std::to_string(s.culled_back));
-    row("culled: outside", std::to_string(s.culled_outside));
-    row("drawn", std::to_string(s.drawn));
-    row("pixels shaded", std::to_string(s.pixels_shaded));
-    row("shadow maps", std::to_string(s.shadow_maps));
+    // What an engine does not count is left out.
+    const auto count = [](const char* what, std::uint64_t number) {
+        if (number > 0) row(what, std::to_string(number));
+    };
+    count("triangles in", s.triangles_in);
+    count("culled: back", s.culled_back);
+    count("culled: outside", s.culled_outside);
+    count("drawn", s.drawn);
+    count("pixels shaded", s.pixels_shaded);
+    count("shadow maps", s.shadow_maps);
+    for (const GpuPass& pass : s.gpu_passes) row(("GPU: " + pass.name).c_str(), ms(1e3 * pass.seconds));
 }
 
 }  // namespace
@@ -47,7 +52,7 @@ void draw_statistics_panel(PanelView& view) {
         row("vertices", std::to_string(m.vertices));
         row("materials", std::to_string(m.scene.materials.size()));
         row("textures", std::to_string(m.scene.textures.size()));
-        row("lights", std::to_string(m.scene.lights.size()));
+        row("lights of the file", std::to_string(m.scene.lights.size()));
         row("loaded in", ms(m.load_ms));
         if (view.painting) draw_painting(*view.painting);
         row("longest pause", ms(view.longest_block_ms));
@@ -56,6 +61,8 @@ void draw_statistics_panel(PanelView& view) {
     for (const ReportEntry& entry : m.remarks)
         if (entry.remark != Remark::note)
             ImGui::TextWrapped("%s: %s", name_of(entry.remark), one_line(entry.message).c_str());
+    if (view.painting)
+        for (const std::string& warning : view.painting->warnings) ImGui::TextWrapped("%s", warning.c_str());
 }
 
 float explained_width(const PanelView& view) {

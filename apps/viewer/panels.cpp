@@ -66,7 +66,8 @@ float column_width(const PanelView& view) {
     const UiState& ui = view.ui;
     const float widest = 0.75f * float(view.window_width), narrowest = std::min(200 * view.scale, widest);
     float width = 380 * view.scale;
-    if (ui.open[std::size_t(Panel::pixel)]) width = std::max(width, explained_width(view));
+    if (ui.open[std::size_t(Panel::pixel)])
+        width = std::max(width, std::min(explained_width(view), 0.5f * float(view.window_width)));
     if (ui.panel_column > 0) width = ui.panel_column * view.scale;
     return std::clamp(width, narrowest, widest);
 }
@@ -138,7 +139,12 @@ void draw_panels(PanelView& view) {
 void draw_status(const PanelView& view) {
     const float left = view.ui.panel_width + 8 * view.scale;
     std::string text;
-    if (view.ui.file_name && view.model) text += one_line(shown_path(view.model->file), 100) + "\n";
+    if (view.ui.file_name && view.model) {
+        text += one_line(shown_path(view.model->file), 100);
+        if (view.file_count > 1)
+            text += "  " + std::to_string(view.file_number + 1) + " of " + std::to_string(view.file_count);
+        text += "\n";
+    }
     if (view.ui.frame_time && view.painting) text += time_text(*view.painting) + "\n";
     for (const std::string& work : view.works) text += work + "  (Esc cancels)\n";
     if (view.ui.is_walking) text += "walking: W A S D, Q E, mouse, Shift; Esc leaves\n";

@@ -21,9 +21,10 @@ struct PanelView {
     int window_width = 1, window_height = 1;  ///< points, as ImGui counts
     float scale = 1;
     double longest_block_ms = 0;
-    const Seams* seams = nullptr;    ///< null: not looked for
-    std::vector<std::string> works;  ///< what runs: "load 40 %"
-    std::vector<Command> commands;   ///< out: as if their keys had been pressed
+    std::size_t file_number = 0, file_count = 1;  ///< of the list, from 0
+    const Seams* seams = nullptr;                 ///< null: not looked for
+    std::vector<std::string> works;               ///< what runs: "load 40 %"
+    std::vector<Command> commands;                ///< out: as if their keys had been pressed
 };
 
 /// The column at the left; sets UiState::panel_width.

@@ -19,7 +19,8 @@ struct Flag {
 };
 constexpr Flag flags[] = {{"dark", &UiState::is_dark},        {"arcball", &UiState::is_arcball},
                           {"grid", &UiState::grid},           {"axes", &UiState::axes},
-                          {"file-name", &UiState::file_name}, {"frame-time", &UiState::frame_time}};
+                          {"file-name", &UiState::file_name}, {"frame-time", &UiState::frame_time},
+                          {"announce", &UiState::announces}};
 
 int number_in(const std::string& text, int low, int high, int otherwise) {
     int value = 0;

@@ -5,7 +5,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
-#include <imgui_internal.h>  // ErrorCheckEndFrameRecover()
+#include <imgui_internal.h>  // ErrorCheckEndFrameRecover(), ClosePopupToLevel()
 
 #include <algorithm>
 #include <cctype>
@@ -271,6 +271,12 @@ void GlfwWindow::begin_panels() {
     has_frame_ = true;
 }
 
+bool GlfwWindow::close_lists() {
+    if (ImGui::GetCurrentContext()->OpenPopupStack.empty()) return false;
+    ImGui::ClosePopupToLevel(0, true);
+    return true;
+}
+
 void GlfwWindow::abandon_panels() {
     if (!has_frame_) return;
     has_frame_ = false;
@@ -303,6 +309,14 @@ void GlfwWindow::show(const GlPicture& picture, const PixelBox& to, const PixelB
 void GlfwWindow::fill(const PixelBox& box, std::uint32_t color) {
     ImGui::GetBackgroundDrawList()->AddRectFilled(corner(box.x, box.y), corner(box.x + box.width, box.y + box.height),
                                                   color);
+}
+
+void GlfwWindow::label(int x, int y, const char* text, bool is_highlighted) {
+    const ImVec2 from = corner(x, y), size = ImGui::CalcTextSize(text), pad = ImGui::GetStyle().FramePadding;
+    const ImVec2 to{from.x + size.x + 2 * pad.x, from.y + size.y + 2 * pad.y};
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(from, to, is_highlighted ? IM_COL32(255, 160, 64, 255) : IM_COL32(0, 0, 0, 160), 3);
+    list.AddText({from.x + pad.x, from.y + pad.y}, is_highlighted ? IM_COL32_BLACK : IM_COL32_WHITE, text);
 }
 
 void GlfwWindow::set_viewport(int x, int y, int width, int height) {

@@ -55,6 +55,10 @@ public:
     void show(const GlPicture& picture, const PixelBox& to, const PixelBox& clip);
     /// Likewise. @param color  sRGB, R in the low byte, A in the highest
     void fill(const PixelBox& box, std::uint32_t color);
+    /// Likewise: a short word, its upper left corner at a pixel.
+    void label(int x, int y, const char* text, bool is_highlighted);
+    /// Drop-down lists of panels. False: none was open.
+    bool close_lists();
     void set_theme(bool is_dark);
     /// [px] rows from above; everything that is drawn from now on lies there. All 0: the whole window
     void set_viewport(int x, int y, int width, int height);

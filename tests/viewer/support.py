@@ -32,6 +32,10 @@ class Window:
 
     def __init__(self, folder, *arguments):
         environment = dict(os.environ, XDG_CONFIG_HOME=str(folder / "config"))
+        settings = folder / "config" / "rakelight" / "view.conf"
+        if not settings.exists():  # what keys did would be said over the pictures that are compared
+            settings.parent.mkdir(parents=True)
+            settings.write_text("announce = off\n")
         self.folder, self.other = folder, None
         self.process = subprocess.Popen([VIEWER, "--resolution", "%dx%d" % SIZE, "--stats", *map(str, arguments)], cwd=folder, env=environment,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

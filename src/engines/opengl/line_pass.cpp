@@ -74,7 +74,9 @@ void LinePass::draw(std::span<const Line> lines, const shading::View& view, cons
     const DepthRange::Row nearness = DepthRange::nearness(view);
     const dmat4 to_clip =
         clip_matrix(view, {0, 0, screen.width(), screen.height()}, nearness, 1) * view.world_to_camera;
-    const std::vector<LineVertex> vertices = quads_of(lines, to_clip, view.orthographic ? 0.5 : view.z_near, screen);
+    // Marks between the eye and the near plane are seen: that plane lies close to the model.
+    const double least_w = view.orthographic ? 0.5 : 1e-3 * view.z_near;
+    const std::vector<LineVertex> vertices = quads_of(lines, to_clip, least_w, screen);
     if (vertices.empty()) return;
     if (!program_) program_ = link_program(line_text(driver));
     screen.bind();

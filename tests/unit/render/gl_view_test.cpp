@@ -242,5 +242,16 @@ TEST_F(GlViews, LinesThatLeadBehindTheEyeEndThere) {
     EXPECT_EQ(at(s, width / 2, 2), 0u) << "and not over the horizon";
 }
 
+TEST_F(GlViews, LinesBeforeTheNearPlaneAreSeen) {
+    GlView view;
+    Camera perspective;
+    perspective.to_world = translation(dvec3{0, 0, 10});
+    perspective.z_near = 9, perspective.z_far = 11;
+    view.show(1, 1, std::vector<std::uint32_t>{0xFF000000u});
+    const Line line{.from = {-9, 0, 5}, .to = {9, 0, 5}, .color = {1, 1, 1, 1}, .width_px = 3};
+    view.lines(perspective, {&line, 1});
+    EXPECT_EQ(at(screen(), width / 2, height / 2), 0xFFFFFFu);
+}
+
 }  // namespace
 }  // namespace rakelight

@@ -10,6 +10,7 @@
 #include <rakelight/render.h>
 
 #include "../../../apps/viewer/drop.h"
+#include "../../../apps/viewer/feedback.h"
 #include "../../../apps/viewer/overlay.h"
 #include "../../../apps/viewer/painter.h"
 #include "looks.h"
@@ -174,6 +175,37 @@ TEST_F(Looks, LightsThatFollowTheCameraGoAsItWent) {
     carry_lights(look, from, to);
     EXPECT_NEAR((*look.lights)[0].light.position.x, 5, 1e-9);
     EXPECT_EQ((*look.lights)[1].light.position, (dvec3{0, 0, 5}));
+}
+
+TEST_F(Looks, WhatAKeyDidIsSaidInWords) {
+    const auto of = model(write_model());
+    Look look = first_look(*of);
+    const auto effect = [&](Command command) {
+        apply(command, look, *of, width, height);
+        return effect_of(command, look, *of);
+    };
+    EXPECT_EQ(effect(Command::shading), "shading: gouraud");
+    EXPECT_EQ(effect(Command::lighting), "lighting: lambert");
+    EXPECT_EQ(effect(Command::bump), "bump: none");
+    EXPECT_EQ(effect(Command::samples), "samples: 4");
+    EXPECT_EQ(effect(Command::engine), "engine: gl");
+    EXPECT_EQ(effect(Command::wireframe), "wireframe: on");
+    EXPECT_EQ(effect(Command::wireframe), "wireframe: off");
+    EXPECT_EQ(effect(Command::brighter), "lights times 1.25");
+    EXPECT_EQ(effect(Command::up_axis), "up axis: +Z");
+    EXPECT_EQ(effect(Command::orthographic), "orthographic projection");
+    EXPECT_EQ(effect(Command::next_camera), "the file has no cameras");
+    EXPECT_EQ(effect(Command::front), "");
+}
+
+TEST_F(Looks, SeamsAreLookedForInTheNormalsThatAreSeen) {
+    Scene scene;
+    scene.missing_normals_are_flat = true;
+    scene.meshes.resize(1);
+    EXPECT_EQ(seam_options(scene, {}).normals, NormalSource::flat);
+    EXPECT_EQ(seam_options(scene, {.normals = NormalSource::model}).normals, NormalSource::model);
+    scene.meshes[0].normals = std::vector<vec3>{{0, 0, 1}};
+    EXPECT_EQ(seam_options(scene, {}).normals, NormalSource::automatic);
 }
 
 TEST_F(Looks, CommandsStepThroughAllChannelsAndBack) {
