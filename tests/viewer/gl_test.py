@@ -71,7 +71,7 @@ class GlViewer(Case):
         both = window.settled_picture()
         middle = SIZE[0] // 2
         self.assertLess(far_apart(both, soft, 2, range(middle - 9)), 0.01)
-        self.assertEqual([row[3 * (middle + 9):] for row in both], [row[3 * (middle + 9):] for row in soft])
+        self.assertTrue([row[3 * (middle + 9):] for row in both[40:]] == [row[3 * (middle + 9):] for row in soft[40:]])  # but for the label
         window.key("shift+backslash")  # side by side
         window.settled_picture()
         self.assertGreater(gl_pictures(window.close()[1]), 1)
