@@ -102,6 +102,7 @@ private:
     void watch_file();
     void watch_lighting();
     void note_file_time();
+    std::string carry_to(const Model& model);
     void screenshot(bool is_transparent);
     void save_scene();
     void save_seamless();

@@ -145,8 +145,9 @@ void App::click(const Event& event) {
     last_click_ = now;
     if (ui_.is_picking && event.button == Button::left) return explain_at(x, y);
     if (event.button == Button::left && (press_modifiers_ & mod_alt))
-        return view.painter->look_at_pixel(x, y, [this, &view](std::optional<Painter::Hit> hit) {
-            if (!model_ || !hit || hit->material == no_index) return say("there is no surface at this pixel");
+        return view.painter->look_at_pixel(x, y, [this, &view, model = model_](std::optional<Painter::Hit> hit) {
+            if (model != model_) return;
+            if (!hit || hit->material == no_index) return say("there is no surface at this pixel");
             ui_.material = source_material(model_->scene, view.look.materials, hit->material);
             ui_.object = hit->object;
             ui_.open[std::size_t(Panel::materials)] = true, ui_.are_panels_hidden = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What runs in the background: loading, saving, recording, explaining, looking for seams.
+#include <algorithm>
 #include <cstdio>
 
 #include <rakelight/explain.h>
@@ -48,6 +49,7 @@ void App::load_current(bool keeps_look) {
 
 void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look) {
     const bool keeps = keeps_look && model_ && model_->file == model->file;
+    std::string news = keeps ? carry_to(*model) : std::string();
     model_ = model;
     before_drop_.reset();
     seams_.reset();
@@ -61,9 +63,23 @@ void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look)
     std::size_t warnings = 0;
     for (const ReportEntry& entry : model->remarks) warnings += entry.remark != Remark::note;
     if (warnings > 0)
-        say(std::to_string(warnings) + (warnings == 1 ? " remark" : " remarks") +
-            " about the file: see the panel Statistics (F8)");
+        news += (news.empty() ? "" : "\n") + std::to_string(warnings) + (warnings == 1 ? " remark" : " remarks") +
+                " about the file: see the panel Statistics (F8)";
+    if (!news.empty()) say(news);
     frames_to_draw_ = 3;
+}
+
+/// What is known of objects by their numbers, for the file as it is now. @return what is to be said of it
+std::string App::carry_to(const Model& model) {
+    std::vector<std::string> gone;
+    for (View& view : views_)
+        for (const std::string& title : carry_edits(view.look.materials, model_->scene, model.scene))
+            if (std::ranges::find(gone, title) == gone.end()) gone.push_back(title);
+    ui_.object = same_object(model_->scene, ui_.object, model.scene);
+    if (gone.empty()) return {};
+    std::string text = "no longer in the file, so that their changed materials are dropped: " + gone[0];
+    for (std::size_t i = 1; i < std::min<std::size_t>(gone.size(), 5); ++i) text += ", " + gone[i];
+    return gone.size() > 5 ? text + ", ..." : text;
 }
 
 void App::step_file(int by) {
