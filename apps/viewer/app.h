@@ -20,6 +20,7 @@
 #include "painter.h"
 #include "panels.h"
 #include "settings_file.h"
+#include "watched_files.h"
 #include "window.h"
 
 namespace rakelight::viewer {
@@ -101,7 +102,7 @@ private:
     void step_file(int by);
     void watch_file();
     void watch_lighting();
-    void note_file_time();
+    void watch_from_now();
     std::string carry_to(const Model& model);
     void screenshot(bool is_transparent);
     void save_scene();
@@ -156,7 +157,7 @@ private:
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
     std::vector<Command> from_panels_;
 
-    std::filesystem::file_time_type file_time_{}, changed_time_{};
+    WatchedFiles watched_files_;
     std::shared_ptr<const std::vector<SeamLine>> seams_;
     std::shared_ptr<const Model> seams_model_;
     PrepareOptions seams_prepare_;

@@ -18,23 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::file_time_type time_of(const std::string& file) {
-    std::error_code fault;
-    const fs::file_time_type time = fs::last_write_time(file, fault);
-    return fault ? fs::file_time_type{} : time;
-}
-
 }  // namespace
 
-/// The time of the file that is shown or could not be, so that a later change is seen.
-void App::note_file_time() {
-    file_time_ = changed_time_ = file_ < start_.files.size() ? time_of(start_.files[file_]) : fs::file_time_type{};
+/// The file that is shown or could not be, so that a later change is seen.
+void App::watch_from_now() {
+    const std::string file = file_ < start_.files.size() ? start_.files[file_] : std::string();
+    watched_files_.begin(file);
+    if (model_ && model_->file == file) watched_files_.take(model_->files);
 }
 
 void App::load_current(bool keeps_look) {
     if (file_ >= start_.files.size()) return;
     const std::string file = start_.files[file_];
-    note_file_time();
+    watch_from_now();
     ui_.message.clear();
     const auto work = [this, file, start = start_, keeps_look](Context& context) -> Background::Finish {
         const auto model = load_model(file, start, context);
@@ -51,6 +47,7 @@ void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look)
     const bool keeps = keeps_look && model_ && model_->file == model->file;
     std::string news = keeps ? carry_to(*model) : std::string();
     model_ = model;
+    watched_files_.take(model->files);
     before_drop_.reset();
     seams_.reset();
     ui_.objects_are_of = no_index;
@@ -89,17 +86,11 @@ void App::step_file(int by) {
     load_current(false);
 }
 
-/// Loads the file again when it has changed and then been left alone for a while.
+/// Loads the file again when it, or one that it names, has changed and then been left alone for a while.
 void App::watch_file() {
     last_watch_ = Clock::now();
     watch_lighting();
-    if (file_ >= start_.files.size() || loader_.is_running()) return;
-    const fs::file_time_type now = time_of(start_.files[file_]);
-    if (now == fs::file_time_type{} || now == file_time_) return;
-    if (now == changed_time_)
-        load_current(true);
-    else
-        changed_time_ = now;
+    if (file_ < start_.files.size() && !loader_.is_running() && watched_files_.has_changed()) load_current(true);
 }
 
 void App::screenshot(bool is_transparent) {

@@ -21,8 +21,9 @@ struct Model {
     std::string file;
     Scene scene;
     ViewBox box;
-    PictureRequest request;     ///< by the command line, and of a world by its [render]
-    std::vector<Light> lights;  ///< the file's own, placed in the world
+    PictureRequest request;          ///< by the command line, and of a world by its [render]
+    std::vector<Light> lights;       ///< the file's own, placed in the world
+    std::vector<std::string> files;  ///< that it is made of, textures too
     std::vector<ReportEntry> remarks;
     std::uint64_t triangles = 0, vertices = 0, objects = 0;
     bool has_meshes_without_material = false;

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 import support
-from support import PARTS, PATIENCE, SIZE, Case, png, wait_for
+from support import MATERIALS, PARTS, PATIENCE, SIZE, Case, png, wait_for
 
 
 class Viewer(Case):
@@ -94,6 +94,17 @@ class Viewer(Case):
         wait_for(lambda: window.picture() == first, "the first file did not come back")
         (self.folder / "parts.obj").write_text(PARTS.replace("v 0 1 0.6\n", "v 0 2 0.6\n"))
         window.differs_from(first, 2000)
+
+    def test_a_file_that_the_model_names_is_watched_too(self):
+        window = self.open()
+        before = window.settled_picture()
+        (self.folder / "m.mtl").write_text(MATERIALS.replace("0.8 0.1 0.1", "0.1 0.8 0.1"))
+        window.differs_from(before, 2000)
+
+    def test_shapes_are_saved_with_seam_free_normals_in_the_working_folder(self):
+        window = self.open("builtin:teapot")
+        window.key("ctrl+shift+s")
+        wait_for((self.folder / "teapot-seamless.glb").exists, "no seamless model was saved")
 
     def test_a_broken_file_is_told_of_and_the_window_lives_on(self):
         (self.folder / "broken.glb").write_bytes(b"glTF nonsense")
