@@ -9,9 +9,9 @@
 
 #include "app.h"
 #include "materials.h"
+#include "record.h"
 #include "save.h"
 #include "shown_path.h"
-#include "studio.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -154,30 +154,11 @@ void App::save_seamless() {
 void App::record() {
     if (!model_) return;
     const View& view = active();
-    const fs::path folder = free_name(model_->file, "-turn", "");
-    const int count = ui_.record_frames;
+    const std::string folder = free_name(model_->file, "-turn", "");
     const auto work = [this, model = model_, look = view.look, area = view.area, folder,
-                       count](Context& context) -> Background::Finish {
-        fs::create_directories(folder);
-        Studio studio;
-        Look turned = look;
-        const Eye eye = moving_eye(turned, *model, area.width, area.height);
-        for (int i = 0; i < count; ++i) {
-            context.throw_if_cancelled();
-            context.progress("record", double(i) / count);
-            context.set_progress_part(double(i) / count, double(i + 1) / count);
-            turned.eye = eye;
-            turn_table(*turned.eye, 2 * pi * i / count, 0, look.world_up);
-            const PictureRequest request = request_of(turned, area.width, area.height);
-            Frame frame;
-            studio.draw(model, turned, request, camera_of(turned, *model, area.width, area.height), 0, frame, context);
-            char name[32];
-            std::snprintf(name, sizeof name, "%04d.png", i + 1);
-            save(frame, (folder / name).string(), request.tone);
-        }
-        return [this, folder, count] {
-            say("wrote " + std::to_string(count) + " pictures to " + short_path(folder.string()));
-        };
+                       count = ui_.record_frames](Context& context) -> Background::Finish {
+        const Turn turn = record_turn(model, look, area.width, area.height, count, folder, context);
+        return [this, text = to_text(turn, short_path(folder))] { say(text); };
     };
     chores_.start("record", work, [this](const Error& error) { report(error); });
 }
