@@ -66,7 +66,9 @@ private:
     Marks marks(const View& view) const;
     void report(const Error& error);
     void say(const std::string& text);
+    void wake() const;
     bool is_busy() const;
+    bool has_background_work() const;
     void log_stats() const;
     View& active() { return views_[ui_.active]; }
     std::size_t view_count() const { return ui_.split == Split::none ? 1 : 2; }
@@ -104,6 +106,9 @@ private:
     void watch_lighting();
     void watch_from_now();
     std::string carry_to(const Model& model);
+    void write_file(const std::string& title, std::function<std::string(Context&)> work);
+    void cancel_work();
+    std::string with_not_begun(const std::string& text);
     void screenshot(bool is_transparent);
     void save_scene();
     void save_seamless();
@@ -125,11 +130,12 @@ private:
 
     Start start_;
     std::atomic<bool> has_window_{false};
-    Background loader_, chores_, seam_search_;
+    std::unique_ptr<GlfwWindow> window_;  ///< before all whose threads wake it
+    Background loader_, writer_, explainer_, seam_search_;
+    std::size_t not_begun_ = 0;  ///< files that were to be written when all was cancelled
     View views_[2];
     Remembered remembered_;
     UiState ui_;
-    std::unique_ptr<GlfwWindow> window_;
     bool has_gl_failed_ = false;
     std::uint64_t gl_pictures_ = 0;  ///< shown
     LightingFile lighting_file_;

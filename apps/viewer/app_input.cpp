@@ -164,10 +164,7 @@ void App::leave() {
     if (ui_.is_walking) return ui_.is_walking = false, window_->catch_pointer(false);
     if (ui_.is_picking) return void(ui_.is_picking = false);
     if (ui_.help) return void(ui_.help = false);
-    if (loader_.is_running() || chores_.is_running() || seam_search_.is_running()) {
-        loader_.cancel(), chores_.cancel(), seam_search_.cancel();
-        return;
-    }
+    if (has_background_work()) return cancel_work();
     for (View& view : views_) {
         std::string stage;
         double fraction = 0;

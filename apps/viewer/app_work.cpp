@@ -93,32 +93,52 @@ void App::watch_file() {
     if (file_ < start_.files.size() && !loader_.is_running() && watched_files_.has_changed()) load_current(true);
 }
 
+/// Behind all that is to be written before: nothing that was asked for is lost, and no name is taken twice.
+/// @param work  gives what is to be said when it is done
+void App::write_file(const std::string& title, std::function<std::string(Context&)> work) {
+    const auto run = [this, work = std::move(work)](Context& context) -> Background::Finish {
+        return [this, text = work(context)] { say(with_not_begun(text)); };
+    };
+    writer_.queue(title, run, [this](const Error& error) {
+        report(error);
+        ui_.message = with_not_begun(ui_.message);
+    });
+}
+
+void App::cancel_work() {
+    not_begun_ = writer_.cancel();
+    for (Background* work : {&loader_, &explainer_, &seam_search_}) work->cancel();
+}
+
+/// After a cancel: how much was not even begun.
+std::string App::with_not_begun(const std::string& text) {
+    const std::size_t count = std::exchange(not_begun_, 0);
+    if (count == 0) return text;
+    return text + "; " + std::to_string(count) + " more not begun";
+}
+
 void App::screenshot(bool is_transparent) {
     if (!model_) return;
     const View& view = active();
     PictureRequest request = request_of(view.look, view.area.width, view.area.height);
     if (is_transparent) request.settings.background = {0, 0, 0, 0};
     if (view.look.channel) request.settings.channels = view.look.channel, request.channel_files = channel_files_png;
-    request.output = free_name(model_->file, "", ".png");
-    const auto work = [this, model = model_, look = view.look, request](Context& context) -> Background::Finish {
-        const PictureResult result =
-            render_picture(with_edits(model->scene, look.materials, context), request, context);
-        return [this, name = result.channel_files.empty() ? result.output : result.channel_files.back()] {
-            say("wrote " + short_path(name));
-        };
-    };
-    chores_.start("screenshot", work, [this](const Error& error) { report(error); });
+    write_file("screenshot", [model = model_, look = view.look, request](Context& context) {
+        PictureRequest named = request;
+        named.output = free_name(model->file, "", ".png");
+        const PictureResult result = render_picture(with_edits(model->scene, look.materials, context), named, context);
+        return "wrote " + short_path(result.channel_files.empty() ? result.output : result.channel_files.back());
+    });
 }
 
 void App::save_scene() {
     if (!model_) return;
     const View& view = active();
-    const std::string path = free_world_name(model_->file);
-    const auto work = [this, model = model_, look = view.look, area = view.area, path](Context&) -> Background::Finish {
+    write_file("save", [model = model_, look = view.look, area = view.area](Context&) {
+        const std::string path = free_world_name(model->file), missing = not_saved(look);
         save_world(world_of(look, *model, area.width, area.height, path), path);
-        return [this, path] { say("wrote " + short_path(path)); };
-    };
-    chores_.start("save", work, [this](const Error& error) { report(error); });
+        return "wrote " + short_path(path) + (missing.empty() ? "" : ", without " + missing);
+    });
 }
 
 void App::copy_command_line() {
@@ -136,47 +156,39 @@ void App::copy_command_line() {
 
 void App::save_seamless() {
     if (!model_) return;
-    const fs::path input = model_->file;
-    const std::string ending = input.extension().string();
-    const bool is_own_format = ending == ".glb" || ending == ".gltf" || ending == ".obj";
-    const fs::path output =
-        input.parent_path() / (input.stem().string() + "-seamless" + (is_own_format ? ending : ".glb"));
     SmoothFileOptions options{.load = active().look.request.load};
     options.attributes.crease_angle_rad = active().look.request.prepare.crease_angle_rad;
     options.attributes.weight = active().look.request.prepare.weight;
-    const auto work = [this, input, output, options](Context& context) -> Background::Finish {
-        const SmoothedFile result = smooth_file(input.string(), output.string(), options, context);
-        return [this, text = summary(result)] { say(with_short_paths(text)); };
-    };
-    chores_.start("save seamless", work, [this](const Error& error) { report(error); });
+    write_file("save seamless", [file = model_->file, options](Context& context) {
+        return with_short_paths(summary(smooth_file(file, free_seamless_name(file), options, context)));
+    });
 }
 
 void App::record() {
     if (!model_) return;
     const View& view = active();
-    const std::string folder = free_name(model_->file, "-turn", "");
-    const auto work = [this, model = model_, look = view.look, area = view.area, folder,
-                       count = ui_.record_frames](Context& context) -> Background::Finish {
-        const Turn turn = record_turn(model, look, area.width, area.height, count, folder, context);
-        return [this, text = to_text(turn, short_path(folder))] { say(text); };
-    };
-    chores_.start("record", work, [this](const Error& error) { report(error); });
+    write_file("record", [model = model_, look = view.look, area = view.area,
+                          count = ui_.record_frames](Context& context) {
+        const std::string folder = free_name(model->file, "-turn", "");
+        return to_text(record_turn(model, look, area.width, area.height, count, folder, context), short_path(folder));
+    });
 }
 
+/// Of the scene as it is shown, with its changed materials.
 void App::explain_at(int x, int y) {
     const View& view = active();
     const PictureRequest request = request_of(view.look, view.area.width, view.area.height);
-    const std::string remark =
-        view.look.materials.empty() ? "" : "(materials as in the file, without the changes made here)\n";
-    const auto work = [this, request, x, y, remark](Context& context) -> Background::Finish {
-        std::string text = remark + to_text(*explain(request, x, y, context));
-        return [this, text = std::move(text)] {
-            ui_.explained = with_short_paths(text, model_ ? model_->file : std::string());
+    const auto work = [this, model = model_, edits = view.look.materials, request, x,
+                       y](Context& context) -> Background::Finish {
+        const Scene scene = with_edits(model->scene, edits, context);
+        std::string text = to_text(*explain(scene, request, x, y, context));
+        return [this, file = model->file, text = std::move(text)] {
+            ui_.explained = with_short_paths(text, file);
             ui_.open[std::size_t(Panel::pixel)] = true, ui_.are_panels_hidden = false;
             frames_to_draw_ = 3;
         };
     };
-    chores_.start("explain", work, [this](const Error& error) { report(error); });
+    explainer_.start("explain", work, [this](const Error& error) { report(error); });
 }
 
 /// Seams are looked for anew whenever normals change.

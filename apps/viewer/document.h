@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is looked at, and how: everything that a save keeps. No window: commands change it, pictures are made of it.
+// What is looked at, and how. A save keeps it, but for what not_saved() says. No window: commands change it, pictures are
+// made of it.
 #pragma once
 #include <memory>
 #include <optional>
