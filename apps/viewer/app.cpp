@@ -20,21 +20,10 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 App::App(Start start)
     : start_(std::move(start)),
-      loader_(
-          [this] {
-              if (has_window_) GlfwWindow::wake();
-          },
-          start_.threads, start_.max_memory),
-      chores_(
-          [this] {
-              if (has_window_) GlfwWindow::wake();
-          },
-          start_.threads, start_.max_memory),
-      seam_search_(
-          [this] {
-              if (has_window_) GlfwWindow::wake();
-          },
-          start_.threads, start_.max_memory),
+      loader_([this] { wake(); }, start_.threads, start_.max_memory),
+      writer_([this] { wake(); }, start_.threads, start_.max_memory),
+      explainer_([this] { wake(); }, start_.threads, start_.max_memory),
+      seam_search_([this] { wake(); }, start_.threads, start_.max_memory),
       remembered_(read_settings()),
       ui_(remembered_.ui) {
     if (!start_.files.empty()) load_current(false);  // beside the opening of the window
@@ -50,10 +39,9 @@ App::App(Start start)
 }
 
 App::~App() {
-    has_window_ = false;
-    loader_.cancel();
-    chores_.cancel();
-    seam_search_.cancel();
+    for (Background* work : {&loader_, &writer_, &explainer_, &seam_search_}) work->cancel();
+    for (Background* work : {&loader_, &writer_, &explainer_, &seam_search_})
+        work->end();             // before the window they wake
     for (View& view : views_) {  // before their contexts
         view.painter.reset();
         view.gl.reset();
@@ -62,10 +50,15 @@ App::~App() {
     lost_gl_.clear();
 }
 
-bool App::is_busy() const {
-    return loader_.is_running() || chores_.is_running() || seam_search_.is_running() || views_[0].is_painting ||
-           views_[1].is_painting;
+void App::wake() const {
+    if (has_window_) GlfwWindow::wake();
 }
+
+bool App::has_background_work() const {
+    return loader_.is_running() || writer_.is_running() || explainer_.is_running() || seam_search_.is_running();
+}
+
+bool App::is_busy() const { return has_background_work() || views_[0].is_painting || views_[1].is_painting; }
 
 void App::run() {
     int faults = 0;  // one after another
@@ -128,7 +121,8 @@ void App::log_stats() const {
 
 void App::poll() {
     loader_.poll();
-    chores_.poll();
+    writer_.poll();
+    explainer_.poll();
     seam_search_.poll();
     for (std::size_t i = 0; i < 2; ++i) poll_view(views_[i]);
     const double said_for_s = ui_.is_message_error ? error_s : message_s;

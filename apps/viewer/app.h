@@ -20,6 +20,7 @@
 #include "painter.h"
 #include "panels.h"
 #include "settings_file.h"
+#include "watched_files.h"
 #include "window.h"
 
 namespace rakelight::viewer {
@@ -69,7 +70,9 @@ private:
     Marks marks(const View& view) const;
     void report(const Error& error);
     void say(const std::string& text);
+    void wake() const;
     bool is_busy() const;
+    bool has_background_work() const;
     void log_stats() const;
     View& active() { return views_[ui_.active]; }
     std::size_t view_count() const { return ui_.split == Split::none ? 1 : 2; }
@@ -106,7 +109,11 @@ private:
     void step_file(int by);
     void watch_file();
     void watch_lighting();
-    void note_file_time();
+    void watch_from_now();
+    std::string carry_to(const Model& model);
+    void write_file(const std::string& title, std::function<std::string(Context&)> work);
+    void cancel_work();
+    std::string with_not_begun(const std::string& text);
     void screenshot(bool is_transparent);
     void save_scene();
     void save_seamless();
@@ -129,11 +136,12 @@ private:
 
     Start start_;
     std::atomic<bool> has_window_{false};
-    Background loader_, chores_, seam_search_;
+    std::unique_ptr<GlfwWindow> window_;  ///< before all whose threads wake it
+    Background loader_, writer_, explainer_, seam_search_;
+    std::size_t not_begun_ = 0;  ///< files that were to be written when all was cancelled
     View views_[2];
     Remembered remembered_;
     UiState ui_;
-    std::unique_ptr<GlfwWindow> window_;
     bool has_gl_failed_ = false;
     int gl_faults_ = 0;
     std::vector<std::string> warned_;                  ///< of this model
@@ -164,7 +172,7 @@ private:
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
     std::vector<Command> from_panels_;
 
-    std::filesystem::file_time_type file_time_{}, changed_time_{};
+    WatchedFiles watched_files_;
     std::shared_ptr<const Seams> seams_;
     std::shared_ptr<const Model> seams_model_;
     PrepareOptions seams_prepare_;

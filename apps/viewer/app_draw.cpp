@@ -141,8 +141,10 @@ void App::draw_panels_over() {
         progress.get(stage, fraction);
         if (!stage.empty()) panels.works.push_back(stage + " " + std::to_string(int(100 * fraction)) + " %");
     };
-    for (const Background* work : {&loader_, &chores_, &seam_search_})
+    for (const Background* work : {&loader_, &writer_, &explainer_, &seam_search_})
         if (work->is_running()) add(work->progress());
+    if (writer_.waiting() > 0 && !panels.works.empty())
+        panels.works.back() += ", " + std::to_string(writer_.waiting()) + " more to be written";
     for (const View& v : views_) {
         std::string stage;
         double fraction = 0;

@@ -35,7 +35,7 @@ void App::take_files_back() {
     if (!before_drop_) return;
     start_.files = std::move(before_drop_->files), file_ = before_drop_->number;
     before_drop_.reset();
-    note_file_time();
+    watch_from_now();
 }
 
 /// The object at the pointer gets the picture as the base color texture of its material.

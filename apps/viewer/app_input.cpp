@@ -152,8 +152,9 @@ void App::click(const Event& event) {
     last_click_ = now, last_click_x_ = event.x, last_click_y_ = event.y;
     if (ui_.is_picking && event.button == Button::left) return explain_at(x, y);
     if (event.button == Button::left && (press_modifiers_ & mod_alt))
-        return view.painter->look_at_pixel(x, y, [this, &view](std::optional<Painter::Hit> hit) {
-            if (!model_ || !hit || hit->material == no_index) return say("there is no surface at this pixel");
+        return view.painter->look_at_pixel(x, y, [this, &view, model = model_](std::optional<Painter::Hit> hit) {
+            if (model != model_) return;
+            if (!hit || hit->material == no_index) return say("there is no surface at this pixel");
             ui_.material = source_material(model_->scene, view.look.materials, hit->material);
             ui_.object = hit->object;
             ui_.open[std::size_t(Panel::materials)] = true, ui_.are_panels_hidden = false;
@@ -171,10 +172,7 @@ void App::leave() {
     if (ui_.is_walking) return ui_.is_walking = false, window_->catch_pointer(false);
     if (ui_.is_picking) return void(ui_.is_picking = false);
     if (ui_.help) return void(ui_.help = false);
-    if (loader_.is_running() || chores_.is_running() || seam_search_.is_running()) {
-        loader_.cancel(), chores_.cancel(), seam_search_.cancel();
-        return;
-    }
+    if (has_background_work()) return cancel_work();
     for (View& view : views_) {
         std::string stage;
         double fraction = 0;

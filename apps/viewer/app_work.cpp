@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What runs in the background: loading, saving, recording, explaining, looking for seams.
+#include <algorithm>
 #include <cstdio>
 
 #include <rakelight/explain.h>
@@ -8,32 +9,28 @@
 
 #include "app.h"
 #include "materials.h"
+#include "record.h"
 #include "save.h"
 #include "shown_path.h"
-#include "studio.h"
 
 namespace rakelight::viewer {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::file_time_type time_of(const std::string& file) {
-    std::error_code fault;
-    const fs::file_time_type time = fs::last_write_time(file, fault);
-    return fault ? fs::file_time_type{} : time;
-}
-
 }  // namespace
 
-/// The time of the file that is shown or could not be, so that a later change is seen.
-void App::note_file_time() {
-    file_time_ = changed_time_ = file_ < start_.files.size() ? time_of(start_.files[file_]) : fs::file_time_type{};
+/// The file that is shown or could not be, so that a later change is seen.
+void App::watch_from_now() {
+    const std::string file = file_ < start_.files.size() ? start_.files[file_] : std::string();
+    watched_files_.begin(file);
+    if (model_ && model_->file == file) watched_files_.take(model_->files);
 }
 
 void App::load_current(bool keeps_look) {
     if (file_ >= start_.files.size()) return;
     const std::string file = start_.files[file_];
-    note_file_time();
+    watch_from_now();
     ui_.message.clear();
     const auto work = [this, file, start = start_, keeps_look](Context& context) -> Background::Finish {
         const auto model = load_model(file, start, context);
@@ -48,7 +45,9 @@ void App::load_current(bool keeps_look) {
 
 void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look) {
     const bool keeps = keeps_look && model_ && model_->file == model->file;
+    std::string news = keeps ? carry_to(*model) : std::string();
     model_ = model;
+    watched_files_.take(model->files);
     before_drop_.reset();
     seams_.reset();
     warned_.clear();
@@ -62,9 +61,23 @@ void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look)
     std::size_t warnings = 0;
     for (const ReportEntry& entry : model->remarks) warnings += entry.remark != Remark::note;
     if (warnings > 0)
-        say(std::to_string(warnings) + (warnings == 1 ? " remark" : " remarks") +
-            " about the file: see the panel Statistics (F8)");
+        news += (news.empty() ? "" : "\n") + std::to_string(warnings) + (warnings == 1 ? " remark" : " remarks") +
+                " about the file: see the panel Statistics (F8)";
+    if (!news.empty()) say(news);
     frames_to_draw_ = 3;
+}
+
+/// What is known of objects by their numbers, for the file as it is now. @return what is to be said of it
+std::string App::carry_to(const Model& model) {
+    std::vector<std::string> gone;
+    for (View& view : views_)
+        for (const std::string& title : carry_edits(view.look.materials, model_->scene, model.scene))
+            if (std::ranges::find(gone, title) == gone.end()) gone.push_back(title);
+    ui_.object = same_object(model_->scene, ui_.object, model.scene);
+    if (gone.empty()) return {};
+    std::string text = "no longer in the file, so that their changed materials are dropped: " + gone[0];
+    for (std::size_t i = 1; i < std::min<std::size_t>(gone.size(), 5); ++i) text += ", " + gone[i];
+    return gone.size() > 5 ? text + ", ..." : text;
 }
 
 void App::step_file(int by) {
@@ -74,17 +87,35 @@ void App::step_file(int by) {
     load_current(false);
 }
 
-/// Loads the file again when it has changed and then been left alone for a while.
+/// Loads the file again when it, or one that it names, has changed and then been left alone for a while.
 void App::watch_file() {
     last_watch_ = Clock::now();
     watch_lighting();
-    if (file_ >= start_.files.size() || loader_.is_running()) return;
-    const fs::file_time_type now = time_of(start_.files[file_]);
-    if (now == fs::file_time_type{} || now == file_time_) return;
-    if (now == changed_time_)
-        load_current(true);
-    else
-        changed_time_ = now;
+    if (file_ < start_.files.size() && !loader_.is_running() && watched_files_.has_changed()) load_current(true);
+}
+
+/// Behind all that is to be written before: nothing that was asked for is lost, and no name is taken twice.
+/// @param work  gives what is to be said when it is done
+void App::write_file(const std::string& title, std::function<std::string(Context&)> work) {
+    const auto run = [this, work = std::move(work)](Context& context) -> Background::Finish {
+        return [this, text = work(context)] { say(with_not_begun(text)); };
+    };
+    writer_.queue(title, run, [this](const Error& error) {
+        report(error);
+        ui_.message = with_not_begun(ui_.message);
+    });
+}
+
+void App::cancel_work() {
+    not_begun_ = writer_.cancel();
+    for (Background* work : {&loader_, &explainer_, &seam_search_}) work->cancel();
+}
+
+/// After a cancel: how much was not even begun.
+std::string App::with_not_begun(const std::string& text) {
+    const std::size_t count = std::exchange(not_begun_, 0);
+    if (count == 0) return text;
+    return text + "; " + std::to_string(count) + " more not begun";
 }
 
 void App::screenshot(bool is_transparent) {
@@ -93,26 +124,22 @@ void App::screenshot(bool is_transparent) {
     PictureRequest request = request_of(view.look, view.area.width, view.area.height);
     if (is_transparent) request.settings.background = {0, 0, 0, 0};
     if (view.look.channel) request.settings.channels = view.look.channel, request.channel_files = channel_files_png;
-    request.output = free_name(model_->file, "", ".png");
-    const auto work = [this, model = model_, look = view.look, request](Context& context) -> Background::Finish {
-        const PictureResult result =
-            render_picture(with_edits(model->scene, look.materials, context), request, context);
-        return [this, name = result.channel_files.empty() ? result.output : result.channel_files.back()] {
-            say("wrote " + short_path(name));
-        };
-    };
-    chores_.start("screenshot", work, [this](const Error& error) { report(error); });
+    write_file("screenshot", [model = model_, look = view.look, request](Context& context) {
+        PictureRequest named = request;
+        named.output = free_name(model->file, "", ".png");
+        const PictureResult result = render_picture(with_edits(model->scene, look.materials, context), named, context);
+        return "wrote " + short_path(result.channel_files.empty() ? result.output : result.channel_files.back());
+    });
 }
 
 void App::save_scene() {
     if (!model_) return;
     const View& view = active();
-    const std::string path = free_world_name(model_->file);
-    const auto work = [this, model = model_, look = view.look, area = view.area, path](Context&) -> Background::Finish {
+    write_file("save", [model = model_, look = view.look, area = view.area](Context&) {
+        const std::string path = free_world_name(model->file), missing = not_saved(look);
         save_world(world_of(look, *model, area.width, area.height, path), path);
-        return [this, path] { say("wrote " + short_path(path)); };
-    };
-    chores_.start("save", work, [this](const Error& error) { report(error); });
+        return "wrote " + short_path(path) + (missing.empty() ? "" : ", without " + missing);
+    });
 }
 
 void App::copy_command_line() {
@@ -130,66 +157,39 @@ void App::copy_command_line() {
 
 void App::save_seamless() {
     if (!model_) return;
-    const fs::path input = model_->file;
-    const std::string ending = input.extension().string();
-    const bool is_own_format = ending == ".glb" || ending == ".gltf" || ending == ".obj";
-    const fs::path output =
-        input.parent_path() / (input.stem().string() + "-seamless" + (is_own_format ? ending : ".glb"));
     SmoothFileOptions options{.load = active().look.request.load};
     options.attributes.crease_angle_rad = active().look.request.prepare.crease_angle_rad;
     options.attributes.weight = active().look.request.prepare.weight;
-    const auto work = [this, input, output, options](Context& context) -> Background::Finish {
-        const SmoothedFile result = smooth_file(input.string(), output.string(), options, context);
-        return [this, text = summary(result)] { say(with_short_paths(text)); };
-    };
-    chores_.start("save seamless", work, [this](const Error& error) { report(error); });
+    write_file("save seamless", [file = model_->file, options](Context& context) {
+        return with_short_paths(summary(smooth_file(file, free_seamless_name(file), options, context)));
+    });
 }
 
 void App::record() {
     if (!model_) return;
     const View& view = active();
-    const fs::path folder = free_name(model_->file, "-turn", "");
-    const int count = ui_.record_frames;
-    const auto work = [this, model = model_, look = view.look, area = view.area, folder,
-                       count](Context& context) -> Background::Finish {
-        fs::create_directories(folder);
-        Studio studio;
-        Look turned = look;
-        const Eye eye = moving_eye(turned, *model, area.width, area.height);
-        for (int i = 0; i < count; ++i) {
-            context.throw_if_cancelled();
-            context.progress("record", double(i) / count);
-            context.set_progress_part(double(i) / count, double(i + 1) / count);
-            turned.eye = eye;
-            turn_table(*turned.eye, 2 * pi * i / count, 0, look.world_up);
-            const PictureRequest request = request_of(turned, area.width, area.height);
-            Frame frame;
-            studio.draw(model, turned, request, camera_of(turned, *model, area.width, area.height), 0, frame, context);
-            char name[32];
-            std::snprintf(name, sizeof name, "%04d.png", i + 1);
-            save(frame, (folder / name).string(), request.tone);
-        }
-        return [this, folder, count] {
-            say("wrote " + std::to_string(count) + " pictures to " + short_path(folder.string()));
-        };
-    };
-    chores_.start("record", work, [this](const Error& error) { report(error); });
+    write_file("record", [model = model_, look = view.look, area = view.area,
+                          count = ui_.record_frames](Context& context) {
+        const std::string folder = free_name(model->file, "-turn", "");
+        return to_text(record_turn(model, look, area.width, area.height, count, folder, context), short_path(folder));
+    });
 }
 
+/// Of the scene as it is shown, with its changed materials.
 void App::explain_at(int x, int y) {
     const View& view = active();
     const PictureRequest request = request_of(view.look, view.area.width, view.area.height);
-    const std::string remark =
-        view.look.materials.empty() ? "" : "(materials as in the file, without the changes made here)\n";
-    const auto work = [this, request, x, y, remark](Context& context) -> Background::Finish {
-        std::string text = remark + to_text(*explain(request, x, y, context));
-        return [this, text = std::move(text)] {
-            ui_.explained = with_short_paths(text, model_ ? model_->file : std::string());
+    const auto work = [this, model = model_, edits = view.look.materials, request, x,
+                       y](Context& context) -> Background::Finish {
+        const Scene scene = with_edits(model->scene, edits, context);
+        std::string text = to_text(*explain(scene, request, x, y, context));
+        return [this, file = model->file, text = std::move(text)] {
+            ui_.explained = with_short_paths(text, file);
             ui_.open[std::size_t(Panel::pixel)] = true, ui_.are_panels_hidden = false;
             frames_to_draw_ = 3;
         };
     };
-    chores_.start("explain", work, [this](const Error& error) { report(error); });
+    explainer_.start("explain", work, [this](const Error& error) { report(error); });
 }
 
 /// Seams are looked for anew whenever normals change.

@@ -22,7 +22,7 @@ void Progress::get(std::string& stage, double& fraction) const {
 
 struct Background::Run {
     Work work;
-    std::function<void(const Error&)> failed;
+    Failed failed;
     std::unique_ptr<Context> context;
     Finish finish{};
     std::atomic<bool> is_done{false};  ///< set last: `finish` is there
@@ -32,18 +32,39 @@ struct Background::Run {
 Background::Background(std::function<void()> wake, int threads, std::uint64_t max_memory)
     : wake_(std::move(wake)), threads_(threads), max_memory_(max_memory) {}
 
-Background::~Background() {
+Background::~Background() { end(); }
+
+void Background::end() {
     for (const auto& run : runs_) run->context->cancel();
     for (const auto& run : runs_) run->thread.join();
+    runs_.clear();
+    waiting_.clear();
+    current_ = nullptr;
 }
 
-void Background::start(const std::string& title, Work work, std::function<void(const Error&)> failed) {
+void Background::start(const std::string& title, Work work, Failed failed) {
     cancel();
-    progress_.set(title, 0);
+    begin({title, std::move(work), std::move(failed)});
+}
+
+void Background::queue(const std::string& title, Work work, Failed failed) {
+    waiting_.push_back({title, std::move(work), std::move(failed)});
+    begin_next();
+}
+
+void Background::begin_next() {
+    if (current_ || waiting_.empty()) return;
+    Job next = std::move(waiting_.front());
+    waiting_.pop_front();
+    begin(std::move(next));
+}
+
+void Background::begin(Job job) {
+    progress_.set(job.title, 0);
     const auto report = [this](std::string_view stage, double fraction) { progress_.set(stage, fraction); };
     auto context =
         std::make_unique<Context>(ContextOptions{.threads = threads_, .max_memory = max_memory_, .progress = report});
-    current_ = runs_.emplace_back(new Run{std::move(work), std::move(failed), std::move(context)}).get();
+    current_ = runs_.emplace_back(new Run{std::move(job.work), std::move(job.failed), std::move(context)}).get();
     current_->thread = std::thread([this, run = current_] { this->run(*run); });
 }
 
@@ -71,10 +92,14 @@ void Background::poll() {
     if (!finish) return;
     progress_.set({}, 0);
     finish();
+    begin_next();
 }
 
-void Background::cancel() {
+std::size_t Background::cancel() {
+    const std::size_t waited = waiting_.size();
+    waiting_.clear();
     if (current_) current_->context->cancel();
+    return waited;
 }
 
 }  // namespace rakelight::viewer

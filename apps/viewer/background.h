@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One piece of work beside the window's thread: loading, inspecting, smoothing, saving.
+// Work beside the window's thread: loading, inspecting, smoothing, saving.
 #pragma once
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -24,7 +25,7 @@ private:
     double fraction_ = 0;
 };
 
-/// Runs one work at a time in a thread. A new one cancels the one before, whose end nobody waits for.
+/// Runs one work at a time in a thread.
 class Background {
 public:
     /// @param wake  called from the thread when there is something new to see
@@ -37,15 +38,30 @@ public:
     /// Work that hands back what is to be done in the window's thread; what it throws is handed to `failed`, there too.
     using Finish = std::function<void()>;
     using Work = std::function<Finish(Context&)>;
-    void start(const std::string& title, Work work, std::function<void(const Error&)> failed);
-    /// In the window's thread: finishes what is done.
+    using Failed = std::function<void(const Error&)>;
+    /// Takes the place of what was given before: it is cancelled, and nobody waits for its end or hears of it.
+    void start(const std::string& title, Work work, Failed failed);
+    /// Begins when what was given before has ended.
+    void queue(const std::string& title, Work work, Failed failed);
+    /// In the window's thread: finishes what is done, and begins what comes next.
     void poll();
-    void cancel();
-    bool is_running() const { return current_ != nullptr; }
+    /// What runs ends with the error "cancelled"; what waits for its turn never begins. @return how many waited
+    std::size_t cancel();
+    /// Cancels, and waits until nothing runs: `wake` is called no more.
+    void end();
+    bool is_running() const { return current_ || !waiting_.empty(); }
+    std::size_t waiting() const { return waiting_.size(); }
     const Progress& progress() const { return progress_; }
 
 private:
     struct Run;
+    struct Job {
+        std::string title;
+        Work work;
+        Failed failed;
+    };
+    void begin(Job job);
+    void begin_next();
     void run(Run& run);
 
     std::function<void()> wake_;
@@ -54,6 +70,7 @@ private:
     Progress progress_;
     Run* current_ = nullptr;                  ///< the newest of runs_; null: its end was polled
     std::vector<std::unique_ptr<Run>> runs_;  ///< those before it were cancelled
+    std::deque<Job> waiting_;
 };
 
 }  // namespace rakelight::viewer

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is looked at, and how: everything that a save keeps. No window: commands change it, pictures are made of it.
+// What is looked at, and how. A save keeps it, but for what not_saved() says. No window: commands change it, pictures are
+// made of it.
 #pragma once
 #include <memory>
 #include <optional>
@@ -21,8 +22,9 @@ struct Model {
     std::string file;
     Scene scene;
     ViewBox box;
-    PictureRequest request;     ///< by the command line, and of a world by its [render]
-    std::vector<Light> lights;  ///< the file's own, placed in the world
+    PictureRequest request;          ///< by the command line, and of a world by its [render]
+    std::vector<Light> lights;       ///< the file's own, placed in the world
+    std::vector<std::string> files;  ///< that it is made of, textures too
     std::vector<ReportEntry> remarks;
     std::uint64_t triangles = 0, vertices = 0, objects = 0;
     bool has_meshes_without_material = false;

@@ -36,6 +36,18 @@ std::vector<Light> lights_in_world(const Scene& scene) {
     return lights;
 }
 
+/// What was read, and the pictures, which are read when they are drawn.
+std::vector<std::string> files_of(const Model& model, const Context& context) {
+    std::vector<std::string> files = context.files();
+    const auto add = [&](const ImageHandle& image) {
+        if (image && !image->path.empty()) files.push_back(image->path);
+    };
+    for (const Texture& texture : model.scene.textures) add(texture.image);
+    if (model.scene.environment) add(model.scene.environment->image);
+    if (!model.request.hdri_file.empty()) files.push_back(model.request.hdri_file);
+    return files;
+}
+
 void count(Model& model) {
     for (const Mesh& mesh : model.scene.meshes) model.has_meshes_without_material |= mesh.material == no_index;
     for (const Node& node : model.scene.nodes) {
@@ -70,6 +82,7 @@ std::shared_ptr<const Model> load_model(const std::string& file, const Start& st
     model->box = ViewBox(model->scene);
     model->lights = lights_in_world(model->scene);
     count(*model);
+    model->files = files_of(*model, context);
     model->remarks = context.report().entries();
     model->load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return model;

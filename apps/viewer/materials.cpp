@@ -100,6 +100,7 @@ std::vector<std::uint32_t> objects_with(const Scene& scene, std::uint32_t materi
 }
 
 ObjectInWorld object_in_world(const Scene& scene, std::uint32_t node) {
+    if (node >= scene.nodes.size()) throw Error(ErrorCode::usage, "there is no node " + std::to_string(node));
     const bool is_world = is_world_file(scene.source);
     const std::uint32_t root = is_world ? root_of(scene, node) : no_index;
     const auto is_in_part = [&](std::uint32_t n) { return !is_world || root_of(scene, n) == root; };
@@ -110,6 +111,38 @@ ObjectInWorld object_in_world(const Scene& scene, std::uint32_t node) {
     const bool is_told_by_name = twins == 1 && !name.empty() && !is_number(name) && one_line(name, 200) == name;
     return {is_world ? scene.nodes[root].name : std::string(),
             is_told_by_name ? name : std::to_string(is_world ? node - root - 1 : node)};
+}
+
+std::uint32_t same_object(const Scene& from, std::uint32_t node, const Scene& to) {
+    if (node >= from.nodes.size()) return no_index;
+    const ObjectInWorld object = object_in_world(from, node);
+    const bool is_world = is_world_file(to.source);
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t n = 0; n < to.nodes.size(); ++n) {
+        if (to.nodes[n].meshes.empty() || to.nodes[n].name != from.nodes[node].name) continue;
+        const std::uint32_t root = is_world ? root_of(to, n) : 0;
+        const bool is_there = !is_world || to.nodes[root].name == object.model;
+        const bool is_meant = !is_number(object.object) ||  // by its name alone
+                              std::to_string(is_world ? n - root - 1 : n) == object.object;
+        if (is_there && is_meant) found.push_back(n);
+    }
+    return found.size() == 1 ? found[0] : no_index;
+}
+
+std::vector<std::string> carry_edits(std::vector<MaterialEdit>& edits, const Scene& from, const Scene& to) {
+    std::vector<std::string> gone;
+    std::vector<MaterialEdit> kept;
+    for (MaterialEdit& edit : edits) {
+        const std::string title = title_of(from, edit.target);
+        const bool is_of_object = edit.target.node != no_index;
+        if (is_of_object) edit.target.node = same_object(from, edit.target.node, to);
+        if (is_of_object && edit.target.node == no_index)
+            gone.push_back(title);
+        else
+            kept.push_back(std::move(edit));
+    }
+    edits = std::move(kept);
+    return gone;
 }
 
 }  // namespace rakelight::viewer

@@ -134,6 +134,17 @@ std::string stem_of(const std::string& file) {
     return stem.empty() ? "picture" : stem;
 }
 
+/// The first that is not there yet of "folder/name.ending", "folder/name-2.ending", ...
+std::string free_beside(const std::string& model_file, const std::string& name, const std::string& ending) {
+    const fs::path folder = is_shape(model_file) ? fs::path(".") : folder_of(model_file);
+    std::error_code ignored;
+    for (int i = 1;; ++i) {
+        const std::string number = i == 1 ? "" : "-" + std::to_string(i);
+        const fs::path path = (folder / (name + number + ending)).lexically_normal();
+        if (!fs::exists(path, ignored)) return path.string();
+    }
+}
+
 }  // namespace
 
 WorldFile world_of(const Look& look, const Model& model, int width, int height, const std::string& path) {
@@ -164,6 +175,20 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
     return world;
 }
 
+std::string not_saved(const Look& look) {
+    std::string text;
+    const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+    std::ptrdiff_t off = 0, following = 0;
+    if (look.lights) {
+        off = std::ranges::count(*look.lights, false, &LightItem::is_on);
+        following = std::ranges::count(*look.lights, true, &LightItem::follows_camera);
+    }
+    if (off > 0) add(std::to_string(off) + (off == 1 ? " light that is off" : " lights that are off"));
+    if (following > 0) add(following == 1 ? "that a light follows the camera" : "that lights follow the camera");
+    if (look.channel) add("the data channel shown");
+    return text;
+}
+
 std::string command_line_of(const Look& look, const Model& model, int width, int height) {
     PictureRequest request = request_of(look, width, height);
     std::string text = "rakelight render " + quoted(model.file) + " -o " + quoted(stem_of(model.file) + ".png");
@@ -180,13 +205,13 @@ std::string command_line_of(const Look& look, const Model& model, int width, int
 }
 
 std::string free_world_name(const std::string& model_file) {
-    const fs::path folder = is_shape(model_file) ? fs::path(".") : folder_of(model_file);
-    std::error_code ignored;
-    for (int i = 1;; ++i) {
-        const std::string number = i == 1 ? "" : "-" + std::to_string(i);
-        const fs::path path = (folder / (stem_of(model_file) + number + ".scene.toml")).lexically_normal();
-        if (!fs::exists(path, ignored)) return path.string();
-    }
+    return free_beside(model_file, stem_of(model_file), ".scene.toml");
+}
+
+std::string free_seamless_name(const std::string& model_file) {
+    const std::string ending = is_shape(model_file) ? "" : fs::path(model_file).extension().string();
+    const bool is_kept = ending == ".glb" || ending == ".gltf" || ending == ".obj";
+    return free_beside(model_file, stem_of(model_file) + "-seamless", is_kept ? ending : ".glb");
 }
 
 std::string free_name(const std::string& model_file, const std::string& middle, const std::string& ending) {

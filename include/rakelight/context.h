@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <rakelight/error.h>
 #include <rakelight/memory_budget.h>
@@ -43,6 +45,11 @@ public:
     bool cancelled() const noexcept { return cancelled_ || (options_.parent && options_.parent->cancelled()); }
     void throw_if_cancelled() const;  ///< @throws Error failed "cancelled"
 
+    /// Loaders tell of each file that they open. Textures are opened when they are decoded: EncodedImage::path names them.
+    void note_file(const std::string& path);
+    /// Those that were told of, each once, in their order; such as could not be read are among them.
+    std::vector<std::string> files() const;
+
     /// Calls body(i) for every i in 0..count-1, on the context's threads, in any order, each once; returns when all are
     /// done. The first exception of a body is thrown again here. Bodies must not depend on one another; calls may nest.
     /// `body` is any callable; no copy of it is made.
@@ -56,6 +63,7 @@ public:
 private:
     void run_parallel(std::size_t count, void (*call)(const void*, std::size_t), const void* body);
     struct Arena;
+    struct Files;
     ContextOptions options_;
     Report report_;
     MemoryBudget memory_;
@@ -63,6 +71,7 @@ private:
     std::mutex progress_mutex_;
     double progress_from_ = 0, progress_to_ = 1;
     std::unique_ptr<Arena> arena_;
+    std::unique_ptr<Files> files_;
 };
 
 }  // namespace rakelight

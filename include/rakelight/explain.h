@@ -20,6 +20,9 @@ struct ExplainedPixel;
 /// @param x,y  [px] of the whole picture; 0,0 is the top left one
 /// @throws Error usage: the pixel is not in the picture, impossible settings or camera; not_found, bad_file, failed
 std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context);
+/// The same of a scene that is there, as render_picture() draws it; `request.input` is its name in what is returned.
+std::shared_ptr<const ExplainedPixel> explain(const Scene& scene, const PictureRequest& request, int x, int y,
+                                              Context& context);
 
 /// The pixel's color as a PNG file holds it: 3 values, or 4 with alpha where the background is transparent.
 std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel);

@@ -7,12 +7,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 #if defined(__SANITIZE_THREAD__)
 #include <exception>
 #include <thread>
-#include <vector>
 #endif
 
 namespace rakelight {
@@ -58,7 +59,14 @@ struct Context::Arena {
     tbb::task_arena arena;
 };
 
-Context::Context(ContextOptions options) : options_(std::move(options)), memory_(options_.max_memory) {
+struct Context::Files {
+    std::mutex mutex;
+    std::set<std::string, std::less<>> known;
+    std::vector<std::string> in_order;
+};
+
+Context::Context(ContextOptions options)
+    : options_(std::move(options)), memory_(options_.max_memory), files_(std::make_unique<Files>()) {
     if (options_.threads < 0 || options_.threads > 1024)
         throw Error(ErrorCode::usage, "threads must be 1 to 1024, or 0 for as many as the machine has");
     if (options_.threads == 0) options_.threads = tbb::this_task_arena::max_concurrency();
@@ -78,6 +86,16 @@ void Context::set_progress_part(double from, double to) {
     const std::lock_guard lock(progress_mutex_);
     progress_from_ = from;
     progress_to_ = to;
+}
+
+void Context::note_file(const std::string& path) {
+    const std::lock_guard lock(files_->mutex);
+    if (files_->known.insert(path).second) files_->in_order.push_back(path);
+}
+
+std::vector<std::string> Context::files() const {
+    const std::lock_guard lock(files_->mutex);
+    return files_->in_order;
 }
 
 void Context::throw_if_cancelled() const {

@@ -130,6 +130,7 @@ Bytes charged_bytes(std::vector<std::byte> bytes, MemoryCharge charge) {
 }
 
 Bytes read_file(const std::string& path, Context& context, bool is_told) {
+    context.note_file(path);
     struct ::stat status {};
     const Descriptor file{open_regular(path, status)};
     const std::uint64_t size = std::uint64_t(status.st_size);

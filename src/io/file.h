@@ -23,7 +23,7 @@ using Bytes = std::shared_ptr<const std::vector<std::byte>>;
 /// Bytes with what pays for them.
 Bytes charged_bytes(std::vector<std::byte> bytes, MemoryCharge charge);
 
-/// Reads a whole regular file (a link to one is fine). Tells the budget how much was read.
+/// Reads a whole regular file (a link to one is fine). Tells the budget how much was read, and the context of the file.
 /// @param is_told  the budget knows of this file already
 /// @throws Error not_found: missing, a directory, a FIFO or device, unreadable, empty name; bad_file: over the memory limit.
 ///         The error carries `path` as its file.

@@ -26,9 +26,10 @@ const shading::Draw& draw_of(const ExplainedPixel& e, const ShadedLayer& layer) 
     return e.engine->list().draws[e.pixel.triangles[layer.triangle].draw];
 }
 
-}  // namespace
-
-std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context) {
+/// @param open  gives the engine with the scene in it
+template <class Open>
+std::shared_ptr<const ExplainedPixel> explained(const PictureRequest& request, int x, int y, Context& context,
+                                                const Open& open) {
     try {
         auto out = std::make_shared<ExplainedPixel>();
         out->file = request.input;
@@ -36,7 +37,7 @@ std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int
             throw Error(ErrorCode::usage, "pixel " + std::to_string(x) + "," + std::to_string(y) +
                                               " is not in the picture of " + std::to_string(request.settings.width) +
                                               " x " + std::to_string(request.settings.height) + " pixels");
-        out->engine = open_engine(request, context);
+        out->engine = open();
         out->pixel = out->engine->explain(x, y, context);
         if (out->pixel.has_marks)
             context.report().add(Remark::warning, request.input, {},
@@ -50,6 +51,18 @@ std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int
     } catch (const Error& error) {
         throw error.with_file(request.input);
     }
+}
+
+}  // namespace
+
+std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context) {
+    return explained(request, x, y, context, [&] { return open_engine(request, context); });
+}
+
+std::shared_ptr<const ExplainedPixel> explain(const Scene& scene, const PictureRequest& request, int x, int y,
+                                              Context& context) {
+    return explained(request, x, y, context,
+                     [&] { return open_engine(asked_for_engine(scene, request, context), request, context); });
 }
 
 std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel) { return pixel.codes; }

@@ -15,7 +15,9 @@ std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& requ
 
 /// The first half of it. @throws Error usage: what is asked for is not made of surfaces
 Scene load_for_engine(const PictureRequest& request, Context& context);
-/// The second half. @param loaded  of load_for_engine()
+/// The same for a scene that is there. @throws Error usage, as above and of settings; bad_file: see validate()
+Scene asked_for_engine(const Scene& scene, const PictureRequest& request, Context& context);
+/// The second half. @param loaded  of load_for_engine() or asked_for_engine()
 std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, const PictureRequest& request, Context& context);
 
 }  // namespace rakelight

@@ -49,12 +49,12 @@ class Drops(Case):
         before = window.settled_picture()
         window.drop("mapped.obj")
         window.differs_from(before)
-        self.assertEqual(self.model_file(window), "mapped.obj")
         after = window.settled_picture()
-        window.key("Right")  # it is alone
-        window.settled_picture()
         self.assertEqual(self.model_file(window), "mapped.obj")
-        self.assertTrue(after)
+        window.differs_from(after, 50)  # the message, which goes when a file is loaded
+        window.key("Right")  # it is alone
+        wait_for(lambda: window.picture() == after, "another model is shown")
+        self.assertEqual(self.model_file(window), "mapped.obj")
 
     def test_a_model_dropped_with_control_is_added(self):
         window = self.open("parts.obj")

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 import support
-from support import PARTS, PATIENCE, SIZE, Case, png, wait_for
+from support import MATERIALS, PARTS, PATIENCE, SIZE, Case, png, wait_for
 
 
 class Viewer(Case):
@@ -95,6 +95,17 @@ class Viewer(Case):
         (self.folder / "parts.obj").write_text(PARTS.replace("v 0 1 0.6\n", "v 0 2 0.6\n"))
         window.differs_from(first, 2000)
 
+    def test_a_file_that_the_model_names_is_watched_too(self):
+        window = self.open()
+        before = window.settled_picture()
+        (self.folder / "m.mtl").write_text(MATERIALS.replace("0.8 0.1 0.1", "0.1 0.8 0.1"))
+        window.differs_from(before, 2000)
+
+    def test_shapes_are_saved_with_seam_free_normals_in_the_working_folder(self):
+        window = self.open("builtin:teapot")
+        window.key("ctrl+shift+s")
+        wait_for((self.folder / "teapot-seamless.glb").exists, "no seamless model was saved")
+
     def test_a_broken_file_is_told_of_and_the_window_lives_on(self):
         (self.folder / "broken.glb").write_bytes(b"glTF nonsense")
         window = self.open("parts.obj", "broken.glb")
@@ -129,20 +140,64 @@ class Viewer(Case):
         window = self.open()
         self.assertEqual(png(window.screenshot("ctrl+F12"))[2], 4)
 
-    def test_a_turn_is_recorded(self):
+    def set_record_frames(self, count):
         config = self.folder / "config" / "rakelight"
         config.mkdir(parents=True)
-        (config / "view.conf").write_text("record-frames = 3\n")
+        (config / "view.conf").write_text(f"record-frames = {count}\n")
+
+    def test_files_asked_for_one_after_the_other_are_all_written(self):
+        window = self.open("builtin:teapot:tolerance=3e-5", "--samples", "8")  # so that each takes a while
+        window.tool("key", "--delay", 30, "F12", "ctrl+F12", "F12", "ctrl+s", "ctrl+s")
+        pictures = lambda: sorted(self.folder.glob("teapot*-?.png"))
+        wait_for(lambda: len(pictures()) == 3 and len(list(self.folder.glob("*.scene.toml"))) == 2, "not all files were written")
+        self.assertEqual([png(path)[2] for path in pictures()], [3, 4, 3])  # the second one is transparent
+
+    def test_a_recording_is_not_broken_off_by_what_comes_after(self):
+        self.set_record_frames(12)
+        window = self.open()
+        window.tool("key", "--delay", 30, "F9", "F12", "p")
+        window.tool("mousemove", 320, 240, "click", 1)  # explains a pixel
+        wait_for((self.folder / "parts-1.png").exists, "no screenshot was written")
+        self.assertEqual(len(list((self.folder / "parts-turn-1").glob("*.png"))), 12)
+
+    def test_escape_keeps_the_pictures_of_a_recording_that_are_written(self):
+        self.set_record_frames(500)
+        window = self.open()
+        window.key("F9")
+        wait_for((self.folder / "parts-turn-1" / "0003.png").exists, "no turn was recorded")
+        window.key("Escape")
+        window.screenshot()  # waits for the end of the recording
+        self.assertLess(len(list((self.folder / "parts-turn-1").glob("*.png"))), 500)
+        self.assertEqual(window.close()[0], 0)
+
+    def test_escape_cancels_a_load(self):
+        shapes = [f"[[primitive]]\ntype = 'sphere'\nname = '{i}'\nradius = {1 - 0.05 * i}\ntolerance = 3e-6\n" for i in range(8)]
+        (self.folder / "slow.scene.toml").write_text("".join(shapes))
+        window = self.open("parts.obj", "slow.scene.toml")
+        before = window.settled_picture()
+        window.tool("key", "--delay", 0, "Right", "Escape")
+        window.differs_from(before, 50)  # the message
+        window.settled_picture()
+        self.assertTrue(before[:400] == window.picture()[:400])  # texts stand below
+        self.assertEqual(window.save()[1]["model"][0]["file"], "parts.obj")
+        code, err = window.close()
+        self.assertEqual(code, 0)
+        self.assertRegex(err, "^rakelight: error: .*cancelled")
+
+    def test_a_turn_is_recorded(self):
+        self.set_record_frames(3)
         window = self.open()
         window.key("F9")
         wait_for(lambda: (self.folder / "parts-turn-1" / "0003.png").exists(), "no turn was recorded")
         self.assertTrue(png(self.folder / "parts-turn-1" / "0001.png") == png(window.screenshot()))
 
     def test_seamless_models_are_saved(self):
+        (self.folder / "parts-seamless.obj").write_text("mine")
         window = self.open()
         window.key("ctrl+shift+s")
-        out = self.folder / "parts-seamless.obj"
+        out = self.folder / "parts-seamless-2.obj"
         wait_for(out.exists, "no seamless model was saved")
+        self.assertEqual((self.folder / "parts-seamless.obj").read_text(), "mine")
         done = subprocess.run([support.PROGRAM, "inspect", str(out), "--check", "--max-seam", "0.1"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 

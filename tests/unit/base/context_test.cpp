@@ -31,6 +31,13 @@ TEST(Context, ParallelForNestsAndPassesExceptionsOn) {
     context.parallel_for(0, [](std::size_t) { FAIL(); });
 }
 
+TEST(Context, KeepsTheFilesThatItIsToldOfEachOnce) {
+    Context context;
+    EXPECT_TRUE(context.files().empty());
+    for (const char* name : {"b", "a", "b"}) context.note_file(name);
+    EXPECT_EQ(context.files(), (std::vector<std::string>{"b", "a"}));
+}
+
 TEST(Context, RefusesImpossibleThreadCounts) {
     EXPECT_THROW(Context({.threads = -1}), Error);
     EXPECT_THROW(Context({.threads = 2000}), Error);

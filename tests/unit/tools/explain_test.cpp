@@ -92,6 +92,22 @@ TEST(Explain, CodesAndColorAreThoseOfTheText) {
     EXPECT_EQ(codes_of(*explain(request, 0, 0, context)).size(), 4u);
 }
 
+TEST(Explain, ASceneThatIsThereIsExplainedAsItIsDrawn) {
+    Context context({.threads = 1});
+    PictureRequest request{.input = "builtin:teapot"};
+    request.settings.width = width;
+    request.settings.height = height;
+    const Scene scene = load(request.input, {}, context);
+    const auto color = [&](const Scene& of) { return color_of(*explain(of, request, width / 2, height / 2, context)); };
+    EXPECT_EQ(color(scene), color_of(*explain(request, width / 2, height / 2, context)));
+    request.input = "no such file.obj";  // a name alone
+    Scene red = scene;
+    for (Material& material : red.materials) material.base_color = {1, 0, 0, 1};
+    EXPECT_NE(color(red), color(scene));
+    request.settings.samples = 3;
+    EXPECT_THROW((void)color(scene), Error);
+}
+
 TEST(Explain, TheWindowOfARangeIsAPartOfTheAttenuationAndSaid) {
     Context context({.threads = 1});
     Scene scene = load("builtin:teapot", {}, context);

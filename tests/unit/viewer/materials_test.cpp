@@ -117,6 +117,50 @@ TEST_F(Materials, OfAWorldsObjectsAreSavedAsSeen) {
     EXPECT_SAVED_AS_SEEN(look, m);
 }
 
+TEST_F(Materials, OfObjectsGoWithTheirNamesWhenTheFileIsReadAgain) {
+    const Scene before = squares("plain")->scene;
+    std::vector<MaterialEdit> edits;
+    for (const std::uint32_t node : {0u, 1u, 2u}) edits.push_back({{.name = "plain", .node = node}, {}});
+    edits.push_back({{.name = "plain"}, {}});
+    const Scene after = squares("plain", {"right", "other", "left"})->scene;
+    EXPECT_EQ(carry_edits(edits, before, after), (std::vector<std::string>{"plain of middle"}));
+    ASSERT_EQ(edits.size(), 3u);
+    EXPECT_EQ(edits[0].target, (MaterialTarget{.name = "plain", .node = 2}));
+    EXPECT_EQ(edits[1].target, (MaterialTarget{.name = "plain", .node = 0}));
+    EXPECT_EQ(edits[2].target, (MaterialTarget{.name = "plain"}));
+}
+
+TEST_F(Materials, OfObjectsWithoutNamesStayAtTheirNumbers) {
+    Scene before = squares("plain")->scene;
+    for (Node& node : before.nodes) node.name = "twin";
+    Scene after = before;
+    EXPECT_EQ(same_object(before, 1, after), 1u);
+    after.nodes[1].name = "other";
+    EXPECT_EQ(same_object(before, 1, after), no_index);
+    after.nodes.resize(1);
+    EXPECT_EQ(same_object(before, 1, after), no_index);
+    EXPECT_EQ(same_object(after, no_index, before), no_index);
+}
+
+TEST_F(Materials, OfAWorldsObjectsStayInTheirModels) {
+    squares("plain");
+    const auto world = [&](const std::string& first, const std::string& second) {
+        folder_.write("two.scene.toml", "[[model]]\nfile = \"squares.gltf\"\nname = \"" + first +
+                                            "\"\n[[model]]\nfile = \"squares.gltf\"\nname = \"" + second + "\"\n");
+        return model(file("two.scene.toml"))->scene;
+    };
+    const Scene before = world("a", "b"), after = world("b", "c");
+    EXPECT_EQ(same_object(before, 6, after), 2u);  // b's middle
+    EXPECT_EQ(same_object(before, 2, after), no_index);
+}
+
+TEST_F(Materials, OfNodesThatAreNotThereAreRefused) {
+    const auto m = squares("plain");
+    Look look = front(*m);
+    set_material(look, {.name = "plain", .node = 3}, "color=0.1,0.5,0.2");
+    EXPECT_THROW(world_of(look, *m, width, height, file("saved.scene.toml")), Error);
+}
+
 TEST_F(Materials, OfAPictureAreFoundInTheFile) {
     const auto m = squares("plain");
     Look look = front(*m);
