@@ -84,8 +84,7 @@ TEST_F(Watched, ManyAreLookedAtAFewAtATime) {
 
 TEST_F(Watched, AModelKnowsTheFilesThatItIsMadeOf) {
     folder_.write("m.mtl", "newmtl red\nmap_Kd red.png\n");
-    std::filesystem::copy_file(test::source_dir() / "data/bricks/normal.png",
-                               folder_.file("red.png"));
+    std::filesystem::copy_file(test::source_dir() / "data/bricks/normal.png", folder_.file("red.png"));
     folder_.write("model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl red\nf 1/1 2/1 3/1\n");
     folder_.write("one.scene.toml", "[[model]]\nfile = \"model.obj\"\n");
     const auto m = model(file("one.scene.toml"));
