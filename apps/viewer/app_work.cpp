@@ -8,6 +8,7 @@
 #include <rakelight/smooth_file.h>
 
 #include "app.h"
+#include "gather.h"
 #include "materials.h"
 #include "record.h"
 #include "save.h"
@@ -137,8 +138,13 @@ void App::save_scene() {
     const View& view = active();
     write_file("save", [model = model_, look = view.look, area = view.area](Context&) {
         const std::string path = free_world_name(model->file), missing = not_saved(look);
-        save_world(world_of(look, *model, area.width, area.height, path), path);
-        return "wrote " + short_path(path) + (missing.empty() ? "" : ", without " + missing);
+        WorldFile world = world_of(look, *model, area.width, area.height, path);
+        const std::size_t copies = gather_pictures(world, path);
+        save_world(world, path);
+        const std::string with = copies == 0   ? ""
+                                 : copies == 1 ? " with a copy of a picture"
+                                               : " with copies of " + std::to_string(copies) + " pictures";
+        return "wrote " + short_path(path) + with + (missing.empty() ? "" : ", without " + missing);
     });
 }
 

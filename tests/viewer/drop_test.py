@@ -56,6 +56,16 @@ class Drops(Case):
         wait_for(lambda: window.picture() == after, "another model is shown")
         self.assertEqual(self.model_file(window), "mapped.obj")
 
+    def test_pictures_from_elsewhere_are_saved_with_the_scene(self):
+        window = self.open("mapped.obj")
+        before = window.settled_picture()
+        window.drop(ROOT / "data" / "bricks" / "normal.png", **LEFT)
+        window.differs_from(before, 2000)
+        window.settled_picture()
+        path, scene = window.save()
+        self.assertTrue((self.folder / "mapped-files" / "normal.png").exists())
+        self.check_saved(window, path)  # without allow-outside
+
     def test_a_model_dropped_with_control_is_added(self):
         window = self.open("parts.obj")
         before = window.settled_picture()

@@ -11,6 +11,7 @@
 
 #include "../../../apps/viewer/drop.h"
 #include "../../../apps/viewer/feedback.h"
+#include "../../../apps/viewer/gather.h"
 #include "../../../apps/viewer/overlay.h"
 #include "../../../apps/viewer/painter.h"
 #include "looks.h"
@@ -206,6 +207,31 @@ TEST_F(Looks, SeamsAreLookedForInTheNormalsThatAreSeen) {
     EXPECT_EQ(seam_options(scene, {.normals = NormalSource::model}).normals, NormalSource::model);
     scene.meshes[0].normals = std::vector<vec3>{{0, 0, 1}};
     EXPECT_EQ(seam_options(scene, {}).normals, NormalSource::automatic);
+}
+
+TEST_F(Looks, PicturesOutsideOfASavedSceneAreCopied) {
+    namespace fs = std::filesystem;
+    const fs::path scene = folder_.path() / "in" / "a.scene.toml", files = folder_.path() / "in" / "a-files";
+    fs::create_directories(folder_.path() / "in");
+    fs::create_directories(folder_.path() / "other");
+    std::ofstream(folder_.path() / "p.png") << "first";
+    std::ofstream(folder_.path() / "other" / "p.png") << "second";
+    WorldFile world;
+    world.materials = {{.name = "*",
+                        .values = {{.key = "color_texture", .words = {"../p.png"}},
+                                   {.key = "normal_texture", .words = {"../other/p.png"}},
+                                   {.key = "emission_texture", .words = {"../p.png"}},
+                                   {.key = "occlusion_texture", .words = {"near.png"}}}}};
+    EXPECT_EQ(gather_pictures(world, scene.string()), 2u);
+    const std::vector<WorldValue>& v = world.materials[0].values;
+    EXPECT_EQ(v[0].words[0], "a-files/p.png");
+    EXPECT_EQ(v[1].words[0], "a-files/p-2.png");
+    EXPECT_EQ(v[2].words[0], "a-files/p.png");
+    EXPECT_EQ(v[3].words[0], "near.png");
+    EXPECT_EQ(fs::file_size(files / "p.png"), 5u);
+    EXPECT_EQ(fs::file_size(files / "p-2.png"), 6u);
+    world.render = {{.key = "hdri-file", .words = {"../nowhere.hdr"}}};
+    EXPECT_THROW(gather_pictures(world, scene.string()), Error);
 }
 
 TEST_F(Looks, CommandsStepThroughAllChannelsAndBack) {
