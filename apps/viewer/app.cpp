@@ -11,8 +11,9 @@ namespace rakelight::viewer {
 namespace {
 
 constexpr double message_s = 8, error_s = 60;  // that what was done, or could not be, is said; Esc ends it
-constexpr int most_faults = 3;     // of one turn of the loop after another: the window's context may be lost
-constexpr double motion_s = 0.15;  // after the last step of a motion the whole picture is made
+constexpr int most_faults = 3;            // of one turn of the loop after another: the window's context may be lost
+constexpr double longest_writing_s = 10;  // after the window is closed
+constexpr double motion_s = 0.15;         // after the last step of a motion the whole picture is made
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
@@ -71,11 +72,23 @@ void App::run() {
             window_->abandon_panels();
             report(error);
         }
+    finish_writing();
     if (!window_->is_full_screen() && window_->width() > 0)
         remembered_.width = window_->width(), remembered_.height = window_->height();
     remembered_.ui = ui_;
     write_settings(remembered_);
     log_stats();
+}
+
+/// Files that were asked for are written, unless that takes long.
+void App::finish_writing() {
+    const Clock::time_point begin = Clock::now();
+    window_->hide();
+    while (writer_.is_running() && seconds(Clock::now() - begin) < longest_writing_s) {
+        window_->wait(0.05);
+        writer_.poll();
+    }
+    if (writer_.is_running()) std::fprintf(stderr, "rakelight: warning: ended before all files were written\n");
 }
 
 /// Takes what has happened, and shows it.

@@ -60,6 +60,7 @@ private:
     void poll_view(View& view);
     void step();
     void note_pause();
+    void finish_writing();
     void note_warnings(const Painting& painting);
     void lay_out();
     bool take_camera(View& view);

@@ -235,6 +235,7 @@ void GlfwWindow::wait(double seconds) { seconds > 0 ? glfwWaitEventsTimeout(seco
 void GlfwWindow::wake() { glfwPostEmptyEvent(); }
 std::vector<Event> GlfwWindow::take_events() { return std::exchange(events_, {}); }
 bool GlfwWindow::is_closing() const { return glfwWindowShouldClose(window_); }
+void GlfwWindow::hide() { glfwHideWindow(window_); }
 void GlfwWindow::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 void GlfwWindow::set_clipboard(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 

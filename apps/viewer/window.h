@@ -33,6 +33,7 @@ public:
     static void wake();
     std::vector<Event> take_events();
     bool is_closing() const;
+    void hide();
     bool needs_drawing() const { return needs_drawing_; }  ///< resized or uncovered since swap()
 
     int width() const { return width_; }    ///< [px] of the framebuffer; 0: minimized

@@ -136,6 +136,13 @@ class Viewer(Case):
         after = window.settled_picture()
         self.assertTrue([row[:middle] for row in before[40:400]] == [row[:middle] for row in after[40:400]])  # but for labels and texts
 
+    def test_files_are_written_before_the_viewer_ends(self):
+        window = self.open()
+        window.tool("key", "--delay", 0, "F12", "ctrl+F12", "ctrl+s", "ctrl+q")
+        window.process.communicate(timeout=3 * PATIENCE)
+        self.assertEqual(len(list(self.folder.glob("*.png"))) - (self.folder / "display.png").exists(), 2)
+        self.assertEqual(len(list(self.folder.glob("*.scene.toml"))), 1)
+
     def test_a_clean_screenshot_is_transparent(self):
         window = self.open()
         self.assertEqual(png(window.screenshot("ctrl+F12"))[2], 4)
