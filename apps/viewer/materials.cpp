@@ -43,6 +43,7 @@ void forget_material(Look& look, const MaterialTarget& target) {
 
 Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& context) {
     std::vector<MaterialChanges> changes;
+    changes.reserve(edits.size());
     for (const MaterialEdit& edit : edits) changes.push_back({edit.target, edit.values});
     return changes.empty() ? scene : with_material_changes(std::move(scene), changes, context);
 }

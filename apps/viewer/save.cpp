@@ -134,13 +134,17 @@ std::string stem_of(const std::string& file) {
     return stem.empty() ? "picture" : stem;
 }
 
+std::string with_number(const std::string& name, int number, const std::string& ending) {
+    return name + "-" + std::to_string(number) + ending;
+}
+
 /// The first that is not there yet of "folder/name.ending", "folder/name-2.ending", ...
 std::string free_beside(const std::string& model_file, const std::string& name, const std::string& ending) {
     const fs::path folder = is_shape(model_file) ? fs::path(".") : folder_of(model_file);
     std::error_code ignored;
     for (int i = 1;; ++i) {
-        const std::string number = i == 1 ? "" : "-" + std::to_string(i);
-        const fs::path path = (folder / (name + number + ending)).lexically_normal();
+        const std::string file = i == 1 ? name + ending : with_number(name, i, ending);
+        const fs::path path = (folder / file).lexically_normal();
         if (!fs::exists(path, ignored)) return path.string();
     }
 }
@@ -215,11 +219,10 @@ std::string free_seamless_name(const std::string& model_file) {
 }
 
 std::string free_name(const std::string& model_file, const std::string& middle, const std::string& ending) {
+    const std::string stem = stem_of(model_file) + middle;
     std::error_code ignored;
-    for (int i = 1;; ++i) {
-        const std::string name = stem_of(model_file) + middle + "-" + std::to_string(i) + ending;
-        if (!fs::exists(name, ignored)) return name;
-    }
+    for (int i = 1;; ++i)
+        if (std::string name = with_number(stem, i, ending); !fs::exists(name, ignored)) return name;
 }
 
 }  // namespace rakelight::viewer
