@@ -133,6 +133,7 @@ void App::draw_panels_over() {
     panels.window_width = int(float(window_->width()) / pixels_a_point);
     panels.window_height = int(float(window_->height()) / pixels_a_point);
     panels.scale = window_->scale() / pixels_a_point, panels.longest_block_ms = longest_block_ms_;
+    panels.own_keys = remembered_.own_keys;
     panels.file_number = file_, panels.file_count = start_.files.size();
     panels.seams = seams_model_ == model_ ? seams_.get() : nullptr;
     const auto add = [&panels](const Progress& progress) {

@@ -30,7 +30,7 @@ void App::handle(const Event& event) {
                 walking_keys.find(char(event.place < 128 ? event.place : 0)) != std::string_view::npos &&
                 !(event.modifiers & mod_control))
                 return;
-            return command(command_of(event.key, event.modifiers));
+            return command(command_of(event.key, event.modifiers, remembered_.own_keys));
         case Event::Kind::key_up:
             return event.key < 0 ? held_.clear() : held_.take(event);
         case Event::Kind::button_down:
@@ -72,7 +72,7 @@ void App::press(Button button, const Event& event) {
         drag_ = Drag::light;
         return;
     }
-    drag_ = ui_.is_walking ? Drag::look : drag_of(button, event.modifiers);
+    drag_ = ui_.is_walking ? Drag::look : drag_of(button, event.modifiers, ui_.has_blender_mouse);
     if (button == Button::middle) press_modifiers_ |= 1 << 8;  // told from a left click later
 }
 

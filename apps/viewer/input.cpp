@@ -5,7 +5,9 @@
 
 namespace rakelight::viewer {
 
-Drag drag_of(Button button, int modifiers) {
+Drag drag_of(Button button, int modifiers, bool is_blender) {
+    if (button == Button::middle && is_blender)
+        return modifiers & mod_shift ? Drag::pan : modifiers & mod_control ? Drag::zoom : Drag::orbit;
     if (button == Button::middle) return Drag::pan;
     if (button == Button::right) return Drag::zoom;
     if (button != Button::left) return Drag::none;

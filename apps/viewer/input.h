@@ -26,8 +26,9 @@ struct Event {
 /// What the pointer does while a button is down.
 enum class Drag { none, orbit, pan, zoom, roll, look, wipe, light };
 
-/// F3D's buttons: left orbits, with Shift pans, with Control rolls; middle pans, right zooms.
-Drag drag_of(Button button, int modifiers);
+/// F3D's buttons: left orbits, with Shift pans, with Control rolls; middle pans, right zooms. Blender's: middle orbits, with Shift
+/// pans, with Control zooms; the others as before.
+Drag drag_of(Button button, int modifiers, bool is_blender = false);
 
 /// Keys that are held down, by their place, for walking.
 class HeldKeys {

@@ -50,6 +50,8 @@ void draw_view_panel(PanelView& view) {
     if (ImGui::Button(("up axis: " + axis).c_str())) view.commands.push_back(Command::up_axis);
     ImGui::SameLine();
     ImGui::Checkbox("arcball", &view.ui.is_arcball);
+    ImGui::SameLine();
+    ImGui::Checkbox("Blender's mouse", &view.ui.has_blender_mouse);
     draw_cameras(view);
     ImGui::Separator();
     int split = int(view.ui.split);

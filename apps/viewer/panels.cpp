@@ -44,14 +44,26 @@ void draw_help_group(const char* group, float scale) {
     ImGui::Spacing();
 }
 
-void draw_mouse_help(float scale) {
-    constexpr const char* rows[][2] = {{"left", "orbit"},
-                                       {"Shift+left", "pan"},
-                                       {"Ctrl+left", "roll"},
-                                       {"middle", "pan; click: center there"},
-                                       {"wheel, right", "zoom"},
-                                       {"2 clicks", "center on the point"},
-                                       {"Alt+click", "its material"}};
+void draw_own_keys(std::span<const OwnKey> keys, float scale) {
+    if (keys.empty()) return;
+    ImGui::TextColored(heading(), "Keys of your own");
+    for (const OwnKey& own : keys) {
+        ImGui::TextUnformatted(own.keys.c_str());
+        ImGui::SameLine(112 * scale);
+        ImGui::TextUnformatted(own.command == Command::none ? "nothing" : ("as " + own.usual).c_str());
+    }
+    ImGui::Spacing();
+}
+
+void draw_mouse_help(bool is_blender, float scale) {
+    const char* const middle = is_blender ? "orbit (Shift: pan, Ctrl: zoom)" : "pan; click: center there";
+    const char* const rows[][2] = {{"left", "orbit"},
+                                   {"Shift+left", "pan"},
+                                   {"Ctrl+left", "roll"},
+                                   {"middle", middle},
+                                   {"wheel, right", "zoom"},
+                                   {"2 clicks", "center on the point"},
+                                   {"Alt+click", "its material"}};
     ImGui::TextColored(heading(), "Mouse");
     for (const auto& row : rows) {
         ImGui::TextUnformatted(row[0]);
@@ -184,7 +196,7 @@ void draw_help(PanelView& view) {
                 scale = view.scale * shrink;
     ImGui::SetWindowFontScale(shrink);
     ImGui::BeginGroup();
-    draw_help_group("View", scale), draw_mouse_help(scale);
+    draw_help_group("View", scale), draw_mouse_help(view.ui.has_blender_mouse, scale);
     ImGui::EndGroup();
     ImGui::SameLine(0, 24 * scale);
     ImGui::BeginGroup();
@@ -192,7 +204,7 @@ void draw_help(PanelView& view) {
     ImGui::EndGroup();
     ImGui::SameLine(0, 24 * scale);
     ImGui::BeginGroup();
-    draw_help_group("Files", scale), draw_help_group("Window", scale);
+    draw_help_group("Files", scale), draw_help_group("Window", scale), draw_own_keys(view.own_keys, scale);
     ImGui::EndGroup();
     ImGui::End();
 }

@@ -6,6 +6,7 @@
 
 #include <rakelight/inspect.h>
 
+#include "own_keys.h"
 #include "painter.h"
 #include "ui_state.h"
 
@@ -21,6 +22,7 @@ struct PanelView {
     int window_width = 1, window_height = 1;  ///< points, as ImGui counts
     float scale = 1;
     double longest_block_ms = 0;
+    std::span<const OwnKey> own_keys{};
     std::size_t file_number = 0, file_count = 1;  ///< of the list, from 0
     const Seams* seams = nullptr;                 ///< null: not looked for
     std::vector<std::string> works;               ///< what runs: "load 40 %"

@@ -20,7 +20,7 @@ struct Flag {
 constexpr Flag flags[] = {{"dark", &UiState::is_dark},        {"arcball", &UiState::is_arcball},
                           {"grid", &UiState::grid},           {"axes", &UiState::axes},
                           {"file-name", &UiState::file_name}, {"frame-time", &UiState::frame_time},
-                          {"announce", &UiState::announces}};
+                          {"announce", &UiState::announces},  {"blender-mouse", &UiState::has_blender_mouse}};
 
 int number_in(const std::string& text, int low, int high, int otherwise) {
     int value = 0;
@@ -35,6 +35,8 @@ void take(Remembered& to, const std::string& key, const std::string& value) {
     if (key == "width") to.width = number_in(value, 64, 16384, to.width);
     if (key == "height") to.height = number_in(value, 64, 16384, to.height);
     if (key == "panel-width") to.ui.panel_column = float(number_in(value, 0, 16384, int(to.ui.panel_column)));
+    if (key.starts_with("key "))
+        if (auto own = own_key(key.substr(4), value)) to.own_keys.push_back(std::move(*own));
     if (key == "record-frames") to.ui.record_frames = number_in(value, 1, 10000, to.ui.record_frames);
     for (std::size_t i = 0; i < panel_count; ++i)
         if (key == std::string("panel-") + panel_titles[i]) to.ui.open[i] = value == "on";
@@ -70,6 +72,7 @@ std::string settings_text(const Remembered& remembered) {
     put("record-frames", std::to_string(remembered.ui.record_frames));
     for (std::size_t i = 0; i < panel_count; ++i)
         put(std::string("panel-") + panel_titles[i], remembered.ui.open[i] ? "on" : "off");
+    for (const OwnKey& own : remembered.own_keys) put("key " + own.keys, own.usual);
     return text;
 }
 

@@ -2,19 +2,22 @@
 // What the viewer remembers from run to run: $XDG_CONFIG_HOME/rakelight/view.conf, else ~/.config/rakelight/view.conf.
 #pragma once
 #include <string>
+#include <vector>
 
+#include "own_keys.h"
 #include "ui_state.h"
 
 namespace rakelight::viewer {
 
 struct Remembered {
     UiState ui;
+    std::vector<OwnKey> own_keys;
     int width = 1280, height = 800;  ///< [px] of the window
 };
 
 /// Empty: no such folder can be named.
 std::string settings_path();
-/// Lines "key = value"; what is not understood is left out.
+/// Lines "key = value", and "key Ctrl+K = S" for each of own_keys; what is not understood is left out.
 Remembered parse_settings(const std::string& text);
 std::string settings_text(const Remembered& remembered);
 Remembered read_settings();

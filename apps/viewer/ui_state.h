@@ -26,6 +26,7 @@ struct UiState {
          seams = false;
     bool announces = true;  ///< what a key did is said
     bool file_name = true, frame_time = false, help = false, is_picking = false, is_walking = false;
+    bool has_blender_mouse = false;  ///< the middle button orbits
     bool is_arcball = false, is_dark = true;
     Split split = Split::none;
     double wipe = 0.5;                    ///< 0..1 across the picture

@@ -69,6 +69,27 @@ TEST(Input, ButtonsDragAsInF3D) {
     EXPECT_EQ(drag_of(Button::right, 0), Drag::zoom);
 }
 
+TEST(Keys, OfTheUsersOwnGoBeforeTheUsualOnes) {
+    const std::vector<OwnKey> own = {*own_key("Ctrl+K", "Shift+C"), *own_key("S", "none"), *own_key("Page up", "F9")};
+    EXPECT_EQ(command_of('K', mod_control, own), Command::previous_channel);
+    EXPECT_EQ(command_of('S', 0, own), Command::none);
+    EXPECT_EQ(command_of(266, 0, own), Command::record);
+    EXPECT_EQ(command_of('Y', 0, own), Command::lighting);
+    EXPECT_EQ(key_named("Alt+Ctrl++"), std::pair(int('+'), mod_control | mod_alt));
+    for (const char* wrong : {"", "Ctrl+", "Hyper+S", "F13", "Nothing"}) EXPECT_FALSE(key_named(wrong)) << wrong;
+    EXPECT_FALSE(own_key("K", "Ctrl+Alt+9")) << "does nothing";
+    const Remembered back = parse_settings(settings_text({.own_keys = own}));
+    EXPECT_TRUE(back.own_keys == own);
+    EXPECT_TRUE(parse_settings("key Ctrl+K = Hyper\nkey = S\n").own_keys.empty());
+}
+
+TEST(Input, BlendersMiddleButtonOrbits) {
+    EXPECT_EQ(drag_of(Button::middle, 0, true), Drag::orbit);
+    EXPECT_EQ(drag_of(Button::middle, mod_shift, true), Drag::pan);
+    EXPECT_EQ(drag_of(Button::middle, mod_control, true), Drag::zoom);
+    EXPECT_EQ(drag_of(Button::left, mod_shift, true), Drag::pan);
+}
+
 TEST(Input, KeysAreHeldUntilTheyAreReleased) {
     HeldKeys held;
     held.take({.kind = Event::Kind::key_down, .key = 'Z', .place = 'W'});  // as on French keyboards
