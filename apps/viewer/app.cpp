@@ -150,6 +150,7 @@ void App::poll_view(View& view) {
         view.shown = std::move(painting);
         gl_pictures_ += view.shown->picture != nullptr;
         note_warnings(*view.shown);
+        if (view.shown->is_final) frames_to_draw_ = 3;  // what was said of its progress is gone
         is_dirty_ = true;
         if (view.shown->number == view.number) {
             view.good = view.submitted, view.good_model = view.submitted_model;

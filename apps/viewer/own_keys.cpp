@@ -11,8 +11,8 @@ struct Named {
     const char* name;
     Key key;
 };
-constexpr Named named[] = {{"Space", 32},   {"Esc", 256},  {"Enter", 257},   {"Tab", 258},       {"Backspace", 259},
-                           {"Insert", 260}, {"Del", 261},  {"Right", 262},   {"Left", 263},      {"Down", 264},
+constexpr Named named[] = {{"Space", 32},   {"Esc", 256},     {"Enter", 257},     {"Tab", 258},  {"Backspace", 259},
+                           {"Insert", 260}, {"Del", 261},     {"Right", 262},     {"Left", 263}, {"Down", 264},
                            {"Up", 265},     {"Page up", 266}, {"Page down", 267}, {"Home", 268}, {"End", 269}};
 constexpr Named prefixes[] = {{"Ctrl+", mod_control}, {"Shift+", mod_shift}, {"Alt+", mod_alt}};
 constexpr Key f1 = 290;

@@ -58,6 +58,19 @@ void draw_color(const Edited& edited, const char* key, vec3 value) {
     set(edited, text);
 }
 
+/// A choice that the look makes; what the file says is not known by its word.
+template <class T, std::size_t n>
+void draw_word(const Edited& edited, const char* key, const Word<T> (&words)[n]) {
+    std::string now = "as in the file";
+    if (const std::vector<WorldValue>* const values = edited_values(edited.view.look, edited.target))
+        for (const WorldValue& value : *values)
+            if (value.key == key && !value.words.empty()) now = value.words[0];
+    if (!ImGui::BeginCombo(key, now.c_str())) return;
+    for (const Word<T>& word : words)
+        if (ImGui::Selectable(word.name, now == word.name)) set(edited, std::string(key) + "=" + word.name);
+    ImGui::EndCombo();
+}
+
 void draw_values(const Edited& edited, const Material& m) {
     draw_color(edited, "color", m.base_color.xyz());
     draw_number(edited, "opacity", m.base_color.w, 0, 1);
@@ -71,6 +84,9 @@ void draw_values(const Edited& edited, const Material& m) {
     }
     draw_color(edited, "emission", m.emission);
     draw_number(edited, "normal_scale", m.normal_scale, 0, 4);
+    draw_word(edited, "lighting", lighting_words);
+    draw_word(edited, "shading", shading_words);
+    draw_word(edited, "bump", bump_words);
     static std::string text;
     if (ImGui::InputTextWithHint("any key", "bump_depth=0.1", &text, ImGuiInputTextFlags_EnterReturnsTrue))
         set(edited, text);
