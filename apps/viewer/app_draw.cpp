@@ -130,8 +130,8 @@ void App::draw_panels_over() {
     PanelView panels{.model = model_.get(), .look = view.look, .ui = ui_, .painting = view.shown.get()};
     panels.width = view.area.width, panels.height = view.area.height;
     const float pixels_a_point = window_->pixels_a_point();
-    panels.window_width = int(float(window_->width()) / pixels_a_point);
-    panels.window_height = int(float(window_->height()) / pixels_a_point);
+    panels.window_width = std::max(1, int(float(window_->width()) / pixels_a_point));
+    panels.window_height = std::max(1, int(float(window_->height()) / pixels_a_point));
     panels.scale = window_->scale() / pixels_a_point, panels.longest_block_ms = longest_block_ms_;
     panels.own_keys = remembered_.own_keys;
     panels.file_number = file_, panels.file_count = start_.files.size();

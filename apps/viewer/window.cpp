@@ -226,9 +226,10 @@ float GlfwWindow::scale() const {
 }
 
 float GlfwWindow::pixels_a_point() const {
-    int width = 0, height = 0;
-    glfwGetWindowSize(window_, &width, &height);
-    return width > 0 && width_ > 0 ? float(width_) / float(width) : 1;
+    int points = 0, pixels = 0, ignored = 0;  // both of now: width_ is that of the event before
+    glfwGetWindowSize(window_, &points, &ignored);
+    glfwGetFramebufferSize(window_, &pixels, &ignored);
+    return points > 0 && pixels > 0 ? float(pixels) / float(points) : 1;
 }
 
 void GlfwWindow::wait(double seconds) { seconds > 0 ? glfwWaitEventsTimeout(seconds) : glfwPollEvents(); }
