@@ -19,9 +19,9 @@ protected:
     void SetUp() override {
         before_ = fs::current_path();
         if (const char* const home = std::getenv("HOME")) home_before_ = home;
-        fs::create_directories(folder_.path() / "work");
+        fs::create_directories(folder_.path() / "here");
         root_ = fs::canonical(folder_.path()).string();
-        fs::current_path(root_ + "/work");
+        fs::current_path(root_ + "/here");
         setenv("HOME", (root_ + "/home").c_str(), 1);
     }
     void TearDown() override {
@@ -34,7 +34,7 @@ protected:
 };
 
 TEST_F(ShownPath, IsFromTheWorkingFolderOrTheHomeFolder) {
-    EXPECT_EQ(shown_path(root_ + "/work/a/b.glb"), "a/b.glb");
+    EXPECT_EQ(shown_path(root_ + "/here/a/b.glb"), "a/b.glb");
     EXPECT_EQ(shown_path(root_ + "/home/models/b.glb"), "~/models/b.glb");
     EXPECT_EQ(shown_path("a/b.glb"), "a/b.glb");
     EXPECT_EQ(shown_path("builtin:teapot"), "builtin:teapot");
@@ -43,14 +43,14 @@ TEST_F(ShownPath, IsFromTheWorkingFolderOrTheHomeFolder) {
 TEST_F(ShownPath, IsTheNameAloneElsewhere) {
     EXPECT_EQ(shown_path(root_ + "/elsewhere/b.glb"), "b.glb");
     EXPECT_EQ(short_path(root_ + "/elsewhere/b.glb"), root_ + "/elsewhere/b.glb");
-    EXPECT_EQ(shown_path(root_ + "/workshop/b.glb"), "b.glb");  // no part of /work
+    EXPECT_EQ(shown_path(root_ + "/hereabouts/b.glb"), "b.glb");  // no part of /here
 }
 
 TEST_F(ShownPath, TextsAreShortenedWhereAPathBegins) {
     const std::string model = root_ + "/elsewhere/b.glb";
     EXPECT_EQ(with_short_paths(model + ": bad\n  map  " + root_ + "/elsewhere/t.png", model),
               "b.glb: bad\n  map  t.png");
-    EXPECT_EQ(with_short_paths("'" + root_ + "/work/x.obj' is empty"), "'x.obj' is empty");
+    EXPECT_EQ(with_short_paths("'" + root_ + "/here/x.obj' is empty"), "'x.obj' is empty");
     EXPECT_EQ(with_short_paths("no path at all"), "no path at all");
 }
 
