@@ -10,7 +10,6 @@
 namespace rakelight::viewer {
 namespace {
 
-constexpr double message_s = 8, error_s = 60;  // that what was done, or could not be, is said; Esc ends it
 constexpr int most_faults = 3;            // of one turn of the loop after another: the window's context may be lost
 constexpr double longest_writing_s = 10;  // after the window is closed
 constexpr double motion_s = 0.15;         // after the last step of a motion the whole picture is made
@@ -28,6 +27,9 @@ App::App(Start start)
       remembered_(read_settings()),
       ui_(remembered_.ui) {
     if (!start_.files.empty()) load_current(false);  // beside the opening of the window
+    if (!remembered_.wrong_lines.empty())
+        ui_.message.fail(settings_path() + ": '" + one_line(remembered_.wrong_lines[0], 80) +
+                         "' names no key, or one that does nothing");
     int width = remembered_.width, height = remembered_.height;
     PictureRequest given;
     for (const WorldValue& value : start_.settings)
@@ -61,7 +63,24 @@ bool App::has_background_work() const {
 
 bool App::is_busy() const { return has_background_work() || views_[0].is_painting || views_[1].is_painting; }
 
-void App::run() {
+int App::run() {
+    std::exception_ptr fault;
+    try {
+        loop();
+    } catch (...) {
+        fault = std::current_exception();
+    }
+    finish_writing();
+    if (!window_->is_full_screen() && window_->width() > 0)
+        remembered_.width = window_->width(), remembered_.height = window_->height();
+    remembered_.ui = ui_;
+    write_settings(remembered_);
+    if (fault) std::rethrow_exception(fault);
+    log_stats();
+    return has_lost_file_ ? 1 : 0;
+}
+
+void App::loop() {
     int faults = 0;  // one after another
     woke_ = Clock::now();
     while (!window_->is_closing() && !is_quitting_) try {
@@ -72,23 +91,23 @@ void App::run() {
             window_->abandon_panels();
             report(error);
         }
-    finish_writing();
-    if (!window_->is_full_screen() && window_->width() > 0)
-        remembered_.width = window_->width(), remembered_.height = window_->height();
-    remembered_.ui = ui_;
-    write_settings(remembered_);
-    log_stats();
 }
 
 /// Files that were asked for are written, unless that takes long.
 void App::finish_writing() {
     const Clock::time_point begin = Clock::now();
+    is_ended_ = true;
     window_->hide();
+    for (Background* work : {&loader_, &explainer_, &seam_search_}) work->cancel();
+    for (View& view : views_)
+        if (view.painter) view.painter->cancel();
     while (writer_.is_running() && seconds(Clock::now() - begin) < longest_writing_s) {
         window_->wait(0.05);
         writer_.poll();
     }
-    if (writer_.is_running()) std::fprintf(stderr, "rakelight: warning: ended before all files were written\n");
+    if (!writer_.is_running()) return;
+    has_lost_file_ = true;
+    std::fprintf(stderr, "rakelight: error: ended before all files were written\n");
 }
 
 /// Takes what has happened, and shows it.
@@ -138,8 +157,7 @@ void App::poll() {
     explainer_.poll();
     seam_search_.poll();
     for (std::size_t i = 0; i < 2; ++i) poll_view(views_[i]);
-    const double said_for_s = ui_.is_message_error ? error_s : message_s;
-    if (!ui_.message.empty() && seconds(Clock::now() - said_) > said_for_s) ui_.message.clear(), frames_to_draw_ = 3;
+    if (ui_.message.is_over()) ui_.message.clear(), frames_to_draw_ = 3;
     if (seconds(Clock::now() - last_watch_) > 0.5) watch_file();
 }
 
@@ -239,17 +257,13 @@ void App::submit(View& view) {
 }
 
 void App::report(const Error& error) {
-    ui_.message = with_short_paths(error.what());
-    ui_.is_message_error = true;
-    said_ = Clock::now();
+    ui_.message.fail(with_short_paths(error.what()));
     is_dirty_ = true;
     frames_to_draw_ = 3;
 }
 
 void App::say(const std::string& text) {
-    ui_.message = text;
-    ui_.is_message_error = false;
-    said_ = Clock::now();
+    ui_.message.say(text);
     frames_to_draw_ = 3;
 }
 

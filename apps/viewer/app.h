@@ -29,8 +29,8 @@ class App {
 public:
     explicit App(Start start);
     ~App();
-    /// Until the window is closed.
-    void run();
+    /// Until the window is closed. @return the exit code: 1 where a file could not be written any more
+    int run();
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -56,6 +56,7 @@ private:
     };
 
     // app.cpp: the loop
+    void loop();
     void poll();
     void poll_view(View& view);
     void step();
@@ -168,7 +169,8 @@ private:
     };
     LightDrag light_drag_;
     Handle hovered_ = Handle::none;
-    Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, said_{};
+    Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{};
+    bool is_ended_ = false, has_lost_file_ = false;  ///< the window is closed; a file could not be written since
     bool is_quitting_ = false, is_dirty_ = true, is_walk_step_ = false;
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
     std::vector<Command> from_panels_;

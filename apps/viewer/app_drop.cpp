@@ -35,7 +35,8 @@ void App::take_files_back() {
     if (!before_drop_) return;
     start_.files = std::move(before_drop_->files), file_ = before_drop_->number;
     before_drop_.reset();
-    watch_from_now();
+    const bool is_shown = model_ && file_ < start_.files.size() && model_->file == start_.files[file_];
+    is_shown ? watch_from_now() : load_current(false);  // the drop had broken off its loading
 }
 
 /// The object at the pointer gets the picture as the base color texture of its material.

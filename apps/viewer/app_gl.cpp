@@ -45,12 +45,13 @@ void App::handle_gl_fault(const Error& error) {
 
 Marks App::marks(const View& view) const {
     const bool has_handles = ui_.light_glyphs && &view == &views_[ui_.active];
+    const bool are_seams_known = ui_.seams && seams_model_ == model_ && seams_prepare_ == view.look.request.prepare;
     const Handle lit = drag_ == Drag::light ? light_drag_.handle : hovered_;
     return {.grid = ui_.grid,
             .axes = ui_.axes,
             .lights = ui_.light_glyphs,
             .vectors = {ui_.normals, ui_.tangents, ui_.bitangents},
-            .seams = ui_.seams && seams_model_ == model_ ? seams_ : nullptr,
+            .seams = are_seams_known ? seams_ : nullptr,
             .light = ui_.light,
             .has_handles = has_handles,
             .lit = has_handles ? lit : Handle::none,

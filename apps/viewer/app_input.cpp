@@ -161,8 +161,8 @@ void App::click(const Event& event) {
             frames_to_draw_ = 3;
         });
     if (!is_middle && !(event.button == Button::left && is_double)) return;
-    view.painter->look_at_pixel(x, y, [this, &view](std::optional<Painter::Hit> hit) {
-        if (!hit || !model_) return;
+    view.painter->look_at_pixel(x, y, [this, &view, model = model_](std::optional<Painter::Hit> hit) {
+        if (!hit || model != model_) return;
         center_on(moving_eye(view.look, *model_, view.area.width, view.area.height), hit->position);
     });
 }
@@ -179,7 +179,7 @@ void App::leave() {
         if (view.painter && view.is_painting) view.painter->progress().get(stage, fraction);
         if (!stage.empty() && stage != "render") view.painter->cancel();
     }
-    if (!ui_.message.empty()) return ui_.message.clear();
+    if (!ui_.message.text().empty()) return ui_.message.clear();
     if (window_->is_full_screen()) window_->set_full_screen(false);
 }
 
@@ -190,7 +190,8 @@ void App::command(Command command) {
         if (command == Command::walk) window_->catch_pointer(ui_.is_walking), last_step_ = Clock::now();
         const bool begins_split =
             (command == Command::split || command == Command::second_view) && ui_.split != Split::none;
-        if (begins_split && views_[1].submitted_model != model_) views_[1].look = views_[0].look;
+        const std::shared_ptr<const Model>& other = views_[1].submitted_model;
+        if (begins_split && !(other && model_ && other->file == model_->file)) views_[1].look = views_[0].look;
         if (ui_.split == Split::none) ui_.active = 0;
         return;
     }

@@ -92,6 +92,7 @@ void App::step_file(int by) {
 void App::watch_file() {
     last_watch_ = Clock::now();
     watch_lighting();
+    for (const View& view : views_) watched_files_.add(files_of(view.look));
     if (file_ < start_.files.size() && !loader_.is_running() && watched_files_.has_changed()) load_current(true);
 }
 
@@ -103,12 +104,15 @@ void App::write_file(const std::string& title, std::function<std::string(Context
     };
     writer_.queue(title, run, [this](const Error& error) {
         report(error);
-        ui_.message = with_not_begun(ui_.message);
+        ui_.message.fail(with_not_begun(ui_.message.text()));
+        if (!is_ended_) return;
+        has_lost_file_ = true;  // nobody sees the message
+        std::fprintf(stderr, "rakelight: error: %s\n", error.what());
     });
 }
 
 void App::cancel_work() {
-    not_begun_ = writer_.cancel();
+    not_begun_ += writer_.cancel();
     for (Background* work : {&loader_, &explainer_, &seam_search_}) work->cancel();
 }
 
@@ -138,12 +142,10 @@ void App::save_scene() {
     const View& view = active();
     write_file("save", [model = model_, look = view.look, area = view.area](Context&) {
         const std::string path = free_world_name(model->file), missing = not_saved(look);
-        WorldFile world = world_of(look, *model, area.width, area.height, path);
-        const std::size_t copies = gather_pictures(world, path);
-        save_world(world, path);
+        const std::size_t copies = save_with_files(world_of(look, *model, area.width, area.height, path), path);
         const std::string with = copies == 0   ? ""
-                                 : copies == 1 ? " with a copy of a picture"
-                                               : " with copies of " + std::to_string(copies) + " pictures";
+                                 : copies == 1 ? " with a copy of a file"
+                                               : " with copies of " + std::to_string(copies) + " files";
         return "wrote " + short_path(path) + with + (missing.empty() ? "" : ", without " + missing);
     });
 }
@@ -153,9 +155,9 @@ void App::copy_command_line() {
     const View& view = active();
     try {
         window_->set_clipboard(command_line_of(view.look, *model_, view.area.width, view.area.height));
-        say(view.look.materials.empty()
-                ? "copied the command line"
-                : "copied the command line, but for changed materials: save the scene for these (Ctrl+S)");
+        const std::string missing = not_on_command_line(view.look, *model_);
+        say(missing.empty() ? "copied the command line"
+                            : "copied the command line, but for " + missing + ": save the scene for these (Ctrl+S)");
     } catch (const Error& error) {
         report(error);
     }
@@ -174,11 +176,12 @@ void App::save_seamless() {
 void App::record() {
     if (!model_) return;
     const View& view = active();
-    write_file("record", [model = model_, look = view.look, area = view.area,
-                          count = ui_.record_frames](Context& context) {
-        const std::string folder = free_name(model->file, "-turn", "");
-        return to_text(record_turn(model, look, area.width, area.height, count, folder, context), short_path(folder));
-    });
+    write_file(
+        "record", [model = model_, look = view.look, area = view.area, count = ui_.record_frames](Context& context) {
+            const std::string folder = free_name(model->file, "-turn", "");
+            const Turn turn = record_turn(model, look, area.width, area.height, count, folder, context);
+            return to_text(turn, short_path(folder)) + (look.channel ? ", in colors: channels are not recorded" : "");
+        });
 }
 
 /// Of the scene as it is shown, with its changed materials.
@@ -215,7 +218,10 @@ void App::look_for_seams() {
             is_dirty_ = true;
         };
     };
-    seam_search_.start("seams", work, [this](const Error& error) { report(error); });
+    seam_search_.start("seams", work, [this](const Error& error) {
+        seams_.reset();  // those of other normals
+        report(error);
+    });
 }
 
 }  // namespace rakelight::viewer

@@ -111,7 +111,9 @@ void set_bump(PictureRequest& request) {
 void set_lighting(PictureRequest& request) {
     constexpr Lighting all[] = {Lighting::automatic,  Lighting::lambert, Lighting::phong, Lighting::blinn_phong,
                                 Lighting::oren_nayar, Lighting::ward,    Lighting::pbr};
-    request.settings.lighting = next(all, request.settings.lighting);
+    RenderSettings& s = request.settings;
+    s.lighting = s.lighting_text.empty() ? next(all, s.lighting) : Lighting::automatic;
+    s.lighting_name.clear(), s.lighting_text.clear();
 }
 
 void set_wireframe(RenderSettings& s) {

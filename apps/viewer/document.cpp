@@ -17,6 +17,7 @@ PictureRequest request_of(const Look& look, int width, int height) {
     request.settings.channels = 0;
     if (look.eye) place(request.view, *look.eye, look.world_up);
     if (look.lights) {
+        request.default_lights = false;
         request.lights.emplace();
         for (const LightItem& item : *look.lights)
             if (item.is_on) request.lights->push_back(item.light);
@@ -88,6 +89,20 @@ void carry_lights(Look& look, const Camera& from, const Camera& to) {
         item.light.position = transform_point(move, item.light.position);
         item.light.direction = normalize_or(transform_direction(move, item.light.direction), dvec3{0, 0, -1});
     }
+}
+
+std::vector<std::string> files_of(const Look& look) {
+    std::vector<std::string> files;
+    const MaterialOverrides& all = look.request.materials;
+    for (const std::string* file : {&look.request.hdri_file, &all.base_color, &all.normal, &all.height})
+        if (!file->empty()) files.push_back(*file);
+    const auto add = [&](const std::vector<WorldValue>& values) {
+        for (const WorldValue& value : values)
+            if (value.key.ends_with("_texture") && !value.words.empty()) files.push_back(value.words[0]);
+    };
+    add(all.values);
+    for (const MaterialEdit& edit : look.materials) add(edit.values);
+    return files;
 }
 
 /// An up direction across the view, as that of a rolled picture (see place()), says nothing of the world.

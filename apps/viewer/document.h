@@ -21,6 +21,7 @@ namespace rakelight::viewer {
 struct Model {
     std::string file;
     Scene scene;
+    WorldFile world;  ///< what the file says, if it is a world
     ViewBox box;
     PictureRequest request;          ///< by the command line, and of a world by its [render]
     std::vector<Light> lights;       ///< the file's own, placed in the world
@@ -74,6 +75,9 @@ std::optional<std::size_t> shown_camera(const Look& look, const Model& model);
 std::vector<LightItem>& changing_lights(Look& look, const Model& model, int width, int height);
 /// Lights that follow the camera go as it went.
 void carry_lights(Look& look, const Camera& from, const Camera& to);
+
+/// Pictures that it names.
+std::vector<std::string> files_of(const Look& look);
 
 /// A fresh look at a model: as its request says.
 Look first_look(const Model& model);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <vector>
 
 #include <rakelight/error.h>
 
@@ -18,52 +19,84 @@ bool is_outside(const fs::path& name) {
 /// "folder/scene.scene.toml": "folder/scene-files"
 fs::path files_beside(const fs::path& world) { return world.parent_path() / (world.stem().stem().string() + "-files"); }
 
-class Gatherer {
+/// Copies that are to be made, and then those that were; they go again unless they are kept.
+class Copies {
 public:
-    explicit Gatherer(const fs::path& world) : folder_(world.parent_path()), files_(files_beside(world)) {}
+    explicit Copies(const fs::path& world) : folder_(world.parent_path()), files_(files_beside(world)) {}
+    Copies(const Copies&) = delete;
+    Copies& operator=(const Copies&) = delete;
+    ~Copies() {
+        std::error_code ignored;
+        for (const fs::path& file : made_) fs::remove(file, ignored);
+        if (is_folder_made_) fs::remove(files_, ignored);
+    }
 
+    /// Renames a file of the world to its copy where it lies outside.
     void take(std::string& name) {
         if (!is_outside(name)) return;
-        auto [known, is_new] = copies_.try_emplace(name);
-        if (is_new) known->second = copy(name);
-        name = known->second;
+        auto [known, is_new] = names_.try_emplace(name);
+        if (is_new) known->second = free_name(name);
+        name = (files_.filename() / known->second).generic_string();
     }
-    std::size_t count() const { return copies_.size(); }
+    std::size_t count() const { return names_.size(); }
+
+    void make() {
+        std::error_code fault;
+        if (!names_.empty()) is_folder_made_ = fs::create_directories(files_, fault);
+        for (const auto& [name, copy] : names_) {
+            const fs::path from = fs::path(name).is_absolute() ? fs::path(name) : folder_ / name;
+            made_.push_back(files_ / (copy.string() + ".part"));
+            if (!fault) fs::copy_file(from, made_.back(), fault);
+            if (!fault) fs::rename(made_.back(), files_ / copy, fault);
+            if (fault)
+                throw Error(ErrorCode::failed, "cannot be copied beside the scene: " + fault.message())
+                    .with_file(from.string());
+            made_.back() = files_ / copy;
+        }
+    }
+    void keep() { made_.clear(), is_folder_made_ = false; }
 
 private:
-    /// @return the copy's name from the world's folder
-    std::string copy(const fs::path& name) const {
-        const fs::path from = name.is_absolute() ? name : folder_ / name;
-        std::error_code fault;
-        fs::create_directories(files_, fault);
-        fs::path to = files_ / name.filename();
-        for (int i = 2; !fault && fs::exists(to, fault); ++i)
-            to = files_ / (name.stem().string() + "-" + std::to_string(i) + name.extension().string());
-        if (!fault) fs::copy_file(from, to, fault);
-        if (fault)
-            throw Error(ErrorCode::failed, "cannot be copied beside the scene: " + fault.message())
-                .with_file(from.string());
-        return (files_.filename() / to.filename()).generic_string();
+    fs::path free_name(const fs::path& name) const {
+        const auto is_taken = [this](const fs::path& file) {
+            std::error_code ignored;
+            for (const auto& [other, copy] : names_)
+                if (copy == file) return true;
+            return fs::exists(files_ / file, ignored);
+        };
+        fs::path file = name.filename();
+        for (int i = 2; is_taken(file); ++i)
+            file = name.stem().string() + "-" + std::to_string(i) + name.extension().string();
+        return file;
     }
 
     fs::path folder_, files_;
-    std::map<std::string, std::string> copies_;
+    std::map<std::string, fs::path> names_;  ///< as the world has it, and of the copy
+    std::vector<fs::path> made_;
+    bool is_folder_made_ = false;
 };
+
+void take_files(Copies& copies, WorldFile& world) {
+    if (world.environment) copies.take(world.environment->file);
+    for (WorldMaterial& material : world.materials)
+        for (WorldValue& value : material.values)
+            if (value.key.ends_with("_texture") && !value.words.empty()) copies.take(value.words[0]);
+    for (WorldValue& value : world.render) {
+        if (!names_files(value)) continue;
+        for (std::string& word : value.words) copies.take(word);
+    }
+}
 
 }  // namespace
 
-std::size_t gather_pictures(WorldFile& world, const std::string& path) {
-    Gatherer gatherer(path);
-    if (world.environment) gatherer.take(world.environment->file);
-    for (WorldMaterial& material : world.materials)
-        for (WorldValue& value : material.values)
-            if (value.key.ends_with("_texture") && !value.words.empty()) gatherer.take(value.words[0]);
-    for (WorldValue& value : world.render) {
-        const RenderKey* const key = find_render_key(value.key);
-        if (!key || key->kind != RenderKey::Kind::file) continue;
-        for (std::string& word : value.words) gatherer.take(word);
-    }
-    return gatherer.count();
+std::size_t save_with_files(WorldFile world, const std::string& path) {
+    Copies copies(path);
+    take_files(copies, world);
+    to_toml(world);  // what cannot be said is found before anything is copied
+    copies.make();
+    save_world(world, path);
+    copies.keep();
+    return copies.count();
 }
 
 }  // namespace rakelight::viewer

@@ -2,12 +2,11 @@
 #include "held_modifiers.h"
 
 #ifdef RAKELIGHT_VIEWER_X11
-#define GLFW_EXPOSE_NATIVE_X11
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-#include <GLFW/glfw3native.h>
+#include <X11/Xlib.h>
 
 #include "keys.h"
+
+extern "C" Display* glfwGetX11Display();  // of glfw3native.h, which asks for the headers of Xrandr, too
 #endif
 
 namespace rakelight::viewer {

@@ -91,13 +91,12 @@ constexpr Binding table[] = {
     {Command::leave, escape, 0, "Esc", "leave a mode, cancel a task", window},
 };
 
-/// The keypad's digits do what the digits do.
+}  // namespace
+
 Key without_keypad(Key key) {
     if (key >= keypad_0 && key < keypad_0 + 10) return '0' + (key - keypad_0);
     return key == keypad_decimal ? '.' : key;
 }
-
-}  // namespace
 
 std::span<const Binding> bindings() { return table; }
 

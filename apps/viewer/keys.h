@@ -100,6 +100,8 @@ struct Binding {
 std::span<const Binding> bindings();
 /// Command::none: nothing is bound.
 Command command_of(Key key, int modifiers);
+/// The keypad's digits and point as those above the letters.
+Key without_keypad(Key key);
 /// The cheat sheet as lines of text, for the documentation: a Markdown table.
 std::string key_table_text();
 

@@ -77,6 +77,7 @@ std::shared_ptr<const Model> load_model(const std::string& file, const Start& st
     auto model = std::make_shared<Model>();
     model->file = file;
     model->request = request_for(file, start);
+    if (is_world_file(file)) model->world = read_world(file, context);
     model->scene = load(file, model->request.load, context);
     context.throw_if_cancelled();
     model->box = ViewBox(model->scene);

@@ -39,8 +39,7 @@ int run(int argc, char** argv) {
     const std::vector<const char*> words = words_of(argc, argv);
     const apps::CommandLine line = apps::read_command_line(program, int(words.size()), words.data());
     if (!line.help.empty()) return std::fputs(line.help.c_str(), stdout) < 0;
-    App(start_of(commands[0], line)).run();
-    return 0;
+    return App(start_of(commands[0], line)).run();
 }
 
 }  // namespace

@@ -18,7 +18,9 @@ constexpr Named prefixes[] = {{"Ctrl+", mod_control}, {"Shift+", mod_shift}, {"A
 constexpr Key f1 = 290;
 
 std::optional<Key> plain_key(const std::string& name) {
-    if (name.size() == 1 && std::isgraph(static_cast<unsigned char>(name[0])))
+    constexpr std::string_view signs =
+        "'+,-./;=[\\]`";  // keys have the names of their signs without Shift; + of some keyboards
+    if (name.size() == 1 && (std::isalnum(static_cast<unsigned char>(name[0])) || signs.find(name[0]) != signs.npos))
         return std::toupper(static_cast<unsigned char>(name[0]));
     for (const Named& n : named)
         if (name == n.name) return n.key;
@@ -50,8 +52,8 @@ std::optional<OwnKey> own_key(const std::string& keys, const std::string& usual)
 }
 
 Command command_of(Key key, int modifiers, std::span<const OwnKey> own) {
-    const auto found =
-        std::ranges::find_if(own, [=](const OwnKey& k) { return k.key == key && k.modifiers == modifiers; });
+    const auto found = std::ranges::find_if(
+        own, [=](const OwnKey& k) { return k.key == without_keypad(key) && k.modifiers == modifiers; });
     return found != own.end() ? found->command : command_of(key, modifiers);
 }
 

@@ -10,6 +10,7 @@
 
 #include "materials.h"
 #include "panels.h"
+#include "shown_path.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {
@@ -38,7 +39,7 @@ void value_of(const Edited& edited, const char* key, float* values, std::size_t 
 void set(const Edited& edited, const std::string& key_and_value) try {
     set_material(edited.view.look, edited.target, key_and_value);
 } catch (const Error& error) {
-    edited.view.ui.message = error.what(), edited.view.ui.is_message_error = true;
+    edited.view.ui.message.fail(with_short_paths(error.what()));
 }
 
 void draw_number(const Edited& edited, const char* key, float value, float low, float high) {

@@ -7,6 +7,7 @@
 
 #include "../common/picture_options.h"
 #include "panels.h"
+#include "shown_path.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {
@@ -65,7 +66,7 @@ void draw_setting(PanelView& view, const apps::Option& option) {
             view.look.request = with_key(view.look.request, option.name, shown);
             view.ui.message.clear();
         } catch (const Error& error) {
-            view.ui.message = error.what(), view.ui.is_message_error = true;
+            view.ui.message.fail(with_short_paths(error.what()));
         }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Engine, shading frequency, lighting model, bump technique, channels, lines, tone.
 #include "panels.h"
+#include "shown_path.h"
 #include "widgets.h"
 
 #include <cmath>
@@ -81,7 +82,9 @@ void draw_shading_panel(PanelView& view) {
     if (ImGui::Combo("engine", &engine, engines, 3)) r.engine = engines[engine];
     draw_channels(view);
     if (choose("shading", shading_words, s.shading)) s.own_shading = false, s.shading_rules.clear();
-    choose("lighting", lighting_words, s.lighting);
+    if (choose("lighting", lighting_words, s.lighting)) s.lighting_name.clear(), s.lighting_text.clear();
+    if (!s.lighting_name.empty())
+        ImGui::TextWrapped("in its place: %s", one_line(shown_path(s.lighting_name), 100).c_str());
     choose("specular", specular_form_words, s.specular_form);
     constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
     choose("samples", sample_words, s.samples);

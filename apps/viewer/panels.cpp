@@ -167,7 +167,7 @@ void draw_status(const PanelView& view) {
         text += "channel: " + channel_words()[std::size_t(bit)] + "\n";
     }
     if (!view.model && view.works.empty()) text += "Drop a model here, or name one on the command line\nH: keys\n";
-    if ((text.empty() && view.ui.message.empty()) || view.ui.help) return;
+    if ((text.empty() && view.ui.message.text().empty()) || view.ui.help) return;
     if (!text.empty()) text.pop_back();
     ImGui::SetNextWindowPos({left, float(view.window_height) - 8 * view.scale}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowBgAlpha(0.75f);
@@ -175,9 +175,9 @@ void draw_status(const PanelView& view) {
     ImGui::PushTextWrapPos(std::max(100.0f, float(view.window_width) - left - 24 * view.scale));
     if (!text.empty()) ImGui::TextUnformatted(text.c_str());
     const ImVec4 alarm = view.ui.is_dark ? ImVec4{1, 0.6f, 0.5f, 1} : ImVec4{0.7f, 0.1f, 0, 1};
-    if (view.ui.is_message_error) ImGui::PushStyleColor(ImGuiCol_Text, alarm);
-    if (!view.ui.message.empty()) ImGui::TextUnformatted(view.ui.message.c_str());
-    if (view.ui.is_message_error) ImGui::PopStyleColor();
+    if (view.ui.message.is_error()) ImGui::PushStyleColor(ImGuiCol_Text, alarm);
+    if (!view.ui.message.text().empty()) ImGui::TextUnformatted(view.ui.message.text().c_str());
+    if (view.ui.message.is_error()) ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     ImGui::End();
 }

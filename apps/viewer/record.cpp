@@ -16,15 +16,18 @@ namespace fs = std::filesystem;
 
 void make_folder(const std::string& folder) {
     std::error_code fault;
-    fs::create_directories(folder, fault);
+    if (!fs::create_directory(folder, fault) && !fault) fault = std::make_error_code(std::errc::file_exists);
     if (fault) throw Error(ErrorCode::failed, "the folder cannot be made: " + fault.message()).with_file(folder);
 }
 
 }  // namespace
 
 Look turned(const Look& look, const Model& model, int width, int height, double angle_rad) {
+    if (angle_rad == 0) return look;
     Look out = look;
-    turn_table(moving_eye(out, model, width, height), angle_rad, 0, look.world_up);
+    Eye& eye = moving_eye(out, model, width, height);
+    eye.position = eye.focal + rotated(eye.position - eye.focal, look.world_up, -angle_rad);
+    eye.up = rotated(eye.up, look.world_up, -angle_rad);
     carry_lights(out, camera_of(look, model, width, height), camera_of(out, model, width, height));
     return out;
 }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
+#include "material_sections.h"
 #include "materials.h"
 
 namespace rakelight::viewer {
@@ -16,9 +18,9 @@ bool is_shape(const std::string& file) { return file.starts_with("builtin:"); }
 /// A file's name from the folder of a world.
 std::string from_folder(const std::string& file, const fs::path& folder) {
     if (file.empty() || is_shape(file)) return file;
-    std::error_code fault;
-    const fs::path near = fs::proximate(fs::absolute(file), fs::absolute(folder), fault);
-    return fault ? file : near.generic_string();
+    // By the names alone: what a link is called says which files lie beside it.
+    const fs::path near = fs::absolute(file).lexically_normal(), from = fs::absolute(folder).lexically_normal();
+    return near.lexically_proximate(from).generic_string();
 }
 
 fs::path folder_of(const std::string& path) {
@@ -38,45 +40,12 @@ void move_names(WorldFile& world, const fs::path& from, const fs::path& to) {
             if (value.key.ends_with("_texture") && !value.words.empty()) move(value.words[0]);
 }
 
-void set_value(WorldMaterial& material, const WorldValue& value) {
-    std::erase_if(material.values, [&](const WorldValue& v) { return v.key == value.key; });
-    material.values.push_back(value);
-}
-
-bool is_for(const WorldMaterial& material, const WorldMaterial& target) {
-    return material.name == target.name && material.model == target.model && material.object == target.object;
-}
-
-/// Sections for less than all objects, which go over a value for all of them.
-void set_in_narrower(WorldFile& world, const std::string& name, const WorldValue& value) {
-    std::vector<WorldMaterial> more;
-    for (WorldMaterial& m : world.materials) {
-        const bool has_key = std::ranges::find(m.values, value.key, &WorldValue::key) != m.values.end();
-        if (!has_key || (m.model.empty() && m.object.empty())) continue;
-        if (name == "*" || m.name == name)
-            std::erase_if(m.values, [&](const WorldValue& v) { return v.key == value.key; });
-        else if (m.name == "*")
-            more.push_back({.name = name, .model = m.model, .object = m.object, .values = {value}});
-    }
-    for (WorldMaterial& m : more) {
-        const auto known = std::ranges::find_if(world.materials, [&](const WorldMaterial& k) { return is_for(k, m); });
-        known != world.materials.end() ? set_value(*known, value) : world.materials.push_back(std::move(m));
-    }
-}
-
-/// @param target  its name, model and object
-void add_values(WorldFile& world, const WorldMaterial& target, const std::vector<WorldValue>& values,
-                const fs::path& folder) {
-    if (values.empty()) return;
-    auto found = std::ranges::find_if(world.materials, [&](const WorldMaterial& m) { return is_for(m, target); });
-    if (found == world.materials.end()) found = world.materials.insert(found, target);
-    const std::size_t number = std::size_t(found - world.materials.begin());
-    for (WorldValue value : values) {
+/// Values with the names of pictures from a world's folder.
+std::vector<WorldValue> values_in(std::vector<WorldValue> values, const fs::path& folder) {
+    for (WorldValue& value : values)
         if (value.key.ends_with("_texture") && !value.words.empty())
             value.words[0] = from_folder(value.words[0], folder);
-        if (target.model.empty() && target.object.empty()) set_in_narrower(world, target.name, value);
-        set_value(world.materials[number], value);
-    }
+    return values;
 }
 
 WorldMaterial world_target(const MaterialTarget& target, const Scene& scene) {
@@ -106,14 +75,31 @@ std::vector<WorldValue> render_of(const PictureRequest& request, const fs::path&
     bool has_size = false;
     for (WorldValue& value : values) {
         has_size |= value.key == "resolution";
-        const RenderKey* const key = find_render_key(value.key);
-        if (key && key->kind == RenderKey::Kind::file)
+        if (names_files(value))
             for (std::string& word : value.words) word = from_folder(word, folder);
     }
     const RenderSettings& s = request.settings;
     if (!has_size)  // what is the default today need not be it for ever
         values.push_back({.key = "resolution", .words = {std::to_string(s.width) + "," + std::to_string(s.height)}});
     return values;
+}
+
+bool is_flag(const RenderKey& key) {
+    return key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
+}
+
+/// What [render] of the model's world sets and the look does not: it is at its default again.
+std::vector<WorldValue> taken_back(const Model& model, const std::vector<WorldValue>& written) {
+    const auto is_said = [&](const WorldValue& value) {
+        constexpr std::string_view placements[] = {"view", "camera-index", "camera-position"};
+        const bool is_place = std::ranges::find(placements, value.key) != std::end(placements);
+        return std::ranges::any_of(written, [&](const WorldValue& w) {
+            return w.key == value.key || (is_place && std::ranges::find(placements, w.key) != std::end(placements));
+        });
+    };
+    std::vector<WorldValue> back = model.world.render;
+    std::erase_if(back, [&](const WorldValue& v) { return is_said(v) || v.key == "resolution" || v.key == "shading"; });
+    return back;
 }
 
 std::string quoted(const std::string& word) {
@@ -155,8 +141,7 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
     const fs::path folder = folder_of(path);
     WorldFile world;
     if (is_world_file(model.file)) {
-        Context quiet({.threads = 1});
-        world = read_world(model.file, quiet);
+        world = model.world;
         move_names(world, folder_of(model.file), folder);
     } else {
         WorldModel part{.file = from_folder(model.file, folder)};
@@ -170,8 +155,8 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
     for (const bool is_of_object : {false, true})
         for (const MaterialEdit& edit : look.materials)
             if ((edit.target.node != no_index) == is_of_object)
-                add_values(world, world_target(edit.target, model.scene), edit.values, folder);
-    add_values(world, {.name = "*"}, request.materials.values, folder);
+                set_values(world, world_target(edit.target, model.scene), values_in(edit.values, folder));
+    set_values(world, {.name = "*"}, values_in(request.materials.values, folder));
     request.materials.values.clear();
     take_own_shading(world, request);
     world.render = render_of(request, folder);
@@ -200,11 +185,24 @@ std::string command_line_of(const Look& look, const Model& model, int width, int
     const bool is_said = !request.settings.own_shading && request.settings.shading == Shading::phong;
     if (is_said) text += " --shading phong";  // the default, but here it takes away what materials say
     request.settings.own_shading = true;
-    for (const WorldValue& value : written_render_keys(request)) {
+    const std::vector<WorldValue> written = written_render_keys(request);
+    for (const WorldValue& value : written) {
         const RenderKey& key = require_render_key(value.key);
-        const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
-        for (const std::string& word : value.words) text += " --" + value.key + (is_flag ? "=" : " ") + quoted(word);
+        for (const std::string& word : value.words)
+            text += " --" + value.key + (is_flag(key) ? "=" : " ") + quoted(word);
     }
+    for (const WorldValue& value : taken_back(model, written))
+        if (is_flag(require_render_key(value.key)) && !value.words.empty())
+            text += " --" + value.key + (value.words[0] == "on" ? "=off" : "=on");
+    return text;
+}
+
+std::string not_on_command_line(const Look& look, const Model& model) {
+    std::string text = look.materials.empty() ? "" : "changed materials";
+    PictureRequest request = request_of(look, 1, 1);
+    request.settings.own_shading = true;
+    for (const WorldValue& value : taken_back(model, written_render_keys(request)))
+        if (!is_flag(require_render_key(value.key))) text += (text.empty() ? "" : ", ") + value.key;
     return text;
 }
 
@@ -220,9 +218,14 @@ std::string free_seamless_name(const std::string& model_file) {
 
 std::string free_name(const std::string& model_file, const std::string& middle, const std::string& ending) {
     const std::string stem = stem_of(model_file) + middle;
+    std::set<std::string> taken;  // up to their first dot
     std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(".", ignored)) {
+        const std::string name = entry.path().filename().string();
+        taken.insert(name.substr(0, name.find('.', std::min(stem.size(), name.size()))));
+    }
     for (int i = 1;; ++i)
-        if (std::string name = with_number(stem, i, ending); !fs::exists(name, ignored)) return name;
+        if (!taken.contains(with_number(stem, i, ""))) return with_number(stem, i, ending);
 }
 
 }  // namespace rakelight::viewer

@@ -15,15 +15,18 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
 /// What of the look no world file says, for people: "1 light that is off, ..."; empty: nothing.
 std::string not_saved(const Look& look);
 
-/// "rakelight render MODEL -o picture.png --resolution 640,480 ...", each word quoted for a shell where it must be. Changed
-/// materials are no options of it.
+/// "rakelight render MODEL -o picture.png --resolution 640,480 ...", each word quoted for a shell where it must be, but for
+/// what not_on_command_line() says.
 std::string command_line_of(const Look& look, const Model& model, int width, int height);
+/// For people: "changed materials, samples"; empty: nothing. Settings of a world file that are at their default again have no words.
+std::string not_on_command_line(const Look& look, const Model& model);
 
 /// "folder/name.scene.toml" beside the model, for shapes in the working folder; one that is not there yet.
 std::string free_world_name(const std::string& model_file);
 /// "folder/name-seamless.obj" beside the model, likewise; of formats that cannot be written as .glb.
 std::string free_seamless_name(const std::string& model_file);
-/// "name-1.png", "name-2.png", ... in the working folder: the first that is not there yet.
+/// "name-1.png", "name-2.png", ... in the working folder: the first of which nothing is there yet, not
+/// "name-1.depth.png" either.
 std::string free_name(const std::string& model_file, const std::string& middle, const std::string& ending);
 
 }  // namespace rakelight::viewer

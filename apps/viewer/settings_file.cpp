@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <optional>
 #include <sstream>
 
 namespace rakelight::viewer {
@@ -35,11 +37,46 @@ void take(Remembered& to, const std::string& key, const std::string& value) {
     if (key == "width") to.width = number_in(value, 64, 16384, to.width);
     if (key == "height") to.height = number_in(value, 64, 16384, to.height);
     if (key == "panel-width") to.ui.panel_column = float(number_in(value, 0, 16384, int(to.ui.panel_column)));
-    if (key.starts_with("key "))
-        if (auto own = own_key(key.substr(4), value)) to.own_keys.push_back(std::move(*own));
+    if (key.starts_with("key ")) {
+        auto own = own_key(key.substr(4), value);
+        own ? to.own_keys.push_back(std::move(*own)) : to.wrong_lines.push_back(key + " = " + value);
+    }
     if (key == "record-frames") to.ui.record_frames = number_in(value, 1, 10000, to.ui.record_frames);
     for (std::size_t i = 0; i < panel_count; ++i)
         if (key == std::string("panel-") + panel_titles[i]) to.ui.open[i] = value == "on";
+}
+
+struct Line {
+    std::string key, value;  ///< key empty: it is none of "key = value"
+};
+
+Line line_of(std::string text) {
+    text.erase(text.find_last_not_of(" \t\r") + 1);
+    const std::size_t at = text.rfind(" = ");
+    return at == std::string::npos ? Line{} : Line{text.substr(0, at), text.substr(at + 3)};
+}
+
+std::vector<Line> lines_of(const Remembered& remembered) {
+    std::vector<Line> lines;
+    for (const Flag& flag : flags) lines.push_back({flag.key, remembered.ui.*flag.field ? "on" : "off"});
+    lines.push_back({"width", std::to_string(remembered.width)});
+    lines.push_back({"height", std::to_string(remembered.height)});
+    lines.push_back({"panel-width", std::to_string(int(remembered.ui.panel_column))});
+    lines.push_back({"record-frames", std::to_string(remembered.ui.record_frames)});
+    for (std::size_t i = 0; i < panel_count; ++i)
+        lines.push_back({std::string("panel-") + panel_titles[i], remembered.ui.open[i] ? "on" : "off"});
+    return lines;
+}
+
+/// Empty where there is no file; none: it cannot be read whole.
+std::optional<std::string> text_of(const fs::path& path) {
+    constexpr std::uintmax_t most_bytes = 65536;
+    std::error_code fault;
+    if (!fs::exists(path, fault)) return fault ? std::nullopt : std::optional<std::string>("");
+    if (!fs::is_regular_file(path, fault) || fs::file_size(path, fault) > most_bytes) return {};
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {};
+    return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 }  // namespace
@@ -55,43 +92,42 @@ std::string settings_path() {
 Remembered parse_settings(const std::string& text) {
     Remembered out;
     std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t at = line.find(" = ");
-        if (at != std::string::npos) take(out, line.substr(0, at), line.substr(at + 3));
-    }
+    for (std::string line; std::getline(lines, line);)
+        if (const Line l = line_of(line); !l.key.empty()) take(out, l.key, l.value);
     return out;
 }
 
-std::string settings_text(const Remembered& remembered) {
+std::string settings_text(const Remembered& remembered, const std::string& before) {
+    const std::vector<Line> all = lines_of(remembered);
+    std::vector<Line> rest = all;
     std::string text;
-    const auto put = [&text](const std::string& key, const std::string& value) { text += key + " = " + value + "\n"; };
-    for (const Flag& flag : flags) put(flag.key, remembered.ui.*flag.field ? "on" : "off");
-    put("width", std::to_string(remembered.width));
-    put("height", std::to_string(remembered.height));
-    put("panel-width", std::to_string(int(remembered.ui.panel_column)));
-    put("record-frames", std::to_string(remembered.ui.record_frames));
-    for (std::size_t i = 0; i < panel_count; ++i)
-        put(std::string("panel-") + panel_titles[i], remembered.ui.open[i] ? "on" : "off");
-    for (const OwnKey& own : remembered.own_keys) put("key " + own.keys, own.usual);
+    const auto put = [&text](const Line& line) { text += line.key + " = " + line.value + "\n"; };
+    std::istringstream lines(before);
+    for (std::string line; std::getline(lines, line);) {
+        const std::string key = line_of(line).key;
+        const auto known = std::ranges::find(rest, key, &Line::key);
+        if (known != rest.end())
+            put(*known), rest.erase(known);
+        else if (std::ranges::find(all, key, &Line::key) == all.end())  // else it stood there twice
+            text += line + "\n";
+    }
+    std::ranges::for_each(rest, put);
     return text;
 }
 
-Remembered read_settings() {
-    std::ifstream file(settings_path());
-    std::string text(65536, '\0');
-    file.read(text.data(), std::streamsize(text.size()));
-    text.resize(std::size_t(std::max<std::streamsize>(file.gcount(), 0)));
-    return parse_settings(text);
-}
+Remembered read_settings() { return parse_settings(text_of(settings_path()).value_or("")); }
 
 void write_settings(const Remembered& remembered) noexcept try {
-    const fs::path path = settings_path();
-    if (path.empty()) return;
+    if (settings_path().empty()) return;
+    fs::path path = settings_path();
     fs::create_directories(path.parent_path());
+    if (fs::is_symlink(path)) path = fs::weakly_canonical(path);
+    const std::optional<std::string> before = text_of(path);
+    if (!before) return;
     const fs::path part = path.string() + ".part";
     {
         std::ofstream file(part);
-        file << settings_text(remembered);
+        file << settings_text(remembered, *before);
         if (!file.flush()) return;
     }
     fs::rename(part, path);

@@ -12,16 +12,18 @@ namespace rakelight::viewer {
 struct Remembered {
     UiState ui;
     std::vector<OwnKey> own_keys;
-    int width = 1280, height = 800;  ///< [px] of the window
+    std::vector<std::string> wrong_lines;  ///< of keys, that are not understood
+    int width = 1280, height = 800;        ///< [px] of the window
 };
 
 /// Empty: no such folder can be named.
 std::string settings_path();
-/// Lines "key = value", and "key Ctrl+K = S" for each of own_keys; what is not understood is left out.
+/// Lines "key = value", and of the user's own "key Ctrl+K = S"; what is not understood is left out.
 Remembered parse_settings(const std::string& text);
-std::string settings_text(const Remembered& remembered);
+/// @param before  as the file is: lines of the user's own stay as they are
+std::string settings_text(const Remembered& remembered, const std::string& before = {});
 Remembered read_settings();
-/// Says nothing where it cannot be written: the viewer works without.
+/// Says nothing where it cannot be written: the viewer works without. A file that cannot be read is left alone.
 void write_settings(const Remembered& remembered) noexcept;
 
 }  // namespace rakelight::viewer

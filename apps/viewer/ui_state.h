@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "document.h"
+#include "message.h"
 
 namespace rakelight::viewer {
 
@@ -37,8 +38,8 @@ struct UiState {
     /// Nodes that have the selected material, of the material of this number; no_index: not known yet.
     std::vector<std::uint32_t> objects_with_material;
     std::uint32_t objects_are_of = no_index;
-    std::string message, explained;
-    bool is_message_error = false;
+    Message message;
+    std::string explained;
     int record_frames = 72;
     std::string option_filter;
 

@@ -17,6 +17,24 @@ void add_vertex(Scene& scene, dvec3 place) {
     scene.nodes.push_back(std::move(node));
 }
 
+/// The nodes that carry cameras, and those that carry them, without their meshes. Parents come first, as in every scene.
+void add_carriers(Scene& to, const Scene& from) {
+    std::vector<bool> carries(from.nodes.size(), false);
+    for (const Camera& camera : from.cameras)
+        for (std::uint32_t n = camera.node; n < from.nodes.size() && !carries[n]; n = from.nodes[n].parent)
+            carries[n] = true;
+    std::vector<std::uint32_t> number(from.nodes.size(), no_index);
+    for (std::size_t i = 0; i < from.nodes.size(); ++i) {
+        if (!carries[i]) continue;
+        const Node& node = from.nodes[i];
+        number[i] = std::uint32_t(to.nodes.size());
+        to.nodes.push_back({.name = node.name, .local = node.local});
+        if (node.parent != no_index) to.nodes.back().parent = number[node.parent];
+    }
+    for (Camera& camera : to.cameras)
+        if (camera.node < number.size()) camera.node = number[camera.node];
+}
+
 std::string title_of(const Camera& camera, std::size_t number) {
     return camera.name.empty() ? "camera " + std::to_string(number) : one_line(camera.name, 60);
 }
@@ -27,12 +45,7 @@ ViewBox::ViewBox(const Scene& scene) : bounds_(rakelight::bounds(scene)) {
     if (bounds_.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     stand_in_.source = scene.source;
     stand_in_.cameras = scene.cameras;
-    if (!scene.cameras.empty()) stand_in_.nodes = scene.nodes;
-    for (Node& node : stand_in_.nodes) {
-        node.meshes.clear();
-        node.morph_weights.clear();
-        node.skin = no_index;
-    }
+    add_carriers(stand_in_, scene);
     add_vertex(stand_in_, bounds_.low);
     add_vertex(stand_in_, bounds_.high);
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) cameras_.push_back(title_of(scene.cameras[i], i));

@@ -18,12 +18,13 @@ public:
 
     const Bounds& bounds() const { return bounds_; }
     const std::vector<std::string>& cameras() const { return cameras_; }  ///< a title each
+    std::size_t node_count() const { return stand_in_.nodes.size(); }     ///< that are looked at for a camera
     /// What choose_camera() gives for the scene, to the bit. @throws Error as choose_camera()
     Camera camera(const ViewRequest& view, double aspect) const;
 
 private:
     Bounds bounds_;
-    Scene stand_in_;  ///< its nodes, cameras, and two vertices at the corners of its box
+    Scene stand_in_;  ///< its cameras, what carries them, and two vertices at the corners of its box
     std::vector<std::string> cameras_;
 };
 

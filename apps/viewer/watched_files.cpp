@@ -18,11 +18,13 @@ std::filesystem::file_time_type time_of(const std::string& file) {
 void WatchedFiles::begin(const std::string& file) {
     if (files_.empty() || files_[0].path != file) files_.assign(1, {.path = file});
     if (file.empty()) files_.clear();
+    began_ = std::filesystem::file_time_type::clock::now();
     for (File& f : files_) f.read = f.seen = time_of(f.path);
     next_ = 0;
 }
 
-/// Files that are known keep the time of begin(), so that a change while they were read is not missed.
+/// Files that are known keep the time of begin(), and what is younger than that counts as changed: a change while they were read
+/// is not missed.
 void WatchedFiles::take(const std::vector<std::string>& files) {
     if (files_.empty()) return;
     std::map<std::string, File> known;
@@ -32,11 +34,17 @@ void WatchedFiles::take(const std::vector<std::string>& files) {
     for (const std::string& path : files) {
         if (files_.size() >= most) break;
         const auto [file, is_new] = known.emplace(path, File{.path = path});
-        if (is_new) file->second.read = file->second.seen = time_of(path);
+        if (is_new) file->second.read = file->second.seen = std::min(time_of(path), began_);
         if (!file->second.path.empty()) files_.push_back(file->second);
         file->second.path.clear();  // each once
     }
     next_ = 0;
+}
+
+void WatchedFiles::add(const std::vector<std::string>& files) {
+    for (const std::string& path : files)
+        if (!files_.empty() && files_.size() < most && std::ranges::find(files_, path, &File::path) == files_.end())
+            files_.push_back({.path = path, .read = time_of(path), .seen = time_of(path)});
 }
 
 bool WatchedFiles::has_changed() {

@@ -16,6 +16,8 @@ public:
     void begin(const std::string& file);
     /// When it was read. @param files  those that it is made of, beside its own
     void take(const std::vector<std::string>& files);
+    /// More of them, as they are now; those that are known stay.
+    void add(const std::vector<std::string>& files);
     /// To be called now and then; looks at `at_once` of them. True once one has changed and stayed the same from one look
     /// to the next. What is missing may be on its way: editors write a new file in place of the old one.
     bool has_changed();
@@ -27,6 +29,7 @@ private:
         Time read{}, seen{};
     };
     std::vector<File> files_;  ///< the model's own is the first
+    Time began_{};
     std::size_t next_ = 0;
 };
 

@@ -167,6 +167,9 @@ const RenderKey* find_render_key(std::string_view name);
 /// @throws Error usage with the nearest name: there is none
 const RenderKey& require_render_key(const std::string& name);
 
+/// Whether the words of a value of [render] are names of files: those of a world count from its folder.
+bool names_files(const WorldValue& value);
+
 /// Sets what the values say, each key once, and checks what only several of them together can get wrong. Files are taken as
 /// they are named. @throws Error usage about the key: an unknown one, a wrong value, or keys that exclude each other
 void read_render_keys(std::span<const WorldValue> values, PictureRequest& to);

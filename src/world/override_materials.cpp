@@ -32,15 +32,6 @@ TextureUse add_texture(Scene& scene, const std::string& path, Context& context) 
     return use;
 }
 
-/// Base color as it is, not metallic. A classical material without a highlight (k_s = 0: many have never been given
-/// one) becomes an ordinary dielectric: who asks for a roughness is to see it.
-Material as_metallic_roughness(const Material& m) {
-    Material out = metallic_roughness_from_classical(m);
-    if (m.model == MaterialModel::classical && out.metallic_roughness.specular == 0)
-        out.metallic_roughness.specular = 1, out.metallic_roughness.specular_color = {1, 1, 1};
-    return out;
-}
-
 /// The factors of metallic-roughness materials, and those of every kind.
 void set_factors(Material& m, const MaterialOverrides& o) {
     if (o.roughness || o.metallic) m = as_metallic_roughness(m);
@@ -81,17 +72,11 @@ private:
     std::map<std::string, TextureUse> uses_;
 };
 
-/// The keys of a world file's [[material]]. Classical materials under keys of metallic-roughness ones show a highlight.
+/// The keys of a world file's [[material]].
 void set_values(Scene& scene, const std::vector<WorldValue>& values, Context& context) {
     if (values.empty()) return;
-    const bool is_metallic_roughness = std::any_of(values.begin(), values.end(), [](const WorldValue& value) {
-        return io::world::find_material_key(value.key)->of == io::world::Of::metallic_roughness;
-    });
     Pictures pictures(scene, context);
-    for (Material& m : scene.materials) {
-        if (is_metallic_roughness && m.model == MaterialModel::classical) m = as_metallic_roughness(m);
-        change_material(m, values, std::ref(pictures));
-    }
+    for (Material& m : scene.materials) change_material(m, values, std::ref(pictures));
 }
 
 }  // namespace

@@ -32,11 +32,6 @@ void resolve(WorldValue& value, const std::string& world, bool allow_outside) {
     }
 }
 
-bool names_file(const WorldValue& value, const RenderKey& key) {
-    return key.kind == RenderKey::Kind::file ||
-           (value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]));
-}
-
 const RenderKey& known(const WorldValue& value) {
     if (value.key != "material") return require_render_key(value.key);
     throw Error(ErrorCode::bad_file, "'material' is no key of [render]", {}, "[[material]] changes materials");
@@ -62,7 +57,7 @@ public:
             if (is_overridden(overrides_.values, value.key)) return overridden.push_back(value.key);
             if (!is_wanted) return;
             check_flag(value, key);
-            if (names_file(value, key)) resolve(value, path_, allow_outside_);
+            if (names_files(value)) resolve(value, path_, allow_outside_);
             taken.push_back(std::move(value));
         } catch (const Error& error) {
             const ErrorCode code = error.code() == ErrorCode::usage ? ErrorCode::bad_file : error.code();
@@ -102,6 +97,12 @@ std::optional<Error> disagreement(const Error& error, const WorldRequest& world,
 }
 
 }  // namespace
+
+bool names_files(const WorldValue& value) {
+    const RenderKey* const key = find_render_key(value.key);
+    return (key && key->kind == RenderKey::Kind::file) ||
+           (value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]));
+}
 
 bool shades_the_whole(std::span<const WorldValue> settings) {
     const auto shading = std::ranges::find(settings, "shading", &WorldValue::key);

@@ -22,7 +22,7 @@ using namespace io::world;
 
 void convert(Material& m, Of of) {
     if (m.model == MaterialModel::unlit || of == Of::all) return;
-    m = of == Of::classical ? classical_from_metallic_roughness(m) : metallic_roughness_from_classical(m);
+    m = of == Of::classical ? classical_from_metallic_roughness(m) : as_metallic_roughness(m);
 }
 
 class MaterialWork {
@@ -126,6 +126,13 @@ std::string why_unused(const WorldMaterial& from, const LoadedPart* covered, con
 }
 
 }  // namespace
+
+Material as_metallic_roughness(const Material& material) {
+    Material out = metallic_roughness_from_classical(material);
+    if (material.model == MaterialModel::classical && out.metallic_roughness.specular == 0)
+        out.metallic_roughness.specular = 1, out.metallic_roughness.specular_color = {1, 1, 1};
+    return out;
+}
 
 void change_material(Material& material, std::span<const WorldValue> values,
                      const std::function<TextureUse(const WorldValue&)>& picture) {

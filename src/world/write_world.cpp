@@ -270,8 +270,12 @@ void check(const WorldFile& world) {
         throw Error(ErrorCode::usage, "the environment's picture is no file that a world file could name");
     if (std::ranges::find(world.render, "material", &WorldValue::key) != world.render.end())
         throw Error(ErrorCode::usage, "'material' is no key of [render]", {}, "WorldFile::materials says it");
+    std::vector<WorldValue> render = world.render;
+    std::erase_if(render, [](const WorldValue& value) {  // read from the folder of the world that is to be
+        return value.key == "lighting" && names_files(value);
+    });
     PictureRequest ignored;
-    read_render_keys(world.render, ignored);
+    read_render_keys(render, ignored);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ protected:
         return path;
     }
     Outcome read_by(const std::string& body, const ReadOptions& options = {}) {
-        const Environment helper("RAKELIGHT_IMPORT", script(body));
+        const EnvironmentVariable helper("RAKELIGHT_IMPORT", script(body));
         return read_import(model_, options);
     }
     rakelight::test::TemporaryFolder folder_;
@@ -95,7 +95,7 @@ TEST_F(ImportProcess, AnotherVersionOfTheHelperIsNotTheFilesFault) {
 }
 
 TEST_F(ImportProcess, AMissingHelperIsSaidWithAdvice) {
-    const Environment helper("RAKELIGHT_IMPORT", (folder_ / "nowhere").string());
+    const EnvironmentVariable helper("RAKELIGHT_IMPORT", (folder_ / "nowhere").string());
     const Outcome outcome = read_import(model_);
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(outcome.error->code(), ErrorCode::failed);
@@ -149,14 +149,14 @@ TEST(ImportPipe, ThatFailsLeavesNoFileOpen) {  // without a folder, which the ch
 }
 
 TEST_F(ImportProcess, ACancelledRunEndsTheHelper) {
-    const Environment helper("RAKELIGHT_IMPORT", script("exec sleep 60"));
+    const EnvironmentVariable helper("RAKELIGHT_IMPORT", script("exec sleep 60"));
     Context context;
     context.cancel();
     EXPECT_THROW(read_with_import_helper(model_, {}, context), Error);
 }
 
 TEST_F(ImportProcess, AMissingOrEmptyFileNeedsNoHelper) {
-    const Environment helper("RAKELIGHT_IMPORT", script("exit 0"));
+    const EnvironmentVariable helper("RAKELIGHT_IMPORT", script("exit 0"));
     const Outcome missing = read_import((folder_ / "no.stl").string());
     ASSERT_TRUE(missing.error);
     EXPECT_EQ(missing.error->code(), ErrorCode::not_found);

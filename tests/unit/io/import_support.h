@@ -14,30 +14,13 @@
 
 #include "io/reader.h"
 #include "scene/scene_tools.h"
+#include "support/environment_variable.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight::io::test {
 
-/// Sets an environment variable for as long as it lives.
-class Environment {
-public:
-    Environment(const char* name, const std::string& value) : name_(name) {
-        if (const char* old = std::getenv(name)) old_ = old;
-        ::setenv(name, value.c_str(), 1);
-    }
-    ~Environment() {
-        if (old_)
-            ::setenv(name_, old_->c_str(), 1);
-        else
-            ::unsetenv(name_);
-    }
-    Environment(const Environment&) = delete;
-
-private:
-    const char* name_;
-    std::optional<std::string> old_;
-};
+using rakelight::test::EnvironmentVariable;
 
 struct Outcome {
     std::optional<Scene> scene;
@@ -75,7 +58,7 @@ protected:
     }
     std::string write(const std::string& name, const std::string& text) const { return folder_.write(name, text); }
     rakelight::test::TemporaryFolder folder_;
-    std::optional<Environment> helper_;
+    std::optional<EnvironmentVariable> helper_;
 };
 
 /// World positions and normals of all triangle corners, in the file's order.

@@ -3,34 +3,12 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <optional>
 #include <string>
 
 #include "engines/opengl/opengl_engine.h"
+#include "support/environment_variable.h"
 
 namespace rakelight::test {
-
-/// A variable of the environment while this lives.
-class EnvironmentVariable {
-public:
-    EnvironmentVariable(const char* name, const char* value) : name_(name) {
-        if (const char* const before = std::getenv(name)) before_ = before;
-        ::setenv(name, value, 1);
-    }
-    ~EnvironmentVariable() {
-        if (before_)
-            ::setenv(name_, before_->c_str(), 1);
-        else
-            ::unsetenv(name_);
-    }
-    EnvironmentVariable(const EnvironmentVariable&) = delete;
-    EnvironmentVariable& operator=(const EnvironmentVariable&) = delete;
-
-private:
-    const char* name_;
-    std::optional<std::string> before_;
-};
 
 class OpenGl : public testing::Test {
 protected:

@@ -217,21 +217,45 @@ TEST_F(Looks, PicturesOutsideOfASavedSceneAreCopied) {
     std::ofstream(folder_.path() / "p.png") << "first";
     std::ofstream(folder_.path() / "other" / "p.png") << "second";
     WorldFile world;
+    world.primitives = {{.type = "sphere"}};
     world.materials = {{.name = "*",
                         .values = {{.key = "color_texture", .words = {"../p.png"}},
                                    {.key = "normal_texture", .words = {"../other/p.png"}},
                                    {.key = "emission_texture", .words = {"../p.png"}},
                                    {.key = "occlusion_texture", .words = {"near.png"}}}}};
-    EXPECT_EQ(gather_pictures(world, scene.string()), 2u);
-    const std::vector<WorldValue>& v = world.materials[0].values;
+    EXPECT_EQ(save_with_files(world, scene.string()), 2u);
+    const WorldFile saved = read_world(scene.string(), context_);
+    const std::vector<WorldValue>& v = saved.materials.at(0).values;
+    ASSERT_EQ(v.size(), 4u);
     EXPECT_EQ(v[0].words[0], "a-files/p.png");
     EXPECT_EQ(v[1].words[0], "a-files/p-2.png");
     EXPECT_EQ(v[2].words[0], "a-files/p.png");
     EXPECT_EQ(v[3].words[0], "near.png");
     EXPECT_EQ(fs::file_size(files / "p.png"), 5u);
     EXPECT_EQ(fs::file_size(files / "p-2.png"), 6u);
+}
+
+TEST_F(Looks, OfASceneThatCannotBeSavedNothingIsLeft) {
+    namespace fs = std::filesystem;
+    const fs::path scene = folder_.path() / "in" / "a.scene.toml", files = folder_.path() / "in" / "a-files";
+    fs::create_directories(folder_.path() / "in");
+    std::ofstream(folder_.path() / "p.png") << "first";
+    WorldFile world;
+    world.primitives = {{.type = "sphere"}};
+    world.materials = {{.name = "*", .values = {{.key = "color_texture", .words = {"../p.png"}}}}};
     world.render = {{.key = "hdri-file", .words = {"../nowhere.hdr"}}};
-    EXPECT_THROW(gather_pictures(world, scene.string()), Error);
+    EXPECT_THROW(save_with_files(world, scene.string()), Error);
+    EXPECT_FALSE(fs::exists(scene) || fs::exists(files));
+    world.render = {{.key = "samples", .words = {"1000"}}};
+    EXPECT_THROW(save_with_files(world, scene.string()), Error);
+    EXPECT_FALSE(fs::exists(scene) || fs::exists(files));
+    fs::create_directories(scene);  // cannot be written
+    fs::create_directories(files);
+    std::ofstream(files / "p.png") << "mine";
+    world.render.clear();
+    EXPECT_THROW(save_with_files(world, scene.string()), Error);
+    EXPECT_EQ(std::distance(fs::directory_iterator(files), {}), 1);
+    EXPECT_EQ(fs::file_size(files / "p.png"), 4u);
 }
 
 TEST_F(Looks, CommandsStepThroughAllChannelsAndBack) {

@@ -10,7 +10,9 @@
 #include "../../../apps/viewer/input.h"
 #include "../../../apps/viewer/pace.h"
 #include "../../../apps/viewer/settings_file.h"
+#include "support/environment_variable.h"
 #include "support/shared.h"
+#include "support/temporary_folder.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -78,9 +80,14 @@ TEST(Keys, OfTheUsersOwnGoBeforeTheUsualOnes) {
     EXPECT_EQ(key_named("Alt+Ctrl++"), std::pair(int('+'), mod_control | mod_alt));
     for (const char* wrong : {"", "Ctrl+", "Hyper+S", "F13", "Nothing"}) EXPECT_FALSE(key_named(wrong)) << wrong;
     EXPECT_FALSE(own_key("K", "Ctrl+Alt+9")) << "does nothing";
-    const Remembered back = parse_settings(settings_text({.own_keys = own}));
+    EXPECT_EQ(command_of(320 + 2, 0, std::vector{*own_key("2", "F9")}), Command::record);
+    for (const char* shifted : {"?", "!", "~", "Shift+?"}) EXPECT_FALSE(key_named(shifted)) << shifted;
+    const Remembered back = parse_settings("key Ctrl+K = Shift+C\r\nkey S = none \nkey Page up = F9");
     EXPECT_TRUE(back.own_keys == own);
-    EXPECT_TRUE(parse_settings("key Ctrl+K = Hyper\nkey = S\n").own_keys.empty());
+    EXPECT_EQ(parse_settings("key = = S\n").own_keys.at(0).key, int('='));
+    const Remembered wrong = parse_settings("key Ctrl+K = Hyper\nkey = S\nkey ? = S\n# key X = Y\n");
+    EXPECT_TRUE(wrong.own_keys.empty());
+    EXPECT_EQ(wrong.wrong_lines, (std::vector<std::string>{"key Ctrl+K = Hyper", "key ? = S"}));
 }
 
 TEST(Input, BlendersMiddleButtonOrbits) {
@@ -131,6 +138,32 @@ TEST(Settings, AreReadAsTheyWereWritten) {
     EXPECT_EQ(back.ui.record_frames, 12);
     EXPECT_EQ(back.width, 900);
     EXPECT_EQ(back.height, 700);
+}
+
+TEST(Settings, LinesOfTheUsersOwnStay) {
+    Remembered r;
+    r.width = 900;
+    const std::string text = settings_text(r, "# mine\nkey Ctrl+K = S\nwidth = 1\nwhatever\nwidth = 2");
+    EXPECT_TRUE(text.starts_with("# mine\nkey Ctrl+K = S\nwidth = 900\nwhatever\n")) << text;
+    EXPECT_EQ(text.find("width = 2"), text.npos);
+    EXPECT_NE(text.find("height = 800\n"), text.npos);
+    EXPECT_EQ(settings_text(r, text), text);
+}
+
+TEST(Settings, OnlyWhatCanBeReadIsWritten) {
+    test::TemporaryFolder folder;
+    const test::EnvironmentVariable config("XDG_CONFIG_HOME", folder.path().string());
+    const std::filesystem::path path = settings_path();
+    write_settings({});
+    EXPECT_TRUE(std::filesystem::is_regular_file(path));
+    std::filesystem::rename(path, folder.path() / "real.conf");
+    std::filesystem::create_symlink(folder.path() / "real.conf", path);
+    write_settings({.width = 901});
+    EXPECT_TRUE(std::filesystem::is_symlink(path));
+    EXPECT_EQ(read_settings().width, 901);
+    std::ofstream(folder.path() / "real.conf") << std::string(70000, '#');
+    write_settings({.width = 902});
+    EXPECT_EQ(std::filesystem::file_size(path), 70000u);
 }
 
 TEST(Settings, NonsenseIsLeftOut) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of saved files, and what a saved scene does not hold.
+#include "../../../apps/viewer/gather.h"
 #include "looks.h"
 
 namespace rakelight::viewer {
@@ -27,6 +28,100 @@ TEST_F(Looks, WhatIsNotSavedIsSaid) {
     lights[2].follows_camera = true;
     look.channel = channel_depth;
     EXPECT_EQ(not_saved(look), "2 lights that are off, that a light follows the camera, the data channel shown");
+}
+
+TEST_F(Looks, NamesOfPicturesAreFreeWithTheirChannels) {
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder_.path());
+    EXPECT_EQ(free_name("a.b.obj", "", ".png"), "a.b-1.png");
+    folder_.write("a.b-1.depth.png", "kept");
+    folder_.write("a.b-2.png", "kept");
+    folder_.write("a.b-30.png", "kept");
+    EXPECT_EQ(free_name("a.b.obj", "", ".png"), "a.b-3.png");
+    EXPECT_EQ(free_name("a.b.obj", "-turn", ""), "a.b-turn-1");
+    std::filesystem::current_path(before);
+}
+
+TEST_F(Looks, FilesAreNamedAsTheirLinksAre) {
+    namespace fs = std::filesystem;
+    fs::create_directories(folder_.path() / "store");
+    fs::rename(write_model(), folder_.path() / "store" / "h1.obj");
+    fs::create_symlink("store/h1.obj", folder_.path() / "model.obj");
+    const auto m = model(file("model.obj"));
+    const WorldFile world = world_of(first_look(*m), *m, width, height, file("saved.scene.toml"));
+    EXPECT_EQ(world.models.at(0).file, "model.obj");
+}
+
+/// A world in a folder beside that of its model, with settings of its own.
+std::string world_with(const test::TemporaryFolder& folder, const std::string& render) {
+    return folder.write("world.scene.toml", "[[model]]\nfile = 'model.obj'\n[render]\n" + render);
+}
+
+TEST_F(Looks, LightingFilesOfSavedScenesAreFoundFromAnywhere) {
+    write_model();
+    std::filesystem::create_directories(folder_.path() / "text");
+    folder_.write("text/steps.glsl", "user_terms");
+    const auto m = model(world_with(folder_, "lighting = 'text/steps.glsl'\n"));
+    save_with_files(world_of(first_look(*m), *m, width, height, file("saved.scene.toml")), file("saved.scene.toml"));
+    const auto saved = model(file("saved.scene.toml"));
+    EXPECT_EQ(saved->request.settings.lighting_text, "user_terms");
+    Look look = first_look(*m);
+    std::filesystem::create_directories(folder_.path() / "other");
+    save_with_files(world_of(look, *m, width, height, file("other/b.scene.toml")), file("other/b.scene.toml"));
+    EXPECT_TRUE(std::filesystem::is_regular_file(file("other/b-files/steps.glsl")));
+    apply(Command::lighting, look, *m, width, height);
+    EXPECT_TRUE(look.request.settings.lighting_text.empty()) << "another lighting model takes its place";
+}
+
+TEST_F(Looks, ChangedLightsGoOverTheDefaultOnes) {
+    write_model();
+    const auto m = model(world_with(folder_, "light = 'default'\n"));
+    Look look = first_look(*m);
+    changing_lights(look, *m, width, height) = {{.light = {.type = LightType::point, .position = {1, 2, 3}}}};
+    EXPECT_SAVED_AS_SEEN(look, m);
+    const std::string line = command_line_of(look, *m, width, height);
+    EXPECT_EQ(line.find("default"), line.npos) << line;
+    EXPECT_NE(line.find("--light"), line.npos) << line;
+}
+
+TEST_F(Looks, WhatAWorldSetsIsTakenBackOnTheCommandLine) {
+    write_model();
+    const auto m = model(world_with(folder_, "shadows = true\nsamples = 8\nview = 'top'\n"));
+    Look look = first_look(*m);
+    EXPECT_EQ(not_on_command_line(look, *m), "");
+    look.request.settings.shadows = false;
+    look.request.settings.samples = 1;
+    moving_eye(look, *m, width, height);
+    const std::string line = command_line_of(look, *m, width, height);
+    EXPECT_NE(line.find(" --shadows=off"), line.npos) << line;
+    EXPECT_EQ(line.find(" --view"), line.npos) << line;
+    EXPECT_EQ(not_on_command_line(look, *m), "samples");
+}
+
+TEST_F(Looks, AWorldIsSavedAsItWasLoaded) {
+    write_model();
+    const std::string path = world_with(folder_, "samples = 4\n");
+    const auto m = model(path);
+    std::filesystem::remove(path);
+    const WorldFile world = world_of(first_look(*m), *m, width, height, file("saved.scene.toml"));
+    EXPECT_EQ(world.models.at(0).file, "model.obj");
+}
+
+TEST_F(Looks, MaterialsOfTheCommandLineAreSavedAsSeen) {
+    Start start;
+    start.takes = [](std::string_view) { return true; };
+    start.settings = {{.key = "material", .words = {"roughness=0.2"}}};
+    write_model();
+    folder_.write("m.mtl", "newmtl red\nKd 1 0 0\nnewmtl gray\nKd 0.5 0.5 0.5\n");  // no Ks
+    folder_.write("world.scene.toml",
+                  "[[model]]\nfile = 'model.obj'\n[[primitive]]\ntype = 'sphere'\nmaterial = 'clay'\n"
+                  "[[material]]\nname = '*'\nmetallic = 0.1\n[[material]]\nname = 'red'\nroughness = 0.9\n"
+                  "[[material]]\nname = 'clay'\nroughness = 0.8\n");
+    for (const char* name : {"model.obj", "world.scene.toml"}) {
+        const auto m = load_model(file(name), start, context_);
+        const Look look = first_look(*m);
+        EXPECT_SAVED_AS_SEEN(look, m);
+    }
 }
 
 }  // namespace

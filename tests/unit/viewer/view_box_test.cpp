@@ -22,6 +22,18 @@ Scene scene_with_cameras() {
     return scene;
 }
 
+TEST(ViewBox, KeepsOnlyNodesThatCarryCameras) {
+    Context context;
+    Scene scene = scene_with_cameras();
+    for (int i = 0; i < 1000; ++i) scene.nodes.insert(scene.nodes.begin(), Node{.name = "idle"});
+    for (Node& node : scene.nodes)
+        if (node.parent != no_index) node.parent += 1000;
+    scene.cameras[0].node += 1000;
+    const ViewBox box(scene);
+    EXPECT_EQ(box.camera({.camera = "mounted"}, 1), choose_camera(scene, {.camera = "mounted"}, 1, context));
+    EXPECT_EQ(box.node_count(), 4u) << "arm, head, two corners";
+}
+
 TEST(ViewBox, GivesTheCamerasOfTheWholeSceneToTheBit) {
     Context context;
     const Scene scene = scene_with_cameras();

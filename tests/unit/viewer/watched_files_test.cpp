@@ -47,6 +47,27 @@ TEST_F(Watched, AChangeWhileTheyAreReadIsNotMissed) {
     EXPECT_TRUE(files_.has_changed());
 }
 
+TEST_F(Watched, AChangeWhileAllIsReadForTheFirstTimeIsNotMissed) {
+    files_.begin(model_);
+    write("a.bin", 1);
+    files_.take({model_, beside_});
+    EXPECT_FALSE(files_.has_changed());
+    EXPECT_TRUE(files_.has_changed());
+}
+
+TEST_F(Watched, PicturesOfALookAreWatchedFromWhenTheyAreNamed) {
+    const std::string picture = write("p.png", 0);
+    files_.begin(model_);
+    files_.take({beside_});
+    files_.add({picture, beside_});
+    files_.add({picture});
+    EXPECT_FALSE(files_.has_changed() || files_.has_changed());
+    write("p.png", 1);
+    files_.has_changed();
+    files_.add({picture});
+    EXPECT_TRUE(files_.has_changed());
+}
+
 TEST_F(Watched, AFileThatCannotBeReadIsNotReadAgainAndAgain) {
     files_.begin(model_);
     files_.take({beside_});
