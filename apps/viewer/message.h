@@ -11,8 +11,8 @@ class Message {
 public:
     static constexpr double news_s = 8, error_s = 60;  ///< that it stays
 
-    void say(std::string text) { set(std::move(text), false); }   ///< what was done
-    void fail(std::string text) { set(std::move(text), true); }   ///< what could not be
+    void say(std::string text) { set(std::move(text), false); }  ///< what was done
+    void fail(std::string text) { set(std::move(text), true); }  ///< what could not be
     void clear() { text_.clear(); }
     const std::string& text() const { return text_; }
     bool is_error() const { return is_error_; }

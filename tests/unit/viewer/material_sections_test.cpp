@@ -28,7 +28,8 @@ void say(Said& said, const WorldMaterial& section) {
         for (const char* model : models)
             for (const char* object : objects)
                 if (is_met(section, name, model, object))
-                    for (const WorldValue& value : section.values) said[{name, model, object}][value.key] = value.words[0];
+                    for (const WorldValue& value : section.values)
+                        said[{name, model, object}][value.key] = value.words[0];
 }
 
 Said said_by(const WorldFile& world) {
