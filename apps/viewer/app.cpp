@@ -14,6 +14,13 @@ constexpr int most_faults = 3;            // of one turn of the loop after anoth
 constexpr double longest_writing_s = 10;  // after the window is closed
 constexpr double motion_s = 0.15;         // after the last step of a motion the whole picture is made
 
+std::string wrong_settings(const Remembered& remembered) {
+    std::string text = settings_path() + " has lines that are not understood:";
+    for (std::size_t i = 0; i < std::min<std::size_t>(5, remembered.wrong_lines.size()); ++i)
+        text += "\n" + remembered.wrong_lines[i];
+    return text;
+}
+
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 }  // namespace
@@ -27,9 +34,7 @@ App::App(Start start)
       remembered_(read_settings()),
       ui_(remembered_.ui) {
     if (!start_.files.empty()) load_current(false);  // beside the opening of the window
-    if (!remembered_.wrong_lines.empty())
-        ui_.message.fail(settings_path() + ": '" + one_line(remembered_.wrong_lines[0], 80) +
-                         "' names no key, or one that does nothing");
+    if (!remembered_.wrong_lines.empty()) ui_.message.fail(wrong_settings(remembered_));
     int width = remembered_.width, height = remembered_.height;
     PictureRequest given;
     for (const WorldValue& value : start_.settings)
@@ -96,7 +101,6 @@ void App::loop() {
 /// Files that were asked for are written, unless that takes long.
 void App::finish_writing() {
     const Clock::time_point begin = Clock::now();
-    is_ended_ = true;
     window_->hide();
     for (Background* work : {&loader_, &explainer_, &seam_search_}) work->cancel();
     for (View& view : views_)

@@ -29,7 +29,7 @@ class App {
 public:
     explicit App(Start start);
     ~App();
-    /// Until the window is closed. @return the exit code: 1 where a file could not be written any more
+    /// Until the window is closed. @return the exit code: 1 where a file that was asked for could not be written
     int run();
 
 private:
@@ -116,6 +116,7 @@ private:
     void write_file(const std::string& title, std::function<std::string(Context&)> work);
     void cancel_work();
     std::string with_not_begun(const std::string& text);
+    std::string shown_half() const;
     void screenshot(bool is_transparent);
     void save_scene();
     void save_seamless();
@@ -170,7 +171,7 @@ private:
     LightDrag light_drag_;
     Handle hovered_ = Handle::none;
     Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{};
-    bool is_ended_ = false, has_lost_file_ = false;  ///< the window is closed; a file could not be written since
+    std::atomic<bool> has_lost_file_{false};  ///< that was asked for and could not be written
     bool is_quitting_ = false, is_dirty_ = true, is_walk_step_ = false;
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
     std::vector<Command> from_panels_;

@@ -100,14 +100,19 @@ void App::watch_file() {
 /// @param work  gives what is to be said when it is done
 void App::write_file(const std::string& title, std::function<std::string(Context&)> work) {
     const auto run = [this, work = std::move(work)](Context& context) -> Background::Finish {
-        return [this, text = work(context)] { say(with_not_begun(text)); };
+        try {
+            return [this, text = work(context)] { say(with_not_begun(text)); };
+        } catch (const Error& error) {
+            if (context.cancelled()) throw;
+            has_lost_file_ = true;
+            std::fprintf(stderr, "rakelight: error: %s\n",
+                         error.what());  // the window may close before it is read there
+            throw;
+        }
     };
     writer_.queue(title, run, [this](const Error& error) {
         report(error);
         ui_.message.fail(with_not_begun(ui_.message.text()));
-        if (!is_ended_) return;
-        has_lost_file_ = true;  // nobody sees the message
-        std::fprintf(stderr, "rakelight: error: %s\n", error.what());
     });
 }
 
@@ -123,30 +128,37 @@ std::string App::with_not_begun(const std::string& text) {
     return text + "; " + std::to_string(count) + " more not begun";
 }
 
+/// Files are of one picture: which of two.
+std::string App::shown_half() const {
+    if (ui_.split == Split::none) return {};
+    return ui_.active == 0 ? " (picture A alone)" : " (picture B alone)";
+}
+
 void App::screenshot(bool is_transparent) {
     if (!model_) return;
     const View& view = active();
     PictureRequest request = request_of(view.look, view.area.width, view.area.height);
     if (is_transparent) request.settings.background = {0, 0, 0, 0};
     if (view.look.channel) request.settings.channels = view.look.channel, request.channel_files = channel_files_png;
-    write_file("screenshot", [model = model_, look = view.look, request](Context& context) {
+    write_file("screenshot", [model = model_, look = view.look, request, which = shown_half()](Context& context) {
         PictureRequest named = request;
         named.output = free_name(model->file, "", ".png");
         const PictureResult result = render_picture(with_edits(model->scene, look.materials, context), named, context);
-        return "wrote " + short_path(result.channel_files.empty() ? result.output : result.channel_files.back());
+        return "wrote " + short_path(result.channel_files.empty() ? result.output : result.channel_files.back()) +
+               which;
     });
 }
 
 void App::save_scene() {
     if (!model_) return;
     const View& view = active();
-    write_file("save", [model = model_, look = view.look, area = view.area](Context&) {
+    write_file("save", [model = model_, look = view.look, area = view.area, which = shown_half()](Context&) {
         const std::string path = free_world_name(model->file), missing = not_saved(look);
         const std::size_t copies = save_with_files(world_of(look, *model, area.width, area.height, path), path);
         const std::string with = copies == 0   ? ""
                                  : copies == 1 ? " with a copy of a file"
                                                : " with copies of " + std::to_string(copies) + " files";
-        return "wrote " + short_path(path) + with + (missing.empty() ? "" : ", without " + missing);
+        return "wrote " + short_path(path) + which + with + (missing.empty() ? "" : "; not in it: " + missing);
     });
 }
 

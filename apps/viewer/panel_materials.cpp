@@ -38,6 +38,7 @@ void value_of(const Edited& edited, const char* key, float* values, std::size_t 
 
 void set(const Edited& edited, const std::string& key_and_value) try {
     set_material(edited.view.look, edited.target, key_and_value);
+    if (edited.view.ui.message.is_error()) edited.view.ui.message.clear();
 } catch (const Error& error) {
     edited.view.ui.message.fail(with_short_paths(error.what()));
 }

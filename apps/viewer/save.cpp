@@ -173,7 +173,9 @@ std::string not_saved(const Look& look) {
         following = std::ranges::count(*look.lights, true, &LightItem::follows_camera);
     }
     if (off > 0) add(std::to_string(off) + (off == 1 ? " light that is off" : " lights that are off"));
-    if (following > 0) add(following == 1 ? "that a light follows the camera" : "that lights follow the camera");
+    if (following > 0)
+        add("that " + std::to_string(following) + (following == 1 ? " light follows" : " lights follow") +
+            " the camera");
     if (look.channel) add("the data channel shown");
     return text;
 }

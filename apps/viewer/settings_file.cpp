@@ -24,26 +24,39 @@ constexpr Flag flags[] = {{"dark", &UiState::is_dark},        {"arcball", &UiSta
                           {"file-name", &UiState::file_name}, {"frame-time", &UiState::frame_time},
                           {"announce", &UiState::announces},  {"blender-mouse", &UiState::has_blender_mouse}};
 
-int number_in(const std::string& text, int low, int high, int otherwise) {
+bool take_number(int& to, const std::string& text, int low, int high) {
     int value = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return fault == std::errc() && end == text.data() + text.size() && value >= low && value <= high ? value
-                                                                                                     : otherwise;
+    if (fault != std::errc() || end != text.data() + text.size() || value < low || value > high) return false;
+    to = value;
+    return true;
 }
 
-void take(Remembered& to, const std::string& key, const std::string& value) {
+bool take_flag(bool& to, const std::string& value) {
+    if (value != "on" && value != "off") return false;
+    to = value == "on";
+    return true;
+}
+
+/// False: it is not understood.
+bool take(Remembered& to, const std::string& key, const std::string& value) {
     for (const Flag& flag : flags)
-        if (key == flag.key && (value == "on" || value == "off")) to.ui.*flag.field = value == "on";
-    if (key == "width") to.width = number_in(value, 64, 16384, to.width);
-    if (key == "height") to.height = number_in(value, 64, 16384, to.height);
-    if (key == "panel-width") to.ui.panel_column = float(number_in(value, 0, 16384, int(to.ui.panel_column)));
-    if (key.starts_with("key ")) {
-        auto own = own_key(key.substr(4), value);
-        own ? to.own_keys.push_back(std::move(*own)) : to.wrong_lines.push_back(key + " = " + value);
-    }
-    if (key == "record-frames") to.ui.record_frames = number_in(value, 1, 10000, to.ui.record_frames);
+        if (key == flag.key) return take_flag(to.ui.*flag.field, value);
     for (std::size_t i = 0; i < panel_count; ++i)
-        if (key == std::string("panel-") + panel_titles[i]) to.ui.open[i] = value == "on";
+        if (key == std::string("panel-") + panel_titles[i]) return take_flag(to.ui.open[i], value);
+    if (key == "width") return take_number(to.width, value, 64, 16384);
+    if (key == "height") return take_number(to.height, value, 64, 16384);
+    if (key == "record-frames") return take_number(to.ui.record_frames, value, 1, 10000);
+    if (key == "panel-width") {
+        int width = 0;
+        const bool is_number = take_number(width, value, 0, 16384);
+        if (is_number) to.ui.panel_column = float(width);
+        return is_number;
+    }
+    if (!key.starts_with("key ")) return false;
+    const std::optional<OwnKey> own = own_key(key.substr(4), value);
+    if (own) to.own_keys.push_back(*own);
+    return own.has_value();
 }
 
 struct Line {
@@ -92,8 +105,14 @@ std::string settings_path() {
 Remembered parse_settings(const std::string& text) {
     Remembered out;
     std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);)
-        if (const Line l = line_of(line); !l.key.empty()) take(out, l.key, l.value);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first == std::string::npos || line[first] == '#') continue;
+        if (const Line l = line_of(line); l.key.empty() || !take(out, l.key, l.value))
+            out.wrong_lines.push_back("line " + std::to_string(number) + ": " + one_line(line, 80));
+    }
     return out;
 }
 

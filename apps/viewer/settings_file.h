@@ -12,7 +12,7 @@ namespace rakelight::viewer {
 struct Remembered {
     UiState ui;
     std::vector<OwnKey> own_keys;
-    std::vector<std::string> wrong_lines;  ///< of keys, that are not understood
+    std::vector<std::string> wrong_lines;  ///< "line 3: dark = maybe": that are not understood
     int width = 1280, height = 800;        ///< [px] of the window
 };
 

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <rakelight/tools/words.h>
@@ -52,7 +53,13 @@ inline bool edit_light_color(const char* label, vec3& c) {
 }
 
 inline bool edit_place(const char* label, dvec3& p, double step) {
-    return ImGui::DragScalarN(label, ImGuiDataType_Double, &p.x, 3, float(step), nullptr, nullptr, "%.4g");
+    dvec3 shown = p;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (std::fabs(shown[c]) < 1e-6 * step) shown[c] = 0;  // what rounding has left
+    if (!ImGui::DragScalarN(label, ImGuiDataType_Double, &shown.x, 3, float(step), nullptr, nullptr, "%.4g"))
+        return false;
+    p = shown;
+    return true;
 }
 
 }  // namespace rakelight::viewer

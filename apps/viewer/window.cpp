@@ -212,7 +212,8 @@ void GlfwWindow::load_font() {
 void GlfwWindow::set_theme(bool is_dark) {
     is_dark_ = is_dark;
     ImGuiStyle style;
-    style.WindowRounding = 0, style.FrameRounding = 3, style.WindowBorderSize = 1;
+    style.WindowRounding = 0, style.FrameRounding = 3, style.WindowBorderSize = 1,
+    style.FrameBorderSize = is_dark ? 0 : 1;
     ImGui::GetStyle() = style;
     is_dark ? ImGui::StyleColorsDark() : ImGui::StyleColorsLight();
     ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.97f;

@@ -143,6 +143,14 @@ class Viewer(Case):
         self.assertEqual(len(list(self.folder.glob("*.png"))) - (self.folder / "display.png").exists(), 2)
         self.assertEqual(len(list(self.folder.glob("*.scene.toml"))), 1)
 
+    def test_a_file_that_cannot_be_written_is_told_of_when_the_viewer_has_ended(self):
+        window = self.open("builtin:teapot")
+        shutil.rmtree(self.folder)  # the working folder
+        window.key("F12")
+        code, err = window.close()
+        self.assertEqual(code, 1)
+        self.assertIn("teapot-1.png", err)
+
     def test_a_clean_screenshot_is_transparent(self):
         window = self.open()
         self.assertEqual(png(window.screenshot("ctrl+F12"))[2], 4)

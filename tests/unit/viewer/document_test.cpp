@@ -205,6 +205,10 @@ TEST_F(Looks, SeamsAreLookedForInTheNormalsThatAreSeen) {
     scene.meshes.resize(1);
     EXPECT_EQ(seam_options(scene, {}).normals, NormalSource::flat);
     EXPECT_EQ(seam_options(scene, {.normals = NormalSource::model}).normals, NormalSource::model);
+    EXPECT_EQ(seam_options(scene, {.normals = NormalSource::object}).normals, NormalSource::object);
+    scene.missing_normals_are_flat = false;
+    EXPECT_EQ(seam_options(scene, {}).normals, NormalSource::model) << "as the picture has them";
+    scene.missing_normals_are_flat = true;
     scene.meshes[0].normals = std::vector<vec3>{{0, 0, 1}};
     EXPECT_EQ(seam_options(scene, {}).normals, NormalSource::automatic);
 }

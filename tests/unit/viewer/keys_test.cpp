@@ -87,7 +87,8 @@ TEST(Keys, OfTheUsersOwnGoBeforeTheUsualOnes) {
     EXPECT_EQ(parse_settings("key = = S\n").own_keys.at(0).key, int('='));
     const Remembered wrong = parse_settings("key Ctrl+K = Hyper\nkey = S\nkey ? = S\n# key X = Y\n");
     EXPECT_TRUE(wrong.own_keys.empty());
-    EXPECT_EQ(wrong.wrong_lines, (std::vector<std::string>{"key Ctrl+K = Hyper", "key ? = S"}));
+    EXPECT_EQ(wrong.wrong_lines,
+              (std::vector<std::string>{"line 1: key Ctrl+K = Hyper", "line 2: key = S", "line 3: key ? = S"}));
 }
 
 TEST(Input, BlendersMiddleButtonOrbits) {
@@ -171,6 +172,8 @@ TEST(Settings, NonsenseIsLeftOut) {
     EXPECT_EQ(r.width, Remembered().width);
     EXPECT_EQ(r.height, Remembered().height);
     EXPECT_TRUE(r.ui.is_dark);
+    EXPECT_EQ(r.wrong_lines.size(), 5u);
+    EXPECT_TRUE(parse_settings(settings_text(r)).wrong_lines.empty());
 }
 
 }  // namespace

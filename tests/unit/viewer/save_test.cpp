@@ -27,7 +27,7 @@ TEST_F(Looks, WhatIsNotSavedIsSaid) {
     lights[1].is_on = false;
     lights[2].follows_camera = true;
     look.channel = channel_depth;
-    EXPECT_EQ(not_saved(look), "2 lights that are off, that a light follows the camera, the data channel shown");
+    EXPECT_EQ(not_saved(look), "2 lights that are off, that 1 light follows the camera, the data channel shown");
 }
 
 TEST_F(Looks, NamesOfPicturesAreFreeWithTheirChannels) {
