@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "cpu_shading/material_job.h"
+#include "cpu_shading/mesh_view.h"
 #include "engines/raster/kernels/geometry_types.h"
 #include "image/srgb_table.h"
 #include "shading/light_box.h"
@@ -45,24 +46,13 @@ struct LitTriangle {
 inline constexpr int lit_triangle_floats = int(sizeof(LitTriangle) / sizeof(float));
 
 /// Triangles of one draw in one tile, whose records are wanted. `row` is read up to batch_padding past its count.
-struct RecordJob {
+struct RecordJob : cpu_shading::MeshView {
     int32_t count;
     const TriangleRow* const* row;  ///< [count]
     int32_t tile_x, tile_y;         ///< [px] of the tile's corner
-    const uint32_t* indices;        ///< of the mesh, [3 * triangles]
-    int32_t vertices;
-    const float* clip;                    ///< [vertices] x, y, w, distance
-    const float* positions;               ///< [vertices] of 3
-    const float* normals;                 ///< [vertices] of 3; null: those of the faces
-    const float* tangents;                ///< [vertices] of 4; null: none
-    const float* texcoords[2];            ///< [vertices] of 2; null: none
-    const float* colors;                  ///< [vertices] of 4; null: white
-    float to_normal[3][3], linear[3][3];  ///< rows of the matrices object -> world axes, for normals and for tangents
-    float mirror;                         ///< -1: the placement mirrors (DrawRecords::mirror)
-    int32_t turned;                       ///< 1: normals are turned round where the front is seen, not the back
-    const int32_t* against;               ///< [triangles] 1: the other way round for this one; null: for none
-    int32_t whole;                        ///< 0: texcoord1 and color are not written
-    int32_t affine;                       ///< 1: barycentrics are not divided by w
+    const float* clip;              ///< [vertices] x, y, w, distance
+    int32_t whole;                  ///< 0: texcoord1 and color are not written
+    int32_t affine;                 ///< 1: barycentrics are not divided by w
     int32_t orthographic;
     ShadeTriangle* out;  ///< [count + batch_padding]
 };

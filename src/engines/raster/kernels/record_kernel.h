@@ -2,28 +2,25 @@
 // The shading records of triangles, a vector of triangles of one draw at a time: planes of the barycentrics over the
 // screen, attributes of the corners in world axes. Per instruction set.
 #pragma once
+#include "cpu_shading/kernels/corners.h"
 #include "engines/raster/kernels/interpolate.h"
-#include "math/wide_rows.h"
 
 namespace rakelight::raster::RL_ISA {
+using cpu_shading::RL_ISA::facing_of, cpu_shading::RL_ISA::load_corner, cpu_shading::RL_ISA::load_normals,
+    cpu_shading::RL_ISA::load_tangents;
 using rakelight::wide::RL_ISA::load_rows4_at;
-using rakelight::wide::RL_ISA::load_vectors;
 using rakelight::wide::RL_ISA::store_columns4;
 
-/// The three corners of `lanes` triangles, in the order of the mesh.
-struct Corners {
-    int32_t index[3][lanes];
-    integer triangle;
+/// The three corners of `lanes` triangles, and where they lie on the screen.
+struct Corners : cpu_shading::RL_ISA::Corners {
     integer x[3], y[3];  ///< [1/256 px] about the tile's first pixel center
     mask is_back;
     bool has_piece;
-    bool has_last;  ///< the last vertex is among them: what follows it in memory is not ours
 
     Corners(const RecordJob& job, int32_t first) {
         const float* const* const rows = reinterpret_cast<const float* const*>(job.row + first);
         real v[4][4];
         for (int k = 0; k < 4; ++k) load_rows4_at(rows, 4 * k, v[k]);
-        triangle = bits_of(v[3][1]);
         const integer flags = bits_of(v[3][2]);
         is_back = (flags & integer(1)) != integer(0);
         has_piece = any_lane((flags & integer(1 << 8)) != integer(0));
@@ -34,29 +31,9 @@ struct Corners {
             x[k] = select(is_swapped, bits_of(v[other][0]), bits_of(v[k][0])) - origin_x;
             y[k] = select(is_swapped, bits_of(v[other][1]), bits_of(v[k][1])) - origin_y;
         }
-        mask is_last = mask(false);
-        for (int32_t k = 0; k < 3; ++k) {
-            const integer i = gather_i(job.indices, triangle * integer(3) + integer(k));
-            store(index[k], i);
-            is_last = is_last || i == integer(job.vertices - 1);
-        }
-        has_last = any_lane(is_last);
+        find(job, bits_of(v[3][1]));
     }
 };
-
-/// `width` floats of each lane's vertex at corner k.
-template <int width>
-inline void load_corner(const float* base, const Corners& c, int32_t k, real* v) {
-    if (!c.has_last || width == 4)
-        return load_vectors<width, 1>(base, reinterpret_cast<const uint32_t*>(c.index[k]), v);
-    for (int32_t j = 0; j < width; ++j) v[j] = gather(base + j, load_i(c.index[k]) * integer(width));
-}
-
-inline vec3 load_corner3(const float* base, const Corners& c, int32_t k) {
-    real v[3];
-    load_corner<3>(base, c, k, v);
-    return vec3(v[0], v[1], v[2]);
-}
 
 /// What a record has in common with its neighbors in memory: written four floats at a time.
 struct RecordWriter {
@@ -117,25 +94,6 @@ inline void set_deltas(const vec3 (&a)[3], real* v) {
     v[6] = a[0].z, v[7] = a[1].z - a[0].z, v[8] = a[2].z - a[0].z;
 }
 
-inline vec3 transformed(const float (&rows)[3][3], vec3 v) {
-    const auto row = [&](int r) { return real(rows[r][0]) * v.x + real(rows[r][1]) * v.y + real(rows[r][2]) * v.z; };
-    return vec3(row(0), row(1), row(2));
-}
-
-/// Normal of the face in world axes, not unit.
-inline vec3 face_normal(const RecordJob& job, const Corners& c) {
-    const vec3 p0 = load_corner3(job.positions, c, 0);
-    return transformed(job.to_normal,
-                       cross(load_corner3(job.positions, c, 1) - p0, load_corner3(job.positions, c, 2) - p0));
-}
-
-/// -1 where the shading normal is to be turned round (lit_side.h).
-inline real facing_of(const RecordJob& job, const Corners& c) {
-    integer turns = select(c.is_back, integer(1), integer(0)) + integer(job.turned);
-    if (job.against != nullptr) turns = turns + gather_i(job.against, c.triangle);
-    return select((turns & integer(1)) != integer(0), real(-1.0f), real(1.0f));
-}
-
 /// A set of texture coordinates and its slopes.
 inline void put_texcoords(const float* base, const Corners& c, const Slopes& slopes, real* v) {
     real at[3][2];
@@ -152,20 +110,12 @@ inline void put_surface(const RecordJob& job, const Corners& c, const Slopes& sl
     real v[32];
     for (real& x : v) x = real(0.0f);
     if (job.texcoords[0] != nullptr) put_texcoords(job.texcoords[0], c, slopes, v);
-    vec3 normal[3], tangent[3];
-    if (job.normals == nullptr) normal[0] = normal[1] = normal[2] = safe_normalize(face_normal(job, c));
-    for (int32_t k = 0; k < 3 && job.normals != nullptr; ++k)
-        normal[k] = safe_normalize(transformed(job.to_normal, load_corner3(job.normals, c, k)));
-    set_deltas(normal, v + 10);
-    v[19] = facing_of(job, c);
-    v[29] = real(job.mirror);
-    for (int32_t k = 0; k < 3 && job.tangents != nullptr; ++k) {
-        real t[4];
-        load_corner<4>(job.tangents, c, k, t);
-        tangent[k] = safe_normalize_or(transformed(job.linear, vec3(t[0], t[1], t[2])), vec3(real(0.0f)));
-        if (k == 0) v[29] = v[29] * t[3];
-    }
-    if (job.tangents != nullptr) set_deltas(tangent, v + 20);
+    vec3 corner[3];
+    load_normals(job, c, corner);
+    set_deltas(corner, v + 10);
+    v[19] = facing_of(job, c, c.is_back);
+    v[29] = load_tangents(job, c, corner);
+    set_deltas(corner, v + 20);
     to.put<32>(offsetof(ShadeTriangle, texcoord0), v);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cpu_shading/make_mesh_view.h"
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/tile.h"
 #include "math/linear.h"
@@ -113,33 +114,10 @@ void make_piece_record(const DrawRecords& d, const ScreenTriangle& s, int tile_x
     out.facing = d.frame.side().is_turned(s.triangle, s.is_back) ? -1.0f : 1.0f;
 }
 
-/// Rows of a matrix as floats, scaled so that none is out of their range: only directions count.
-void set_rows(float (&to)[3][3], const dmat3& m) {
-    double largest = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t r = 0; r < 3; ++r) largest = std::max(largest, std::fabs(m[c][r]));
-    const double scale = largest > 0 && std::isfinite(largest) ? 1 / largest : 1;
-    for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t r = 0; r < 3; ++r) to[r][c] = float(m[c][r] * scale);
-}
-
 RecordJob record_job(const DrawRecords& d, std::uint32_t number, bool whole) {
-    const Mesh& mesh = d.mesh;
     RecordJob job{};
-    job.indices = mesh.indices.data();
-    job.vertices = std::int32_t(mesh.positions.size());
+    static_cast<cpu_shading::MeshView&>(job) = cpu_shading::make_mesh_view(d.mesh, d.frame);
     job.clip = &d.front.clip[number][0].x;
-    job.positions = &mesh.positions[0].x;
-    if (!mesh.normals.empty()) job.normals = &mesh.normals[0].x;
-    if (!mesh.tangents.empty()) job.tangents = &mesh.tangents[0].x;
-    for (std::size_t set = 0; set < 2; ++set)
-        if (const vec2* const uv = d.texcoords(set)) job.texcoords[set] = &uv->x;
-    if (!mesh.colors.empty()) job.colors = &mesh.colors[0].x;
-    set_rows(job.to_normal, d.frame.to_normal());
-    set_rows(job.linear, d.frame.linear());
-    job.mirror = float(d.frame.mirror());
-    job.turned = d.frame.side().front_turns();
-    job.against = d.frame.side().against();
     job.whole = whole || d.front.list.view(number).vertex_colors || d.front.list.view(number).uses_texcoords[1];
     job.orthographic = d.front.view.orthographic;
     job.affine = is_affine(d.front);
