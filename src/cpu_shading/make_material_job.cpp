@@ -38,6 +38,19 @@ void set_viewer(const shading::View& view, const RenderSettings& s, MaterialJob&
     out.view_direction[0] = float(back.x), out.view_direction[1] = float(back.y), out.view_direction[2] = float(back.z);
 }
 
+/// Bumps beyond normal maps that act in the world as they are.
+bool has_bump_choices(const MaterialJob& job) {
+    return job.relief.technique != shading::relief_none ||
+           (job.has_bumps && (job.bump_terms != shading::bump_both || job.tangent_space != shading::space_world ||
+                              !job.normalize_frames || job.green_down || job.centered_normals));
+}
+
+/// Lambert has no highlight: under it metals show their base color as diffuse.
+bool is_metal_by_lambert(const MaterialJob& job) {
+    return job.reflection_model == shading::reflects_lambert && job.material->metallic_roughness &&
+           job.material->metallic > 0;
+}
+
 }  // namespace
 
 MaterialJob make_material_job(const shading::DrawList& list, const MaterialViews& views, const shading::Draw& draw,
@@ -55,6 +68,30 @@ MaterialJob make_material_job(const shading::DrawList& list, const MaterialViews
     out.has_light_around = is_explained || out.environment != nullptr || shading::has_ambient_light(list.scene);
     out.fog = shading::fog_factors(list.scene.fog);
     return out;
+}
+
+KernelNumber kernel_for(const MaterialJob& job, bool has_shadows) {
+    if (job.fog.kind != shading::fog_none || has_bump_choices(job) || job.material->has_float_maps) return kernel_every;
+    if (job.reflection_model == shading::reflects_pbr) {
+        if (job.multiple_scattering || shading::has_layers(*job.material)) return kernel_every;
+        return job.environment ? kernel_pbr_environment : kernel_pbr;
+    }
+    const bool is_classical =
+        !has_shadows && job.reflection_model <= shading::reflects_blinn_phong && !is_metal_by_lambert(job);
+    return is_classical && !job.environment ? kernel_classical : kernel_every;
+}
+
+float mean_roughness(const MaterialView& m) {
+    const TextureView* const t = m.map[role_metallic_roughness].view;
+    if (!t) return m.roughness;
+    const std::int32_t last = t->levels - 1, width = t->width[last], height = t->height[last];
+    float sum = 0;
+    for (std::int32_t y = 0; y < height; ++y)
+        for (std::int32_t x = 0; x < width; ++x) {
+            const std::ptrdiff_t i = t->origin[last] + std::ptrdiff_t(y) * (width + 2) + x;
+            sum += t->rgba32f ? t->rgba32f[4 * i + 1] : float(t->rgba8[i] >> 8 & 255u) * (1.0f / 255.0f);
+        }
+    return m.roughness * (sum / (float(width) * float(height)));
 }
 
 }  // namespace rakelight::cpu_shading

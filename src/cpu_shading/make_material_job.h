@@ -14,4 +14,10 @@ namespace rakelight::cpu_shading {
 MaterialJob make_material_job(const shading::DrawList& list, const MaterialViews& views, const shading::Draw& draw,
                               const RenderSettings& settings, const shading::View& view, bool is_explained);
 
+/// The kernel that leaves out most of what a job does not ask for.
+KernelNumber kernel_for(const MaterialJob& job, bool has_shadows);
+
+/// Roughness with the mean of its map, for light that is found before there are pixels.
+float mean_roughness(const MaterialView& material);
+
 }  // namespace rakelight::cpu_shading

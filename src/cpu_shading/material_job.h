@@ -16,6 +16,9 @@ namespace rakelight::cpu_shading {
 using shading::relief_none, shading::relief_height, shading::relief_parallax;
 using shading::space_world, shading::space_pixel, shading::space_vertex, shading::space_transposed;
 
+/// Which kernel shades a draw: each is the same source compiled for some of all materials (kernels/job.h).
+enum KernelNumber : int32_t { kernel_classical, kernel_pbr, kernel_pbr_environment, kernel_every };
+
 struct MaterialView : shading::MaterialFactors {
     uint32_t shared_maps;           ///< [bits by TextureRoleNumber] read where the base color map is, texel by texel
     int32_t has_float_maps;         ///< some map has float texels

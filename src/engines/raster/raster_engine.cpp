@@ -218,7 +218,7 @@ public:
         // First: maps are not there beside the new scene's textures, nor of lights that a list left half made lacks.
         shadows_.forget();
         open_surfaces_.forget();
-        list_ = make_draw_list(std::move(scene), textures_, context);
+        list_ = cpu_shading::make_draw_list(std::move(scene), textures_, context);
         cpu_shading::set_environment(list_.scene, environments_, list_.views, context);
     }
 

@@ -77,7 +77,7 @@ TEST(ShadowReuse, MapsAreDrawnOnceForAllCamerasAndAgainForAnotherSizeOrFilter) {
     using namespace rakelight::raster;
     Context context({.threads = 1});
     shading::TextureCache textures;
-    const DrawList list = make_draw_list(ball_on_floor(lamp({2, 5, 1})), textures, context);
+    const DrawList list = cpu_shading::make_draw_list(ball_on_floor(lamp({2, 5, 1})), textures, context);
     ShadowMaps maps;
     const auto drawn_for = [&](dvec3 eye, const RenderSettings& s) {
         const std::uint64_t before = maps.drawn();

@@ -10,11 +10,13 @@
 
 #include <rakelight/engine.h>
 
-#include "engines/raster/draw_list.h"
+#include "cpu_shading/draw_list.h"
 #include "engines/raster/geometry/clip.h"
 #include "engines/raster/kernels/kernel_types.h"
 
 namespace rakelight::raster {
+
+using cpu_shading::DrawList, shading::Draw, shading::DrawMaterial;
 
 /// A triangle, or a piece of one that was clipped, on the screen.
 struct ScreenTriangle : TriangleRow {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cpu_shading/make_material_job.h"
 #include "engines/raster/blend.h"
 #include "engines/raster/inspect/explained_triangles.h"
 #include "engines/raster/inspect/kernels/trace_kernel.h"
@@ -269,7 +270,7 @@ std::vector<TracedCorner> trace_corners(const FrontEnd& front, const LightPoints
         const auto lights = std::size_t(job.light_count);
         TracedCorner traced{corner, std::vector<TracedLight>(lights), std::vector<TracedParts>(lights)};
         float received[3][3];
-        trace::trace_point(&job, mean_roughness(*job.material), corner.position, corner.normal, received,
+        trace::trace_point(&job, cpu_shading::mean_roughness(*job.material), corner.position, corner.normal, received,
                            traced.lights.data(), traced.parts.data());
         out.push_back(std::move(traced));
     }

@@ -9,7 +9,7 @@
 namespace rakelight::raster {
 
 OpenScene::OpenScene(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context)
-    : settings_(settings_for_method(settings)), list_(make_draw_list(scene, textures_, context)) {
+    : settings_(settings_for_method(settings)), list_(cpu_shading::make_draw_list(scene, textures_, context)) {
     shading::EnvironmentCache environments;
     cpu_shading::set_environment(list_.scene, environments, list_.views, context);
     settings_.window = {};

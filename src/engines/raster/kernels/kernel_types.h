@@ -13,6 +13,8 @@
 
 namespace rakelight::raster {
 
+using cpu_shading::kernel_classical, cpu_shading::kernel_pbr, cpu_shading::kernel_pbr_environment,
+    cpu_shading::kernel_every;
 using cpu_shading::MaterialJob;
 using cpu_shading::TextureView, cpu_shading::TextureSlot, cpu_shading::MaterialView, cpu_shading::EnvironmentView;
 using shading::LightBox;
@@ -76,9 +78,6 @@ struct DisplayPixels {
     int64_t stride;         ///< [px] from row to row
     const uint32_t* table;  ///< SrgbEncoder::table()
 };
-
-/// Which kernel shades a draw: each is the same source compiled for some of all materials (cpu_shading/kernels/job.h).
-enum KernelNumber : int32_t { kernel_classical, kernel_pbr, kernel_pbr_environment, kernel_every };
 
 /// Pixels of one draw in one tile.
 struct ShadeJob : MaterialJob {

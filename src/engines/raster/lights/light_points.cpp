@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "cpu_shading/make_material_job.h"
 #include "engines/raster/lights/tile_lights.h"
 #include "engines/raster/material_jobs.h"
 #include "math/flush_denormals.h"
@@ -116,7 +117,7 @@ void run_kernel(const MaterialJob& shade, const Kernels& kernels, Batch& batch) 
     LightJob job{};
     job.count = std::int32_t(batch.count);
     job.material = &shade;
-    job.roughness = mean_roughness(*shade.material);
+    job.roughness = cpu_shading::mean_roughness(*shade.material);
     for (std::size_t c = 0; c < 3; ++c) {
         job.position[c] = batch.position[c].data();
         job.normal[c] = batch.normal[c].data();
@@ -164,19 +165,6 @@ std::vector<Task> plan(FrontEnd& front, LightPoints& points) {
 }
 
 }  // namespace
-
-float mean_roughness(const MaterialView& m) {
-    const TextureView* const t = m.map[role_metallic_roughness].view;
-    if (!t) return m.roughness;
-    const std::int32_t last = t->levels - 1, width = t->width[last], height = t->height[last];
-    float sum = 0;
-    for (std::int32_t y = 0; y < height; ++y)
-        for (std::int32_t x = 0; x < width; ++x) {
-            const std::ptrdiff_t i = t->origin[last] + std::ptrdiff_t(y) * (width + 2) + x;
-            sum += t->rgba32f ? t->rgba32f[4 * i + 1] : float(t->rgba8[i] >> 8 & 255u) * (1.0f / 255.0f);
-        }
-    return m.roughness * (sum / (float(width) * float(height)));
-}
 
 LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,
                          const Kernels& kernels, LightPoints&& used, Context& context) {

@@ -48,9 +48,6 @@ void make_lit_triangle(const FrontEnd& front, const LightPoints& points, const S
 /// The one or three points that make_lit_triangle() takes its light from; empty for unlit surfaces.
 std::vector<LitCorner> lit_corners(const FrontEnd& front, const LightPoints& points, const ScreenTriangle& s);
 
-/// Roughness with the mean of its map, as the points have it.
-float mean_roughness(const MaterialView& material);
-
 /// The frame of a draw of the picture.
 DrawFrame frame_of(const FrontEnd& front, std::uint32_t draw);
 

@@ -7,12 +7,14 @@
 
 #include <rakelight/engine.h>
 
-#include "engines/raster/draw_list.h"
+#include "cpu_shading/draw_list.h"
 #include "engines/raster/kernels/kernel_types.h"
 #include "shading/shadow_cameras.h"
 #include "shading/view.h"
 
 namespace rakelight::raster {
+
+using cpu_shading::DrawList;
 
 class ShadowMaps {
 public:
