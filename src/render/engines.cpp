@@ -9,17 +9,24 @@
 #ifdef RL_HAVE_OPENGL
 #include "engines/opengl/opengl_engine.h"
 #endif
+#ifdef RL_HAVE_TRACE
+#include "engines/raytrace/raytrace_engine.h"
+#endif
 #include "render/auto_engine.h"
 #include "world/channel_info.h"
 
 namespace rakelight {
 
 std::vector<std::string> engine_names() {
+    std::vector<std::string> names{"soft"};
 #ifdef RL_HAVE_OPENGL
-    return {"soft", "gl", "auto"};
-#else
-    return {"soft", "auto"};
+    names.push_back("gl");
 #endif
+#ifdef RL_HAVE_TRACE
+    names.push_back("trace");
+#endif
+    names.push_back("auto");
+    return names;
 }
 
 std::string engine_isa(const std::string& name) { return name == "soft" ? raster::isa_name() : std::string(); }
@@ -71,6 +78,9 @@ std::unique_ptr<Engine> make_engine(const std::string& name) {
     if (name == "auto") return make_auto_engine();
 #ifdef RL_HAVE_OPENGL
     if (name == "gl") return opengl::make_engine();
+#endif
+#ifdef RL_HAVE_TRACE
+    if (name == "trace") return raytrace::make_engine();
 #endif
     return raster::make_engine();
 }

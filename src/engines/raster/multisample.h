@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "engines/raster/geometry/sample_positions.h"
 #include "engines/raster/tile.h"
+#include "shading/sample_positions.h"
 
 namespace rakelight::raster {
+
+using shading::SamplePosition, shading::fixed_per_position, shading::mean_of_samples, shading::sample_positions;
 
 /// What is seen at one place of every pixel of a tile. [tile_pixels] each, as in TileScratch.
 struct SamplePlane {
@@ -63,9 +65,6 @@ void use_offsets(ShadeJob& batch, TileScratch& scratch);
 
 /// find_visible() at one place of every pixel.
 void find_visible_at(const SamplePlane& plane, const TileJob& job, std::size_t tile, TileScratch& scratch);
-
-/// The mean of n samples' colors, each by its alpha: a pixel. Of equal ones it is the color itself, to the bit.
-vec4 mean_of_samples(const vec4* colors, std::size_t n);
 
 /// The stages of a tile in multisampled pictures. Data channels, and what lines and points ask, are of the pixels'
 /// centers: a pass of its own, the same as in a picture of one sample.

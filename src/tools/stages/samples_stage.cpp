@@ -44,7 +44,7 @@ Picture enlarged(const Sources& of) {
         for (int x = 0; x < part.window.width; ++x) {
             const auto p = std::size_t(y + part.window.y) * std::size_t(width) + std::size_t(x + part.window.x);
             square(canvas, x * cell_px, y * cell_px, cell_px, shown(of, of.pixels.color[p].xyz()));
-            for (const raster::SamplePosition at : raster::sample_positions(samples)) {
+            for (const shading::SamplePosition at : shading::sample_positions(samples)) {
                 const int middle_x = x * cell_px + cell_px / 2 + 3 * at.x,
                           middle_y = y * cell_px + cell_px / 2 + 3 * at.y;
                 square(canvas, middle_x - 3, middle_y - 3, 7, backdrop);

@@ -218,7 +218,7 @@ TEST(InspectPixels, SamplesAreCountedAndTheirMeanIsThePixel) {
         for (std::size_t i = 0; i < 256; ++i) {
             const std::size_t p = (16 + i / 16) * width + 64 + i % 16;
             const vec4* const its = &colors.color[i * std::size_t(samples)];
-            EXPECT_EQ(raster::mean_of_samples(its, std::size_t(samples)), looked.data.color[p]);
+            EXPECT_EQ(shading::mean_of_samples(its, std::size_t(samples)), looked.data.color[p]);
             float low = 1, high = 0;
             for (int k = 0; k < samples; ++k)
                 low = std::min(low, std::min(its[k].x, 1.0f)), high = std::max(high, std::min(its[k].x, 1.0f));

@@ -64,7 +64,7 @@ Scene polygon(vec4 c, const std::vector<dvec2>& corners_px, AlphaMode mode = Alp
 template <class Inside>
 int count(int samples, int x, int y, const Inside& inside) {
     int n = 0;
-    for (const raster::SamplePosition& p : raster::sample_positions(samples))
+    for (const shading::SamplePosition& p : shading::sample_positions(samples))
         n += inside(x + 0.5 + p.x / 16.0, y + 0.5 + p.y / 16.0) ? 1 : 0;
     return n;
 }
@@ -73,7 +73,7 @@ int count(int samples, int x, int y, const Inside& inside) {
 
 TEST(Multisample, PositionsAreAllDifferentInRowsAndColumnsAndTheirMeanIsTheCenter) {
     for (const int samples : {4, 8}) {
-        const auto positions = raster::sample_positions(samples);
+        const auto positions = shading::sample_positions(samples);
         ASSERT_EQ(int(positions.size()), samples);
         int x = 0, y = 0, reach = 0;
         for (const auto& a : positions) {
@@ -83,7 +83,7 @@ TEST(Multisample, PositionsAreAllDifferentInRowsAndColumnsAndTheirMeanIsTheCente
         }
         EXPECT_EQ(x, 0);
         EXPECT_EQ(y, 0);
-        EXPECT_EQ(raster::sample_reach(samples), reach * raster::fixed_per_position);
+        EXPECT_EQ(shading::sample_reach(samples), reach * shading::fixed_per_position);
     }
 }
 
@@ -132,7 +132,7 @@ TEST(Multisample, ALineThinnerThanAPixelKeepsItsLightWhereverItLies) {
 
 TEST(Multisample, ATriangleBetweenThePixelCentersIsDrawn) {
     for (const int samples : {4, 8})
-        for (const raster::SamplePosition& p : raster::sample_positions(samples)) {
+        for (const shading::SamplePosition& p : shading::sample_positions(samples)) {
             const double x = 17.5 + p.x / 16.0, y = 40.5 + p.y / 16.0, r = 1.0 / 64;
             const Drawn drawn =
                 draw(polygon(white, {{x - r, y - r}, {x + 2 * r, y - r}, {x - r, y + 2 * r}}), settings_of(samples));

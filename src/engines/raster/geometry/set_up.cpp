@@ -8,8 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "engines/raster/geometry/sample_positions.h"
 #include "shading/draw_choices.h"
+#include "shading/sample_positions.h"
 
 namespace rakelight::raster {
 namespace {
@@ -66,7 +66,7 @@ public:
           culling_(shading::culling_of(front.list, draw_, front.settings)),
           volume_(front.view),
           map_(front.view),
-          reach_(sample_reach(front.settings.samples)) {}
+          reach_(shading::sample_reach(front.settings.samples)) {}
 
     void run() {
         s_.entry_count = 0;

@@ -8,9 +8,9 @@
 
 #include <rakelight/scene.h>
 
-#include "engines/raster/geometry/sample_positions.h"
 #include "engines/raster/inspect/traced_pixel.h"
 #include "engines/raster/lights/lit_corner.h"
+#include "shading/sample_positions.h"
 
 namespace rakelight::raster {
 
@@ -76,7 +76,7 @@ struct ShadedLayer {
 
 /// One sample of the pixel when all layers are laid.
 struct SeenSample {
-    SamplePosition at;
+    shading::SamplePosition at;
     std::size_t triangle = SIZE_MAX;  ///< the visible one, into PixelExplanation::triangles; SIZE_MAX: the background
     vec4 color;                       ///< linear
 };

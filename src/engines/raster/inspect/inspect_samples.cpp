@@ -40,7 +40,7 @@ void draw(const TileJob& job, std::size_t tile, TileScratch& s) {
 /// How many samples something opaque covers, and how many triangles they show.
 void count(const SampleScratch& m, std::size_t pixel, std::size_t samples, std::uint8_t& covered,
            std::uint8_t& triangles) {
-    std::int32_t shown[most_samples];
+    std::int32_t shown[shading::most_samples];
     for (std::size_t k = 0; k < samples; ++k) {
         const std::int32_t position = m.visible[k * tile_pixels + pixel];
         if (position < 0) continue;

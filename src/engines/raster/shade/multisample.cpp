@@ -16,7 +16,7 @@ namespace {
 
 /// [1 << samples] means of the positions of some samples. [px]
 struct Middles {
-    float x[1 << most_samples], y[1 << most_samples];
+    float x[1 << shading::most_samples], y[1 << shading::most_samples];
 
     explicit Middles(int samples) {
         const auto positions = sample_positions(samples);

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <span>
 
-namespace rakelight::raster {
+#include <rakelight/vector.h>
+
+namespace rakelight::shading {
 
 inline constexpr int most_samples = 8;
 
@@ -29,7 +31,10 @@ inline std::span<const SamplePosition> sample_positions(int samples) {
     return positions_of_1;
 }
 
+/// The mean of n samples' linear colors, each by its alpha: a pixel. Of equal ones it is the color itself, to the bit.
+vec4 mean_of_samples(const vec4* colors, std::size_t n);
+
 /// [1/256 px] how far samples are from the center at most, to each side.
 inline int sample_reach(int samples) { return samples == 8 ? 7 * 16 : samples == 4 ? 6 * 16 : 0; }
 
-}  // namespace rakelight::raster
+}  // namespace rakelight::shading

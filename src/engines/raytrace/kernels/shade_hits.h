@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loop over a job's hits: stages of cpu_shading/kernels/shade_points.h, compiled for some of all materials. Shadow rays
+// tell what light arrives. Per instruction set.
+#pragma once
+#include "engines/raytrace/kernels/hits.h"
+
+namespace rakelight::raytrace::RL_ISA {
+
+/// What light reaches a vector of hits, by a ray each to the light.
+template <class Kind, int32_t most>
+struct SeenByRays {
+    const HitJob& job;
+    const HitSource<most>& source;
+
+    real operator()(int32_t k, int32_t i, const lit::LightSample& light) const {
+        const lighting::LightParameters& from = job.lights[i];
+        if (job.find_seen == nullptr || !from.casts_shadow || from.kind == lighting::LightKind::ambient)
+            return real(1.0f);
+        const Hits& h = source.hits[k];
+        const bool is_far = from.kind == lighting::LightKind::directional;
+        // About the world's axes, also where `light.l` is in tangent space.
+        const vec3 to_light = is_far ? -splat(from.direction) : splat(from.position) - h.position;
+        const vec3 n = safe_normalize(h.normal);
+        const real side = select(dot(n, to_light) < real(0.0f), real(-1.0f), real(1.0f));
+        const real offset = max(real(job.offset), largest_component(h.position) * real(4e-7f));
+        float origin[3][lanes], direction[3][lanes], length[lanes], seen[lanes];
+        const auto put = [](float(&to)[3][lanes], vec3 v) { store(to[0], v.x), store(to[1], v.y), store(to[2], v.z); };
+        put(origin, h.position + n * (side * offset));
+        put(direction, to_light);
+        store(length, select(light.attenuation > real(0.0f), real(is_far ? __builtin_inff() : 1.0f), real(-1.0f)));
+        ShadowRays rays = {
+            lanes, {origin[0], origin[1], origin[2]}, {direction[0], direction[1], direction[2]}, length, seen};
+        job.find_seen(job.tracer, &rays);
+        return load(seen);
+    }
+};
+
+/// What is not finite becomes 0 and is counted, in the first `alive` lanes.
+inline real only_finite(real v, int32_t alive, int32_t& not_finite) {
+    const mask is_finite = v - v == real(0.0f);
+    if (all_lanes(is_finite)) return v;
+    const int32_t count = alive < lanes ? alive : lanes;
+    not_finite += __builtin_popcount(lane_bits(!is_finite) & ((uint32_t(2) << (count - 1)) - 1));
+    return select(is_finite, v, real(0.0f));
+}
+
+/// `most` vectors at a time. @return how many components came out not finite
+template <class Kind, int32_t most>
+inline int32_t shade_hits(const HitJob& job) {
+    const cpu::Job<Kind> material{job};
+    const bool needs_alpha = job.material->blend != 0 || job.material->alpha_cutoff >= 0;
+    int32_t not_finite = 0;
+    for (int32_t first = 0; first < job.count; first += most * lanes) {
+        HitSource<most> source(job, first);
+        cpu::Points<Kind, most> b;
+        const int32_t vectors = (job.count - first + lanes - 1) / lanes;
+        b.count = vectors < most ? vectors : most;
+        cpu::find_surfaces(material, source, {.normals = true, .alpha = needs_alpha}, b);
+        vec3 radiance[most];
+        cpu::find_radiance(material, source, b, SeenByRays<Kind, most>{job, source}, radiance);
+        for (int32_t k = 0; k < b.count; ++k) {
+            const int32_t at = first + k * lanes;
+            const vec3 color = cpu::behind_fog(material, b.of[k].point.position, radiance[k]);
+            const int32_t alive = job.count - at;
+            store(job.red + at, only_finite(color.x, alive, not_finite));
+            store(job.green + at, only_finite(color.y, alive, not_finite));
+            store(job.blue + at, only_finite(color.z, alive, not_finite));
+            store(job.alpha + at, cpu::alpha_of(material, b.of[k]));
+        }
+    }
+    return not_finite;
+}
+
+// One for each KernelNumber.
+int32_t shade_classical(const HitJob& job);
+int32_t shade_pbr(const HitJob& job);
+int32_t shade_pbr_environment(const HitJob& job);
+int32_t shade_every(const HitJob& job);
+
+}  // namespace rakelight::raytrace::RL_ISA

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surfaces of a draw list as Embree meets rays with: a scene for each mesh, placed by instances in one above. What did not
+// change from one scene to the next is kept.
+#pragma once
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <rakelight/context.h>
+
+#include "engines/raytrace/embree_library.h"
+#include "math/isa.h"
+#include "shading/draw_list.h"
+
+namespace rakelight::raytrace {
+
+/// Where a ray meets a surface first.
+struct Meeting {
+    std::uint32_t draw = no_index;  ///< into DrawList::draws; no_index: nowhere
+    std::uint32_t triangle = 0;
+    float t = 0;
+};
+
+/// Which meetings count.
+class RayFilter {
+public:
+    virtual ~RayFilter() = default;
+    /// @param is_against  the ray goes against the normal that the order of the corners gives, in the world
+    virtual bool counts(const Meeting& meeting, bool is_against) const = 0;
+};
+
+class RayScene {
+public:
+    explicit RayScene(Isa isa);
+    ~RayScene();
+    RayScene(const RayScene&) = delete;
+    RayScene& operator=(const RayScene&) = delete;
+
+    /// @throws Error bad_file: over the memory budget; failed: cancelled. Then nothing is met
+    void set(const shading::DrawList& list, Context& context);
+
+    /// Of the world, where Embree's coordinates are 0.
+    dvec3 origin() const { return origin_; }
+    /// [m] of the coordinates about it, at most
+    float reach() const { return reach_; }
+
+    /// @param origin     about origin()
+    /// @param direction  not 0; `from` and `to` count in it
+    /// @param filter     null: all count
+    Meeting first(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const;
+    bool is_blocked(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const;
+
+private:
+    struct Part;
+    struct Key;
+    class Building;
+    const Part& part_of(const Mesh& mesh, Building& building, Context& context);
+    std::unique_ptr<Part> make_part(const Mesh& mesh, Building& building, Context& context);
+
+    RTCDevice device_ = nullptr;
+    RTCScene top_ = nullptr;
+    std::map<Key, std::unique_ptr<Part>> parts_;
+    std::vector<bool> mirrored_;  ///< [draws]
+    dvec3 origin_{};
+    float reach_ = 0;
+};
+
+}  // namespace rakelight::raytrace

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raytrace/raytrace_engine.h"
+
+#include <rakelight/tools/strip_sink.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+#include "cpu_shading/environment_maps.h"
+#include "cpu_shading/textures.h"
+#include "engines/raytrace/trace_tile.h"
+#include "math/flush_denormals.h"
+#include "math/isa.h"
+
+namespace rakelight::raytrace {
+namespace {
+
+const Kernels* kernels_for(Isa isa) {
+    switch (isa) {
+        case Isa::scalar:
+            return scalar::kernels();
+        case Isa::sse2:
+            return sse2::kernels();
+        case Isa::avx2:
+            return avx2::kernels();
+        case Isa::avx512:
+            return avx512::kernels();
+    }
+    return scalar::kernels();
+}
+
+Window whole(const RenderSettings& s) {
+    return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window;
+}
+
+/// Working memory of tiles, handed from one to the next.
+class ScratchPool {
+public:
+    std::unique_ptr<TileScratch> take() {
+        const std::lock_guard lock(mutex_);
+        if (free_.empty()) return std::make_unique<TileScratch>();
+        auto scratch = std::move(free_.back());
+        free_.pop_back();
+        return scratch;
+    }
+    void give_back(std::unique_ptr<TileScratch> scratch) {
+        const std::lock_guard lock(mutex_);
+        free_.push_back(std::move(scratch));
+    }
+    /// Counts of all tiles since the last time. When no scratch is out.
+    RayCounts take_counts() {
+        RayCounts sum;
+        for (const auto& scratch : free_) {
+            const RayCounts c = std::exchange(scratch->counts, {});
+            sum.primary += c.primary, sum.shaded += c.shaded, sum.covered += c.covered, sum.not_finite += c.not_finite;
+        }
+        return sum;
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<TileScratch>> free_;
+};
+
+class RaytraceEngine final : public Engine {
+public:
+    RaytraceEngine() : isa_(isa_from_environment()), kernels_(*kernels_for(isa_)), rays_(isa_) {}
+
+    std::string name() const override { return "trace"; }
+    EngineAbilities abilities() const override {
+        return {.channels = channel_depth | channel_object | channel_material | channel_mesh | channel_triangle,
+                .samples = {1, 4, 8},
+                .shadows = true};
+    }
+
+    void prepare(Scene scene, Context& context) override {
+        validate_changes(scene, list_.scene);
+        list_ = {};  // what fails from here on leaves an empty scene
+        cpu_shading::DrawList list = cpu_shading::make_draw_list(std::move(scene), textures_, context);
+        cpu_shading::set_environment(list.scene, environments_, list.views, context);
+        rays_.set(list, context);
+        list_ = std::move(list);
+    }
+    const Scene& scene() const override { return list_.scene; }
+    void set_lights(std::vector<Light> lights) override {
+        validate_lights(lights, list_.scene.nodes.size());
+        list_.scene.lights = std::move(lights);
+    }
+
+    RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
+        const shading::View view = shading::view_of(list_, camera, settings);
+        const TracePicture picture(list_, rays_, view, settings, kernels_, context);
+        const Window window = whole(settings);
+        sink.begin(settings.width, settings.height, window, settings.channels);
+        const auto begin = std::chrono::steady_clock::now();
+        trace(picture, window, sink, context);
+        sink.end_pass(0);
+        const RayCounts counts = pool_.take_counts();
+        RenderStats stats;
+        stats.pixels_shaded = stats.lighting_evaluations = counts.shaded;
+        stats.pixels_not_finite = counts.not_finite;
+        stats.times.tiles = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        if (counts.not_finite > 0)
+            context.report().add(
+                Remark::warning, list_.scene.source, {},
+                std::to_string(counts.not_finite) + " color values came out not finite and are shown black");
+        return stats;
+    }
+
+private:
+    /// In strips of as many rows as the sink takes.
+    void trace(const TracePicture& picture, const Window& window, Sink& sink, Context& context) {
+        auto* const strips = dynamic_cast<StripSink*>(&sink);
+        const int most = strips && strips->rows_at_once() > 0 ? strips->rows_at_once() : window.height;
+        for (int y = 0; y < window.height; y += most) {
+            const Window strip{window.x, window.y + y, window.width, std::min(most, window.height - y)};
+            trace_strip(picture, window, strip, sink, context);
+            context.throw_if_cancelled();
+            if (strips) strips->rows_done(strip.y, strip.height);
+        }
+    }
+
+    void trace_strip(const TracePicture& picture, const Window& window, const Window& strip, Sink& sink, Context& context) {
+        const int columns = (strip.width + tile_size - 1) / tile_size, rows = (strip.height + tile_size - 1) / tile_size;
+        std::atomic<int> done{0};
+        context.parallel_for(std::size_t(columns) * std::size_t(rows), [&](std::size_t number) {
+            if (context.cancelled()) return;
+            const FlushDenormals guard;
+            const int x = int(number) % columns * tile_size, y = int(number) / columns * tile_size;
+            const Window area{strip.x + x, strip.y + y, std::min(tile_size, strip.width - x),
+                              std::min(tile_size, strip.height - y)};
+            auto scratch = pool_.take();
+            trace_tile(picture, area, context, *scratch);
+            if (!context.cancelled()) sink.tile(tile_of(area, picture.settings.channels, *scratch));
+            pool_.give_back(std::move(scratch));
+            const double before = strip.y - window.y, share = double(++done) / (columns * rows);
+            context.progress("render", (before + strip.height * share) / window.height);
+        });
+    }
+
+    static Tile tile_of(const Window& area, std::uint32_t channels, const TileScratch& s) {
+        Tile tile{.area = area};
+        tile.color = s.color;
+        for_each_channel(
+            [&](std::uint32_t bit, auto& to, const auto& array) {
+                if (channels & bit) to = array;
+            },
+            tile, static_cast<const ChannelArrays&>(s));
+        return tile;
+    }
+
+    Isa isa_;
+    const Kernels& kernels_;
+    shading::TextureCache textures_;
+    shading::EnvironmentCache environments_;
+    cpu_shading::DrawList list_;
+    RayScene rays_;
+    ScratchPool pool_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_engine() { return std::make_unique<RaytraceEngine>(); }
+
+}  // namespace rakelight::raytrace

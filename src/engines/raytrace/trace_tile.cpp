@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/raytrace/trace_tile.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "shading/sample_positions.h"
+
+namespace rakelight::raytrace {
+namespace {
+
+constexpr float step_behind = 1 + 4e-6f;  ///< where a ray goes on behind what it met
+
+float* plane(TileScratch& s, std::int32_t number) { return s.planes.data() + std::size_t(number) * tile_pixels; }
+vec3 vector_of(const TileScratch& s, std::int32_t number, std::size_t ray) {
+    const float* const p = s.planes.data() + std::size_t(number) * tile_pixels + ray;
+    return {p[0], p[tile_pixels], p[2 * tile_pixels]};
+}
+void put(TileScratch& s, std::int32_t number, std::size_t ray, dvec3 v) {
+    for (std::size_t c = 0; c < 3; ++c) plane(s, number + std::int32_t(c))[ray] = float(v[c]);
+}
+
+/// A ray through a place of every pixel.
+void make_primary(const TracePicture& picture, const Window& area, shading::SamplePosition at, TileScratch& s) {
+    const shading::View& view = picture.view;
+    const shading::PixelRays rays = shading::pixel_rays(view, area.x, area.y);
+    const dvec3 none{}, ahead = -view.camera_to_world[2].xyz();
+    for (int y = 0; y < area.height; ++y)
+        for (int x = 0; x < area.width; ++x) {
+            const std::size_t i = std::size_t(y) * std::size_t(area.width) + std::size_t(x);
+            const dvec3 place = rays.at(x + at.x / 16.0, y + at.y / 16.0);
+            put(s, ray_o, i, view.orthographic ? place : none);
+            put(s, ray_d, i, view.orthographic ? ahead : place);
+            put(s, ray_o_dx, i, view.orthographic ? rays.along_x : none);
+            put(s, ray_o_dy, i, view.orthographic ? rays.along_y : none);
+            put(s, ray_d_dx, i, view.orthographic ? none : rays.along_x);
+            put(s, ray_d_dy, i, view.orthographic ? none : rays.along_y);
+        }
+}
+
+/// What a camera sees: sides that are not culled, where masks leave something.
+class SeenFilter final : public RayFilter {
+public:
+    SeenFilter(const TracePicture& picture, const TileScratch& s, std::size_t ray, bool with_blended)
+        : picture_(picture), planes_{s.planes.data(), tile_pixels}, ray_(std::int32_t(ray)), with_blended_(with_blended) {}
+    bool counts(const Meeting& meeting, bool is_against) const override {
+        if (picture_.is_culled(meeting.draw, is_against)) return false;
+        if (!with_blended_ && picture_.is_blended(meeting.draw)) return false;
+        return !picture_.is_masked(meeting.draw) || !picture_.is_cut_out(meeting, planes_, ray_);
+    }
+
+private:
+    const TracePicture& picture_;
+    RayView planes_;
+    std::int32_t ray_;
+    bool with_blended_;
+};
+
+Meeting find_first(const TracePicture& picture, const TileScratch& s, std::size_t ray, bool with_blended) {
+    const SeenFilter filter(picture, s, ray, with_blended);
+    const bool needs_filter = picture.has_filtered || (!with_blended && picture.has_holes);
+    return picture.rays.first(picture.in_rays(vector_of(s, ray_o, ray)), vector_of(s, ray_d, ray), s.from[ray],
+                              float(picture.view.z_far), needs_filter ? &filter : nullptr);
+}
+
+void pad(std::vector<std::int32_t>& v, std::size_t count) {
+    v.resize(count + batch_padding);
+    std::fill(v.begin() + std::ptrdiff_t(count), v.end(), v[count - 1]);
+}
+
+/// Lights the hits of one draw: rays `begin` to `end` of the order.
+void shade_run(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
+    const std::uint32_t draw = s.meetings[std::size_t(s.order[begin])].draw;
+    const std::size_t count = end - begin;
+    s.hit_ray.assign(s.order.begin() + std::ptrdiff_t(begin), s.order.begin() + std::ptrdiff_t(end));
+    s.hit_triangle.resize(count);
+    for (std::size_t i = 0; i < count; ++i) s.hit_triangle[i] = std::int32_t(s.meetings[std::size_t(s.hit_ray[i])].triangle);
+    pad(s.hit_ray, count), pad(s.hit_triangle, count);
+    HitJob job = picture.hit_job(draw);
+    job.count = std::int32_t(count);
+    job.ray = s.hit_ray.data(), job.triangle = s.hit_triangle.data();
+    job.rays = {s.planes.data(), std::int32_t(tile_pixels)};
+    job.red = s.red.data(), job.green = s.green.data(), job.blue = s.blue.data(), job.alpha = s.alpha.data();
+    s.counts.not_finite += std::uint64_t(picture.kernels.shade(&job));
+    s.counts.shaded += count;
+    const bool is_blended = picture.is_blended(draw);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto ray = std::size_t(s.hit_ray[i]);
+        const bool is_finite = s.alpha[i] - s.alpha[i] == 0;
+        const float alpha = !is_blended ? 1.0f : is_finite ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f;
+        s.sum[ray] = s.sum[ray] + vec3{s.red[i], s.green[i], s.blue[i]} * (s.rest[ray] * alpha);
+        s.rest[ray] *= 1 - alpha;
+        if (!is_blended || s.rest[ray] <= 0) continue;
+        s.from[ray] = s.meetings[ray].t * step_behind;
+        s.live.push_back(std::int32_t(ray));
+    }
+}
+
+/// Follows the rays that live until they meet something opaque, or nothing.
+void follow(const TracePicture& picture, const Context& context, TileScratch& s) {
+    while (!s.live.empty() && !context.cancelled()) {
+        s.order.clear();
+        for (const std::int32_t ray : std::exchange(s.live, {})) {
+            s.meetings[std::size_t(ray)] = find_first(picture, s, std::size_t(ray), true);
+            if (s.meetings[std::size_t(ray)].draw != no_index) s.order.push_back(ray);
+        }
+        const auto draw_of = [&](std::int32_t ray) { return s.meetings[std::size_t(ray)].draw; };
+        std::ranges::stable_sort(s.order, {}, draw_of);
+        for (std::size_t begin = 0; begin < s.order.size();) {
+            std::size_t end = begin + 1;
+            while (end < s.order.size() && draw_of(s.order[end]) == draw_of(s.order[begin])) ++end;
+            shade_run(picture, begin, end, s);
+            begin = end;
+        }
+    }
+}
+
+/// What is behind everything.
+void lay_background(const TracePicture& picture, std::size_t count, std::vector<vec4>& to, TileScratch& s) {
+    const vec4 behind = picture.settings.background;
+    const bool has_sky = picture.list.views.environment && picture.list.scene.environment->is_background;
+    if (has_sky) {
+        SkyJob job{std::int32_t(count), {s.planes.data(), std::int32_t(tile_pixels)}, &picture.list.views.environment_view,
+                   picture.view.orthographic, s.red.data(), s.green.data(), s.blue.data()};
+        picture.kernels.sky(&job);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const vec4 own = has_sky ? vec4{s.red[i], s.green[i], s.blue[i], 1} : behind;
+        const float share = s.rest[i] * own.w, alpha = 1 - s.rest[i] + share;
+        const vec3 sum = s.sum[i] + own.xyz() * share;
+        const vec3 color = alpha > 0 ? sum * (1 / alpha) : own.xyz();
+        to[i] = {color.x, color.y, color.z, alpha};
+    }
+}
+
+void trace_sample(const TracePicture& picture, const Window& area, shading::SamplePosition at, const Context& context,
+                  std::vector<vec4>& to, TileScratch& s) {
+    const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
+    make_primary(picture, area, at, s);
+    s.counts.primary += count;
+    s.live.resize(count);
+    for (std::size_t i = 0; i < count; ++i) s.live[i] = std::int32_t(i);
+    s.from.assign(count, float(picture.view.z_near));
+    s.sum.assign(count, vec3{}), s.rest.assign(count, 1.0f);
+    s.meetings.assign(count, Meeting{});
+    follow(picture, context, s);
+    lay_background(picture, count, to, s);
+}
+
+/// Data of the nearest opaque surface at the pixels' centers.
+void find_data(const TracePicture& picture, const Window& area, TileScratch& s) {
+    const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
+    make_primary(picture, area, {0, 0}, s);
+    s.from.assign(count, float(picture.view.z_near));
+    s.depth.assign(count, std::numeric_limits<float>::infinity());
+    for (auto* const ids : {&s.object, &s.material, &s.mesh, &s.triangle}) ids->assign(count, no_index);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Meeting m = find_first(picture, s, i, false);
+        if (m.draw == no_index) continue;
+        const shading::Draw& draw = picture.list.draws[m.draw];
+        s.depth[i] = m.t;
+        s.object[i] = draw.node, s.mesh[i] = draw.mesh, s.triangle[i] = m.triangle;
+        s.material[i] = picture.list.material(draw).scene_material;
+    }
+}
+
+}  // namespace
+
+void trace_tile(const TracePicture& picture, const Window& area, const Context& context, TileScratch& s) {
+    const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
+    s.planes.resize(std::size_t(ray_planes) * tile_pixels);
+    for (auto* const numbers : {&s.red, &s.green, &s.blue, &s.alpha}) numbers->resize(tile_pixels + batch_padding);
+    s.color.resize(count);
+    const auto positions = shading::sample_positions(picture.settings.samples);
+    if (positions.size() == 1) {
+        trace_sample(picture, area, positions[0], context, s.color, s);
+    } else {
+        s.sample_colors.assign(count * positions.size(), vec4{});
+        for (std::size_t k = 0; k < positions.size(); ++k) {
+            trace_sample(picture, area, positions[k], context, s.color, s);
+            for (std::size_t i = 0; i < count; ++i) s.sample_colors[i * positions.size() + k] = s.color[i];
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            s.color[i] = shading::mean_of_samples(s.sample_colors.data() + i * positions.size(), positions.size());
+    }
+    if (picture.settings.channels != 0) find_data(picture, area, s);
+}
+
+}  // namespace rakelight::raytrace
