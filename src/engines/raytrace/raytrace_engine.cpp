@@ -30,9 +30,7 @@ const Kernels* kernels_for(Isa isa) {
     return scalar::kernels();
 }
 
-Window whole(const RenderSettings& s) {
-    return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window;
-}
+Window whole(const RenderSettings& s) { return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window; }
 
 /// Working memory of tiles, handed from one to the next.
 class ScratchPool {
@@ -121,8 +119,10 @@ private:
         }
     }
 
-    void trace_strip(const TracePicture& picture, const Window& window, const Window& strip, Sink& sink, Context& context) {
-        const int columns = (strip.width + tile_size - 1) / tile_size, rows = (strip.height + tile_size - 1) / tile_size;
+    void trace_strip(const TracePicture& picture, const Window& window, const Window& strip, Sink& sink,
+                     Context& context) {
+        const int columns = (strip.width + tile_size - 1) / tile_size,
+                  rows = (strip.height + tile_size - 1) / tile_size;
         std::atomic<int> done{0};
         context.parallel_for(std::size_t(columns) * std::size_t(rows), [&](std::size_t number) {
             if (context.cancelled()) return;

@@ -66,8 +66,7 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
         to_eye_.push_back(view.world_to_eye * draw.to_world);
         frames_.emplace_back(list, draw, to_eye_.back(), view, settings.front_face);
         HitJob job{};
-        static_cast<MaterialJob&>(job) =
-            cpu_shading::make_material_job(list, list.views, draw, settings, view, false);
+        static_cast<MaterialJob&>(job) = cpu_shading::make_material_job(list, list.views, draw, settings, view, false);
         job.lights = lights.data();
         job.light_count = std::int32_t(lights.size());
         job.mesh = cpu_shading::make_mesh_view(list.scene.meshes[draw.mesh], frames_.back());
@@ -82,7 +81,8 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
         }
         if (settings.shadows) job.find_seen = find_seen, job.tracer = this;
         job.offset = least_offset * rays.reach();
-        job.kernel = job.lit_at != lit_at_points ? cpu_shading::kernel_every : cpu_shading::kernel_for(job, settings.shadows);
+        job.kernel =
+            job.lit_at != lit_at_points ? cpu_shading::kernel_every : cpu_shading::kernel_for(job, settings.shadows);
         cutoffs_.push_back(shading::mask_cutoff(list.view(d), job.relief.limit_silhouette));
         has_holes = has_holes || cutoffs_.back() >= 0 || is_blended(d);
         has_filtered = has_filtered || cutoffs_.back() >= 0 || culling_.back().back || culling_.back().front;

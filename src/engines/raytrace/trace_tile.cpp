@@ -43,7 +43,10 @@ void make_primary(const TracePicture& picture, const Window& area, shading::Samp
 class SeenFilter final : public RayFilter {
 public:
     SeenFilter(const TracePicture& picture, const TileScratch& s, std::size_t ray, bool with_blended)
-        : picture_(picture), planes_{s.planes.data(), tile_pixels}, ray_(std::int32_t(ray)), with_blended_(with_blended) {}
+        : picture_(picture),
+          planes_{s.planes.data(), tile_pixels},
+          ray_(std::int32_t(ray)),
+          with_blended_(with_blended) {}
     bool counts(const Meeting& meeting, bool is_against) const override {
         if (picture_.is_culled(meeting.draw, is_against)) return false;
         if (!with_blended_ && picture_.is_blended(meeting.draw)) return false;
@@ -75,7 +78,8 @@ void shade_run(const TracePicture& picture, std::size_t begin, std::size_t end, 
     const std::size_t count = end - begin;
     s.hit_ray.assign(s.order.begin() + std::ptrdiff_t(begin), s.order.begin() + std::ptrdiff_t(end));
     s.hit_triangle.resize(count);
-    for (std::size_t i = 0; i < count; ++i) s.hit_triangle[i] = std::int32_t(s.meetings[std::size_t(s.hit_ray[i])].triangle);
+    for (std::size_t i = 0; i < count; ++i)
+        s.hit_triangle[i] = std::int32_t(s.meetings[std::size_t(s.hit_ray[i])].triangle);
     pad(s.hit_ray, count), pad(s.hit_triangle, count);
     HitJob job = picture.hit_job(draw);
     job.count = std::int32_t(count);
@@ -121,8 +125,13 @@ void lay_background(const TracePicture& picture, std::size_t count, std::vector<
     const vec4 behind = picture.settings.background;
     const bool has_sky = picture.list.views.environment && picture.list.scene.environment->is_background;
     if (has_sky) {
-        SkyJob job{std::int32_t(count), {s.planes.data(), std::int32_t(tile_pixels)}, &picture.list.views.environment_view,
-                   picture.view.orthographic, s.red.data(), s.green.data(), s.blue.data()};
+        SkyJob job{std::int32_t(count),
+                   {s.planes.data(), std::int32_t(tile_pixels)},
+                   &picture.list.views.environment_view,
+                   picture.view.orthographic,
+                   s.red.data(),
+                   s.green.data(),
+                   s.blue.data()};
         picture.kernels.sky(&job);
     }
     for (std::size_t i = 0; i < count; ++i) {

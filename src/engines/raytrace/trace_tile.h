@@ -19,16 +19,16 @@ struct RayCounts {
 
 /// Working memory of a tile, used again by the next one.
 struct TileScratch : ChannelArrays {
-    std::vector<float> planes;       ///< [ray_planes][tile_pixels]
-    std::vector<Meeting> meetings;   ///< [rays]
-    std::vector<float> from;         ///< [rays] where they begin
-    std::vector<std::int32_t> live;  ///< rays that go on
+    std::vector<float> planes;                               ///< [ray_planes][tile_pixels]
+    std::vector<Meeting> meetings;                           ///< [rays]
+    std::vector<float> from;                                 ///< [rays] where they begin
+    std::vector<std::int32_t> live;                          ///< rays that go on
     std::vector<std::int32_t> order, hit_ray, hit_triangle;  ///< hits by draw; those of one draw
     std::vector<float> red, green, blue, alpha;
-    std::vector<vec3> sum;           ///< [pixels] of one sample, times its alpha
-    std::vector<float> rest;         ///< [pixels] what is not covered yet
-    std::vector<vec4> color;         ///< [pixels] the result
-    std::vector<vec4> sample_colors; ///< [pixels][samples]
+    std::vector<vec3> sum;            ///< [pixels] of one sample, times its alpha
+    std::vector<float> rest;          ///< [pixels] what is not covered yet
+    std::vector<vec4> color;          ///< [pixels] the result
+    std::vector<vec4> sample_colors;  ///< [pixels][samples]
     RayCounts counts;
 };
 

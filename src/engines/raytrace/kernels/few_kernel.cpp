@@ -27,7 +27,9 @@ static void sky(const SkyJob* job) {
     const real height(float(job->environment->sky->height[0]));
     for (int32_t i = 0; i < job->count; i += lanes) {
         const auto vector = [&](int32_t plane) {
-            const auto at = [&](int32_t c) { return load(job->rays.planes + int64_t(plane + c) * job->rays.capacity + i); };
+            const auto at = [&](int32_t c) {
+                return load(job->rays.planes + int64_t(plane + c) * job->rays.capacity + i);
+            };
             return vec3(at(0), at(1), at(2));
         };
         const vec3 ray = vector(ray_d), change = vector(ray_d_dy);
