@@ -190,6 +190,7 @@ std::unique_ptr<RayScene::Part> RayScene::make_part(const Mesh& mesh, Building& 
 }
 
 Meeting RayScene::first(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const {
+    if (!top_) return {};
     RayContext context = context_of(filter, mirrored_);
     RTCRayHit meeting{ray_of(origin, direction, from, to), {}};
     meeting.hit.geomID = meeting.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -199,6 +200,7 @@ Meeting RayScene::first(vec3 origin, vec3 direction, float from, float to, const
 }
 
 bool RayScene::is_blocked(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const {
+    if (!top_) return false;
     RayContext context = context_of(filter, mirrored_);
     RTCRay ray = ray_of(origin, direction, from, to);
     embree().Occluded1(top_, &context.embree, &ray);

@@ -67,9 +67,7 @@ public:
 
     std::string name() const override { return "trace"; }
     EngineAbilities abilities() const override {
-        return {.channels = channel_depth | channel_object | channel_material | channel_mesh | channel_triangle,
-                .samples = {1, 4, 8},
-                .shadows = true};
+        return {.channels = channels_all, .samples = {1, 4, 8}, .shadows = true};
     }
 
     void prepare(Scene scene, Context& context) override {

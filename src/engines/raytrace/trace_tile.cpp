@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "cpu_shading/kernel_channels.h"
 #include "shading/sample_positions.h"
 
 namespace rakelight::raytrace {
@@ -72,19 +73,39 @@ void pad(std::vector<std::int32_t>& v, std::size_t count) {
     std::fill(v.begin() + std::ptrdiff_t(count), v.end(), v[count - 1]);
 }
 
-/// Lights the hits of one draw: rays `begin` to `end` of the order.
-void shade_run(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
-    const std::uint32_t draw = s.meetings[std::size_t(s.order[begin])].draw;
+/// The hits of one draw: rays `begin` to `end` of the order, into hit_ray and hit_triangle.
+HitJob hits_of_run(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
     const std::size_t count = end - begin;
     s.hit_ray.assign(s.order.begin() + std::ptrdiff_t(begin), s.order.begin() + std::ptrdiff_t(end));
     s.hit_triangle.resize(count);
     for (std::size_t i = 0; i < count; ++i)
         s.hit_triangle[i] = std::int32_t(s.meetings[std::size_t(s.hit_ray[i])].triangle);
     pad(s.hit_ray, count), pad(s.hit_triangle, count);
-    HitJob job = picture.hit_job(draw);
+    HitJob job = picture.hit_job(s.meetings[std::size_t(s.order[begin])].draw);
     job.count = std::int32_t(count);
     job.ray = s.hit_ray.data(), job.triangle = s.hit_triangle.data();
     job.rays = {s.planes.data(), std::int32_t(tile_pixels)};
+    return job;
+}
+
+/// Calls run(begin, end) for the hits of each draw.
+template <class Run>
+void for_each_run(TileScratch& s, const Run& run) {
+    const auto draw_of = [&](std::int32_t ray) { return s.meetings[std::size_t(ray)].draw; };
+    std::ranges::stable_sort(s.order, {}, draw_of);
+    for (std::size_t begin = 0; begin < s.order.size();) {
+        std::size_t end = begin + 1;
+        while (end < s.order.size() && draw_of(s.order[end]) == draw_of(s.order[begin])) ++end;
+        run(begin, end);
+        begin = end;
+    }
+}
+
+/// Lights the hits of one draw.
+void shade_run(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
+    const std::uint32_t draw = s.meetings[std::size_t(s.order[begin])].draw;
+    const std::size_t count = end - begin;
+    HitJob job = hits_of_run(picture, begin, end, s);
     job.red = s.red.data(), job.green = s.green.data(), job.blue = s.blue.data(), job.alpha = s.alpha.data();
     s.counts.not_finite += std::uint64_t(picture.kernels.shade(&job));
     s.counts.shaded += count;
@@ -109,14 +130,7 @@ void follow(const TracePicture& picture, const Context& context, TileScratch& s)
             s.meetings[std::size_t(ray)] = find_first(picture, s, std::size_t(ray), true);
             if (s.meetings[std::size_t(ray)].draw != no_index) s.order.push_back(ray);
         }
-        const auto draw_of = [&](std::int32_t ray) { return s.meetings[std::size_t(ray)].draw; };
-        std::ranges::stable_sort(s.order, {}, draw_of);
-        for (std::size_t begin = 0; begin < s.order.size();) {
-            std::size_t end = begin + 1;
-            while (end < s.order.size() && draw_of(s.order[end]) == draw_of(s.order[begin])) ++end;
-            shade_run(picture, begin, end, s);
-            begin = end;
-        }
+        for_each_run(s, [&](std::size_t begin, std::size_t end) { shade_run(picture, begin, end, s); });
     }
 }
 
@@ -157,21 +171,67 @@ void trace_sample(const TracePicture& picture, const Window& area, shading::Samp
     lay_background(picture, count, to, s);
 }
 
+/// The numbers of a hit, into its pixel.
+void take_numbers(const TracePicture& picture, std::size_t pixel, const Meeting& m, TileScratch& s) {
+    const shading::Draw& draw = picture.list.draws[m.draw];
+    s.object[pixel] = draw.node, s.mesh[pixel] = draw.mesh, s.triangle[pixel] = m.triangle;
+    s.material[pixel] = picture.list.material(draw).scene_material;
+}
+
+/// What kernels give of the hits of one draw, into their pixels.
+void take_values(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
+    constexpr std::size_t stride = tile_pixels + batch_padding;
+    const std::uint32_t channels = picture.settings.channels;
+    const HitJob hits = hits_of_run(picture, begin, end, s);
+    s.channel_values.resize(std::size_t(cpu_shading::channel_planes) * stride);
+    ChannelJob job{};
+    static_cast<cpu_shading::ChannelValues&>(job) =
+        cpu_shading::channel_values(channels, s.channel_values.data(), stride);
+    job.hits = &hits;
+    std::vector<float> own(7 * stride);
+    for (std::size_t c = 0; c < 3; ++c)
+        job.normal[c] = own.data() + c * stride, job.face_normal[c] = own.data() + (3 + c) * stride;
+    job.depth = own.data() + 6 * stride;
+    picture.kernels.channels(&job);
+    const auto pixel_of = [&s](std::size_t i) { return std::size_t(s.hit_ray[i]); };
+    cpu_shading::take_channels(channels, s.channel_values.data(), stride, end - begin,
+                               picture.view.camera_to_world[3].xyz(), pixel_of, s);
+    for (std::size_t i = 0; i < end - begin; ++i) {
+        const std::size_t pixel = pixel_of(i);
+        if (channels & channel_depth) s.depth[pixel] = job.depth[i];
+        if (channels & channel_normal) s.normal[pixel] = {job.normal[0][i], job.normal[1][i], job.normal[2][i]};
+        if (channels & channel_face_normal)
+            s.face_normal[pixel] = {job.face_normal[0][i], job.face_normal[1][i], job.face_normal[2][i]};
+    }
+}
+
+/// Opaque surfaces behind the first one, which is known.
+std::uint32_t count_behind(const TracePicture& picture, std::size_t ray, const Meeting& first, TileScratch& s) {
+    std::uint32_t count = 0;
+    for (Meeting m = first; m.draw != no_index; ++count) {
+        s.from[ray] = m.t * step_behind;
+        m = find_first(picture, s, ray, false);
+    }
+    return count - 1;
+}
+
 /// Data of the nearest opaque surface at the pixels' centers.
 void find_data(const TracePicture& picture, const Window& area, TileScratch& s) {
     const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
     make_primary(picture, area, {0, 0}, s);
     s.from.assign(count, float(picture.view.z_near));
-    s.depth.assign(count, std::numeric_limits<float>::infinity());
-    for (auto* const ids : {&s.object, &s.material, &s.mesh, &s.triangle}) ids->assign(count, no_index);
+    for_each_channel([&](std::uint32_t bit, auto& array) { array.assign(count, empty_value(bit, array)); },
+                     static_cast<ChannelArrays&>(s));
+    s.order.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        const Meeting m = find_first(picture, s, i, false);
-        if (m.draw == no_index) continue;
-        const shading::Draw& draw = picture.list.draws[m.draw];
-        s.depth[i] = m.t;
-        s.object[i] = draw.node, s.mesh[i] = draw.mesh, s.triangle[i] = m.triangle;
-        s.material[i] = picture.list.material(draw).scene_material;
+        s.meetings[i] = find_first(picture, s, i, false);
+        if (s.meetings[i].draw == no_index) continue;
+        s.order.push_back(std::int32_t(i));
+        take_numbers(picture, i, s.meetings[i], s);
+        if (picture.settings.channels & channel_overdraw)
+            s.overdraw[i] = 1 + count_behind(picture, i, s.meetings[i], s);
     }
+    for_each_run(s, [&](std::size_t begin, std::size_t end) { take_values(picture, begin, end, s); });
 }
 
 }  // namespace

@@ -25,10 +25,11 @@ struct TileScratch : ChannelArrays {
     std::vector<std::int32_t> live;                          ///< rays that go on
     std::vector<std::int32_t> order, hit_ray, hit_triangle;  ///< hits by draw; those of one draw
     std::vector<float> red, green, blue, alpha;
-    std::vector<vec3> sum;            ///< [pixels] of one sample, times its alpha
-    std::vector<float> rest;          ///< [pixels] what is not covered yet
-    std::vector<vec4> color;          ///< [pixels] the result
-    std::vector<vec4> sample_colors;  ///< [pixels][samples]
+    std::vector<vec3> sum;              ///< [pixels] of one sample, times its alpha
+    std::vector<float> rest;            ///< [pixels] what is not covered yet
+    std::vector<vec4> color;            ///< [pixels] the result
+    std::vector<vec4> sample_colors;    ///< [pixels][samples]
+    std::vector<float> channel_values;  ///< [channel_planes][tile_pixels + batch_padding] where channels need them
     RayCounts counts;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernel of all that a job can ask for, and the entries that no speed depends on. Compiled once per instruction set.
-#include "engines/raster/kernels/channel_kernel.h"
+#include "cpu_shading/kernels/channels.h"
 #include "engines/raster/kernels/light_kernel.h"
-#include "engines/raster/kernels/shade_pixels.h"
+#include "engines/raster/kernels/whole_pixels.h"
 
 namespace rakelight::raster::RL_ISA {
 
@@ -22,7 +22,7 @@ void alpha(const ShadeJob* job) {
 
 void light(const LightJob* job) { light_points(job); }
 
-void channels(const ChannelJob* job) { find_channels(*job); }
+void channels(const ChannelJob* job) { cpu::find_channels<WholePixels, PixelSource<1>>(*job->shade, *job); }
 
 static void widen(real low, real high, float& to_low, float& to_high) {
     float of[2][lanes];

@@ -4,6 +4,7 @@
 #pragma once
 #include <stdint.h>
 
+#include "cpu_shading/channel_planes.h"
 #include "cpu_shading/material_job.h"
 #include "cpu_shading/mesh_view.h"
 #include "engines/raster/kernels/geometry_types.h"
@@ -118,26 +119,9 @@ struct LightJob {
     float* specular[3];
 };
 
-/// Arrays of ChannelJob: the first of each channel's components.
-enum ChannelPlaneNumber : int32_t {
-    plane_position = 0,
-    plane_barycentric = 3,
-    plane_uv = 6,
-    plane_uv1 = 8,
-    plane_tangent = 10,
-    plane_base_color = 14,
-    plane_ambient = 17,
-    plane_diffuse = 20,
-    plane_specular = 23,
-    plane_emission = 26,
-    channel_planes = 29,
-};
-
 /// Data of the pixels of a ShadeJob beside their color.
-struct ChannelJob {
+struct ChannelJob : cpu_shading::ChannelValues {
     const ShadeJob* shade;
-    int32_t needs_terms;         ///< one of ambient, diffuse, specular and emission is wanted
-    float* out[channel_planes];  ///< [count] each; null: not wanted. Positions are about the eye
 };
 
 /// Pixels of a tile that show the environment's picture.

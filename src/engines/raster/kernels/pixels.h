@@ -82,6 +82,10 @@ struct PixelSource {
     SignedVector normal(int32_t k) const { return normal_at(pixels[k].records, pixels[k].b); }
     SignedVector tangent(int32_t k) const { return tangent_at(pixels[k].records, pixels[k].b); }
     PixelTriangles of(int32_t k) const { return {job, pixels[k]}; }
+    vec3 weights(int32_t k) const {
+        const Barycentrics& b = pixels[k].b;
+        return vec3(real(1.0f) - b.b1 - b.b2, b.b1, b.b2);
+    }
     bool is_lit_at_corners() const { return job.lit != nullptr; }
     lit::LightTerms corner_light(int32_t k) const {
         return interpolate_light(job.lit, pixels[k].triangle, pixels[k].b);

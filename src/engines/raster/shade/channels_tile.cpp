@@ -1,76 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Data channels of a tile beyond depth, normal, object and material. Plain pictures never come here.
-#include <array>
-#include <utility>
-
-#include "engines/channel_arrays.h"
-#include "engines/raster/material_jobs.h"
 #include "engines/raster/shade/channels_tile.h"
+#include "cpu_shading/kernel_channels.h"
+#include "engines/raster/material_jobs.h"
 #include "engines/raster/visibility/coverage.h"
 #include "math/linear.h"
 
 namespace rakelight::raster {
 namespace {
 
-struct KernelChannel {
-    std::uint32_t bit;
-    std::int32_t plane, components;
-};
-
-constexpr std::array kernel_channels{KernelChannel{channel_position, plane_position, 3},
-                                     KernelChannel{channel_barycentric, plane_barycentric, 3},
-                                     KernelChannel{channel_uv, plane_uv, 2},
-                                     KernelChannel{channel_uv1, plane_uv1, 2},
-                                     KernelChannel{channel_tangent, plane_tangent, 4},
-                                     KernelChannel{channel_base_color, plane_base_color, 3},
-                                     KernelChannel{channel_ambient, plane_ambient, 3},
-                                     KernelChannel{channel_diffuse, plane_diffuse, 3},
-                                     KernelChannel{channel_specular, plane_specular, 3},
-                                     KernelChannel{channel_emission, plane_emission, 3}};
-
-const float* plane_of(const TileScratch& s, std::int32_t plane) {
-    return s.channel_values.data() + std::size_t(plane) * (tile_pixels + batch_padding);
-}
-
-/// From planes of the batch to pixels of the tile.
-template <class Vector>
-void scatter(const TileScratch& s, std::int32_t plane, std::size_t components, std::size_t count,
-             std::vector<Vector>& to) {
-    for (std::size_t c = 0; c < components; ++c) {
-        const float* const from = plane_of(s, plane + std::int32_t(c));
-        for (std::size_t i = 0; i < count; ++i) to[std::size_t(s.pixel[i])][c] = from[i];
-    }
-}
+constexpr std::size_t stride = tile_pixels + batch_padding;  ///< of the planes of channel_values
 
 void run_kernel(const TileJob& job, const ShadeJob& batch, TileScratch& s) {
-    const std::uint32_t channels = job.front.settings.channels;
-    s.channel_values.resize(std::size_t(channel_planes) * (tile_pixels + batch_padding));
+    s.channel_values.resize(std::size_t(cpu_shading::channel_planes) * stride);
     ChannelJob kernel_job{};
+    static_cast<cpu_shading::ChannelValues&>(kernel_job) =
+        cpu_shading::channel_values(job.front.settings.channels, s.channel_values.data(), stride);
     kernel_job.shade = &batch;
-    kernel_job.needs_terms = (channels & channels_lighting) != 0;
-    for (const KernelChannel& k : kernel_channels)
-        for (std::int32_t c = 0; (channels & k.bit) && c < k.components; ++c)
-            kernel_job.out[k.plane + c] = const_cast<float*>(plane_of(s, k.plane + c));
     job.kernels.channels(&kernel_job);
 }
 
-/// What the kernel made, into the tile. Positions leave the eye in double.
+/// What the kernel made, into the tile.
 void take_values(const TileJob& job, std::size_t count, TileScratch& s) {
-    for_each_channel(
-        [&](std::uint32_t bit, auto& array) {
-            using Value = std::remove_reference_t<decltype(array[0])>;
-            if constexpr (!std::is_arithmetic_v<Value>)
-                for (const KernelChannel& k : kernel_channels)
-                    if (k.bit == bit && (job.front.settings.channels & bit))
-                        scatter(s, k.plane, std::size_t(k.components), count, array);
-        },
-        static_cast<ChannelArrays&>(s));
-    if (!(job.front.settings.channels & channel_position)) return;
-    const dvec3 eye = job.front.view.camera_to_world[3].xyz();
-    for (std::size_t i = 0; i < count; ++i) {
-        vec3& p = s.position[std::size_t(s.pixel[i])];
-        p = {float(eye.x + double(p.x)), float(eye.y + double(p.y)), float(eye.z + double(p.z))};
-    }
+    cpu_shading::take_channels(
+        job.front.settings.channels, s.channel_values.data(), stride, count, job.front.view.camera_to_world[3].xyz(),
+        [&s](std::size_t i) { return std::size_t(s.pixel[i]); }, s);
 }
 
 void take_numbers(const TileJob& job, std::uint32_t draw, std::size_t count, TileScratch& s) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernel of all that a job can ask for. Compiled once per instruction set.
+#include "cpu_shading/kernels/channels.h"
 #include "engines/raytrace/kernels/shade_hits.h"
 
 namespace rakelight::raytrace::RL_ISA {
@@ -15,6 +16,28 @@ void alpha(const HitJob* job) {
         cpu::find_places(material, source, b);
         const real alpha = cpu::find_base_color(material, source, 0, b.of[0].point).color.w;
         store(job->alpha + i, cpu::shown_alpha(material, b.of[0].bumps, alpha));
+    }
+}
+
+/// One vector of hits with all that is known of it.
+struct WholeHits : cpu::WholePoints<HitSource<1>> {
+    using WholePoints::WholePoints;
+    SeenByRays<cpu::EveryMaterial, 1> seen() const { return {source.job, source}; }
+};
+
+static void put3(float* const (&to)[3], int32_t i, vec3 v) {
+    store(to[0] + i, v.x);
+    store(to[1] + i, v.y);
+    store(to[2] + i, v.z);
+}
+
+void channels(const ChannelJob* job) {
+    cpu::find_channels<WholeHits, HitSource<1>>(*job->hits, *job);
+    for (int32_t i = 0; i < job->hits->count; i += lanes) {
+        const WholeHits p(*job->hits, i);
+        store(job->depth + i, p.source.hits[0].t);
+        put3(job->normal, i, p.state().surface.base.n);
+        put3(job->face_normal, i, HitSource<1>::face_normal(p.source.hits[0]));
     }
 }
 

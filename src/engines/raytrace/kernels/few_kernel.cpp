@@ -43,9 +43,10 @@ static void sky(const SkyJob* job) {
 }
 
 void alpha(const HitJob* job);  // every_kernel.cpp
+void channels(const ChannelJob* job);
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, shade, alpha, sky};
+    static constexpr Kernels table = {lanes, shade, alpha, channels, sky};
     return &table;
 }
 

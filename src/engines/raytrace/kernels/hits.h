@@ -149,11 +149,11 @@ struct HitSource {
         return {hits[k].interpolate(at[0], at[1], at[2]), handedness};
     }
     HitTriangles of(int32_t k) const { return {job, hits[k]}; }
+    vec3 weights(int32_t k) const { return vec3(real(1.0f) - hits[k].b1 - hits[k].b2, hits[k].b1, hits[k].b2); }
 
     bool is_lit_at_corners() const { return job.lit_at != lit_at_points; }
     lit::LightTerms corner_light(int32_t k) const;
 
-private:
     /// Unit, towards the viewer.
     static vec3 face_normal(const Hits& h) {
         const vec3 n = safe_normalize(h.normal);

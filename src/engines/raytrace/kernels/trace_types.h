@@ -4,6 +4,7 @@
 #pragma once
 #include <stdint.h>
 
+#include "cpu_shading/channel_planes.h"
 #include "cpu_shading/material_job.h"
 #include "cpu_shading/mesh_view.h"
 
@@ -72,11 +73,20 @@ struct SkyJob {
 
 enum LitAtNumber : int32_t { lit_at_points, lit_at_faces, lit_at_corners };
 
+/// Data of the points of a HitJob beside their color.
+struct ChannelJob : cpu_shading::ChannelValues {
+    const HitJob* hits;
+    float* normal[3];       ///< [count + batch_padding] out, shading normal; null: not wanted
+    float* face_normal[3];  ///< likewise, of the triangle's plane on the side that is seen
+    float* depth;           ///< where on the ray
+};
+
 /// The functions that exist once per instruction set.
 struct Kernels {
     int32_t lanes;
     int32_t (*shade)(const HitJob* job);  ///< returns how many components came out not finite: they are 0
     void (*alpha)(const HitJob* job);     ///< only `alpha` is written: for masks
+    void (*channels)(const ChannelJob* job);
     void (*sky)(const SkyJob* job);
 };
 
