@@ -30,7 +30,9 @@ constexpr Entry entries[] = {
      "eye: NAME.depth.png, ...); several: exr,png"},
     {output, "exr-colors", "HOW", "Colors in EXR files: float (default) or half (16 bits)"},
     {shading, "engine", "NAME",
-     "soft (default): own rasterizer, the same picture on every machine; gl: OpenGL; auto: gl where there is a GPU"},
+     "soft (default): own rasterizer, the same picture on every machine; gl: OpenGL; trace: rays, with exact shadows; "
+     "auto: "
+     "gl where there is a GPU"},
     {shading, "shading", "HOW",
      "How often lighting is evaluated: phong (default: at every pixel), gouraud (at every vertex), flat (once a face), "
      "unlit (never: own color only), auto (gouraud where triangles are so small that it hardly differs). For a part: "

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <rakelight/linear.h>
+#include <rakelight/version.h>
 
 #include "document.h"
 
@@ -132,8 +133,10 @@ void step_channel(Look& look, int by) {
 }
 
 void next_engine(PictureRequest& request) {
-    const std::string all[] = {"soft", "gl", "auto"};  // where GlView is built, gl is
-    request.engine = next(all, request.engine);
+    const std::vector<std::string> all = build_info().engines;
+    request.engine = *(std::ranges::find(all, request.engine) == std::prev(all.end())
+                           ? all.begin()
+                           : std::next(std::ranges::find(all, request.engine)));
 }
 
 bool apply_to_picture(Command command, Look& look, const Model& model) {

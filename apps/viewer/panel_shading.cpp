@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <rakelight/picture_parts.h>
+#include <rakelight/version.h>
 
 namespace rakelight::viewer {
 namespace {
@@ -77,9 +78,11 @@ void draw_lines(RenderSettings& s) {
 void draw_shading_panel(PanelView& view) {
     PictureRequest& r = view.look.request;
     RenderSettings& s = r.settings;
-    constexpr const char* engines[] = {"soft", "gl", "auto"};
-    int engine = int(std::ranges::find(engines, r.engine) - engines);
-    if (ImGui::Combo("engine", &engine, engines, 3)) r.engine = engines[engine];
+    if (ImGui::BeginCombo("engine", r.engine.c_str())) {
+        for (const std::string& name : build_info().engines)
+            if (ImGui::Selectable(name.c_str(), name == r.engine)) r.engine = name;
+        ImGui::EndCombo();
+    }
     draw_channels(view);
     if (choose("shading", shading_words, s.shading)) s.own_shading = false, s.shading_rules.clear();
     if (choose("lighting", lighting_words, s.lighting)) s.lighting_name.clear(), s.lighting_text.clear();

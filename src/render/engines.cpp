@@ -29,7 +29,9 @@ std::vector<std::string> engine_names() {
     return names;
 }
 
-std::string engine_isa(const std::string& name) { return name == "soft" ? raster::isa_name() : std::string(); }
+std::string engine_isa(const std::string& name) {
+    return name == "soft" || name == "trace" ? raster::isa_name() : std::string();
+}
 
 void check_engine_name(const std::string& name) {
     const std::vector<std::string> names = engine_names();

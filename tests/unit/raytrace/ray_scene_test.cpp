@@ -87,7 +87,8 @@ TEST_F(Rays, MeetWhatBruteForceFinds) {
     for (int i = 0; i < 20000; ++i) {
         const dvec3 origin{number(-2, 2), number(-2, 2), number(-2, 2)}, along = direction();
         const Nearest exact = nearest(scene.meshes[0], origin, along);
-        const Meeting m = loaded.rays.first(cast<float>(origin - loaded.rays.origin()), cast<float>(along), 0, 1e9f, nullptr);
+        const Meeting m =
+            loaded.rays.first(cast<float>(origin - loaded.rays.origin()), cast<float>(along), 0, 1e9f, nullptr);
         const bool is_blocked =
             loaded.rays.is_blocked(cast<float>(origin - loaded.rays.origin()), cast<float>(along), 0, 1e9f, nullptr);
         EXPECT_EQ(is_blocked, m.draw != no_index);
@@ -109,7 +110,8 @@ TEST_F(Rays, PassNoSeamOfASphereCutIntoObjects) {
     EXPECT_EQ(loaded.list.draws.size(), 7u);
     for (int i = 0; i < 300000; ++i) {
         const dvec3 origin = direction() * number(0, 0.9);
-        ASSERT_TRUE(loaded.rays.is_blocked(cast<float>(origin - loaded.rays.origin()), cast<float>(direction()), 0, 10, nullptr))
+        ASSERT_TRUE(loaded.rays.is_blocked(cast<float>(origin - loaded.rays.origin()), cast<float>(direction()), 0, 10,
+                                           nullptr))
             << i;
     }
 }

@@ -50,8 +50,8 @@ TEST(Raytrace, TheShadowOfAPointLightIsExact) {
     test::add_object(scene, test::square_mesh(0, 4), lying(0));
     test::add_object(scene, test::square_mesh(0, 0.5f), lying(2));
     scene.lights = {{.type = LightType::point, .position = {0, 4, 0}, .ambient = {0, 0, 0}}};
-    const RenderSettings settings{.width = 200, .height = 150, .channels = channel_position, .shadows = true,
-                                  .background = {0, 0, 0, 1}};
+    const RenderSettings settings{
+        .width = 200, .height = 150, .channels = channel_position, .shadows = true, .background = {0, 0, 0, 1}};
     const Frame frame = traced(scene, from_above(), settings);
     int lit = 0, dark = 0;
     for (std::size_t i = 0; i < frame.color.size(); ++i) {
@@ -119,7 +119,8 @@ TEST(Raytrace, HasTheSameBitsForAnyThreadsAndWindows) {
 }
 
 TEST(Raytrace, AnEmptyPictureIsTheBackground) {
-    const RenderSettings settings{.width = 40, .height = 30, .channels = channels_all, .background = {0.2f, 0.4f, 0.6f, 0.5f}};
+    const RenderSettings settings{
+        .width = 40, .height = 30, .channels = channels_all, .background = {0.2f, 0.4f, 0.6f, 0.5f}};
     const Frame frame = traced(Scene{}, from_above(), settings);
     for (const vec4& c : frame.color) ASSERT_EQ(c, settings.background);
 }
