@@ -46,7 +46,7 @@ class Panels(Case):
         self.assertNotEqual(seen(window.settled_picture()), seen(before), what)
 
     def test_marks_are_ticked(self):
-        window = self.open("builtin:teapot")
+        window = self.open("builtin:teapot", "--normals", "object")
         window.key("F4")
         plain = window.settled_picture()
         for x, y, what in ((20, row(4), "normals"), (20, row(5), "seams")):

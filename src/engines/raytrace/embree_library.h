@@ -18,10 +18,12 @@ namespace rakelight::raytrace {
     X(ReleaseScene)                                                                                                 \
     X(AttachGeometry)                                                                                               \
     X(AttachGeometryByID)                                                                                           \
-    X(SetSceneFlags) X(SetSceneBuildQuality) X(SetSceneProgressMonitorFunction) X(CommitScene) X(NewGeometry)       \
-        X(ReleaseGeometry) X(SetSharedGeometryBuffer) X(CommitGeometry) X(SetGeometryUserData) X(SetGeometryMask)   \
-            X(SetGeometryIntersectFilterFunction) X(SetGeometryOccludedFilterFunction) X(SetGeometryInstancedScene) \
-                X(SetGeometryTransform) X(Intersect1) X(Occluded1)
+    X(SetSceneFlags)                                                                                                \
+    X(SetSceneBuildQuality)                                                                                         \
+    X(SetSceneProgressMonitorFunction) X(CommitScene) X(NewGeometry) X(ReleaseGeometry) X(SetSharedGeometryBuffer)  \
+        X(CommitGeometry) X(SetGeometryUserData) X(SetGeometryMask) X(SetGeometryIntersectFilterFunction)           \
+            X(SetGeometryOccludedFilterFunction) X(SetGeometryInstancedScene) X(SetGeometryTransform) X(Intersect1) \
+                X(Occluded1)
 
 struct EmbreeLibrary {
 #define RL_MEMBER(name) decltype(&::rtc##name) name;

@@ -24,27 +24,12 @@ std::string config_of(Isa isa) {
 struct RayContext {
     RTCIntersectContext embree;  // first: Embree hands a pointer to it
     const RayFilter* filter;
-    const std::vector<bool>* mirrored;
+    const RayScene* scene;
 };
 
-void filter_meeting(const RTCFilterFunctionNArguments* args) {
-    const RayContext& context = *reinterpret_cast<const RayContext*>(args->context);
-    if (args->valid[0] == 0) return;
-    const RTCHit& hit = *reinterpret_cast<const RTCHit*>(args->hit);
-    const RTCRay& ray = *reinterpret_cast<const RTCRay*>(args->ray);
-    const std::uint32_t draw = hit.instID[0];
-    // Both are in the mesh's own space here.
-    const bool is_against = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z < 0;
-    if (!context.filter->counts({draw, hit.primID, ray.tfar}, is_against != (*context.mirrored)[draw]))
-        args->valid[0] = 0;
-}
-
-RayContext context_of(const RayFilter* filter, const std::vector<bool>& mirrored) {
-    RayContext context{{}, filter, &mirrored};
-    rtcInitIntersectContext(&context.embree);
-    if (filter) context.embree.filter = filter_meeting;
-    return context;
-}
+/// Meshes that have no more triangles than that, in all places together, are for the crowd: a scene of Embree's own for each
+/// costs more than they do.
+constexpr std::uint64_t most_in_crowd = 4096;
 
 /// [bytes] of Embree's tree a triangle, about: measured on meshes of 1 to 10 million.
 constexpr std::uint64_t tree_bytes = 100;
@@ -73,6 +58,46 @@ struct RayScene::Part {
         if (scene) embree().ReleaseScene(scene);
     }
 };
+
+/// Small meshes at their places, one after the other.
+struct RayScene::Crowd {
+    std::vector<float> positions;  ///< about the origin, with room behind them
+    std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> draws, first;  ///< whose triangles begin at first[i]
+    MemoryCharge charge;
+
+    Meeting meeting(std::uint32_t triangle, float t) const {
+        const auto next = std::ranges::upper_bound(first, triangle);
+        const auto i = std::size_t(next - first.begin()) - 1;
+        return {draws[i], triangle - first[i], t};
+    }
+    void add(std::uint32_t draw, const Mesh& mesh, const dmat4& to_rays) {
+        const auto vertices = std::uint32_t(positions.size() / 3);
+        draws.push_back(draw), first.push_back(std::uint32_t(indices.size() / 3));
+        for (const vec3& p : mesh.positions) {
+            const dvec3 at = transform_point(to_rays, cast<double>(p));
+            for (std::size_t c = 0; c < 3; ++c) positions.push_back(float(at[c]));
+        }
+        for (const std::uint32_t i : mesh.indices) indices.push_back(vertices + i);
+    }
+};
+
+Meeting RayScene::meeting_of(const RTCHit& hit, float t) const {
+    if (hit.instID[0] == RTC_INVALID_GEOMETRY_ID) return crowd_->meeting(hit.primID, t);
+    return {hit.instID[0], hit.primID, t};
+}
+
+void RayScene::filter(const RTCFilterFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    const RayContext& context = *reinterpret_cast<const RayContext*>(args->context);
+    const RTCHit& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+    const RTCRay& ray = *reinterpret_cast<const RTCRay*>(args->ray);
+    const Meeting meeting = context.scene->meeting_of(hit, ray.tfar);
+    // Of instances both are in the mesh's own space, of the crowd in the world.
+    const bool is_against = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z < 0;
+    const bool is_turned = hit.instID[0] != RTC_INVALID_GEOMETRY_ID && context.scene->mirrored_[meeting.draw];
+    if (!context.filter->counts(meeting, is_against != is_turned)) args->valid[0] = 0;
+}
 
 RayScene::RayScene(Isa isa) {
     device_ = embree().NewDevice(config_of(isa).c_str());
@@ -122,6 +147,17 @@ std::array<float, 12> columns_of(const dmat4& m) {
     return out;
 }
 
+/// Numbers and indices stay where they are.
+RTCGeometry triangles_of(RTCDevice device, const float* positions, std::uint64_t vertices, const std::uint32_t* indices,
+                         std::uint64_t triangles) {
+    RTCGeometry geometry = embree().NewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    embree().SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions, 0, 12,
+                                     vertices);
+    embree().SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices, 0, 12, triangles);
+    embree().CommitGeometry(geometry);
+    return geometry;
+}
+
 float reach_of(const Bounds& bounds) {
     const dvec3 half = (bounds.high - bounds.low) * 0.5;
     return float(std::max({half.x, half.y, half.z, 0.0}));
@@ -131,26 +167,27 @@ float reach_of(const Bounds& bounds) {
 
 void RayScene::set(const shading::DrawList& list, Context& context) {
     if (top_) embree().ReleaseScene(std::exchange(top_, nullptr));
+    crowd_.reset();
     for (auto& [key, part] : parts_) part->is_used = false;
     origin_ = list.bounds.empty() ? dvec3{} : list.bounds.center();
     reach_ = list.bounds.empty() ? 0 : reach_of(list.bounds);
     mirrored_.assign(list.draws.size(), false);
+    std::map<Key, std::uint64_t> triangles;  // in all places
+    const auto mesh_of = [&](const shading::Draw& draw) -> const Mesh& { return list.scene.meshes[draw.mesh]; };
+    for (const shading::Draw& draw : list.draws) triangles[key_of(mesh_of(draw))] += mesh_of(draw).triangle_count();
     Building building(device_, context);
     RTCScene top = embree().NewScene(device_);
     try {
         embree().SetSceneFlags(top, scene_flags);
+        std::vector<std::uint32_t> small;
         for (std::uint32_t d = 0; d < list.draws.size(); ++d) {
-            const shading::Draw& draw = list.draws[d];
-            mirrored_[d] = draw.mirrored;
-            const Part& part = part_of(list.scene.meshes[draw.mesh], building, context);
-            RTCGeometry instance = embree().NewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
-            embree().SetGeometryInstancedScene(instance, part.scene);
-            embree().SetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                                          columns_of(translation(-origin_) * draw.to_world).data());
-            embree().CommitGeometry(instance);
-            embree().AttachGeometryByID(top, instance, d);
-            embree().ReleaseGeometry(instance);
+            mirrored_[d] = list.draws[d].mirrored;
+            if (triangles[key_of(mesh_of(list.draws[d]))] <= most_in_crowd)
+                small.push_back(d);
+            else
+                add_instance(top, list, d, building, context);
         }
+        if (!small.empty()) add_crowd(top, list, small, context);
         building.commit(top);
     } catch (...) {
         embree().ReleaseScene(top);
@@ -160,12 +197,49 @@ void RayScene::set(const shading::DrawList& list, Context& context) {
     std::erase_if(parts_, [](const auto& known) { return !known.second->is_used; });
 }
 
+RayScene::Key RayScene::key_of(const Mesh& mesh) { return {mesh.positions.identity(), mesh.indices.identity()}; }
+
+void RayScene::add_instance(RTCScene top, const shading::DrawList& list, std::uint32_t number, Building& building,
+                            Context& context) {
+    const shading::Draw& draw = list.draws[number];
+    const Part& part = part_of(list.scene.meshes[draw.mesh], building, context);
+    RTCGeometry instance = embree().NewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+    embree().SetGeometryInstancedScene(instance, part.scene);
+    embree().SetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                                  columns_of(translation(-origin_) * draw.to_world).data());
+    embree().CommitGeometry(instance);
+    embree().AttachGeometryByID(top, instance, number);
+    embree().ReleaseGeometry(instance);
+}
+
+void RayScene::add_crowd(RTCScene top, const shading::DrawList& list, const std::vector<std::uint32_t>& draws,
+                         Context& context) {
+    auto crowd = std::make_unique<Crowd>();
+    std::uint64_t vertices = 0, triangles = 0;
+    for (const std::uint32_t d : draws) {
+        const Mesh& mesh = list.scene.meshes[list.draws[d].mesh];
+        vertices += mesh.positions.size(), triangles += mesh.triangle_count();
+    }
+    if (vertices > 0xffffffffu || triangles > 0xffffffffu)
+        throw Error(ErrorCode::bad_file, "more small surfaces than rays can tell apart").with_file(list.scene.source);
+    crowd->charge =
+        MemoryCharge(context.memory(), 12 * (vertices + 1) + (12 + tree_bytes) * triangles + 8 * draws.size(), "rays");
+    crowd->positions.reserve(3 * vertices + 1), crowd->indices.reserve(3 * triangles);
+    for (const std::uint32_t d : draws)
+        crowd->add(d, list.scene.meshes[list.draws[d].mesh], translation(-origin_) * list.draws[d].to_world);
+    crowd->positions.push_back(0);
+    RTCGeometry geometry = triangles_of(device_, crowd->positions.data(), vertices, crowd->indices.data(), triangles);
+    embree().AttachGeometryByID(top, geometry, std::uint32_t(list.draws.size()));
+    embree().ReleaseGeometry(geometry);
+    crowd_ = std::move(crowd);
+}
+
 /// Made where it is not known yet.
 const RayScene::Part& RayScene::part_of(const Mesh& mesh, Building& building, Context& context) {
-    std::unique_ptr<Part>& known = parts_[{mesh.positions.identity(), mesh.indices.identity()}];
-    if (!known) known = make_part(mesh, building, context);
-    known->is_used = true;
-    return *known;
+    auto known = parts_.find(key_of(mesh));
+    if (known == parts_.end()) known = parts_.emplace(key_of(mesh), make_part(mesh, building, context)).first;
+    known->second->is_used = true;
+    return *known->second;
 }
 
 std::unique_ptr<RayScene::Part> RayScene::make_part(const Mesh& mesh, Building& building, Context& context) {
@@ -177,31 +251,30 @@ std::unique_ptr<RayScene::Part> RayScene::make_part(const Mesh& mesh, Building& 
     std::memcpy(part->padded.data(), mesh.positions.data(), 12 * vertices);
     part->scene = embree().NewScene(device_);
     embree().SetSceneFlags(part->scene, scene_flags);
-    RTCGeometry geometry = embree().NewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    embree().SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, part->padded.data(), 0, 12,
-                                     vertices);
-    embree().SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices.data(), 0, 12,
-                                     triangles);
-    embree().CommitGeometry(geometry);
+    RTCGeometry geometry = triangles_of(device_, part->padded.data(), vertices, mesh.indices.data(), triangles);
     embree().AttachGeometry(part->scene, geometry);
     embree().ReleaseGeometry(geometry);
     building.commit(part->scene);
     return part;
 }
 
-Meeting RayScene::first(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const {
+Meeting RayScene::first(vec3 origin, vec3 direction, float from, float to, const RayFilter* wanted) const {
     if (!top_) return {};
-    RayContext context = context_of(filter, mirrored_);
+    RayContext context{{}, wanted, this};
+    rtcInitIntersectContext(&context.embree);
+    if (wanted) context.embree.filter = filter;
     RTCRayHit meeting{ray_of(origin, direction, from, to), {}};
     meeting.hit.geomID = meeting.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree().Intersect1(top_, &context.embree, &meeting);
     if (meeting.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return {meeting.hit.instID[0], meeting.hit.primID, meeting.ray.tfar};
+    return meeting_of(meeting.hit, meeting.ray.tfar);
 }
 
-bool RayScene::is_blocked(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const {
+bool RayScene::is_blocked(vec3 origin, vec3 direction, float from, float to, const RayFilter* wanted) const {
     if (!top_) return false;
-    RayContext context = context_of(filter, mirrored_);
+    RayContext context{{}, wanted, this};
+    rtcInitIntersectContext(&context.embree);
+    if (wanted) context.embree.filter = filter;
     RTCRay ray = ray_of(origin, direction, from, to);
     embree().Occluded1(top_, &context.embree, &ray);
     return ray.tfar < 0;

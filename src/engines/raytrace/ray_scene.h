@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surfaces of a draw list as Embree meets rays with: a scene for each mesh, placed by instances in one above. What did not
-// change from one scene to the next is kept.
+// The surfaces of a draw list as Embree meets rays with: a scene for each mesh, placed by instances in one above; what did not
+// change from one scene to the next is kept. Small meshes, of which there may be many, lie together in one geometry beside the instances.
 #pragma once
 #include <map>
 #include <memory>
@@ -53,7 +53,15 @@ public:
 private:
     struct Part;
     struct Key;
+    struct Crowd;
     class Building;
+    void add_instance(RTCScene top, const shading::DrawList& list, std::uint32_t draw, Building& building,
+                      Context& context);
+    void add_crowd(RTCScene top, const shading::DrawList& list, const std::vector<std::uint32_t>& draws,
+                   Context& context);
+    static Key key_of(const Mesh& mesh);
+    static void filter(const RTCFilterFunctionNArguments* args);
+    Meeting meeting_of(const RTCHit& hit, float t) const;
     const Part& part_of(const Mesh& mesh, Building& building, Context& context);
     std::unique_ptr<Part> make_part(const Mesh& mesh, Building& building, Context& context);
 
@@ -61,6 +69,7 @@ private:
     RTCScene top_ = nullptr;
     std::map<Key, std::unique_ptr<Part>> parts_;
     std::vector<bool> mirrored_;  ///< [draws]
+    std::unique_ptr<Crowd> crowd_;
     dvec3 origin_{};
     float reach_ = 0;
 };

@@ -88,6 +88,9 @@ public:
         const shading::View view = shading::view_of(list_, camera, settings);
         const TracePicture picture(list_, rays_, view, settings, kernels_, context);
         const Window window = whole(settings);
+        if (!list_.line_draws.empty() && settings.surfaces)
+            context.report().add(Remark::warning, list_.scene.source, {},
+                                 "lines and points are not drawn: rays do not meet them");
         sink.begin(settings.width, settings.height, window, settings.channels);
         const auto begin = std::chrono::steady_clock::now();
         trace(picture, window, sink, context);

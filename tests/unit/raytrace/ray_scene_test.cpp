@@ -148,6 +148,34 @@ TEST_F(Rays, FiltersSeeTheSideInTheWorld) {
     EXPECT_TRUE(sides.seen.back().second);
 }
 
+/// A large mesh at two places, with a scene of its own, among small ones that lie together.
+TEST_F(Rays, MeetSmallAndLargeMeshesByTheirOwnNumbers) {
+    Scene scene;
+    for (int i = 0; i < 5; ++i) test::add_object(scene, test::square_mesh(), translation(dvec3{3.0 * i, 0, 0}));
+    Mesh large = load("builtin:sphere:tolerance=0.0002", {}, context_).meshes[0];
+    ASSERT_GT(large.triangle_count(), 4096u);
+    const std::uint32_t node = test::add_object(scene, std::move(large), translation(dvec3{0, 5, 0}));
+    scene.nodes.push_back(scene.nodes[node]);
+    scene.nodes.back().local.matrix = translation(dvec3{6, 5, 0});
+    const Loaded loaded(scene, context_);
+    ASSERT_EQ(loaded.list.draws.size(), 7u);
+    const auto met_at = [&](double x, double y) {
+        return loaded.rays.first(cast<float>(dvec3{x, y, 10} - loaded.rays.origin()), {0, 0, -1}, 0, 100, nullptr);
+    };
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        const Meeting upper = met_at(3.0 * i - 0.3, 0.6), lower = met_at(3.0 * i + 0.3, -0.6);
+        EXPECT_EQ(upper.draw, i);
+        EXPECT_EQ(lower.draw, i);
+        EXPECT_EQ(upper.triangle, 1u);
+        EXPECT_EQ(lower.triangle, 0u);
+        EXPECT_FLOAT_EQ(lower.t, 10);
+    }
+    EXPECT_EQ(met_at(0, 5).draw, 5u);
+    EXPECT_EQ(met_at(6, 5).draw, 6u);
+    EXPECT_NEAR(met_at(6, 5).t, 9, 1e-3);
+    EXPECT_EQ(met_at(1.5, 0).draw, no_index);
+}
+
 TEST_F(Rays, AnEmptySceneIsMetNowhere) {
     const Loaded loaded(Scene{}, context_);
     EXPECT_EQ(loaded.rays.first({0, 0, 0}, {0, 0, 1}, 0, 10, nullptr).draw, no_index);
