@@ -13,31 +13,34 @@ namespace {
 
 constexpr float step_behind = 1 + 4e-6f;  ///< where a ray goes on behind what it met
 
-float* plane(TileScratch& s, std::int32_t number) { return s.planes.data() + std::size_t(number) * tile_pixels; }
+float* plane(TileScratch& s, std::int32_t number) { return s.planes.data() + std::size_t(number) * plane_stride; }
 vec3 vector_of(const TileScratch& s, std::int32_t number, std::size_t ray) {
-    const float* const p = s.planes.data() + std::size_t(number) * tile_pixels + ray;
-    return {p[0], p[tile_pixels], p[2 * tile_pixels]};
+    const float* const p = s.planes.data() + std::size_t(number) * plane_stride + ray;
+    return {p[0], p[plane_stride], p[2 * plane_stride]};
 }
-void put(TileScratch& s, std::int32_t number, std::size_t ray, dvec3 v) {
-    for (std::size_t c = 0; c < 3; ++c) plane(s, number + std::int32_t(c))[ray] = float(v[c]);
+/// The same vector for all rays.
+void fill(TileScratch& s, std::int32_t number, std::size_t count, dvec3 v) {
+    for (std::size_t c = 0; c < 3; ++c) std::fill_n(plane(s, number + std::int32_t(c)), count, float(v[c]));
 }
 
 /// A ray through a place of every pixel.
 void make_primary(const TracePicture& picture, const Window& area, shading::SamplePosition at, TileScratch& s) {
     const shading::View& view = picture.view;
     const shading::PixelRays rays = shading::pixel_rays(view, area.x, area.y);
+    const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
     const dvec3 none{}, ahead = -view.camera_to_world[2].xyz();
-    for (int y = 0; y < area.height; ++y)
-        for (int x = 0; x < area.width; ++x) {
-            const std::size_t i = std::size_t(y) * std::size_t(area.width) + std::size_t(x);
-            const dvec3 place = rays.at(x + at.x / 16.0, y + at.y / 16.0);
-            put(s, ray_o, i, view.orthographic ? place : none);
-            put(s, ray_d, i, view.orthographic ? ahead : place);
-            put(s, ray_o_dx, i, view.orthographic ? rays.along_x : none);
-            put(s, ray_o_dy, i, view.orthographic ? rays.along_y : none);
-            put(s, ray_d_dx, i, view.orthographic ? none : rays.along_x);
-            put(s, ray_d_dy, i, view.orthographic ? none : rays.along_y);
+    fill(s, view.orthographic ? ray_d : ray_o, count, view.orthographic ? ahead : none);
+    fill(s, ray_o_dx, count, view.orthographic ? rays.along_x : none);
+    fill(s, ray_o_dy, count, view.orthographic ? rays.along_y : none);
+    fill(s, ray_d_dx, count, view.orthographic ? none : rays.along_x);
+    fill(s, ray_d_dy, count, view.orthographic ? none : rays.along_y);
+    for (std::size_t c = 0; c < 3; ++c) {
+        float* to = plane(s, (view.orthographic ? ray_o : ray_d) + std::int32_t(c));
+        for (int y = 0; y < area.height; ++y) {
+            const double row = rays.along_y[c] * (y + at.y / 16.0) + rays.first[c] + rays.along_x[c] * (at.x / 16.0);
+            for (int x = 0; x < area.width; ++x) *to++ = float(row + rays.along_x[c] * x);
         }
+    }
 }
 
 /// What a camera sees: sides that are not culled, where masks leave something.
@@ -45,7 +48,7 @@ class SeenFilter final : public RayFilter {
 public:
     SeenFilter(const TracePicture& picture, const TileScratch& s, std::size_t ray, bool with_blended)
         : picture_(picture),
-          planes_{s.planes.data(), tile_pixels},
+          planes_{s.planes.data(), plane_stride},
           ray_(std::int32_t(ray)),
           with_blended_(with_blended) {}
     bool counts(const Meeting& meeting, bool is_against) const override {
@@ -84,7 +87,7 @@ HitJob hits_of_run(const TracePicture& picture, std::size_t begin, std::size_t e
     HitJob job = picture.hit_job(s.meetings[std::size_t(s.order[begin])].draw);
     job.count = std::int32_t(count);
     job.ray = s.hit_ray.data(), job.triangle = s.hit_triangle.data();
-    job.rays = {s.planes.data(), std::int32_t(tile_pixels)};
+    job.rays = {s.planes.data(), std::int32_t(plane_stride)};
     return job;
 }
 
@@ -92,7 +95,7 @@ HitJob hits_of_run(const TracePicture& picture, std::size_t begin, std::size_t e
 template <class Run>
 void for_each_run(TileScratch& s, const Run& run) {
     const auto draw_of = [&](std::int32_t ray) { return s.meetings[std::size_t(ray)].draw; };
-    std::ranges::stable_sort(s.order, {}, draw_of);
+    if (!std::ranges::is_sorted(s.order, {}, draw_of)) std::ranges::stable_sort(s.order, {}, draw_of);
     for (std::size_t begin = 0; begin < s.order.size();) {
         std::size_t end = begin + 1;
         while (end < s.order.size() && draw_of(s.order[end]) == draw_of(s.order[begin])) ++end;
@@ -126,7 +129,9 @@ void shade_run(const TracePicture& picture, std::size_t begin, std::size_t end, 
 void follow(const TracePicture& picture, const Context& context, TileScratch& s) {
     while (!s.live.empty() && !context.cancelled()) {
         s.order.clear();
-        for (const std::int32_t ray : std::exchange(s.live, {})) {
+        s.live.swap(s.going);
+        s.live.clear();
+        for (const std::int32_t ray : s.going) {
             s.meetings[std::size_t(ray)] = find_first(picture, s, std::size_t(ray), true);
             if (s.meetings[std::size_t(ray)].draw != no_index) s.order.push_back(ray);
         }
@@ -140,7 +145,7 @@ void lay_background(const TracePicture& picture, std::size_t count, std::vector<
     const bool has_sky = picture.list.views.environment && picture.list.scene.environment->is_background;
     if (has_sky) {
         SkyJob job{std::int32_t(count),
-                   {s.planes.data(), std::int32_t(tile_pixels)},
+                   {s.planes.data(), std::int32_t(plane_stride)},
                    &picture.list.views.environment_view,
                    picture.view.orthographic,
                    s.red.data(),
@@ -238,7 +243,7 @@ void find_data(const TracePicture& picture, const Window& area, TileScratch& s) 
 
 void trace_tile(const TracePicture& picture, const Window& area, const Context& context, TileScratch& s) {
     const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
-    s.planes.resize(std::size_t(ray_planes) * tile_pixels);
+    s.planes.resize(std::size_t(ray_planes) * plane_stride);
     for (auto* const numbers : {&s.red, &s.green, &s.blue, &s.alpha}) numbers->resize(tile_pixels + batch_padding);
     s.color.resize(count);
     const auto positions = shading::sample_positions(picture.settings.samples);

@@ -11,6 +11,8 @@ namespace rakelight::raytrace {
 
 inline constexpr int tile_size = 32;
 inline constexpr std::size_t tile_pixels = std::size_t(tile_size) * tile_size;
+/// From plane to plane: no power of two, lest all planes of a ray fall on one line of the cache.
+inline constexpr std::size_t plane_stride = tile_pixels + 48;
 
 /// Counts of rays.
 struct RayCounts {
@@ -19,10 +21,10 @@ struct RayCounts {
 
 /// Working memory of a tile, used again by the next one.
 struct TileScratch : ChannelArrays {
-    std::vector<float> planes;                               ///< [ray_planes][tile_pixels]
+    std::vector<float> planes;                               ///< [ray_planes][plane_stride]
     std::vector<Meeting> meetings;                           ///< [rays]
     std::vector<float> from;                                 ///< [rays] where they begin
-    std::vector<std::int32_t> live;                          ///< rays that go on
+    std::vector<std::int32_t> live, going;                   ///< rays that go on; those that are followed now
     std::vector<std::int32_t> order, hit_ray, hit_triangle;  ///< hits by draw; those of one draw
     std::vector<float> red, green, blue, alpha;
     std::vector<vec3> sum;              ///< [pixels] of one sample, times its alpha

@@ -55,7 +55,8 @@ inline int32_t shade_hits(const HitJob& job) {
         cpu::Points<Kind, most> b;
         const int32_t vectors = (job.count - first + lanes - 1) / lanes;
         b.count = vectors < most ? vectors : most;
-        cpu::find_surfaces(material, source, {.normals = true, .alpha = needs_alpha}, b);
+        cpu::find_surfaces(material, source,
+                           {.normals = job.unlit == 0 && job.lit_at == lit_at_points, .alpha = needs_alpha}, b);
         vec3 radiance[most];
         cpu::find_radiance(material, source, b, SeenByRays<Kind, most>{job, source}, radiance);
         for (int32_t k = 0; k < b.count; ++k) {
