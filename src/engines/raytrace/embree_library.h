@@ -23,12 +23,13 @@ namespace rakelight::raytrace {
     X(SetSceneProgressMonitorFunction)                                                                          \
     X(CommitScene)                                                                                              \
     X(NewGeometry)                                                                                              \
-    X(ReleaseGeometry) X(SetSharedGeometryBuffer) X(CommitGeometry) X(SetGeometryUserData) X(SetGeometryMask)   \
+    X(ReleaseGeometry)                                                                                          \
+    X(SetSharedGeometryBuffer) X(CommitGeometry) X(SetGeometryUserData) X(SetGeometryMask)                      \
         X(SetGeometryIntersectFilterFunction) X(SetGeometryOccludedFilterFunction) X(SetGeometryInstancedScene) \
             X(SetGeometryTransform) X(Intersect1) X(Occluded1)
 
 struct EmbreeLibrary {
-#define RL_MEMBER(name) decltype(&::rtc##name) name;
+#define RL_MEMBER(name) decltype(&::rtc##name) name;  // NOLINT(bugprone-macro-parentheses): a declaration
     RL_EMBREE_FUNCTIONS(RL_MEMBER)
 #undef RL_MEMBER
 };
