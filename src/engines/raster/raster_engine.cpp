@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <mutex>
+#include <utility>
 
+#include "cpu_shading/scratch_pool.h"
 #include "engines/channel_arrays.h"
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/multisample.h"
@@ -53,35 +54,16 @@ const GeometryKernels* geometry_kernels_for(Isa isa) {
     return scalar::geometry_kernels();
 }
 
-/// Working memory of tiles, handed from one to the next.
-class ScratchPool {
-public:
-    std::unique_ptr<TileScratch> take() {
-        const std::lock_guard lock(mutex_);
-        if (free_.empty()) return std::make_unique<TileScratch>();
-        auto scratch = std::move(free_.back());
-        free_.pop_back();
-        return scratch;
-    }
-    void give_back(std::unique_ptr<TileScratch> scratch) {
-        const std::lock_guard lock(mutex_);
-        free_.push_back(std::move(scratch));
-    }
-    /// What the tiles of this picture took, and begins anew. When no scratch is out.
-    void add_times_to(StageTimes& sum) {
-        for (const auto& scratch : free_) {
-            const StageTimes t = std::exchange(scratch->times, {});
-            sum.visibility += t.visibility;
-            sum.shading += t.shading;
-            sum.blending += t.blending;
-            sum.delivery += t.delivery;
-        }
-    }
-
-private:
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<TileScratch>> free_;
-};
+/// What the tiles of this picture took, and begins anew. When no scratch is out.
+void add_times(cpu_shading::ScratchPool<TileScratch>& pool, StageTimes& sum) {
+    pool.for_each([&sum](TileScratch& scratch) {
+        const StageTimes t = std::exchange(scratch.times, {});
+        sum.visibility += t.visibility;
+        sum.shading += t.shading;
+        sum.blending += t.blending;
+        sum.delivery += t.delivery;
+    });
+}
 
 /// The rows of a whole tile that lie in the window; a tile that does so wholly is handed on as it stands.
 template <class T>
@@ -317,7 +299,7 @@ private:
             waited += clock.lap();
             row = end;
         }
-        pool_.add_times_to(stats.times);
+        add_times(pool_, stats.times);
         stats.pixels_covered = covered;
         stats.pixels_shaded = shaded;
         stats.pixels_not_finite = not_finite;
@@ -338,7 +320,7 @@ private:
     DrawList list_;
     shading::OpenSurfaces open_surfaces_;
     ShadowMaps shadows_;
-    ScratchPool pool_;
+    cpu_shading::ScratchPool<TileScratch> pool_;
     // Memory of the picture before, used again, and what pays for it.
     MemoryCharge kept_;
     std::vector<ClipVertex> clip_store_;

@@ -7,26 +7,25 @@
 namespace rakelight::raytrace {
 
 /// The functions that are used, by their names behind "rtc".
-#define RL_EMBREE_FUNCTIONS(X)                                                                                  \
-    X(NewDevice)                                                                                                \
-    X(ReleaseDevice)                                                                                            \
-    X(GetDeviceError)                                                                                           \
-    X(SetDeviceErrorFunction)                                                                                   \
-    X(GetDeviceProperty)                                                                                        \
-    X(SetDeviceMemoryMonitorFunction)                                                                           \
-    X(NewScene)                                                                                                 \
-    X(ReleaseScene)                                                                                             \
-    X(AttachGeometry)                                                                                           \
-    X(AttachGeometryByID)                                                                                       \
-    X(SetSceneFlags)                                                                                            \
-    X(SetSceneBuildQuality)                                                                                     \
-    X(SetSceneProgressMonitorFunction)                                                                          \
-    X(CommitScene)                                                                                              \
-    X(NewGeometry)                                                                                              \
-    X(ReleaseGeometry)                                                                                          \
-    X(SetSharedGeometryBuffer) X(CommitGeometry) X(SetGeometryUserData) X(SetGeometryMask)                      \
-        X(SetGeometryIntersectFilterFunction) X(SetGeometryOccludedFilterFunction) X(SetGeometryInstancedScene) \
-            X(SetGeometryTransform) X(Intersect1) X(Occluded1)
+#define RL_EMBREE_FUNCTIONS(X)         \
+    X(NewDevice)                       \
+    X(ReleaseDevice)                   \
+    X(GetDeviceError)                  \
+    X(NewScene)                        \
+    X(ReleaseScene)                    \
+    X(AttachGeometry)                  \
+    X(AttachGeometryByID)              \
+    X(SetSceneFlags)                   \
+    X(SetSceneProgressMonitorFunction) \
+    X(CommitScene)                     \
+    X(NewGeometry)                     \
+    X(ReleaseGeometry)                 \
+    X(SetSharedGeometryBuffer)         \
+    X(CommitGeometry)                  \
+    X(SetGeometryInstancedScene)       \
+    X(SetGeometryTransform)            \
+    X(Intersect1)                      \
+    X(Occluded1)
 
 struct EmbreeLibrary {
 #define RL_MEMBER(name) decltype(&::rtc##name) name;  // NOLINT(bugprone-macro-parentheses): a declaration

@@ -5,9 +5,10 @@
 
 #include <atomic>
 #include <chrono>
-#include <mutex>
+#include <utility>
 
 #include "cpu_shading/environment_maps.h"
+#include "cpu_shading/scratch_pool.h"
 #include "cpu_shading/textures.h"
 #include "engines/raytrace/trace_tile.h"
 #include "math/flush_denormals.h"
@@ -31,35 +32,6 @@ const Kernels* kernels_for(Isa isa) {
 }
 
 Window whole(const RenderSettings& s) { return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window; }
-
-/// Working memory of tiles, handed from one to the next.
-class ScratchPool {
-public:
-    std::unique_ptr<TileScratch> take() {
-        const std::lock_guard lock(mutex_);
-        if (free_.empty()) return std::make_unique<TileScratch>();
-        auto scratch = std::move(free_.back());
-        free_.pop_back();
-        return scratch;
-    }
-    void give_back(std::unique_ptr<TileScratch> scratch) {
-        const std::lock_guard lock(mutex_);
-        free_.push_back(std::move(scratch));
-    }
-    /// Counts of all tiles since the last time. When no scratch is out.
-    RayCounts take_counts() {
-        RayCounts sum;
-        for (const auto& scratch : free_) {
-            const RayCounts c = std::exchange(scratch->counts, {});
-            sum.primary += c.primary, sum.shaded += c.shaded, sum.covered += c.covered, sum.not_finite += c.not_finite;
-        }
-        return sum;
-    }
-
-private:
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<TileScratch>> free_;
-};
 
 class RaytraceEngine final : public Engine {
 public:
@@ -95,7 +67,11 @@ public:
         const auto begin = std::chrono::steady_clock::now();
         trace(picture, window, sink, context);
         sink.end_pass(0);
-        const RayCounts counts = pool_.take_counts();
+        RayCounts counts;
+        pool_.for_each([&counts](TileScratch& scratch) {
+            const RayCounts c = std::exchange(scratch.counts, {});
+            counts.shaded += c.shaded, counts.not_finite += c.not_finite;
+        });
         RenderStats stats;
         stats.pixels_shaded = stats.lighting_evaluations = counts.shaded;
         stats.pixels_not_finite = counts.not_finite;
@@ -157,7 +133,7 @@ private:
     shading::EnvironmentCache environments_;
     cpu_shading::DrawList list_;
     RayScene rays_;
-    ScratchPool pool_;
+    cpu_shading::ScratchPool<TileScratch> pool_;
 };
 
 }  // namespace

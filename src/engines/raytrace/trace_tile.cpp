@@ -166,7 +166,6 @@ void trace_sample(const TracePicture& picture, const Window& area, shading::Samp
                   std::vector<vec4>& to, TileScratch& s) {
     const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
     make_primary(picture, area, at, s);
-    s.counts.primary += count;
     s.live.resize(count);
     for (std::size_t i = 0; i < count; ++i) s.live[i] = std::int32_t(i);
     s.from.assign(count, float(picture.view.z_near));

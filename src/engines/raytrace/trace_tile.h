@@ -14,9 +14,9 @@ inline constexpr std::size_t tile_pixels = std::size_t(tile_size) * tile_size;
 /// From plane to plane: no power of two, lest all planes of a ray fall on one line of the cache.
 inline constexpr std::size_t plane_stride = tile_pixels + 48;
 
-/// Counts of rays.
+/// Counts of a tile's hits.
 struct RayCounts {
-    std::uint64_t primary = 0, shaded = 0, covered = 0, not_finite = 0;
+    std::uint64_t shaded = 0, not_finite = 0;
 };
 
 /// Working memory of a tile, used again by the next one.

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colors of a run of pixels -> arrays of floats or sRGB codes. Per instruction set.
 #pragma once
+#include "cpu_shading/kernels/finite.h"
 #include "engines/raster/kernels/kernel_types.h"
 #include "math/wide.h"
 
 namespace rakelight::raster::RL_ISA {
 RL_USE_WIDE;
-
-/// What is not finite becomes 0 and is counted, in the first `alive` lanes.
-inline real only_finite(real v, int32_t alive, int32_t& not_finite) {
-    const mask is_finite = v - v == real(0.0f);
-    if (all_lanes(is_finite)) return v;
-    not_finite += __builtin_popcount(lane_bits(!is_finite) & ((uint32_t(2) << (alive - 1)) - 1));
-    return select(is_finite, v, real(0.0f));
-}
+using cpu_shading::RL_ISA::only_finite;
 
 /// Linear -> correctly rounded sRGB codes, in bits 16 to 23 (those below are anything): SrgbEncoder
 /// (image/srgb_encoder.h) for a vector.

@@ -2,6 +2,7 @@
 // The loop over a job's hits: stages of cpu_shading/kernels/shade_points.h, compiled for some of all materials. Shadow rays
 // tell what light arrives. Per instruction set.
 #pragma once
+#include "cpu_shading/kernels/finite.h"
 #include "engines/raytrace/kernels/hits.h"
 
 namespace rakelight::raytrace::RL_ISA {
@@ -35,15 +36,6 @@ struct SeenByRays {
     }
 };
 
-/// What is not finite becomes 0 and is counted, in the first `alive` lanes.
-inline real only_finite(real v, int32_t alive, int32_t& not_finite) {
-    const mask is_finite = v - v == real(0.0f);
-    if (all_lanes(is_finite)) return v;
-    const int32_t count = alive < lanes ? alive : lanes;
-    not_finite += __builtin_popcount(lane_bits(!is_finite) & ((uint32_t(2) << (count - 1)) - 1));
-    return select(is_finite, v, real(0.0f));
-}
-
 /// `most` vectors at a time. @return how many components came out not finite
 template <class Kind, int32_t most>
 inline int32_t shade_hits(const HitJob& job) {
@@ -62,10 +54,10 @@ inline int32_t shade_hits(const HitJob& job) {
         for (int32_t k = 0; k < b.count; ++k) {
             const int32_t at = first + k * lanes;
             const vec3 color = cpu::behind_fog(material, b.of[k].point.position, radiance[k]);
-            const int32_t alive = job.count - at;
-            store(job.red + at, only_finite(color.x, alive, not_finite));
-            store(job.green + at, only_finite(color.y, alive, not_finite));
-            store(job.blue + at, only_finite(color.z, alive, not_finite));
+            const int32_t alive = job.count - at < lanes ? job.count - at : lanes;
+            store(job.red + at, cpu::only_finite(color.x, alive, not_finite));
+            store(job.green + at, cpu::only_finite(color.y, alive, not_finite));
+            store(job.blue + at, cpu::only_finite(color.z, alive, not_finite));
             store(job.alpha + at, cpu::alpha_of(material, b.of[k]));
         }
     }
