@@ -4,6 +4,26 @@
 #include <cstdio>
 
 namespace rakelight::cli {
+namespace {
+
+std::string rays_text(const std::string& name, const RayStats& rays) {
+    const struct {
+        const char* what;
+        std::uint64_t count;
+    } rows[] = {{"primary rays", rays.primary},          {"shadow rays", rays.shadow},
+                {"reflected rays", rays.reflected},      {"refracted rays", rays.refracted},
+                {"dropped rays", rays.dropped},          {"deepest ray", std::uint64_t(rays.deepest)},
+                {"triangle tests", rays.triangle_tests}, {"bytes of the ray tree", rays.scene_bytes}};
+    std::string text;
+    char line[80];
+    for (const auto& row : rows) {
+        std::snprintf(line, sizeof line, "%-21s %12llu\n", row.what, static_cast<unsigned long long>(row.count));
+        text += name + line;
+    }
+    return text;
+}
+
+}  // namespace
 
 std::string stats_text(const PictureResult& result) {
     const RenderStats& s = result.stats;
@@ -35,6 +55,7 @@ std::string stats_text(const PictureResult& result) {
     }
     std::snprintf(line, sizeof line, "%-21s %12.3f\n", "overdraw", s.overdraw());
     text += name + line;
+    if (s.rays.all() > 0) text += rays_text(name, s.rays);
     for (const GpuPass& pass : s.gpu_passes) {
         std::snprintf(line, sizeof line, "GPU: %-16s %12.3f ms\n", pass.name.c_str(), 1e3 * pass.seconds);
         text += name + line;

@@ -33,6 +33,11 @@ constexpr Entry entries[] = {
      "soft (default): own rasterizer, the same picture on every machine; gl: OpenGL; trace: rays, with exact shadows; "
      "auto: "
      "gl where there is a GPU"},
+    {shading, "method", "NAME",
+     "trace: auto (default: whitted), whitted (mirrors, refraction and shadows by rays), cast (no reflections)"},
+    {shading, "max-depth", "N", "trace: reflections and refractions that a ray goes on after, 0 to 64 (default 8)"},
+    {shading, "naive", "", "trace with --method cast: hold every ray against every triangle, as the textbook does"},
+    {shading, "naive-limit", "N", "--naive: more tests of rays with triangles are not begun (default 100000000000)"},
     {shading, "shading", "HOW",
      "How often lighting is evaluated: phong (default: at every pixel), gouraud (at every vertex), flat (once a face), "
      "unlit (never: own color only), auto (gouraud where triangles are so small that it hardly differs). For a part: "
@@ -97,6 +102,8 @@ constexpr Entry entries[] = {
      "displacement: longer edges are cut, in meters (default: a 250th of the model's diagonal)"},
     {bumps, "displacement-triangles", "N",
      "displacement: cutting stops before so many, 1 to 100000000 (default 4000000)"},
+    {subdivision, "tessellate", "",
+     "trace: built-in shapes as the triangles that other engines draw, not by their formulas"},
     {subdivision, "subdivide", "N", "The model is a control net: every edge becomes 2^N, 0 (default) to 8"},
     {subdivision, "subdivide-edge", "M", "As many levels as make edges M meters long, at most 8 or --subdivide"},
     {subdivision, "subdivide-scheme", "NAME",

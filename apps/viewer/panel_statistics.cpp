@@ -39,6 +39,11 @@ void draw_painting(const Painting& p) {
     count("drawn", s.drawn);
     count("pixels shaded", s.pixels_shaded);
     count("shadow maps", s.shadow_maps);
+    count("primary rays", s.rays.primary);
+    count("shadow rays", s.rays.shadow);
+    count("reflected rays", s.rays.reflected);
+    count("refracted rays", s.rays.refracted);
+    if (s.rays.primary > 0) row("ray tree", std::to_string(s.rays.scene_bytes / 1024) + " KiB");
     for (const GpuPass& pass : s.gpu_passes) row(("GPU: " + pass.name).c_str(), ms(1e3 * pass.seconds));
 }
 

@@ -51,6 +51,10 @@ enum class Visibility : std::uint8_t { z_reversed, z_float, z16, z24, z32, paint
 /// hardware had it (textures bend at the edges of triangles).
 enum class AttributeInterpolation : std::uint8_t { perspective, screen };
 
+/// How an engine that follows rays does it. Whitted (1980): from every surface on to the lights, into mirrors and through glass.
+/// Cast: primary rays and shadow rays alone. `automatic`: whitted.
+enum class RayMethod : std::uint8_t { automatic, whitted, cast };
+
 /// How vertices are shown, if at all.
 enum class PointShape : std::uint8_t { none, square, disc };
 
@@ -129,8 +133,14 @@ struct RenderSettings {
     /// Texture samples along the longer side of a pixel's footprint, 1..16: 1 filters in squares, which blurs what is
     /// seen at a grazing angle (GL_EXT_texture_filter_anisotropic).
     int anisotropy = 1;
-    bool surfaces = true;  ///< triangles are filled; false: only lines and points are drawn
-    bool edges = false;    ///< edges of the triangles that culling leaves, over the picture
+    RayMethod method = RayMethod::automatic;
+    int max_depth = 8;  ///< 0..64 reflections and refractions that a ray goes on after; 0: none
+    /// Every ray is held against every triangle, as the textbook's first program does it: for comparison.
+    bool naive = false;
+    double naive_limit = 1e11;  ///< more tests of rays with triangles are refused before the first one
+    bool colors = true;         ///< false: data channels alone, all pixels have the background's color
+    bool surfaces = true;       ///< triangles are filled; false: only lines and points are drawn
+    bool edges = false;         ///< edges of the triangles that culling leaves, over the picture
     PointShape points =
         PointShape::none;  ///< their vertices; the scene's own points are discs unless this says squares
     float line_width = 1, point_size = 4;  ///< [px] more than 0, at most 256; of the scene's own lines and points too
@@ -208,6 +218,16 @@ struct GpuPass {
     double seconds = 0;  ///< on the GPU
 };
 
+/// Rays of one render() call, by what they are for. All 0: the engine follows none.
+struct RayStats {
+    std::uint64_t primary = 0, shadow = 0, reflected = 0, refracted = 0;
+    std::uint64_t dropped = 0;         ///< reflections and refractions that were too many for one pixel
+    std::uint64_t triangle_tests = 0;  ///< RenderSettings::naive
+    int deepest = 0;                   ///< reflections and refractions before the farthest ray
+    std::uint64_t scene_bytes = 0;     ///< of the tree that rays are followed in, kept from picture to picture
+    std::uint64_t all() const { return primary + shadow + reflected + refracted; }
+};
+
 /// Counts of one render() call.
 struct RenderStats {
     /// Culled ones are counted once, by the first reason that applies. `clipped`: those that were cut; each of their pieces counts as
@@ -229,8 +249,9 @@ struct RenderStats {
     std::uint64_t pixels_marked = 0;      ///< pixels that lines or points cover, each color of them counted
     std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
     std::uint64_t shadow_maps = 0, shadow_bytes = 0;  ///< that the picture read, kept ones too, and their memory
-    StageTimes times{};                               ///< never the same twice
-    std::vector<GpuPass> gpu_passes{};                ///< likewise; empty: there is no GPU, or it does not say
+    RayStats rays{};
+    StageTimes times{};                 ///< never the same twice
+    std::vector<GpuPass> gpu_passes{};  ///< likewise; empty: there is no GPU, or it does not say
 };
 
 /// What an engine can do beyond colors, once a pixel, of filled triangles. What is asked for and not there is refused by
@@ -243,6 +264,7 @@ struct EngineAbilities {
     bool lines_and_points = false;      ///< edges, points
     bool shadows = false;               ///< RenderSettings::shadows
     bool user_lighting = false;         ///< RenderSettings::lighting_text
+    bool rays = false;                  ///< RenderSettings::method, max_depth, naive; colors may be false
     bool progressive = false;           ///< delivers passes: Sink::end_pass() comes more than once
 };
 

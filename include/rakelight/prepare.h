@@ -43,6 +43,7 @@ struct PrepareOptions {
     Bump bump = Bump::automatic;  ///< of materials that name no technique: which maps act, and so must have a place
     Subdivision subdivision{};    ///< of meshes that say nothing of their own; before displacement
     Displacement displacement{};
+    bool tessellate = false;  ///< built-in shapes are their triangles in every engine: Mesh::shape is taken away
     bool operator==(const PrepareOptions&) const = default;
 };
 

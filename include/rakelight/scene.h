@@ -95,6 +95,10 @@ struct Relief {
     bool operator==(const Relief&) const = default;
 };
 
+/// What a classical surface mirrors of its surroundings where rays are followed (Whitted 1980): nothing; k_s; k_s that grows
+/// towards grazing angles (Schlick 1994), or, where it refracts, what Fresnel's equations say.
+enum class Mirror : std::uint8_t { none, constant, fresnel };
+
 /// What classical formats (OBJ, 3DS, ...) say: k_a, k_s and the exponent; k_d is Material::base_color.
 struct ClassicalParameters {
     vec3 ambient{1, 1, 1};   ///< k_a, linear; multiplies the ambient light. Loaders use k_d where the file has none
@@ -104,6 +108,9 @@ struct ClassicalParameters {
     /// k_s is a share of the light, as the reflectance of a metallic-roughness material is: SpecularForm::automatic is
     /// the normalized form then, else the textbook's, whose k_s says how bright the highlight's center is.
     bool is_normalized = false;
+    Mirror mirror = Mirror::none;  ///< MTL illum 3, 4, 6: constant; 5, 7: fresnel. Engine trace only, as the next two
+    vec3 transmission{0, 0, 0};    ///< k_t, linear (MTL Tf with illum 4, 6, 7); of blended surfaces times 1 - alpha
+    float refraction_index = 1;    ///< MTL Ni with illum 6 and 7; 1: rays go straight on
     bool operator==(const ClassicalParameters&) const = default;
 };
 
@@ -123,6 +130,12 @@ struct MetallicRoughnessParameters {
     vec3 sheen_color{0, 0, 0};  ///< KHR_materials_sheen, linear
     float sheen_roughness = 0;
     TextureUse sheen_color_texture{}, sheen_roughness_texture{};
+    float transmission = 0;             ///< KHR_materials_transmission, 0..1; engine trace only, as all that follows
+    TextureUse transmission_texture{};  ///< data: R
+    float thickness = 0;                ///< [m] KHR_materials_volume; 0: thin, rays go straight on
+    TextureUse thickness_texture{};     ///< data: G; kept only: rays find the thickness themselves
+    float attenuation_distance = 0;     ///< [m] in which light becomes attenuation_color; 0: nothing is absorbed
+    vec3 attenuation_color{1, 1, 1};    ///< linear
     bool operator==(const MetallicRoughnessParameters&) const = default;
 };
 
@@ -213,6 +226,17 @@ struct NormalChoice {
     bool operator==(const NormalChoice&) const = default;
 };
 
+/// A surface given by its formula, about the origin, axis +Y: what the triangles of a built-in shape stand for.
+struct ExactShape {
+    enum class Kind : std::uint8_t { sphere, cylinder, cone, torus, plane };
+    Kind kind = Kind::sphere;
+    double radius = 1;            ///< [m] sphere, cylinder, base of the cone; torus: of the middle of its tube
+    double tube_radius = 0;       ///< [m] torus
+    double height = 0;            ///< [m] cylinder and cone, half of it above the origin
+    double width = 0, depth = 0;  ///< [m] plane, along X and Z
+    bool operator==(const ExactShape&) const = default;
+};
+
 /// Primitives of one topology and one material. Vertex arrays are [V] or empty.
 struct Mesh {
     std::string name{};
@@ -240,6 +264,8 @@ struct Mesh {
     std::optional<NormalChoice> normal_choice{};  ///< absent: as the picture's options say
     Block<JointInfluence> influences{};           ///< [V] or empty
     std::vector<MorphTarget> targets{};
+    /// What engines that can (trace) draw in place of the triangles, which lie on it. Gone where they no more do.
+    std::optional<ExactShape> shape{};
     std::uint32_t material = no_index;  ///< into Scene::materials; none: the default material
     std::uint32_t source_mesh = no_index,
                   source_primitive = no_index;  ///< where the file has it (glTF mesh and primitive)

@@ -48,6 +48,7 @@ void check_words(const RenderSettings& s) {
     require("cull", "culling", s.cull, Cull::front);
     require("visibility", "visibility", s.visibility, Visibility::back_face);
     require("interpolation", "interpolation", s.interpolation, AttributeInterpolation::screen);
+    require("method", "method", s.method, RayMethod::cast);
     require("points", "shape of points", s.points, PointShape::disc);
     for (const ShadingRule& rule : s.shading_rules) {
         require("shading", "rule for shading", rule.of, ShadingRule::Of::material);
@@ -71,6 +72,9 @@ void check_numbers(const RenderSettings& s) {
     require(is_finite(s.line_color), "line-color", "the color of lines is not finite");
     require(is_finite(s.background), "background", "the background is not finite");
     require((s.channels & ~channels_all) == 0, "channels", "there is no such data channel");
+    require(s.max_depth >= 0 && s.max_depth <= 64, "max-depth", "the depth of rays must be 0 to 64");
+    require(!s.naive || s.method == RayMethod::cast, "naive", "is for the method cast alone");
+    require(s.naive_limit >= 0, "naive-limit", "must be 0 or more");
     const char* const fault = fault_of(s.relief);
     require(!fault, "bump", fault ? fault : "");
 }

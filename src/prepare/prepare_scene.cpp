@@ -154,6 +154,18 @@ Scene subdivided(Scene scene, const PrepareOptions& options, Context& context) {
     return out;
 }
 
+/// Shapes of meshes whose triangles no more lie on them, or are asked for.
+void drop_shapes(Scene& scene, const std::set<const void*>& kept, const PrepareOptions& options) {
+    const bool shows_triangles = options.tessellate || options.normals == NormalSource::flat;
+    for (Mesh& mesh : scene.meshes)
+        if (mesh.shape && (shows_triangles || !kept.contains(mesh.positions.identity()))) mesh.shape.reset();
+}
+std::set<const void*> places_of(const Scene& scene) {
+    std::set<const void*> places;
+    for (const Mesh& mesh : scene.meshes) places.insert(mesh.positions.identity());
+    return places;
+}
+
 /// One scene on its way through the stages. What a stage has made is paid before the next one asks for memory.
 class Preparing {
 public:
@@ -165,7 +177,9 @@ public:
         Report& report = context_.report();
         check_nodes(scene, report);
         scene = paid(repair_scene(std::move(scene), options_.normals, context_));
+        const auto places = places_of(scene);
         scene = paid(subdivided(std::move(scene), options_, context_));
+        drop_shapes(scene, places, options_);
         scene = paid(project_texcoords(std::move(scene), options_.uv, context_));
         warn_of_tangents(scene, options_.bump, report);
         warn_of_textures(scene, report);
@@ -200,7 +214,9 @@ private:
     Scene displaced(Scene scene) const {
         if (!wants_displacement(scene, options_.displacement)) return scene;
         context_.throw_if_cancelled();
+        const auto places = places_of(scene);
         scene = paid(displace_scene(std::move(scene), options_.displacement, context_));
+        drop_shapes(scene, places, options_);
         SmoothRequest again = request_;  // the new surface's, over all objects
         again.attributes.scope = Scope::model;
         again.every_scope = true;

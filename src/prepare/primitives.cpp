@@ -261,6 +261,11 @@ Material gray(const char* name) {
     return m;
 }
 
+ExactShape exact_shape(const PrimitiveRequest& r) {
+    static_assert(int(PrimitiveShape::plane) == int(ExactShape::Kind::plane));
+    return {ExactShape::Kind(r.shape), r.radius, r.tube_radius, r.height, r.width, r.depth};
+}
+
 }  // namespace
 
 std::optional<PrimitiveShape> primitive_named(std::string_view name) {
@@ -284,6 +289,7 @@ Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory) {
     scene.materials[0].double_sided = request.shape == PrimitiveShape::plane;
     if (objects == 1) {
         add_object(name, std::move(all), scene);
+        scene.meshes[0].shape = exact_shape(request);
         return scene;
     }
     std::vector<std::uint32_t> number(all.positions.size(), no_index);

@@ -24,6 +24,29 @@ bool are_prepared_alike(const Scene& a, const Scene& b) {
            a.missing_normals_are_flat == b.missing_normals_are_flat && a.source == b.source;
 }
 
+/// What a rasterizer does not show of the materials.
+void remark_missing_rays(const Scene& scene, const Engine& engine, Report& report) {
+    if (engine.abilities().rays) return;
+    std::vector<bool> is_drawn(scene.materials.size(), false);
+    for (const Node& node : scene.nodes)
+        for (const std::uint32_t mesh : node.meshes)
+            if (scene.meshes[mesh].material != no_index) is_drawn[scene.meshes[mesh].material] = true;
+    std::size_t mirrors = 0, open = 0;
+    for (std::size_t i = 0; i < is_drawn.size(); ++i) {
+        const Material& m = scene.materials[i];
+        if (!is_drawn[i] || m.model == MaterialModel::unlit) continue;
+        const bool is_classical = m.model == MaterialModel::classical;
+        mirrors += is_classical && m.classical.mirror != Mirror::none && m.classical.specular != vec3{};
+        open += is_classical ? m.classical.transmission != vec3{} : m.metallic_roughness.transmission > 0;
+    }
+    const std::string tail = ": engine " + engine.name() + " shows the surface alone, --engine trace follows rays";
+    if (open > 0)
+        report.add(Remark::dropped, scene.source, "",
+                   "light goes through " + std::to_string(open) + " materials" + tail, {"engine"});
+    if (mirrors > 0)
+        report.add(Remark::note, scene.source, "", std::to_string(mirrors) + " materials mirror" + tail, {"engine"});
+}
+
 }  // namespace
 
 PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings, const Scene& scene) {
@@ -152,6 +175,7 @@ void Session::State::hand_over(Context& context) {
     taken.reset();
     engine->prepare(std::move(scene_to_give->scene), context);
     source = Source::given;
+    remark_missing_rays(engine->scene(), *engine, context.report());
 }
 
 /// The scene that the engine has now, with the lights of the picture.
@@ -173,6 +197,7 @@ const Scene& Session::State::take_up(const RenderSettings& settings, const Camer
     drawn.lights = std::move(lights);
     engine->prepare(std::move(drawn), context);
     taken = ready;
+    remark_missing_rays(engine->scene(), *engine, context.report());
     return engine->scene();
 }
 

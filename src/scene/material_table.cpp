@@ -25,10 +25,16 @@ constexpr TextureFactor sheen = {"sheen_color", [](const M& m) { return is_black
 constexpr TextureFactor sheen_roughness = {"sheen_roughness",
                                            [](const M& m) { return m.metallic_roughness.sheen_roughness <= 0; }};
 
+constexpr TextureFactor transmission = {"transmission",
+                                        [](const M& m) { return m.metallic_roughness.transmission <= 0; }};
+constexpr TextureFactor thickness = {"thickness", [](const M& m) { return m.metallic_roughness.thickness <= 0; }};
+
 constexpr const char* khr_specular = "KHR_materials_specular";
 constexpr const char* khr_anisotropy = "KHR_materials_anisotropy";
 constexpr const char* khr_clearcoat = "KHR_materials_clearcoat";
 constexpr const char* khr_sheen = "KHR_materials_sheen";
+constexpr const char* khr_transmission = "KHR_materials_transmission";
+constexpr const char* khr_volume = "KHR_materials_volume";
 
 // clang-format off
 const TextureRole roles[] = {
@@ -61,6 +67,10 @@ const TextureRole roles[] = {
      &P::sheen_color_texture, {khr_sheen, "sheenColorTexture"}, sheen},
     {role_sheen_roughness, "sheen_roughness", "sheen_roughness_texture", "Its alpha multiplies sheen_roughness", metallic_roughness,
      data, {}, {}, &P::sheen_roughness_texture, {khr_sheen, "sheenRoughnessTexture"}, sheen, sheen_roughness},
+    {role_transmission, "transmission", "transmission_texture", "Red multiplies transmission", metallic_roughness, data, {}, {},
+     &P::transmission_texture, {khr_transmission, "transmissionTexture"}, transmission},
+    {role_thickness, "thickness", "thickness_texture", "Kept for other programs: rays find the thickness themselves",
+     metallic_roughness, data, {}, {}, &P::thickness_texture, {khr_volume, "thicknessTexture"}, thickness},
 };
 
 using Kind = MaterialParameter::Kind;
@@ -82,6 +92,13 @@ const MaterialParameter parameters[] = {
      &P::clearcoat_normal_scale},  // glTF: in the texture's object
     {"sheen_color", khr_sheen, Kind::color, 0, 0, {}, &P::sheen_color, {khr_sheen, "sheenColorFactor"}},
     {"sheen_roughness", khr_sheen, Kind::number, 0, 1, &P::sheen_roughness, {}, {khr_sheen, "sheenRoughnessFactor"}},
+    {"transmission", "How much light goes through instead of being scattered; engine trace", Kind::number, 0, 1, &P::transmission, {},
+     {khr_transmission, "transmissionFactor"}},
+    {"thickness", "More than 0: a body that refracts and absorbs; 0 (default): a thin wall", Kind::number, 0, 1e6, &P::thickness, {},
+     {khr_volume, "thicknessFactor"}, Range::not_negative},
+    {"attenuation_distance", "[m] in which light in the body becomes attenuation_color; 0 (default): nothing is absorbed",
+     Kind::number, 0, 1e6, &P::attenuation_distance, {}, {khr_volume, "attenuationDistance"}, Range::not_negative},
+    {"attenuation_color", khr_volume, Kind::color, 0, 0, {}, &P::attenuation_color, {khr_volume, "attenuationColor"}},
 };
 // clang-format on
 static_assert(std::size(roles) == texture_role_count);
@@ -92,6 +109,7 @@ std::span<const TextureRole, texture_role_count> texture_roles() { return roles;
 std::span<const MaterialParameter> metallic_roughness_parameters() { return parameters; }
 
 bool TextureRole::is_shown_by(const Material& m) const {
+    if (number == role_thickness) return false;
     if (number == role_opacity) return m.alpha_mode != AlphaMode::opaque;
     if (m.model == MaterialModel::unlit) return number == role_base_color;
     return is_of(m.model) && !layer.silences(m);

@@ -22,6 +22,8 @@ enum TextureRoleNumber : int32_t {
     role_clearcoat_normal,
     role_sheen_color,
     role_sheen_roughness,
+    role_transmission,
+    role_thickness,
     texture_role_count
 };
 

@@ -52,6 +52,7 @@ void check_words(const Place& place, const Material& m) {
     place.enumerator("shading", m.shading.value_or(Shading::automatic), Shading::automatic);
     place.enumerator("bump technique", m.bump, Bump::displacement);
     place.enumerator("bump terms", m.bump_terms, BumpTerms::specular);
+    place.enumerator("mirror", m.classical.mirror, Mirror::fresnel);
 }
 
 void check_material(const Scene& scene, std::size_t i) {
@@ -65,6 +66,8 @@ void check_material(const Scene& scene, std::size_t i) {
     place.finite("the emission", cast<double>(m.emission));
     place.finite("the ambient color", cast<double>(c.ambient));
     place.finite("the specular color", cast<double>(c.specular));
+    place.finite("the transmission", cast<double>(c.transmission));
+    place.finite("the index of refraction", c.refraction_index);
     for (const MaterialParameter& parameter : metallic_roughness_parameters())
         if (parameter.color)
             place.finite(parameter.key, cast<double>(p.*parameter.color));

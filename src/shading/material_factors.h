@@ -14,7 +14,8 @@ namespace rakelight::shading {
     X(clearcoat)                \
     X(clearcoat_roughness)      \
     X(clearcoat_normal_scale)   \
-    X(sheen_roughness)
+    X(sheen_roughness)          \
+    X(transmission)
 
 struct MaterialFactors {
 #define RL_FIELD(name) float name;
@@ -34,7 +35,15 @@ struct MaterialFactors {
     float ward_alpha[2];       ///< along tangent and bitangent; 0: from roughness and anisotropy
     float anisotropy_axis[2];  ///< KHR_materials_anisotropy: cosine and sine
     float sheen_color[3];
+    // Where rays go on (engine trace).
+    int32_t mirror;        ///< MirrorNumber, of classical materials
+    float filter[3];       ///< k_t of classical materials
+    float refraction;      ///< index of refraction of a body, of both models; 1: rays go straight on
+    float attenuation[3];  ///< [1/m] of light in the body
 };
+
+/// Mirror of scene.h.
+enum MirrorNumber : int32_t { mirror_none, mirror_constant, mirror_fresnel };
 
 /// KHR_texture_transform as the two rows of an affine matrix: u' = uu u + uv v + u0, v' = vu u + vv v + v0.
 struct UvTransform {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading/materials.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/functions.h"
@@ -31,6 +32,29 @@ void add_layers(const Material& m, MaterialFactors& v) {
     copy(v.sheen_color, p.sheen_color);
 }
 
+/// Beer-Lambert: exp(-attenuation d) is the color at the distance that the material says.
+vec3 attenuation_of(const MetallicRoughnessParameters& p) {
+    if (!(p.attenuation_distance > 0) || !(p.thickness > 0)) return {};
+    const auto per_meter = [&p](float color) {
+        return float(-math::log(std::clamp(double(color), 1e-6, 1.0)) / double(p.attenuation_distance));
+    };
+    return {per_meter(p.attenuation_color.x), per_meter(p.attenuation_color.y), per_meter(p.attenuation_color.z)};
+}
+
+/// Where rays go on.
+void add_transport(const Material& m, MaterialFactors& v) {
+    static_assert(int(Mirror::constant) == mirror_constant && int(Mirror::fresnel) == mirror_fresnel);
+    v.refraction = 1;
+    if (m.model == MaterialModel::classical) {
+        v.mirror = std::int32_t(m.classical.mirror);
+        copy(v.filter, m.classical.transmission);
+        v.refraction = m.classical.refraction_index;
+    }
+    if (m.model != MaterialModel::metallic_roughness) return;
+    if (m.metallic_roughness.thickness > 0) v.refraction = m.metallic_roughness.ior;
+    copy(v.attenuation, attenuation_of(m.metallic_roughness));
+}
+
 }  // namespace
 
 std::vector<const TextureRole*> roles_of(const Material& m) {
@@ -59,6 +83,7 @@ MaterialFactors material_factors(const Material& m) {
     v.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : -1;
     v.blend = m.alpha_mode == AlphaMode::blend;
     add_layers(m, v);
+    add_transport(m, v);
     return v;
 }
 

@@ -17,6 +17,17 @@ Json passes_json(const RenderStats& s) {
 
 }  // namespace
 
+static Json rays_json(const RayStats& r) {
+    return {{"primary", r.primary},
+            {"shadow", r.shadow},
+            {"reflected", r.reflected},
+            {"refracted", r.refracted},
+            {"dropped", r.dropped},
+            {"deepest", r.deepest},
+            {"triangle_tests", r.triangle_tests},
+            {"scene_bytes", r.scene_bytes}};
+}
+
 Json stats_json(const RenderStats& s) {
     return {{"triangles_in", s.triangles_in},
             {"culled_back", s.culled_back},
@@ -35,6 +46,7 @@ Json stats_json(const RenderStats& s) {
             {"pixels_marked", s.pixels_marked},
             {"shadow_maps", s.shadow_maps},
             {"shadow_bytes", s.shadow_bytes},
+            {"rays", rays_json(s.rays)},
             {"gpu_passes", passes_json(s)}};
 }
 

@@ -71,6 +71,7 @@ constexpr RenderKey table[] = {
     RL_WORD_KEY("weight", r.prepare.weight, weight_words),
     RL_WORD_KEY("tangents", r.prepare.tangents, tangent_words),
     {"orthogonalize", Kind::value, read_orthogonalize, write_orthogonalize},
+    RL_KEY("tessellate", flag, r.prepare.tessellate, w[0] == "on", {"on"}),
     RL_KEY("keep-instances", flag, r.prepare.keep_instances, w[0] == "on", {"on"}),
     RL_WORD_KEY("uv", r.prepare.uv, uv_words),
     RL_NUMBER_KEY("displacement-edge", r.prepare.displacement.edge, 1e-6, 1e6),

@@ -10,6 +10,8 @@ constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
 constexpr Word<std::uint32_t> channel_file_words[] = {
     {"exr", channel_files_exr}, {"layers", channel_files_layers}, {"png", channel_files_png}};
 constexpr Word<bool> exr_color_words[] = {{"float", false}, {"half", true}};
+constexpr Word<RayMethod> method_words[] = {
+    {"auto", RayMethod::automatic}, {"whitted", RayMethod::whitted}, {"cast", RayMethod::cast}};
 constexpr Word<FrontFace> front_words[] = {{"ccw", FrontFace::counter_clockwise}, {"cw", FrontFace::clockwise}};
 constexpr Word<Cull> cull_words[] = {
     {"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
@@ -46,7 +48,7 @@ void read_window(PictureRequest& r, Words w) {
     r.settings.window = {v[0], v[1], v[2], v[3]};
 }
 
-std::string text_of(const Window& w) {
+std::string text_of_window(const Window& w) {
     return std::to_string(w.x) + "," + std::to_string(w.y) + "," + std::to_string(w.width) + "," +
            std::to_string(w.height);
 }
@@ -140,8 +142,12 @@ void read_point_sprites(PictureRequest& r, Words w) {
 
 constexpr RenderKey table[] = {
     RL_KEY("engine", value, r.engine, w[0], {r.engine}),
+    RL_WORD_KEY("method", r.settings.method, method_words),
+    RL_INTEGER_KEY("max-depth", r.settings.max_depth, 0, 64),
+    RL_KEY("naive", flag, r.settings.naive, w[0] == "on", {"on"}),
+    RL_NUMBER_KEY("naive-limit", r.settings.naive_limit, 0, 1e18),
     {"resolution", Kind::value, read_resolution, write_resolution},
-    {"window", Kind::value, read_window, RL_WRITE(r.settings.window, {text_of(r.settings.window)})},
+    {"window", Kind::value, read_window, RL_WRITE(r.settings.window, {text_of_window(r.settings.window)})},
     RL_WORD_KEY("samples", r.settings.samples, sample_words),
     RL_INTEGER_KEY("anisotropy", r.settings.anisotropy, 1, 16),
     RL_KEY("background", value, r.settings.background, values::background("background", w[0]),

@@ -48,7 +48,9 @@ inline constexpr Word<SubdivisionScheme> subdivision_scheme_words[] = {
 inline constexpr Word<SubdivisionUv> subdivision_uv_words[] = {
     {"boundaries", SubdivisionUv::boundaries}, {"smooth", SubdivisionUv::smooth}, {"linear", SubdivisionUv::linear}};
 inline constexpr Word<bool> subdivision_boundary_words[] = {{"edge-and-corner", false},
-                                                            {"edge", true}};          ///< Subdivision::round_corners
+                                                            {"edge", true}};  ///< Subdivision::round_corners
+inline constexpr Word<Mirror> mirror_words[] = {
+    {"none", Mirror::none}, {"constant", Mirror::constant}, {"fresnel", Mirror::fresnel}};
 inline constexpr Word<bool> polarity_words[] = {{"height", false}, {"depth", true}};  ///< Relief::holds_depth
 inline constexpr Word<bool> green_words[] = {{"up", false}, {"down", true}};          ///< Material::green_down
 inline constexpr Word<bool> zero_words[] = {{"127.5", false}, {"128", true}};         ///< Material::centered_normals

@@ -7,11 +7,12 @@
 namespace rakelight::cpu_shading::RL_ISA {
 
 /// @param mean_roughness  of the material, with the mean of its map; not looked at for classical materials
-inline lit::MaterialSurface surface_of_point(const Job<EveryMaterial>& job, float mean_roughness, vec3 position,
+/// @param from_viewer     to the point
+inline lit::MaterialSurface surface_of_point(const Job<EveryMaterial>& job, float mean_roughness, vec3 from_viewer,
                                              vec3 normal) {
     const MaterialView& m = job.material();
     const bool is_metallic = m.metallic_roughness != 0;
-    const vec3 v = lit::to_viewer(position, splat(job.of.view_direction), job.has_parallel_viewer());
+    const vec3 v = lit::to_viewer(from_viewer, splat(job.of.view_direction), job.has_parallel_viewer());
     const real exponent = is_metallic ? lit::exponent_of_roughness(real(mean_roughness)) : real(m.shininess);
     const lit::Surface base = lit::unit_surface(normal, v, exponent, job.reflection());
     const real roughness(is_metallic ? mean_roughness : m.lobe_roughness);
@@ -34,8 +35,9 @@ inline lit::LightTerms terms_of_point(const Job<EveryMaterial>& job, const lit::
 }
 
 /// The sum over the lights.
-inline lit::LightTerms light_of_point(const Job<EveryMaterial>& job, float mean_roughness, vec3 position, vec3 normal) {
-    const lit::MaterialSurface s = surface_of_point(job, mean_roughness, position, normal);
+inline lit::LightTerms light_of_point(const Job<EveryMaterial>& job, float mean_roughness, vec3 position,
+                                      vec3 from_viewer, vec3 normal) {
+    const lit::MaterialSurface s = surface_of_point(job, mean_roughness, from_viewer, normal);
     lit::LightTerms sum = lit::no_terms();
     for (int32_t i = 0; i < job.of.light_count; ++i)
         sum = lit::both_terms(sum, terms_of_point(job, s, lit::sample_light(job.of.lights[i], position)));

@@ -32,7 +32,7 @@ inline void set_directions(const Job<Kind>& job, const Source& of, const Shading
                            lit::MaterialSurface& s) {
     const lit::Frame& f = bumps.frame;
     lit::set_normals(s, bumped_normal(job, p, bumps), f.normal * f.side, job.of.bump_terms);
-    const vec3 v = lit::to_viewer(p.position, splat(job.of.view_direction), job.has_parallel_viewer());
+    const vec3 v = lit::to_viewer(of.from_viewer(p.position), splat(job.of.view_direction), job.has_parallel_viewer());
     s.base.v = viewer_in_tangent_space(job, of, f, v);
 }
 

@@ -53,14 +53,15 @@ inline HeightPlace height_place(const MaterialJob& job, const TexCoords& c, real
     return {{&t, sense.scale, sense.offset, nullptr, nullptr}, sense.level, level_of_detail(t, c)};
 }
 
+/// @param from_viewer  to the point
 /// Moves the texture coordinates to where the ray meets the relief.
-inline void enter_relief(const MaterialJob& job, ShadingPoint& p, Bumps& bumps) {
+inline void enter_relief(const MaterialJob& job, vec3 from_viewer, ShadingPoint& p, Bumps& bumps) {
     const TextureSlot& slot = job.material->map[role_height];
     const int32_t set = slot.texcoord_set == 0 ? 0 : 1;
     TexCoords room;
     const TexCoords& c = transformed(slot, p.texcoords[set], room);
     bumps.place = height_place(job, c, bumps.frame.side);
-    const vec3 to_viewer = lit::to_viewer(p.position, splat(job.view_direction), job.orthographic);
+    const vec3 to_viewer = lit::to_viewer(from_viewer, splat(job.view_direction), job.orthographic);
     bumps.point = lit::relief_point(bumps.place.maps, relief_of(job.relief), c.uv, bumps.place.level,
                                     lit::seen_in_frame(bumps.frame, to_viewer), bumps.place.lod);
     if (job.relief.technique == relief_height) return;

@@ -7,9 +7,10 @@
 //   place(k, point)                the k-th vector's position; then, as far as the job asks for them,
 //   texcoords(k, set, texcoords)   texture coordinates,
 //   color(k), normal(k), tangent(k)
-//   of(k)                          with corners() and interpolate(a, b, c): CornerFrames of its triangles
+//   of(k)                          with corners() and interpolate(a, b, c): CornerFrames of its triangles; and
+//                                  from_viewer(position): the vector from where it is seen, the eye or the surface that mirrors it
 //   is_lit_at_corners(), corner_light(k): LightTerms that are interpolated (flat and Gouraud shading), or false
-// and a functor seen(k, i, light): 0..1, how much of light i arrives; shadow maps, or rays.
+// and a functor seen(k, i, light): 0..1, how much of light i arrives; shadow maps, or rays. It may color the light.
 #pragma once
 #include "cpu_shading/kernels/fog.h"
 #include "cpu_shading/kernels/light_around.h"
@@ -60,7 +61,7 @@ struct Points {
 
 /// Nothing is in shadow.
 struct AllSeen {
-    real operator()(int32_t, int32_t, const lit::LightSample&) const { return real(1.0f); }
+    real operator()(int32_t, int32_t, lit::LightSample&) const { return real(1.0f); }
 };
 
 template <class Source>
@@ -80,7 +81,7 @@ inline void find_places(const Job<Kind>& job, Source& source, Points<Kind, most>
             p.normal = source.normal(k);
             p.tangent = source.tangent(k);
             b.of[k].bumps.frame = frame_at(job, p);
-            if (job.has_relief()) enter_relief(job.of, p, b.of[k].bumps);
+            if (job.has_relief()) enter_relief(job.of, source.of(k).from_viewer(p.position), p, b.of[k].bumps);
         }
     for (int32_t k = 0; k < b.count; ++k) find_map_place(job.of, job.has_relief(), b.of[k].point);
 }
@@ -138,8 +139,8 @@ template <class Kind, int32_t most, class Source>
         base_of(b.of[k].surface).n = n * normal[k].sign;
     }
     for (int32_t k = 0; k < b.count; ++k)
-        base_of(b.of[k].surface).v =
-            lit::to_viewer(b.of[k].point.position, splat(job.of.view_direction), job.has_parallel_viewer());
+        base_of(b.of[k].surface).v = lit::to_viewer(source.of(k).from_viewer(b.of[k].point.position),
+                                                    splat(job.of.view_direction), job.has_parallel_viewer());
 }
 
 /// What depends on directions.
@@ -204,8 +205,8 @@ inline lit::LightSample sample_light_at(const Job<Kind>& job, const Source& sour
 
 /// 0..1: how much of light i is not in shadow, the relief's own too.
 template <class Kind, class Seen>
-inline real seen_of(const Job<Kind>& job, const PointState<Kind>& s, int32_t k, int32_t i,
-                    const lit::LightSample& light, const Seen& seen) {
+inline real seen_of(const Job<Kind>& job, const PointState<Kind>& s, int32_t k, int32_t i, lit::LightSample& light,
+                    const Seen& seen) {
     if constexpr (Kind::has_bump_choices) return seen(k, i, light) * relief_shadow(job, i, s.bumps, light);
     return seen(k, i, light);
 }

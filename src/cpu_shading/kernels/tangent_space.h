@@ -36,7 +36,7 @@ inline vec3 in_tangent_space(const Job<Kind>& job, const Source& of, const lit::
 template <class Kind, class Source>
 inline vec3 viewer_in_tangent_space(const Job<Kind>& job, const Source& of, const lit::Frame& f, vec3 v) {
     return in_tangent_space(job, of, f, v, [&](vec3 position) {
-        return lit::vertex_to_viewer(position, splat(job.of.view_direction), job.has_parallel_viewer());
+        return lit::vertex_to_viewer(of.from_viewer(position), splat(job.of.view_direction), job.has_parallel_viewer());
     });
 }
 

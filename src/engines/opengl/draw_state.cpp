@@ -12,6 +12,7 @@ namespace rakelight::opengl {
 namespace {
 
 constexpr std::array least_visible_first = {
+    role_thickness,           role_transmission,  // rays alone read them
     role_clearcoat_roughness, role_sheen_roughness, role_specular_strength, role_anisotropy,
     role_clearcoat_normal,    role_specular_color,  role_clearcoat,         role_sheen_color,
     role_occlusion,           role_specular,        role_emission,          role_height,
@@ -140,6 +141,7 @@ private:
         for (const TextureRole& role : texture_roles())
             if (drawn_.maps[std::size_t(role.number)]) maps |= 1u << role.number;
         const auto drop = [&maps](TextureRoleNumber role) { maps &= ~(1u << role); };
+        drop(role_transmission), drop(role_thickness);  // rays alone read them
         if (!f_.uses_normal_map) drop(role_normal);
         if (f_.relief == shading::relief_none) drop(role_height);
         if (f_.is_opaque) drop(role_opacity);

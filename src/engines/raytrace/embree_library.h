@@ -24,6 +24,12 @@ namespace rakelight::raytrace {
     X(CommitGeometry)                  \
     X(SetGeometryInstancedScene)       \
     X(SetGeometryTransform)            \
+    X(SetGeometryUserPrimitiveCount)   \
+    X(SetGeometryUserData)             \
+    X(SetGeometryBoundsFunction)       \
+    X(SetGeometryIntersectFunction)    \
+    X(SetGeometryOccludedFunction)     \
+    X(SetDeviceMemoryMonitorFunction)  \
     X(Intersect1)                      \
     X(Occluded1)
 

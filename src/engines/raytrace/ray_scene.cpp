@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -66,10 +67,10 @@ struct RayScene::Crowd {
     std::vector<std::uint32_t> draws, first;  ///< whose triangles begin at first[i]
     MemoryCharge charge;
 
-    Meeting meeting(std::uint32_t triangle, float t) const {
+    Meeting meeting(std::uint32_t triangle, float t, bool is_against) const {
         const auto next = std::ranges::upper_bound(first, triangle);
         const auto i = std::size_t(next - first.begin()) - 1;
-        return {draws[i], triangle - first[i], t};
+        return {draws[i], triangle - first[i], t, is_against};
     }
     void add(std::uint32_t draw, const Mesh& mesh, const dmat4& to_rays) {
         const auto vertices = std::uint32_t(positions.size() / 3);
@@ -82,9 +83,13 @@ struct RayScene::Crowd {
     }
 };
 
-Meeting RayScene::meeting_of(const RTCHit& hit, float t) const {
-    if (hit.instID[0] == RTC_INVALID_GEOMETRY_ID) return crowd_->meeting(hit.primID, t);
-    return {hit.instID[0], hit.primID, t};
+Meeting RayScene::meeting_of(const RTCHit& hit, const RTCRay& ray) const {
+    // Of instances both are in the mesh's own space while they are filtered, of the crowd in the world.
+    const bool is_against = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z < 0;
+    if (hit.instID[0] != RTC_INVALID_GEOMETRY_ID)
+        return {hit.instID[0], hit.primID, ray.tfar, is_against != mirrored_[hit.instID[0]]};
+    if (hit.geomID == mirrored_.size()) return crowd_->meeting(hit.primID, ray.tfar, is_against);
+    return {shapes_[hit.primID].draw, std::uint32_t(hit.u), ray.tfar, is_against};
 }
 
 void RayScene::filter(const RTCFilterFunctionNArguments* args) {
@@ -92,16 +97,17 @@ void RayScene::filter(const RTCFilterFunctionNArguments* args) {
     const RayContext& context = *reinterpret_cast<const RayContext*>(args->context);
     const RTCHit& hit = *reinterpret_cast<const RTCHit*>(args->hit);
     const RTCRay& ray = *reinterpret_cast<const RTCRay*>(args->ray);
-    const Meeting meeting = context.scene->meeting_of(hit, ray.tfar);
-    // Of instances both are in the mesh's own space, of the crowd in the world.
-    const bool is_against = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z < 0;
-    const bool is_turned = hit.instID[0] != RTC_INVALID_GEOMETRY_ID && context.scene->mirrored_[meeting.draw];
-    if (!context.filter->counts(meeting, is_against != is_turned)) args->valid[0] = 0;
+    if (!context.filter->counts(context.scene->meeting_of(hit, ray))) args->valid[0] = 0;
 }
 
 RayScene::RayScene(Isa isa) {
     device_ = embree().NewDevice(config_of(isa).c_str());
     if (!device_) throw Error(ErrorCode::failed, "Embree cannot be used on this processor");
+    const auto count = [](void* bytes, ssize_t change, bool) {
+        static_cast<std::atomic<std::int64_t>*>(bytes)->fetch_add(std::int64_t(change));
+        return true;
+    };
+    embree().SetDeviceMemoryMonitorFunction(device_, count, &bytes_);
 }
 
 RayScene::~RayScene() {
@@ -172,6 +178,7 @@ void RayScene::set(const shading::DrawList& list, Context& context) {
     origin_ = list.bounds.empty() ? dvec3{} : list.bounds.center();
     reach_ = list.bounds.empty() ? 0 : reach_of(list.bounds);
     mirrored_.assign(list.draws.size(), false);
+    shapes_.clear(), shape_numbers_.clear(), shapes_charge_ = {};
     std::map<Key, std::uint64_t> triangles;  // in all places
     const auto mesh_of = [&](const shading::Draw& draw) -> const Mesh& { return list.scene.meshes[draw.mesh]; };
     for (const shading::Draw& draw : list.draws) triangles[key_of(mesh_of(draw))] += mesh_of(draw).triangle_count();
@@ -182,12 +189,14 @@ void RayScene::set(const shading::DrawList& list, Context& context) {
         std::vector<std::uint32_t> small;
         for (std::uint32_t d = 0; d < list.draws.size(); ++d) {
             mirrored_[d] = list.draws[d].mirrored;
+            if (place_shape(list, d)) continue;
             if (triangles[key_of(mesh_of(list.draws[d]))] <= most_in_crowd)
                 small.push_back(d);
             else
                 add_instance(top, list, d, building, context);
         }
         if (!small.empty()) add_crowd(top, list, small, context);
+        if (!shapes_.empty()) add_shapes(top, context);
         building.commit(top);
     } catch (...) {
         embree().ReleaseScene(top);
@@ -234,6 +243,92 @@ void RayScene::add_crowd(RTCScene top, const shading::DrawList& list, const std:
     crowd_ = std::move(crowd);
 }
 
+bool RayScene::place_shape(const shading::DrawList& list, std::uint32_t draw) {
+    const shading::Draw& at = list.draws[draw];
+    const Mesh& mesh = list.scene.meshes[at.mesh];
+    if (!mesh.shape) return false;
+    PlacedShape placed{*mesh.shape, draw, {}, translation(-origin_) * at.to_world, at.mirrored};
+    if (!inverse_affine(placed.to_rays, placed.to_object)) return false;
+    shape_numbers_.resize(list.draws.size(), no_index);
+    shape_numbers_[draw] = std::uint32_t(shapes_.size());
+    shapes_.push_back(placed);
+    return true;
+}
+
+const PlacedShape* RayScene::shape_of(std::uint32_t draw) const {
+    if (shape_numbers_.empty() || shape_numbers_[draw] == no_index) return nullptr;
+    return &shapes_[shape_numbers_[draw]];
+}
+
+void RayScene::add_shapes(RTCScene top, Context& context) {
+    shapes_charge_ = MemoryCharge(context.memory(), (sizeof(PlacedShape) + tree_bytes) * shapes_.size(), "rays");
+    RTCGeometry geometry = embree().NewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+    embree().SetGeometryUserPrimitiveCount(geometry, unsigned(shapes_.size()));
+    embree().SetGeometryUserData(geometry, this);
+    embree().SetGeometryBoundsFunction(geometry, find_bounds, nullptr);
+    embree().SetGeometryIntersectFunction(geometry, meet_nearest);
+    embree().SetGeometryOccludedFunction(geometry, meet_any);
+    embree().CommitGeometry(geometry);
+    embree().AttachGeometryByID(top, geometry, std::uint32_t(mirrored_.size() + 1));
+    embree().ReleaseGeometry(geometry);
+}
+
+void RayScene::find_bounds(const RTCBoundsFunctionArguments* args) {
+    const PlacedShape& placed = static_cast<const RayScene*>(args->geometryUserPtr)->shapes_[args->primID];
+    const Bounds own = bounds_of(placed.shape);
+    dvec3 low{1e300, 1e300, 1e300}, high = -low;
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 corner = transform_point(placed.to_rays, own.corner(i));
+        low = min(low, corner), high = max(high, corner);
+    }
+    // Floats on the outer side, and planes get some thickness.
+    const double slack = 1e-6 * (length(high - low) + length(high) + length(low));
+    RTCBounds& out = *args->bounds_o;
+    out.lower_x = float(low.x - slack), out.lower_y = float(low.y - slack), out.lower_z = float(low.z - slack);
+    out.upper_x = float(high.x + slack), out.upper_y = float(high.y + slack), out.upper_z = float(high.z + slack);
+}
+
+/// The nearest meeting that counts.
+Meeting RayScene::find_on_shape(const RTCRay& ray, const RTCIntersectContext* context, std::uint32_t number) const {
+    const PlacedShape& placed = shapes_[number];
+    const RayFilter* const wanted = reinterpret_cast<const RayContext*>(context)->filter;
+    const dvec3 origin = transform_point(placed.to_object, dvec3{ray.org_x, ray.org_y, ray.org_z});
+    const dvec3 direction = transform_direction(placed.to_object, dvec3{ray.dir_x, ray.dir_y, ray.dir_z});
+    const ShapeHits hits = meet(placed.shape, origin, direction);
+    for (int i = 0; i < hits.count; ++i) {
+        const ShapeHit& hit = hits.at[std::size_t(i)];
+        const auto t = float(hit.t);
+        if (!(t > ray.tnear && t < ray.tfar)) continue;
+        const dvec3 normal = outward(placed.shape, hit.face, origin + direction * hit.t);
+        const Meeting meeting{placed.draw, hit.face, t, (dot(normal, direction) < 0) != placed.is_mirrored};
+        if (!wanted || wanted->counts(meeting)) return meeting;
+    }
+    return {};
+}
+
+void RayScene::meet_nearest(const RTCIntersectFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    auto& both = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+    const auto& scene = *static_cast<const RayScene*>(args->geometryUserPtr);
+    const Meeting meeting = scene.find_on_shape(both.ray, args->context, args->primID);
+    if (meeting.draw == no_index) return;
+    both.ray.tfar = meeting.t;
+    both.hit.u = float(meeting.triangle), both.hit.v = 0;
+    // Ng tells which side is met, no more.
+    const float sign = meeting.is_against ? -1.0f : 1.0f;
+    both.hit.Ng_x = sign * both.ray.dir_x, both.hit.Ng_y = sign * both.ray.dir_y, both.hit.Ng_z = sign * both.ray.dir_z;
+    both.hit.geomID = args->geomID, both.hit.primID = args->primID;
+    both.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+}
+
+void RayScene::meet_any(const RTCOccludedFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
+    const auto& scene = *static_cast<const RayScene*>(args->geometryUserPtr);
+    if (scene.find_on_shape(ray, args->context, args->primID).draw != no_index)
+        ray.tfar = -std::numeric_limits<float>::infinity();
+}
+
 /// Made where it is not known yet.
 const RayScene::Part& RayScene::part_of(const Mesh& mesh, Building& building, Context& context) {
     auto known = parts_.find(key_of(mesh));
@@ -267,7 +362,7 @@ Meeting RayScene::first(vec3 origin, vec3 direction, float from, float to, const
     meeting.hit.geomID = meeting.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree().Intersect1(top_, &context.embree, &meeting);
     if (meeting.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return meeting_of(meeting.hit, meeting.ray.tfar);
+    return meeting_of(meeting.hit, meeting.ray);
 }
 
 bool RayScene::is_blocked(vec3 origin, vec3 direction, float from, float to, const RayFilter* wanted) const {

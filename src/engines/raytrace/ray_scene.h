@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surfaces of a draw list as Embree meets rays with: a scene for each mesh, placed by instances in one above; what did not
-// change from one scene to the next is kept. Small meshes, of which there may be many, lie together in one geometry beside the instances.
+// change from one scene to the next is kept. Small meshes, of which there may be many, lie together in one geometry beside the instances;
+// surfaces given by their formulas in another, met by our own arithmetic (shapes.h).
 #pragma once
+#include <atomic>
 #include <map>
 #include <memory>
 #include <vector>
@@ -9,6 +11,7 @@
 #include <rakelight/context.h>
 
 #include "engines/raytrace/embree_library.h"
+#include "engines/raytrace/shapes.h"
 #include "math/isa.h"
 #include "shading/draw_list.h"
 
@@ -17,16 +20,26 @@ namespace rakelight::raytrace {
 /// Where a ray meets a surface first.
 struct Meeting {
     std::uint32_t draw = no_index;  ///< into DrawList::draws; no_index: nowhere
-    std::uint32_t triangle = 0;
+    std::uint32_t triangle = 0;     ///< of shapes: ShapeFaceNumber
     float t = 0;
+    /// The ray goes against the normal that the order of the corners gives, in the world. Known to filters alone.
+    bool is_against = false;
 };
 
 /// Which meetings count.
 class RayFilter {
 public:
     virtual ~RayFilter() = default;
-    /// @param is_against  the ray goes against the normal that the order of the corners gives, in the world
-    virtual bool counts(const Meeting& meeting, bool is_against) const = 0;
+    virtual bool counts(const Meeting& meeting) const = 0;
+};
+
+/// A shape at its place.
+struct PlacedShape {
+    ExactShape shape;
+    std::uint32_t draw = 0;
+    dmat4 to_object;  ///< of places about RayScene::origin()
+    dmat4 to_rays;
+    bool is_mirrored = false;
 };
 
 class RayScene {
@@ -44,6 +57,11 @@ public:
     /// [m] of the coordinates about it, at most
     float reach() const { return reach_; }
 
+    /// Null: the draw is its triangles.
+    const PlacedShape* shape_of(std::uint32_t draw) const;
+    /// That Embree has taken for its trees.
+    std::uint64_t tree_bytes_used() const { return std::uint64_t(std::max<std::int64_t>(bytes_, 0)); }
+
     /// @param origin     about origin()
     /// @param direction  not 0; `from` and `to` count in it
     /// @param filter     null: all count
@@ -59,9 +77,15 @@ private:
                       Context& context);
     void add_crowd(RTCScene top, const shading::DrawList& list, const std::vector<std::uint32_t>& draws,
                    Context& context);
+    void add_shapes(RTCScene top, Context& context);
+    bool place_shape(const shading::DrawList& list, std::uint32_t draw);
     static Key key_of(const Mesh& mesh);
     static void filter(const RTCFilterFunctionNArguments* args);
-    Meeting meeting_of(const RTCHit& hit, float t) const;
+    static void find_bounds(const RTCBoundsFunctionArguments* args);
+    static void meet_nearest(const RTCIntersectFunctionNArguments* args);
+    static void meet_any(const RTCOccludedFunctionNArguments* args);
+    Meeting find_on_shape(const RTCRay& ray, const RTCIntersectContext* context, std::uint32_t shape) const;
+    Meeting meeting_of(const RTCHit& hit, const RTCRay& ray) const;
     const Part& part_of(const Mesh& mesh, Building& building, Context& context);
     std::unique_ptr<Part> make_part(const Mesh& mesh, Building& building, Context& context);
 
@@ -70,6 +94,10 @@ private:
     std::map<Key, std::unique_ptr<Part>> parts_;
     std::vector<bool> mirrored_;  ///< [draws]
     std::unique_ptr<Crowd> crowd_;
+    std::vector<PlacedShape> shapes_;
+    std::vector<std::uint32_t> shape_numbers_;  ///< [draws] into shapes_, or no_index; empty: there are none
+    MemoryCharge shapes_charge_;
+    std::atomic<std::int64_t> bytes_{0};
     dvec3 origin_{};
     float reach_ = 0;
 };

@@ -3,8 +3,11 @@
 
 #include <rakelight/tools/strip_sink.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "cpu_shading/environment_maps.h"
@@ -31,6 +34,25 @@ const Kernels* kernels_for(Isa isa) {
     return scalar::kernels();
 }
 
+void add(const RayStats& from, RayStats& to) {
+    to.primary += from.primary, to.shadow += from.shadow;
+    to.reflected += from.reflected, to.refracted += from.refracted, to.dropped += from.dropped;
+    to.deepest = std::max(to.deepest, from.deepest);
+}
+
+/// Before hours go by. Shadow rays come on top.
+void check_naive(const NaiveScan& naive, const RenderSettings& settings, const Window& window) {
+    const double rays = double(window.width) * window.height * settings.samples,
+                 tests = rays * double(naive.triangles());
+    constexpr double tests_a_second = 2e8;  // of one thread, about
+    if (tests <= settings.naive_limit) return;
+    char text[160];
+    std::snprintf(text, sizeof text, "%.3g rays and %llu triangles are %.3g tests, about %.1f hours of one processor",
+                  rays, static_cast<unsigned long long>(naive.triangles()), tests, tests / tests_a_second / 3600);
+    throw Error(ErrorCode::usage, text, {}, "make the picture smaller, or let the limit be higher")
+        .about("naive", {"naive-limit"});
+}
+
 Window whole(const RenderSettings& s) { return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window; }
 
 class RaytraceEngine final : public Engine {
@@ -39,7 +61,7 @@ public:
 
     std::string name() const override { return "trace"; }
     EngineAbilities abilities() const override {
-        return {.channels = channels_all, .samples = {1, 4, 8}, .shadows = true};
+        return {.channels = channels_all, .samples = {1, 4, 8}, .shadows = true, .rays = true};
     }
 
     void prepare(Scene scene, Context& context) override {
@@ -58,8 +80,14 @@ public:
 
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
         const shading::View view = shading::view_of(list_, camera, settings);
-        const TracePicture picture(list_, rays_, view, settings, kernels_, context);
+        TracePicture picture(list_, rays_, view, settings, kernels_, context);
         const Window window = whole(settings);
+        std::optional<NaiveScan> naive;
+        if (settings.naive) {
+            naive.emplace(list_, rays_, context);
+            check_naive(*naive, settings, window);
+            picture.naive = &*naive;
+        }
         if (!list_.line_draws.empty() && settings.surfaces)
             context.report().add(Remark::warning, list_.scene.source, {},
                                  "lines and points are not drawn: rays do not meet them");
@@ -71,10 +99,19 @@ public:
         pool_.for_each([&counts](TileScratch& scratch) {
             const RayCounts c = std::exchange(scratch.counts, {});
             counts.shaded += c.shaded, counts.not_finite += c.not_finite;
+            add(c.rays, counts.rays);
         });
         RenderStats stats;
         stats.pixels_shaded = stats.lighting_evaluations = counts.shaded;
         stats.pixels_not_finite = counts.not_finite;
+        stats.rays = counts.rays;
+        stats.rays.scene_bytes = rays_.tree_bytes_used();
+        if (naive) stats.rays.triangle_tests = naive->tests();
+        if (counts.rays.dropped > 0)
+            context.report().add(Remark::warning, list_.scene.source, {},
+                                 std::to_string(counts.rays.dropped) +
+                                     " reflections and refractions were left out: too many in one pixel",
+                                 {"max-depth"});
         stats.times.tiles = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         if (counts.not_finite > 0)
             context.report().add(

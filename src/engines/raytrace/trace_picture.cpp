@@ -5,13 +5,13 @@
 
 #include "cpu_shading/make_material_job.h"
 #include "cpu_shading/make_mesh_view.h"
+#include "engines/raytrace/media.h"
+#include "math/linear.h"
 #include "shading/lights.h"
 #include "shading/shading_choice.h"
 
 namespace rakelight::raytrace {
 namespace {
-
-constexpr float least_offset = 1e-6f;  ///< of the scene's reach, that shadow rays begin off a surface
 
 /// Surfaces that throw shadows: blended ones do not, as in shadow maps.
 class ShadowFilter final : public RayFilter {
@@ -22,26 +22,41 @@ public:
         for (std::size_t k = 0; k < 2; ++k)
             for (std::size_t c = 0; c < 3; ++c) numbers_[3 * k + c] = ray[k][c];
     }
-    bool counts(const Meeting& meeting, bool) const override {
+    bool counts(const Meeting& meeting) const override {
+        if (picture_.is_filter(meeting.draw)) return is_with_filters;
         if (picture_.is_blended(meeting.draw)) return false;
         return !picture_.is_masked(meeting.draw) || !picture_.is_cut_out(meeting, {numbers_, 1}, 0);
     }
+    RayView ray() const { return {numbers_, 1}; }
+
+    bool is_with_filters = false;  ///< what light goes through counts, too
 
 private:
     const TracePicture& picture_;
-    float numbers_[ray_planes] = {};  ///< no differentials: masks are read at their finest
+    float numbers_[ray_planes] = {};  ///< no differentials: maps are read at their finest
 };
 
+/// One ray to a light.
+vec3 find_light(const TracePicture& picture, vec3 origin, vec3 direction, float to) {
+    ShadowFilter filter(picture, origin, direction);
+    const RayFilter* const holes = picture.has_holes ? &filter : nullptr;
+    if (picture.is_blocked(picture.in_rays(origin), direction, 0, to, holes)) return {};
+    if (!picture.has_filters) return {1, 1, 1};
+    filter.is_with_filters = true;
+    return picture.light_through(filter.ray(), to, filter);
+}
+
 void find_seen(const void* tracer, ShadowRays* rays) {
-    const TracePicture& picture = *static_cast<const TracePicture*>(tracer);
+    const TileTracer& tile = *static_cast<const TileTracer*>(tracer);
     for (std::int32_t i = 0; i < rays->count; ++i) {
-        rays->seen[i] = 1;
-        if (!(rays->length[i] >= 0)) continue;
-        const vec3 origin{rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
-        const vec3 direction{rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
-        const ShadowFilter filter(picture, origin, direction);
-        const RayFilter* const holes = picture.has_holes ? &filter : nullptr;
-        if (picture.rays.is_blocked(picture.in_rays(origin), direction, 0, rays->length[i], holes)) rays->seen[i] = 0;
+        vec3 seen{1, 1, 1};
+        if (rays->length[i] >= 0) {
+            const vec3 origin{rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
+            const vec3 direction{rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
+            seen = find_light(tile.picture, origin, direction, rays->length[i]);
+            ++tile.shadow_rays;
+        }
+        for (std::size_t c = 0; c < 3; ++c) rays->seen[c][i] = seen[c];
     }
 }
 
@@ -50,11 +65,42 @@ void set_rows(const dmat4& m, float (&to)[3][4]) {
         for (std::size_t c = 0; c < 4; ++c) to[r][c] = float(m[c][r]);
 }
 
+bool lets_light_through(const cpu_shading::MaterialView& m) {
+    return m.metallic_roughness != 0 ? m.transmission > 0 : m.filter[0] > 0 || m.filter[1] > 0 || m.filter[2] > 0;
+}
+
+/// Some point may: maps multiply roughness, and coats stand above.
+bool mirrors(const cpu_shading::MaterialView& m) {
+    constexpr float widest = 0.1f;  // alpha of RL_MIRROR_ALPHA
+    if (m.metallic_roughness == 0)
+        return m.mirror != shading::mirror_none && (m.specular[0] > 0 || m.specular[1] > 0 || m.specular[2] > 0);
+    const bool has_map = m.map[role_metallic_roughness].view != nullptr;
+    return has_map || m.roughness <= widest || (m.clearcoat > 0 && m.clearcoat_roughness <= widest);
+}
+
+/// @param eye  about the middle of the ray scene
+ShapeView shape_view(const PlacedShape* placed, vec3 eye) {
+    ShapeView view{};
+    view.kind = shape_none;
+    if (!placed) return view;
+    const ExactShape& s = placed->shape;
+    view.kind = std::int32_t(s.kind);
+    view.radius = float(s.radius), view.tube_radius = float(s.tube_radius), view.height = float(s.height);
+    view.width = float(s.width), view.depth = float(s.depth);
+    set_rows(placed->to_object * translation(cast<double>(eye)), view.to_object);
+    return view;
+}
+
 }  // namespace
 
 TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene& of_rays, const shading::View& of_view,
                            const RenderSettings& of_settings, const Kernels& of_kernels, Context& context)
-    : list(of_list), rays(of_rays), view(of_view), settings(of_settings), kernels(of_kernels) {
+    : list(of_list),
+      rays(of_rays),
+      view(of_view),
+      settings(of_settings),
+      kernels(of_kernels),
+      max_depth(of_settings.method == RayMethod::cast ? 0 : of_settings.max_depth) {
     const dvec3 eye = view.camera_to_world[3].xyz();
     lights = shading::make_lights(list.scene, list.node_to_world, eye);
     eye_ = cast<float>(eye - rays.origin());
@@ -71,6 +117,7 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
         job.light_count = std::int32_t(lights.size());
         job.mesh = cpu_shading::make_mesh_view(list.scene.meshes[draw.mesh], frames_.back());
         set_rows(to_eye_.back(), job.to_eye);
+        job.shape = shape_view(rays.shape_of(d), eye_);
         culling_.push_back(shading::culling_of(list, draw, settings));
         job.front_is_negative = culling_.back().front_is_negative;
         if (shading[d] == Shading::unlit) job.unlit = 1;
@@ -79,12 +126,17 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
             job.lit_at = shading::is_lit_per_face(list, draw, shading[d]) ? lit_at_faces : lit_at_corners;
             job.roughness = cpu_shading::mean_roughness(*job.material);
         }
-        if (settings.shadows) job.find_seen = find_seen, job.tracer = this;
-        job.offset = least_offset * rays.reach();
+        if (settings.shadows) job.find_seen = find_seen;
+        job.offset = offset();
         job.kernel =
             job.lit_at != lit_at_points ? cpu_shading::kernel_every : cpu_shading::kernel_for(job, settings.shadows);
         cutoffs_.push_back(shading::mask_cutoff(list.view(d), job.relief.limit_silhouette));
-        has_holes = has_holes || cutoffs_.back() >= 0 || is_blended(d);
+        const bool follows = max_depth > 0 && shading[d] != Shading::unlit && !job.material->unlit;
+        is_filter_.push_back(follows && lets_light_through(*job.material));
+        goes_on_.push_back(is_filter_.back() || (follows && mirrors(*job.material)));
+        has_filters = has_filters || is_filter_.back();
+        has_holes = has_holes || cutoffs_.back() >= 0 || is_blended(d) || is_filter_.back();
+        has_masked = has_masked || cutoffs_.back() >= 0;
         has_filtered = has_filtered || cutoffs_.back() >= 0 || culling_.back().back || culling_.back().front;
         jobs_.push_back(job);
     }
@@ -92,19 +144,71 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
 
 HitJob TracePicture::hit_job(std::uint32_t draw) const { return jobs_[draw]; }
 
-bool TracePicture::is_culled(std::uint32_t draw, bool is_against) const {
-    const shading::Culling& c = culling_[draw];
-    return is_against == c.front_is_negative ? c.front : c.back;
+HitJob TracePicture::hit_job(std::uint32_t draw, bool is_from_surface, bool goes_on) const {
+    HitJob job = jobs_[draw];
+    if (goes_on) job.kernel = cpu_shading::kernel_every;
+    if (is_from_surface) job.orthographic = job.viewer_at_infinity = 0;
+    return job;
+}
+
+bool TracePicture::is_culled(const Meeting& meeting) const {
+    const shading::Culling& c = culling_[meeting.draw];
+    return meeting.is_against == c.front_is_negative ? c.front : c.back;
+}
+
+bool TracePicture::meets_front(const Meeting& meeting, vec3 direction) const {
+    const shading::Draw& draw = list.draws[meeting.draw];
+    bool is_against = meeting.is_against;
+    if (!rays.shape_of(meeting.draw)) {
+        const Mesh& mesh = list.scene.meshes[draw.mesh];
+        const auto corner = [&](std::size_t k) {
+            return cast<double>(mesh.positions[mesh.indices[3 * std::size_t(meeting.triangle) + k]]);
+        };
+        const dvec3 normal = cofactor(upper_left(draw.to_world)) * cross(corner(1) - corner(0), corner(2) - corner(0));
+        is_against = dot(normal, cast<double>(direction)) < 0;
+    }
+    return is_against == culling_[meeting.draw].front_is_negative;
+}
+
+vec3 TracePicture::light_through(const RayView& ray, float to, const RayFilter& filter) const {
+    constexpr int most_surfaces = 64;
+    const auto vector = [&ray](std::size_t at) { return vec3{ray.planes[at], ray.planes[at + 1], ray.planes[at + 2]}; };
+    const vec3 origin = in_rays(vector(ray_o)), direction = vector(ray_d);
+    const float meters = length(direction);
+    vec3 light{1, 1, 1};
+    float from = 0;
+    for (int i = 0; i < most_surfaces && std::max({light.x, light.y, light.z}) > 1e-4f; ++i) {
+        const Meeting m = first(origin, direction, from, to, &filter);
+        if (m.draw == no_index) return light;
+        light = light * share_through(m, ray);
+        if (!meets_front(m, direction)) light = light * absorbed(list.view(m.draw), (m.t - from) * meters);
+        from = m.t * step_behind;
+    }
+    return {};
+}
+
+vec3 TracePicture::share_through(const Meeting& meeting, const RayView& planes) const {
+    std::int32_t ray[batch_padding + 1] = {}, triangle[batch_padding + 1];
+    float color[3][batch_padding + 1], t[batch_padding + 1];
+    std::fill(std::begin(triangle), std::end(triangle), std::int32_t(meeting.triangle));
+    std::fill(std::begin(t), std::end(t), meeting.t);
+    HitJob job = jobs_[meeting.draw];
+    job.count = 1;
+    job.ray = ray, job.triangle = triangle, job.t = t, job.rays = planes;
+    job.red = color[0], job.green = color[1], job.blue = color[2];
+    kernels.through(&job);
+    return {color[0][0], color[1][0], color[2][0]};
 }
 
 bool TracePicture::is_cut_out(const Meeting& meeting, const RayView& planes, std::int32_t ray) const {
     std::int32_t all_rays[batch_padding + 1], triangles[batch_padding + 1];
-    float alpha[batch_padding + 1];
+    float alpha[batch_padding + 1], t[batch_padding + 1];
+    std::fill(std::begin(t), std::end(t), meeting.t);
     std::fill(std::begin(all_rays), std::end(all_rays), ray);
     std::fill(std::begin(triangles), std::end(triangles), std::int32_t(meeting.triangle));
     HitJob job = jobs_[meeting.draw];
     job.count = 1;
-    job.ray = all_rays, job.triangle = triangles, job.rays = planes, job.alpha = alpha;
+    job.ray = all_rays, job.triangle = triangles, job.t = t, job.rays = planes, job.alpha = alpha;
     kernels.alpha(&job);
     return alpha[0] < cutoffs_[meeting.draw];
 }

@@ -5,12 +5,16 @@
 
 #include "cpu_shading/draw_list.h"
 #include "engines/raytrace/kernels/trace_types.h"
+#include "engines/raytrace/naive_scan.h"
 #include "engines/raytrace/ray_scene.h"
 #include "shading/draw_choices.h"
 #include "shading/draw_frame.h"
 #include "shading/view.h"
 
 namespace rakelight::raytrace {
+
+inline constexpr float least_offset = 1e-6f;     ///< of the scene's reach, that rays begin off a surface
+inline constexpr float step_behind = 1 + 4e-6f;  ///< where a ray goes on behind what it met
 
 /// Not to be copied or moved: its parts refer to each other.
 class TracePicture {
@@ -21,34 +25,70 @@ public:
     TracePicture(const TracePicture&) = delete;
     TracePicture& operator=(const TracePicture&) = delete;
 
+    Meeting first(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const {
+        return naive ? naive->first(origin, direction, from, to, filter)
+                     : rays.first(origin, direction, from, to, filter);
+    }
+    bool is_blocked(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const {
+        return naive ? naive->first(origin, direction, from, to, filter).draw != no_index
+                     : rays.is_blocked(origin, direction, from, to, filter);
+    }
+
+    float offset() const { return least_offset * rays.reach(); }  ///< [m] that rays begin off surfaces, at least
+
     /// A job without hits and results.
     HitJob hit_job(std::uint32_t draw) const;
+    /// The same for rays that come from a surface, or of hits that rays go on from. @param goes_on  HitJob::next will be set
+    HitJob hit_job(std::uint32_t draw, bool is_from_surface, bool goes_on) const;
     /// About the coordinates of the ray scene.
     vec3 in_rays(vec3 about_eye) const { return about_eye + eye_; }
 
     bool is_blended(std::uint32_t draw) const { return list.view(draw).blend != 0; }
     bool is_masked(std::uint32_t draw) const { return cutoffs_[draw] >= 0; }
-    /// Whether culling leaves out the side that a ray meets. @param is_against  as RayFilter::counts()
-    bool is_culled(std::uint32_t draw, bool is_against) const;
+    bool goes_on(std::uint32_t draw) const { return goes_on_[draw]; }      ///< rays are mirrored there, or go through
+    bool is_filter(std::uint32_t draw) const { return is_filter_[draw]; }  ///< rays go through
+    /// A classical material whose alpha says how much goes through.
+    bool is_opened_by_alpha(std::uint32_t draw) const {
+        return is_filter(draw) && is_blended(draw) && list.view(draw).metallic_roughness == 0;
+    }
+    /// Whether culling leaves out the side that a ray meets.
+    bool is_culled(const Meeting& meeting) const;
+    /// Whether a ray meets the front. @param direction  in world axes
+    bool meets_front(const Meeting& meeting, vec3 direction) const;
+    /// What surfaces that light goes through leave of it, the body's own absorption too.
+    vec3 light_through(const RayView& ray, float to, const RayFilter& filter) const;
     /// Whether a masked surface is not there. @param ray  into `rays` of the job's planes
     bool is_cut_out(const Meeting& meeting, const RayView& planes, std::int32_t ray) const;
 
     const cpu_shading::DrawList& list;
     const RayScene& rays;
+    const NaiveScan* naive = nullptr;  ///< every ray is held against every triangle
     const shading::View& view;
     const RenderSettings& settings;
     const Kernels& kernels;
     std::vector<lighting::LightParameters> lights;
     bool has_filtered = false;  ///< some draw is culled, or has holes
+    bool has_masked = false;    ///< some draw is masked
     bool has_holes = false;     ///< some draw is masked or blended: not all of it throws shadows
+    bool has_filters = false;   ///< light goes through some draw
+    int max_depth = 0;          ///< of reflections and refractions
 
 private:
+    vec3 share_through(const Meeting& meeting, const RayView& planes) const;
+
     std::vector<dmat4> to_eye_;
     std::vector<shading::DrawFrame> frames_;
     std::vector<HitJob> jobs_;
     std::vector<shading::Culling> culling_;
     std::vector<float> cutoffs_;
+    std::vector<bool> goes_on_, is_filter_;
     vec3 eye_;
+};
+
+/// What kernels hand back with their shadow rays (HitJob::tracer).
+struct TileTracer {
+    const TracePicture& picture;
+    std::uint64_t& shadow_rays;
 };
 
 }  // namespace rakelight::raytrace

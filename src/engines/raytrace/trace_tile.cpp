@@ -2,26 +2,124 @@
 #include "engines/raytrace/trace_tile.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
-
-#include "cpu_shading/kernel_channels.h"
-#include "shading/sample_positions.h"
 
 namespace rakelight::raytrace {
 namespace {
 
-constexpr float step_behind = 1 + 4e-6f;  ///< where a ray goes on behind what it met
+constexpr std::size_t most_in_wave = 8192;  ///< rays: more are followed in parts, pixel by pixel in the end
 
-float* plane(TileScratch& s, std::int32_t number) { return s.planes.data() + std::size_t(number) * plane_stride; }
-vec3 vector_of(const TileScratch& s, std::int32_t number, std::size_t ray) {
-    const float* const p = s.planes.data() + std::size_t(number) * plane_stride + ray;
-    return {p[0], p[plane_stride], p[2 * plane_stride]};
-}
 /// The same vector for all rays.
-void fill(TileScratch& s, std::int32_t number, std::size_t count, dvec3 v) {
-    for (std::size_t c = 0; c < 3; ++c) std::fill_n(plane(s, number + std::int32_t(c)), count, float(v[c]));
+void fill(RayWave& wave, std::int32_t number, std::size_t count, dvec3 v) {
+    for (std::size_t c = 0; c < 3; ++c) std::fill_n(wave.plane(number + std::int32_t(c)), count, float(v[c]));
 }
+
+/// The colors of what rays of the wave meet when they meet no surface, into red, green and blue. @return false: `background` is there
+bool find_sky(const TracePicture& picture, WaveScratch& s) {
+    if (!picture.list.views.environment) return false;
+    if (s.wave.is_primary() && !picture.list.scene.environment->is_background) return false;
+    const std::size_t room = s.wave.count + batch_padding;
+    for (auto* const numbers : {&s.red, &s.green, &s.blue})
+        if (numbers->size() < room) numbers->resize(room);
+    SkyJob job{std::int32_t(s.wave.count),
+               s.wave.view(),
+               &picture.list.views.environment_view,
+               s.wave.is_primary() && picture.view.orthographic,
+               s.red.data(),
+               s.green.data(),
+               s.blue.data()};
+    picture.kernels.sky(&job);
+    return true;
+}
+
+/// What is behind everything that primary rays meet.
+void lay_background(const TracePicture& picture, TileScratch& s) {
+    const vec4 behind = picture.settings.background;
+    const bool has_sky = find_sky(picture, s);
+    s.covered.resize(s.wave.count);
+    for (std::size_t i = 0; i < s.wave.count; ++i) {
+        const vec4 own = has_sky ? vec4{s.red[i], s.green[i], s.blue[i], 1} : behind;
+        const float share = s.rest[i] * own.w;
+        s.covered[i] = 1 - s.rest[i] + share;
+        s.sum[i] = s.covered[i] > 0 ? s.sum[i] + own.xyz() * share : own.xyz();
+    }
+}
+
+/// What the rays of a wave bring that meet nothing: the environment wherever there is one, else the background.
+void lay_surroundings(const TracePicture& picture, TileScratch& s) {
+    const vec4 behind = picture.settings.background;
+    const bool has_sky = find_sky(picture, s);
+    for (std::size_t i = 0; i < s.wave.count; ++i) {
+        const vec3 own = has_sky ? vec3{s.red[i], s.green[i], s.blue[i]} : behind.xyz() * behind.w;
+        vec3& sum = s.sum[s.wave.pixel[i]];
+        sum = sum + s.wave.weight[i] * own * s.rest[i];
+    }
+}
+
+void set_wave(const std::vector<NextRay>& rays, RayWave& wave) {
+    wave.count = rays.size();
+    wave.stride = rays.size() + 48;
+    wave.planes.resize(std::size_t(ray_planes) * wave.stride);
+    wave.pixel.resize(rays.size()), wave.weight.resize(rays.size()), wave.media.resize(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        for (std::int32_t p = 0; p < ray_planes; ++p) wave.plane(p)[i] = rays[i].numbers[p];
+        wave.pixel[i] = rays[i].pixel, wave.weight[i] = rays[i].weight, wave.media[i] = rays[i].media;
+    }
+}
+
+/// What is to be followed: all rays of a pixel stay together, in their order, so that no pixel depends on its neighbors.
+void put_off(int depth, std::vector<NextRay> rays, TileScratch& s) {
+    if (rays.empty()) return;
+    if (rays.size() > most_in_wave) {
+        const auto [least, most] = std::ranges::minmax(rays, {}, &NextRay::pixel);
+        const std::uint32_t low = least.pixel, middle = low + (most.pixel - low) / 2;
+        if (low < most.pixel) {
+            std::vector<NextRay> rest;
+            std::ranges::copy_if(rays, std::back_inserter(rest), [&](const NextRay& r) { return r.pixel > middle; });
+            std::erase_if(rays, [&](const NextRay& r) { return r.pixel > middle; });
+            put_off(depth, std::move(rest), s);
+            return put_off(depth, std::move(rays), s);
+        }
+        s.counts.rays.dropped += rays.size() - most_in_wave;
+        rays.resize(most_in_wave);
+    }
+    s.waiting.push_back({depth, std::move(rays)});
+}
+
+/// What surfaces send on, and what comes of it.
+void follow_on(const TracePicture& picture, const Context& context, TileScratch& s) {
+    put_off(1, std::exchange(s.next, {}), s);
+    while (!s.waiting.empty()) {
+        const TileScratch::Waiting now = std::move(s.waiting.back());
+        s.waiting.pop_back();
+        if (context.cancelled()) continue;
+        s.counts.rays.deepest = std::max(s.counts.rays.deepest, now.depth);
+        set_wave(now.rays, s.wave);
+        s.from.assign(s.wave.count, 0.0f);
+        follow(picture, context, now.depth, s);
+        lay_surroundings(picture, s);
+        put_off(now.depth + 1, std::exchange(s.next, {}), s);
+    }
+}
+
+void trace_sample(const TracePicture& picture, const Window& area, shading::SamplePosition at, const Context& context,
+                  std::vector<vec4>& to, TileScratch& s) {
+    make_primary(picture, area, at, s);
+    const std::size_t count = s.wave.count;
+    s.counts.rays.primary += count;
+    s.from.assign(count, float(picture.view.z_near));
+    s.sum.assign(count, vec3{});
+    follow(picture, context, 0, s);
+    lay_background(picture, s);
+    follow_on(picture, context, s);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float alpha = s.covered[i];
+        const vec3 color = alpha > 0 ? s.sum[i] * (1 / alpha) : s.sum[i];
+        to[i] = {color.x, color.y, color.z, alpha};
+    }
+}
+
+}  // namespace
 
 /// A ray through a place of every pixel.
 void make_primary(const TracePicture& picture, const Window& area, shading::SamplePosition at, TileScratch& s) {
@@ -29,13 +127,16 @@ void make_primary(const TracePicture& picture, const Window& area, shading::Samp
     const shading::PixelRays rays = shading::pixel_rays(view, area.x, area.y);
     const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
     const dvec3 none{}, ahead = -view.camera_to_world[2].xyz();
-    fill(s, view.orthographic ? ray_d : ray_o, count, view.orthographic ? ahead : none);
-    fill(s, ray_o_dx, count, view.orthographic ? rays.along_x : none);
-    fill(s, ray_o_dy, count, view.orthographic ? rays.along_y : none);
-    fill(s, ray_d_dx, count, view.orthographic ? none : rays.along_x);
-    fill(s, ray_d_dy, count, view.orthographic ? none : rays.along_y);
+    s.wave.stride = plane_stride, s.wave.count = count;
+    s.wave.planes.resize(std::size_t(ray_planes) * plane_stride);
+    s.wave.pixel.clear(), s.wave.weight.clear(), s.wave.media.clear();
+    fill(s.wave, view.orthographic ? ray_d : ray_o, count, view.orthographic ? ahead : none);
+    fill(s.wave, ray_o_dx, count, view.orthographic ? rays.along_x : none);
+    fill(s.wave, ray_o_dy, count, view.orthographic ? rays.along_y : none);
+    fill(s.wave, ray_d_dx, count, view.orthographic ? none : rays.along_x);
+    fill(s.wave, ray_d_dy, count, view.orthographic ? none : rays.along_y);
     for (std::size_t c = 0; c < 3; ++c) {
-        float* to = plane(s, (view.orthographic ? ray_o : ray_d) + std::int32_t(c));
+        float* to = s.wave.plane((view.orthographic ? ray_o : ray_d) + std::int32_t(c));
         for (int y = 0; y < area.height; ++y) {
             const double row = rays.along_y[c] * (y + at.y / 16.0) + rays.first[c] + rays.along_x[c] * (at.x / 16.0);
             for (int x = 0; x < area.width; ++x) *to++ = float(row + rays.along_x[c] * x);
@@ -43,210 +144,13 @@ void make_primary(const TracePicture& picture, const Window& area, shading::Samp
     }
 }
 
-/// What a camera sees: sides that are not culled, where masks leave something.
-class SeenFilter final : public RayFilter {
-public:
-    SeenFilter(const TracePicture& picture, const TileScratch& s, std::size_t ray, bool with_blended)
-        : picture_(picture),
-          planes_{s.planes.data(), plane_stride},
-          ray_(std::int32_t(ray)),
-          with_blended_(with_blended) {}
-    bool counts(const Meeting& meeting, bool is_against) const override {
-        if (picture_.is_culled(meeting.draw, is_against)) return false;
-        if (!with_blended_ && picture_.is_blended(meeting.draw)) return false;
-        return !picture_.is_masked(meeting.draw) || !picture_.is_cut_out(meeting, planes_, ray_);
-    }
-
-private:
-    const TracePicture& picture_;
-    RayView planes_;
-    std::int32_t ray_;
-    bool with_blended_;
-};
-
-Meeting find_first(const TracePicture& picture, const TileScratch& s, std::size_t ray, bool with_blended) {
-    const SeenFilter filter(picture, s, ray, with_blended);
-    const bool needs_filter = picture.has_filtered || (!with_blended && picture.has_holes);
-    return picture.rays.first(picture.in_rays(vector_of(s, ray_o, ray)), vector_of(s, ray_d, ray), s.from[ray],
-                              float(picture.view.z_far), needs_filter ? &filter : nullptr);
-}
-
-void pad(std::vector<std::int32_t>& v, std::size_t count) {
-    v.resize(count + batch_padding);
-    std::fill(v.begin() + std::ptrdiff_t(count), v.end(), v[count - 1]);
-}
-
-/// The hits of one draw: rays `begin` to `end` of the order, into hit_ray and hit_triangle.
-HitJob hits_of_run(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
-    const std::size_t count = end - begin;
-    s.hit_ray.assign(s.order.begin() + std::ptrdiff_t(begin), s.order.begin() + std::ptrdiff_t(end));
-    s.hit_triangle.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        s.hit_triangle[i] = std::int32_t(s.meetings[std::size_t(s.hit_ray[i])].triangle);
-    pad(s.hit_ray, count), pad(s.hit_triangle, count);
-    HitJob job = picture.hit_job(s.meetings[std::size_t(s.order[begin])].draw);
-    job.count = std::int32_t(count);
-    job.ray = s.hit_ray.data(), job.triangle = s.hit_triangle.data();
-    job.rays = {s.planes.data(), std::int32_t(plane_stride)};
-    return job;
-}
-
-/// Calls run(begin, end) for the hits of each draw.
-template <class Run>
-void for_each_run(TileScratch& s, const Run& run) {
-    const auto draw_of = [&](std::int32_t ray) { return s.meetings[std::size_t(ray)].draw; };
-    if (!std::ranges::is_sorted(s.order, {}, draw_of)) std::ranges::stable_sort(s.order, {}, draw_of);
-    for (std::size_t begin = 0; begin < s.order.size();) {
-        std::size_t end = begin + 1;
-        while (end < s.order.size() && draw_of(s.order[end]) == draw_of(s.order[begin])) ++end;
-        run(begin, end);
-        begin = end;
-    }
-}
-
-/// Lights the hits of one draw.
-void shade_run(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
-    const std::uint32_t draw = s.meetings[std::size_t(s.order[begin])].draw;
-    const std::size_t count = end - begin;
-    HitJob job = hits_of_run(picture, begin, end, s);
-    job.red = s.red.data(), job.green = s.green.data(), job.blue = s.blue.data(), job.alpha = s.alpha.data();
-    s.counts.not_finite += std::uint64_t(picture.kernels.shade(&job));
-    s.counts.shaded += count;
-    const bool is_blended = picture.is_blended(draw);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto ray = std::size_t(s.hit_ray[i]);
-        const bool is_finite = s.alpha[i] - s.alpha[i] == 0;
-        const float alpha = !is_blended ? 1.0f : is_finite ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f;
-        s.sum[ray] = s.sum[ray] + vec3{s.red[i], s.green[i], s.blue[i]} * (s.rest[ray] * alpha);
-        s.rest[ray] *= 1 - alpha;
-        if (!is_blended || s.rest[ray] <= 0) continue;
-        s.from[ray] = s.meetings[ray].t * step_behind;
-        s.live.push_back(std::int32_t(ray));
-    }
-}
-
-/// Follows the rays that live until they meet something opaque, or nothing.
-void follow(const TracePicture& picture, const Context& context, TileScratch& s) {
-    while (!s.live.empty() && !context.cancelled()) {
-        s.order.clear();
-        s.live.swap(s.going);
-        s.live.clear();
-        for (const std::int32_t ray : s.going) {
-            s.meetings[std::size_t(ray)] = find_first(picture, s, std::size_t(ray), true);
-            if (s.meetings[std::size_t(ray)].draw != no_index) s.order.push_back(ray);
-        }
-        for_each_run(s, [&](std::size_t begin, std::size_t end) { shade_run(picture, begin, end, s); });
-    }
-}
-
-/// What is behind everything.
-void lay_background(const TracePicture& picture, std::size_t count, std::vector<vec4>& to, TileScratch& s) {
-    const vec4 behind = picture.settings.background;
-    const bool has_sky = picture.list.views.environment && picture.list.scene.environment->is_background;
-    if (has_sky) {
-        SkyJob job{std::int32_t(count),
-                   {s.planes.data(), std::int32_t(plane_stride)},
-                   &picture.list.views.environment_view,
-                   picture.view.orthographic,
-                   s.red.data(),
-                   s.green.data(),
-                   s.blue.data()};
-        picture.kernels.sky(&job);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        const vec4 own = has_sky ? vec4{s.red[i], s.green[i], s.blue[i], 1} : behind;
-        const float share = s.rest[i] * own.w, alpha = 1 - s.rest[i] + share;
-        const vec3 sum = s.sum[i] + own.xyz() * share;
-        const vec3 color = alpha > 0 ? sum * (1 / alpha) : own.xyz();
-        to[i] = {color.x, color.y, color.z, alpha};
-    }
-}
-
-void trace_sample(const TracePicture& picture, const Window& area, shading::SamplePosition at, const Context& context,
-                  std::vector<vec4>& to, TileScratch& s) {
-    const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
-    make_primary(picture, area, at, s);
-    s.live.resize(count);
-    for (std::size_t i = 0; i < count; ++i) s.live[i] = std::int32_t(i);
-    s.from.assign(count, float(picture.view.z_near));
-    s.sum.assign(count, vec3{}), s.rest.assign(count, 1.0f);
-    s.meetings.assign(count, Meeting{});
-    follow(picture, context, s);
-    lay_background(picture, count, to, s);
-}
-
-/// The numbers of a hit, into its pixel.
-void take_numbers(const TracePicture& picture, std::size_t pixel, const Meeting& m, TileScratch& s) {
-    const shading::Draw& draw = picture.list.draws[m.draw];
-    s.object[pixel] = draw.node, s.mesh[pixel] = draw.mesh, s.triangle[pixel] = m.triangle;
-    s.material[pixel] = picture.list.material(draw).scene_material;
-}
-
-/// What kernels give of the hits of one draw, into their pixels.
-void take_values(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
-    constexpr std::size_t stride = tile_pixels + batch_padding;
-    const std::uint32_t channels = picture.settings.channels;
-    const HitJob hits = hits_of_run(picture, begin, end, s);
-    s.channel_values.resize(std::size_t(cpu_shading::channel_planes) * stride);
-    ChannelJob job{};
-    static_cast<cpu_shading::ChannelValues&>(job) =
-        cpu_shading::channel_values(channels, s.channel_values.data(), stride);
-    job.hits = &hits;
-    std::vector<float> own(7 * stride);
-    for (std::size_t c = 0; c < 3; ++c)
-        job.normal[c] = own.data() + c * stride, job.face_normal[c] = own.data() + (3 + c) * stride;
-    job.depth = own.data() + 6 * stride;
-    picture.kernels.channels(&job);
-    const auto pixel_of = [&s](std::size_t i) { return std::size_t(s.hit_ray[i]); };
-    cpu_shading::take_channels(channels, s.channel_values.data(), stride, end - begin,
-                               picture.view.camera_to_world[3].xyz(), pixel_of, s);
-    for (std::size_t i = 0; i < end - begin; ++i) {
-        const std::size_t pixel = pixel_of(i);
-        if (channels & channel_depth) s.depth[pixel] = job.depth[i];
-        if (channels & channel_normal) s.normal[pixel] = {job.normal[0][i], job.normal[1][i], job.normal[2][i]};
-        if (channels & channel_face_normal)
-            s.face_normal[pixel] = {job.face_normal[0][i], job.face_normal[1][i], job.face_normal[2][i]};
-    }
-}
-
-/// Opaque surfaces behind the first one, which is known.
-std::uint32_t count_behind(const TracePicture& picture, std::size_t ray, const Meeting& first, TileScratch& s) {
-    std::uint32_t count = 0;
-    for (Meeting m = first; m.draw != no_index; ++count) {
-        s.from[ray] = m.t * step_behind;
-        m = find_first(picture, s, ray, false);
-    }
-    return count - 1;
-}
-
-/// Data of the nearest opaque surface at the pixels' centers.
-void find_data(const TracePicture& picture, const Window& area, TileScratch& s) {
-    const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
-    make_primary(picture, area, {0, 0}, s);
-    s.from.assign(count, float(picture.view.z_near));
-    for_each_channel([&](std::uint32_t bit, auto& array) { array.assign(count, empty_value(bit, array)); },
-                     static_cast<ChannelArrays&>(s));
-    s.order.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-        s.meetings[i] = find_first(picture, s, i, false);
-        if (s.meetings[i].draw == no_index) continue;
-        s.order.push_back(std::int32_t(i));
-        take_numbers(picture, i, s.meetings[i], s);
-        if (picture.settings.channels & channel_overdraw)
-            s.overdraw[i] = 1 + count_behind(picture, i, s.meetings[i], s);
-    }
-    for_each_run(s, [&](std::size_t begin, std::size_t end) { take_values(picture, begin, end, s); });
-}
-
-}  // namespace
-
 void trace_tile(const TracePicture& picture, const Window& area, const Context& context, TileScratch& s) {
     const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
-    s.planes.resize(std::size_t(ray_planes) * plane_stride);
-    for (auto* const numbers : {&s.red, &s.green, &s.blue, &s.alpha}) numbers->resize(tile_pixels + batch_padding);
-    s.color.resize(count);
+    s.color.assign(count, picture.settings.background);
     const auto positions = shading::sample_positions(picture.settings.samples);
-    if (positions.size() == 1) {
+    if (!picture.settings.colors) {
+        // data alone
+    } else if (positions.size() == 1) {
         trace_sample(picture, area, positions[0], context, s.color, s);
     } else {
         s.sample_colors.assign(count * positions.size(), vec4{});

@@ -19,10 +19,6 @@ constexpr std::array supported = std::to_array<std::string_view>(
      "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
      "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_meshopt_compression", "KHR_texture_transform"});
 
-/// Extensions that a material falls back from: what it says without them is shown, whether they are required or not.
-constexpr std::array falls_back =
-    std::to_array<std::string_view>({"KHR_materials_transmission", "KHR_materials_volume"});
-
 /// Extensions that change nothing about the picture (metadata, alternatives to choose from): leaving them out is right.
 constexpr std::array harmless =
     std::to_array<std::string_view>({"KHR_materials_variants", "KHR_xmp", "KHR_xmp_json_ld", "EXT_structural_metadata",
@@ -97,7 +93,7 @@ void Document::check_extensions() {
     const Value required = root_.list("extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
         const std::string name = required.text_at(i);
-        if (!is_supported(name) && !contains(harmless, name) && !contains(falls_back, name))
+        if (!is_supported(name) && !contains(harmless, name))
             throw Error(ErrorCode::bad_file,
                         "the file requires the glTF extension " + one_line(name, 80) + ", which is not supported");
     }
@@ -106,10 +102,6 @@ void Document::check_extensions() {
         const std::string name = used.text_at(i);
         uses_quantization_ = uses_quantization_ || name == "KHR_mesh_quantization";
         if (is_supported(name)) continue;
-        if (contains(falls_back, name)) {
-            remark(Remark::dropped, {}, name + " falls back: light does not pass through, the surface alone is shown");
-            continue;
-        }
         remark(contains(harmless, name) ? Remark::note : Remark::dropped, {},
                "the glTF extension " + one_line(name, 80) + " is not supported; what it says is left out");
     }

@@ -15,7 +15,7 @@ constexpr std::array used_maps{"map_kd",   "map_ka", "map_ks", "map_ke", "map_d"
                                "map_bump", "norm",   "disp",   "map_pr", "map_pm"};
 constexpr std::array unsupported_maps{"map_ns",   "map_ni", "map_tr", "map_tf",  "decal",   "refl",
                                       "map_refl", "map_ps", "map_pc", "map_rma", "map_orm", "map_aniso"};
-constexpr std::array unsupported_values{"tf", "sharpness", "ps", "pc", "pcr", "km", "kt", "map_aat", "pro", "it"};
+constexpr std::array unsupported_values{"sharpness", "ps", "pc", "pcr", "km", "kt", "map_aat", "pro", "it"};
 
 template <class List>
 bool is_in(const std::string& key, const List& list) {
@@ -83,6 +83,8 @@ private:
             color(words, m.specular);
         else if (key == "ke")
             color(words, m.emission);
+        else if (key == "tf")
+            color(words, m.filter);
         else if (key == "ns")
             number(words, m.exponent);
         else if (key == "d")

@@ -30,7 +30,7 @@ struct MtlMap {
 struct MtlMaterial {
     std::string name;
     std::uint64_t line = 0;
-    std::optional<vec3> ambient, diffuse, specular, emission;                          ///< Ka, Kd, Ks, Ke
+    std::optional<vec3> ambient, diffuse, specular, emission, filter;                  ///< Ka, Kd, Ks, Ke, Tf
     std::optional<double> exponent, dissolve, transparency, ior, roughness, metallic;  ///< Ns, d, Tr, Ni, Pr, Pm
     std::optional<double> anisotropy, anisotropy_rotation;  ///< aniso 0..1, anisor 0..1 turns
     std::optional<std::int64_t> illumination;               ///< illum

@@ -144,6 +144,7 @@ void MaterialLibrary::add(const MtlMaterial& source, const File& file, Remarks& 
     const MtlMap *ambient = source.map("map_ka"), *diffuse = source.map("map_kd");
     if (ambient && !(diffuse && diffuse->file == ambient->file)) remarks.add(Issue::mtl_unsupported_map, ambient->line);
     set_alpha(m, source, file, remarks);
+    set_rays(m, source, remarks);
     set_relief(m, source, file);
     if (source.roughness || source.metallic || source.map("map_pr") || source.map("map_pm"))
         set_metallic_roughness(m, source, file, remarks);
@@ -203,6 +204,20 @@ void MaterialLibrary::set_alpha(Material& m, const MtlMaterial& source, const Fi
         m.opacity_texture = use(opacity, file);
     }
     if (alpha < 1 || m.opacity_texture) m.alpha_mode = AlphaMode::blend;
+}
+
+void MaterialLibrary::set_rays(Material& m, const MtlMaterial& source, Remarks& remarks) {
+    const std::int64_t illumination = source.illumination.value_or(2);
+    if (illumination < 3 || illumination > 7) return;
+    ClassicalParameters& c = m.classical;
+    c.mirror = illumination == 5 || illumination == 7 ? Mirror::fresnel : Mirror::constant;
+    if (illumination == 3 || illumination == 5) return;
+    if (source.filter)
+        c.transmission = linear_color(*source.filter, source.line, remarks);
+    else if (m.alpha_mode == AlphaMode::blend)
+        c.transmission = {1, 1, 1};
+    if (illumination != 4 && source.ior && *source.ior > 0)
+        c.refraction_index = float(std::clamp(*source.ior, 0.1, 100.0));
 }
 
 void MaterialLibrary::set_relief(Material& m, const MtlMaterial& source, const File& file) {

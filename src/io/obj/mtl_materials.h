@@ -31,6 +31,8 @@ bool is_normal_map_name(const std::string& file);
 /// roughness squared), without both 1; one picture for both is packed (G roughness, B metallic), a lone map_Pr works as
 /// gray picture when Pm is 0. `norm` is a normal map, `map_Bump` one by name (is_normal_map_name, `guessed`), else a
 /// height map; `disp` is the height map where no bump map is. map_Kd's alpha is used when map_d names the same file.
+/// illum 3 to 7: k_s mirrors, growing towards grazing angles with 5 and 7; with 4, 6 and 7 Tf (without one white where
+/// alpha is below 1) goes through, with 6 and 7 refracted by Ni.
 /// map_Ka has no place; it is left out in silence when it names the file of map_Kd, since base color textures multiply
 /// the ambient term too.
 class MaterialLibrary {
@@ -57,6 +59,7 @@ private:
     bool load_file(const std::string& reference);
     void add(const MtlMaterial& source, const File& file, Remarks& remarks);
     void set_colors(Material& m, const MtlMaterial& source, Remarks& remarks) const;
+    static void set_rays(Material& m, const MtlMaterial& source, Remarks& remarks);
     void set_emission(Material& m, const MtlMaterial& source, const File& file, Remarks& remarks);
     void set_alpha(Material& m, const MtlMaterial& source, const File& file, Remarks& remarks);
     void set_relief(Material& m, const MtlMaterial& source, const File& file);

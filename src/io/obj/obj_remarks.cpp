@@ -53,7 +53,7 @@ constexpr Text texts[] = {
     {Issue::mtl_unsupported_map, Remark::dropped,
      "a texture of a kind without a place in the material model is left out"},
     {Issue::mtl_unsupported_value, Remark::note,
-     "a value without a place in the material model (Tf, sharpness, ...) is left out"},
+     "a value without a place in the material model (sharpness, Ps, ...) is left out"},
 };
 static_assert(std::size(texts) == std::size_t(Issue::count_));
 

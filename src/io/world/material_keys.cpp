@@ -99,6 +99,16 @@ std::vector<MaterialKey> classical() {
         {{"shininess", Kind::number, "classical: exponent", {1, 1e6}},
          Of::classical,
          [](C& c) { c.material.classical.shininess = c.number(); }},
+        {{"mirror", Kind::word, "classical: what specular mirrors of the surroundings; engine trace", any_number,
+          names_of<Mirror>(mirror_words)},
+         Of::classical,
+         [](C& c) { c.material.classical.mirror = value_of(mirror_words, c.word()); }},
+        {{"transmission_color", Kind::color, "classical: k_t, what goes through; engine trace"},
+         Of::classical,
+         [](C& c) { c.material.classical.transmission = c.color(); }},
+        {{"refraction_index", Kind::number, "classical: of the body (default 1: rays go straight on)", {0.1, 100}},
+         Of::classical,
+         [](C& c) { c.material.classical.refraction_index = c.number(); }},
     };
 }
 

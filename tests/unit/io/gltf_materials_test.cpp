@@ -58,18 +58,20 @@ TEST(GltfMaterials, ClearcoatAndSheenAreRead) {
     EXPECT_EQ(p.sheen_roughness, 0.125f);
 }
 
-TEST(GltfMaterials, RequiredTransmissionFallsBackAndIsSaid) {
+TEST(GltfMaterials, TransmissionAndVolumeAreRead) {
     GltfFile file;
     file.triangle()["material"] = 0;
-    file.root["materials"] =
-        Json::parse(R"([{"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}])");
+    file.root["materials"] = Json::parse(R"([{"extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.75},
+            "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 0.5, "attenuationColor": [0.25, 0.5, 1]}}}])");
     file.root["extensionsUsed"] = {"KHR_materials_transmission", "KHR_materials_volume"};
     file.root["extensionsRequired"] = {"KHR_materials_transmission", "KHR_materials_volume"};
     Context context({.threads = 1});
-    EXPECT_EQ(file.load(context).materials.size(), 1u);
-    std::size_t said = 0;
-    for (const auto& entry : context.report().entries()) said += entry.message.find("falls back") != std::string::npos;
-    EXPECT_EQ(said, 2u);
+    const MetallicRoughnessParameters p = file.load(context).materials.at(0).metallic_roughness;
+    EXPECT_EQ(p.transmission, 0.75f);
+    EXPECT_EQ(p.thickness, 2);
+    EXPECT_EQ(p.attenuation_distance, 0.5f);
+    EXPECT_EQ(p.attenuation_color, (vec3{0.25f, 0.5f, 1}));
+    EXPECT_TRUE(context.report().entries().empty());
 }
 
 TEST(GltfMaterials, SpecularGlossinessKeepsItsReflectance) {

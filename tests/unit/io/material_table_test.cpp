@@ -48,6 +48,8 @@ constexpr Expected texture_places[] = {
     {"clearcoat_normal", "/extensions/KHR_materials_clearcoat/clearcoatNormalTexture"},
     {"sheen_color", "/extensions/KHR_materials_sheen/sheenColorTexture"},
     {"sheen_roughness", "/extensions/KHR_materials_sheen/sheenRoughnessTexture"},
+    {"transmission", "/extensions/KHR_materials_transmission/transmissionTexture"},
+    {"thickness", "/extensions/KHR_materials_volume/thicknessTexture"},
 };
 constexpr std::string_view srgb_roles[] = {"base_color", "emission", "specular", "specular_color", "sheen_color"};
 
@@ -64,6 +66,10 @@ constexpr Expected parameter_places[] = {
     {"clearcoat_normal_scale", "/extensions/KHR_materials_clearcoat/clearcoatNormalTexture/scale"},
     {"sheen_color", "/extensions/KHR_materials_sheen/sheenColorFactor"},
     {"sheen_roughness", "/extensions/KHR_materials_sheen/sheenRoughnessFactor"},
+    {"transmission", "/extensions/KHR_materials_transmission/transmissionFactor"},
+    {"thickness", "/extensions/KHR_materials_volume/thicknessFactor"},
+    {"attenuation_distance", "/extensions/KHR_materials_volume/attenuationDistance"},
+    {"attenuation_color", "/extensions/KHR_materials_volume/attenuationColor"},
 };
 
 std::string place_of(std::span<const Expected> places, std::string_view row) {

@@ -51,6 +51,26 @@ TEST_F(ObjMaterials, IlluminationModelsDecideTheTerms) {
     EXPECT_TRUE(remark("cannot be read"));
 }
 
+TEST_F(ObjMaterials, IlluminationModelsFrom3To7SayWhereRaysGoOn) {
+    const auto of = [this](int model, const std::string& more = {}) {
+        return material("Ks 1 1 1\nNi 1.5\nTf 0 0.5 1\nillum " + std::to_string(model) + "\n" + more).classical;
+    };
+    for (const int model : {0, 1, 2, 8, 9, 10}) {
+        EXPECT_EQ(of(model).mirror, Mirror::none) << model;
+        EXPECT_EQ(of(model).transmission, vec3{}) << model;
+    }
+    for (const int model : {3, 4, 6}) EXPECT_EQ(of(model).mirror, Mirror::constant) << model;
+    for (const int model : {5, 7}) EXPECT_EQ(of(model).mirror, Mirror::fresnel) << model;
+    for (const int model : {3, 5}) EXPECT_EQ(of(model).transmission, vec3{}) << model;
+    for (const int model : {4, 6, 7}) EXPECT_EQ(of(model).transmission, linear(0, 0.5f, 1)) << model;
+    for (const int model : {3, 4, 5}) EXPECT_EQ(of(model).refraction_index, 1) << model;
+    for (const int model : {6, 7}) EXPECT_EQ(of(model).refraction_index, 1.5f) << model;
+    EXPECT_EQ(of(6, "Ni 0").refraction_index, 1) << "means nothing";
+    EXPECT_EQ(material("illum 4").classical.transmission, vec3{}) << "opaque, without Tf";
+    EXPECT_EQ(material("illum 4\nd 0.25").classical.transmission, (vec3{1, 1, 1}));
+    EXPECT_TRUE(remarks().empty());
+}
+
 TEST_F(ObjMaterials, SmallExponentsAndValuesOutOfRangeAreChanged) {
     const Material m = material("Ka 20 20 20\nKs 1 1 1\nNs 0");
     EXPECT_EQ(m.classical.ambient, (vec3{1, 1, 1}));

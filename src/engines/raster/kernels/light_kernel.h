@@ -22,8 +22,8 @@ inline void store3(float* const (&to)[3], int32_t i, vec3 v) {
 
 inline void light_points(const LightJob* job) {
     for (int32_t i = 0; i < job->count; i += lanes) {
-        const lit::LightTerms sum =
-            cpu::light_of_point({*job->material}, job->roughness, load3(job->position, i), load3(job->normal, i));
+        const lit::LightTerms sum = cpu::light_of_point({*job->material}, job->roughness, load3(job->position, i),
+                                                        load3(job->position, i), load3(job->normal, i));
         store3(job->ambient, i, sum.ambient);
         store3(job->diffuse, i, sum.diffuse);
         store3(job->specular, i, sum.specular);

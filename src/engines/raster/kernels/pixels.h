@@ -52,6 +52,7 @@ struct PixelTriangles {
             out.position[k] = vector(3 * k), out.normal[k] = vector(9 + 3 * k), out.tangent[k] = vector(18 + 3 * k);
         return out;
     }
+    vec3 from_viewer(vec3 position) const { return position; }
     vec3 interpolate(vec3 a, vec3 b, vec3 c) const { return a + (b - a) * pixels.b.b1 + (c - a) * pixels.b.b2; }
 };
 

@@ -19,6 +19,20 @@ void alpha(const HitJob* job) {
     }
 }
 
+void through(const HitJob* job) {
+    const EveryJob material{*job};
+    for (int32_t i = 0; i < job->count; i += lanes) {
+        HitSource<1> source(*job, i);
+        cpu::Points<cpu::EveryMaterial, 1> b;
+        b.count = 1;
+        cpu::find_places(material, source, b);
+        EveryPoint& s = b.of[0];
+        s.base = cpu::find_base_color(material, source, 0, s.point);
+        const vec3 share = straight_through(material, source.hits[0], s);
+        store(job->red + i, share.x), store(job->green + i, share.y), store(job->blue + i, share.z);
+    }
+}
+
 /// One vector of hits with all that is known of it.
 struct WholeHits : cpu::WholePoints<HitSource<1>> {
     using WholePoints::WholePoints;

@@ -43,10 +43,11 @@ static void sky(const SkyJob* job) {
 }
 
 void alpha(const HitJob* job);  // every_kernel.cpp
+void through(const HitJob* job);
 void channels(const ChannelJob* job);
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, shade, alpha, channels, sky};
+    static constexpr Kernels table = {lanes, shade, alpha, through, channels, sky};
     return &table;
 }
 

@@ -3,7 +3,7 @@
 // tell what light arrives. Per instruction set.
 #pragma once
 #include "cpu_shading/kernels/finite.h"
-#include "engines/raytrace/kernels/hits.h"
+#include "engines/raytrace/kernels/next_rays.h"
 
 namespace rakelight::raytrace::RL_ISA {
 
@@ -13,7 +13,7 @@ struct SeenByRays {
     const HitJob& job;
     const HitSource<most>& source;
 
-    real operator()(int32_t k, int32_t i, const lit::LightSample& light) const {
+    real operator()(int32_t k, int32_t i, lit::LightSample& light) const {
         const lighting::LightParameters& from = job.lights[i];
         if (job.find_seen == nullptr || !from.casts_shadow || from.kind == lighting::LightKind::ambient)
             return real(1.0f);
@@ -24,15 +24,23 @@ struct SeenByRays {
         const vec3 n = safe_normalize(h.normal);
         const real side = select(dot(n, to_light) < real(0.0f), real(-1.0f), real(1.0f));
         const real offset = max(real(job.offset), largest_component(h.position) * real(4e-7f));
-        float origin[3][lanes], direction[3][lanes], length[lanes], seen[lanes];
+        float origin[3][lanes], direction[3][lanes], length[lanes], seen[3][lanes];
         const auto put = [](float(&to)[3][lanes], vec3 v) { store(to[0], v.x), store(to[1], v.y), store(to[2], v.z); };
         put(origin, h.position + n * (side * offset));
         put(direction, to_light);
         store(length, select(light.attenuation > real(0.0f), real(is_far ? __builtin_inff() : 1.0f), real(-1.0f)));
-        ShadowRays rays = {
-            lanes, {origin[0], origin[1], origin[2]}, {direction[0], direction[1], direction[2]}, length, seen};
+        ShadowRays rays = {lanes,
+                           i,
+                           {origin[0], origin[1], origin[2]},
+                           {direction[0], direction[1], direction[2]},
+                           length,
+                           {seen[0], seen[1], seen[2]}};
         job.find_seen(job.tracer, &rays);
-        return load(seen);
+        const vec3 color(load(seen[0]), load(seen[1]), load(seen[2]));
+        const real part = max(max(color.x, color.y), color.z);
+        const vec3 tint = color * reciprocal(max(part, real(1e-20f)));
+        light.diffuse = light.diffuse * tint, light.specular = light.specular * tint;
+        return part;
     }
 };
 
@@ -49,11 +57,13 @@ inline int32_t shade_hits(const HitJob& job) {
         b.count = vectors < most ? vectors : most;
         cpu::find_surfaces(material, source,
                            {.normals = job.unlit == 0 && job.lit_at == lit_at_points, .alpha = needs_alpha}, b);
+        if constexpr (Kind::has_bump_choices)
+            if (job.next != nullptr) find_next(material, job, source.hits[0], first, b.of[0]);
         vec3 radiance[most];
         cpu::find_radiance(material, source, b, SeenByRays<Kind, most>{job, source}, radiance);
         for (int32_t k = 0; k < b.count; ++k) {
             const int32_t at = first + k * lanes;
-            const vec3 color = cpu::behind_fog(material, b.of[k].point.position, radiance[k]);
+            const vec3 color = cpu::behind_fog(material, b.of[k].point.position - source.hits[k].origin, radiance[k]);
             const int32_t alive = job.count - at < lanes ? job.count - at : lanes;
             store(job.red + at, cpu::only_finite(color.x, alive, not_finite));
             store(job.green + at, cpu::only_finite(color.y, alive, not_finite));

@@ -34,11 +34,49 @@ struct RayView {
 /// Whether light reaches points: a ray each, from `origin` (about the eye) along `direction`, up to `length` times that.
 struct ShadowRays {
     int32_t count;
+    int32_t light;  ///< into HitJob::lights
     const float* origin[3];
     const float* direction[3];
     const float* length;  ///< may be infinity; < 0: nothing is to be found out
-    float* seen;          ///< [count] out: 0..1
+    float* seen[3];       ///< [count] out: 0..1 of red, green, blue
 };
+
+/// Where rays go on from a hit, an array each: what they share, then `lobe_planes` for each of them.
+enum NextPlaneNumber : int32_t {
+    next_o = 0,     ///< the hit, about the eye
+    next_n = 3,     ///< unit normal of the surface's plane, on the side that is seen
+    next_o_dx = 6,  ///< change of the place from pixel to pixel
+    next_o_dy = 9,
+    next_side = 12,  ///< 1: the front is seen, -1: the back
+    next_lobes = 13,
+};
+enum LobeNumber : int32_t { lobe_reflected, lobe_coat, lobe_refracted, lobe_count };
+enum LobePlaneNumber : int32_t {
+    lobe_d = 0,  ///< unit
+    lobe_d_dx = 3,
+    lobe_d_dy = 6,
+    lobe_weight = 9,  ///< red, green, blue that what the ray brings is multiplied by
+    lobe_planes = 12,
+};
+inline constexpr int32_t next_planes = next_lobes + int32_t(lobe_count) * int32_t(lobe_planes);
+
+struct NextRays {
+    float* planes;  ///< [next_planes][stride] out
+    int32_t stride;
+    const float*
+        eta_front;  ///< [count + batch_padding] index of refraction before the surface over that behind, met from its front
+    const float* eta_back;  ///< likewise from its back
+};
+
+/// A surface given by its formula (ExactShape), in its own space.
+struct ShapeView {
+    int32_t kind;  ///< ShapeNumber
+    float radius, tube_radius, height, width, depth;
+    float to_object[3][4];  ///< rows: about the eye -> object space
+};
+enum ShapeNumber : int32_t { shape_none = -1, shape_sphere, shape_cylinder, shape_cone, shape_torus, shape_plane };
+/// Faces of shapes, in the place of triangles.
+enum ShapeFaceNumber : int32_t { face_side, face_top, face_bottom };
 
 /// Hits of one draw.
 struct HitJob : MaterialJob {
@@ -48,6 +86,8 @@ struct HitJob : MaterialJob {
     const int32_t* triangle;  ///< [count] likewise
     RayView rays;
     cpu_shading::MeshView mesh;
+    ShapeView shape;     ///< in place of the triangles, which are its faces' numbers then
+    const float* t;      ///< [count] of shapes: where on the rays; read up to batch_padding past it
     float to_eye[3][4];  ///< rows of object space -> about the eye
     int32_t
         front_is_negative;  ///< triangles show their front where the ray goes against their normal by the corners' order
@@ -55,8 +95,9 @@ struct HitJob : MaterialJob {
     float roughness;        ///< of corners: of the material, with the mean of its map
     void (*find_seen)(const void* tracer, ShadowRays* rays);  ///< null: nothing is in shadow
     const void* tracer;
-    float offset;  ///< [m] by which shadow rays begin off the surface, at least
-    float* red;    ///< [count] out, linear, finite
+    const NextRays* next;  ///< null: no ray goes on
+    float offset;          ///< [m] by which shadow rays begin off the surface, at least
+    float* red;            ///< [count] out, linear, finite
     float* green;
     float* blue;
     float* alpha;
@@ -86,6 +127,7 @@ struct Kernels {
     int32_t lanes;
     int32_t (*shade)(const HitJob* job);  ///< returns how many components came out not finite: they are 0
     void (*alpha)(const HitJob* job);     ///< only `alpha` is written: for masks
+    void (*through)(const HitJob* job);   ///< red, green, blue: what goes straight through, for shadows
     void (*channels)(const ChannelJob* job);
     void (*sky)(const SkyJob* job);
 };

@@ -194,7 +194,7 @@ void trace_lights(const WholePixels& p, TracedLight* lights, TracedParts* parts)
     const lit::MaterialSurface& s = p.state().surface;
     const lit::MaterialTraits traits = job.traits();
     for (int32_t i = 0; i < job.of.light_count; ++i) {
-        const lit::LightSample sample = cpu::sample_light_at(job, p.source, p.state(), 0, i);
+        lit::LightSample sample = cpu::sample_light_at(job, p.source, p.state(), 0, i);
         trace_light(job, i, p.point().position, s.base, sample, lights[i]);
         trace_wide_lobe(job, s, traits, sample, lights[i]);
         lights[i].seen = cpu::seen_of(job, p.state(), 0, i, sample, p.seen());
@@ -247,7 +247,7 @@ void trace_point(const ShadeJob* job, float roughness, const float (&position)[3
         trace_factors(every, s, traits, sample, 1.0f, parts + i);
         put_terms(cpu::terms_of_point(every, s, sample), lights[i]);
     }
-    const lit::LightTerms sum = cpu::light_of_point(every, roughness, at, splat(normal));
+    const lit::LightTerms sum = cpu::light_of_point(every, roughness, at, at, splat(normal));
     put(received[0], sum.ambient);
     put(received[1], sum.diffuse);
     put(received[2], sum.specular);

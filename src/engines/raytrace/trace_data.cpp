@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Data channels of a tile.
+#include <algorithm>
+
+#include "cpu_shading/kernel_channels.h"
+#include "engines/raytrace/trace_tile.h"
+
+namespace rakelight::raytrace {
+namespace {
+
+/// The numbers of a hit, into its pixel.
+void take_numbers(const TracePicture& picture, std::size_t pixel, const Meeting& m, TileScratch& s) {
+    const shading::Draw& draw = picture.list.draws[m.draw];
+    s.object[pixel] = draw.node, s.mesh[pixel] = draw.mesh, s.triangle[pixel] = m.triangle;
+    s.material[pixel] = picture.list.material(draw).scene_material;
+}
+
+/// What kernels give of the hits of one draw, into their pixels.
+void take_values(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
+    constexpr std::size_t stride = tile_pixels + batch_padding;
+    const std::uint32_t channels = picture.settings.channels;
+    HitJob hits = picture.hit_job(s.meetings[std::size_t(s.order[begin])].draw);
+    set_hits(begin, end, s, hits);
+    s.channel_values.resize(std::size_t(cpu_shading::channel_planes) * stride);
+    ChannelJob job{};
+    static_cast<cpu_shading::ChannelValues&>(job) =
+        cpu_shading::channel_values(channels, s.channel_values.data(), stride);
+    job.hits = &hits;
+    std::vector<float> own(7 * stride);
+    for (std::size_t c = 0; c < 3; ++c)
+        job.normal[c] = own.data() + c * stride, job.face_normal[c] = own.data() + (3 + c) * stride;
+    job.depth = own.data() + 6 * stride;
+    picture.kernels.channels(&job);
+    const auto pixel_of = [&s](std::size_t i) { return std::size_t(s.hit_ray[i]); };
+    cpu_shading::take_channels(channels, s.channel_values.data(), stride, end - begin,
+                               picture.view.camera_to_world[3].xyz(), pixel_of, s);
+    for (std::size_t i = 0; i < end - begin; ++i) {
+        const std::size_t pixel = pixel_of(i);
+        if (channels & channel_depth) s.depth[pixel] = job.depth[i];
+        if (channels & channel_normal) s.normal[pixel] = {job.normal[0][i], job.normal[1][i], job.normal[2][i]};
+        if (channels & channel_face_normal)
+            s.face_normal[pixel] = {job.face_normal[0][i], job.face_normal[1][i], job.face_normal[2][i]};
+    }
+}
+
+/// Opaque surfaces behind the first one, which is known.
+std::uint32_t count_behind(const TracePicture& picture, std::size_t ray, const Meeting& first, TileScratch& s) {
+    std::uint32_t count = 0;
+    for (Meeting m = first; m.draw != no_index; ++count) {
+        s.from[ray] = m.t * step_behind;
+        m = find_first(picture, s, ray, false);
+    }
+    return count - 1;
+}
+
+}  // namespace
+
+void find_data(const TracePicture& picture, const Window& area, TileScratch& s) {
+    const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
+    make_primary(picture, area, {0, 0}, s);
+    s.from.assign(count, float(picture.view.z_near));
+    for_each_channel([&](std::uint32_t bit, auto& array) { array.assign(count, empty_value(bit, array)); },
+                     static_cast<ChannelArrays&>(s));
+    s.order.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        s.meetings[i] = find_first(picture, s, i, false);
+        if (s.meetings[i].draw == no_index) continue;
+        s.order.push_back(std::int32_t(i));
+        take_numbers(picture, i, s.meetings[i], s);
+        if (picture.settings.channels & channel_overdraw)
+            s.overdraw[i] = 1 + count_behind(picture, i, s.meetings[i], s);
+    }
+    for_each_run(s, [&](std::size_t begin, std::size_t end) { take_values(picture, begin, end, s); });
+}
+
+}  // namespace rakelight::raytrace

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays that are followed together: those through the pixels of a tile, or those that surfaces met before send on.
+#pragma once
+#include <vector>
+
+#include "engines/raytrace/media.h"
+#include "engines/raytrace/trace_picture.h"
+
+namespace rakelight::raytrace {
+
+/// Rays; of primary ones, ray i through pixel i, the last three arrays are empty.
+struct RayWave {
+    std::vector<float> planes;         ///< [ray_planes][stride]
+    std::size_t stride = 0, count = 0;
+    std::vector<std::uint32_t> pixel;  ///< [count]
+    std::vector<vec3> weight;          ///< [count] of what they bring
+    std::vector<Media> media;          ///< [count] that they are in
+
+    bool is_primary() const { return pixel.empty(); }
+    RayView view() const { return {planes.data(), std::int32_t(stride)}; }
+    float* plane(std::int32_t number) { return planes.data() + std::size_t(number) * stride; }
+    vec3 vector(std::int32_t number, std::size_t ray) const {
+        const float* const p = planes.data() + std::size_t(number) * stride + ray;
+        return {p[0], p[stride], p[2 * stride]};
+    }
+    std::uint32_t pixel_of(std::size_t ray) const { return is_primary() ? std::uint32_t(ray) : pixel[ray]; }
+};
+
+/// A ray that a surface sends on.
+struct NextRay {
+    float numbers[ray_planes];
+    std::uint32_t pixel;
+    vec3 weight;
+    Media media;
+};
+
+/// Counts of a tile.
+struct RayCounts {
+    std::uint64_t shaded = 0, not_finite = 0;
+    RayStats rays;
+};
+
+/// What following rays needs, and gives.
+struct WaveScratch {
+    RayWave wave;
+    std::vector<Meeting> meetings;           ///< [rays]
+    std::vector<float> from;                 ///< [rays] where they begin
+    std::vector<float> rest;                 ///< [rays] what is not covered yet
+    std::vector<std::int32_t> live, going;   ///< rays that go on behind something blended; those that are followed now
+    std::vector<std::int32_t> order, hit_ray, hit_triangle;  ///< hits by draw; those of one draw
+    std::vector<float> hit_t, eta_front, eta_back;
+    std::vector<float> red, green, blue, alpha, next_planes_of_hits;
+    std::vector<vec3> sum;                   ///< [pixels] what all rays have brought
+    std::vector<NextRay> next;               ///< that surfaces of this wave send on
+    RayCounts counts;
+};
+
+/// Follows the rays of s.wave from s.from until they meet something opaque, or nothing; what they bring goes into s.sum, what
+/// goes on into s.next. @param depth  of reflections and refractions before
+void follow(const TracePicture& picture, const Context& context, int depth, WaveScratch& s);
+
+/// The nearest surface that a ray of the wave shows. @param with_blended  false: only opaque ones
+Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
+
+/// The hits of one draw: rays `begin` to `end` of s.order, into the job.
+void set_hits(std::size_t begin, std::size_t end, WaveScratch& s, HitJob& job);
+
+/// Calls run(begin, end) for the hits of each draw in s.order, which gets sorted.
+template <class Run>
+void for_each_run(WaveScratch& s, const Run& run) {
+    const auto draw_of = [&](std::int32_t ray) { return s.meetings[std::size_t(ray)].draw; };
+    if (!std::ranges::is_sorted(s.order, {}, draw_of)) std::ranges::stable_sort(s.order, {}, draw_of);
+    for (std::size_t begin = 0; begin < s.order.size();) {
+        std::size_t end = begin + 1;
+        while (end < s.order.size() && draw_of(s.order[end]) == draw_of(s.order[begin])) ++end;
+        run(begin, end);
+        begin = end;
+    }
+}
+
+}  // namespace rakelight::raytrace
