@@ -25,15 +25,19 @@ Command render_command() {
     const Option stats = {"stats", "Output", "",
                           "Say what the engine counted: lighting evaluations, triangles, pixels, overdraw",
                           apps::Form::flag};
+    const Option partial = {"keep-partial", "Output", "",
+                            "Write an interrupted picture all the same, the rest in the background's color",
+                            apps::Form::flag};
     return {"render",
             "Draw models to picture files",
             render_footer,
             {{"MODEL", models_help}},
-            apps::joined({{picture}, apps::picture_options(), {stats}, apps::common_options()})};
+            apps::joined({{picture}, apps::picture_options(), {stats, partial}, apps::common_options()})};
 }
 
 int run_render(const Run& run) {
     std::vector<InputRequest> requests = picture_requests(run);
+    for (InputRequest& input : requests) input.picture.keep_partial = run.given.has("keep-partial");
     check_requests(requests);
     std::vector<PictureRow> rows;
     int worst = 0;
@@ -48,7 +52,7 @@ int run_render(const Run& run) {
         const int code = run_input(run, input, row, [&](Context& c) { row.result = render_picture(request, c); });
         if (code == 0) print_note(summary(row.result), run.loudness);
         if (code == 0 && run.given.has("stats") && !run.is_json) print_text(stats_text(row.result));
-        worst = std::max(worst, code);
+        worst = std::max(worst, code == 0 && row.result.done < 1 ? 1 : code);
     }
     if (run.is_json) print_data(to_json(rows));
     return worst;

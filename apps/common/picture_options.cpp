@@ -63,7 +63,7 @@ constexpr Entry entries[] = {
     {bumps, "tangent-space", "WHERE", "Normal maps are lit in: world (default), pixel, vertex, transposed"},
     {bumps, "normalize-frames", "",
      "Unit normal and tangent before a normal map acts (default on; off: as MikkTSpace bakes)"},
-    {shadows, "shadows", "", "Lights cast shadows"},
+    {shadows, "shadows", "", "Lights cast shadows (default off; on with --engine trace)"},
     {shadows, "shadow-size", "N", "Texels a side of a shadow map, 16 to 8192 (default 1024)"},
     {shadows, "shadow-bias", "F", "Bias against acne, times what is needed, 0 to 100 (default 1)"},
     {shadows, "shadow-filter", "N", "Radius of the filter in texels, 0 to 4 (default 1)"},

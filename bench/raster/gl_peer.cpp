@@ -216,11 +216,11 @@ double mean_difference(const Pixels& a, const Pixels& b) {
 }
 
 /// The soft engine where it has what the case needs; else nothing, and why.
-std::optional<SoftSide> soft_side(const Scene& scene, const RenderSettings& settings, const Options& o,
-                                  Context& context) {
+std::unique_ptr<SoftSide> soft_side(const Scene& scene, const RenderSettings& settings, const Options& o,
+                                    Context& context) {
     if (o.gl_only) return {};
     try {
-        std::optional<SoftSide> side(std::in_place, scene, settings, context);
+        auto side = std::make_unique<SoftSide>(scene, settings, context);
         side->draw();
         return side;
     } catch (const Error& error) {
@@ -249,7 +249,7 @@ void run_case(const std::string& name, const Scene& scene, const GlContext& peer
     };
     draw_gl();
     draw_gl();  // a second one: llvmpipe compiles late
-    std::optional<SoftSide> soft = soft_side(scene, settings, o, context);
+    std::unique_ptr<SoftSide> soft = soft_side(scene, settings, o, context);
     EngineSide engine(scene, settings, context);
     for (int i = 0; i < 2; ++i) engine.draw();
     Timings soft_times, gl_times, engine_times;

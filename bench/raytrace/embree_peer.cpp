@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine trace beside a minimal loop over Embree: the same rays, tile by tile on the same threads, in turns. The loop keeps the
-// distance alone; the engine makes a picture of own colors (--shading unlit), and one with a shadow ray at each point.
+// distance alone; the engine makes a picture of depth alone, and one of Lambert's light with a shadow ray at each point.
 //   embree_peer MODEL [RESOLUTION] [FRAMES]
 #include <algorithm>
 #include <array>
@@ -113,12 +113,15 @@ void compare(const Scene& loaded, int width, int height, int frames, bool with_s
     Scene scene = loaded;
     const Camera camera = choose_camera(scene, {}, double(width) / height, context);
     const dvec3 eye = camera.to_world[3].xyz(), light = eye + dvec3{1, 2, 0.5};
+    for (Material& m : scene.materials)
+        m = Material{.double_sided = true};  // no maps and holes, which the loop does not know
     scene.lights = {{.type = LightType::point, .position = light}};
     RenderSettings settings{.width = width, .height = height};
     if (with_shadows)
         settings.shadows = true, settings.lighting = Lighting::lambert;
     else
-        settings.shading = Shading::unlit, settings.own_shading = false;
+        settings.colors = false, settings.channels = channel_depth;
+    settings.cull = Cull::none;  // as the loop does
     Session session("trace");
     session.set(scene);
     NoSink sink;

@@ -43,6 +43,8 @@ struct PictureResult {
     RenderStats stats{};
     /// Of 8-bit pictures: pixels whose red, green and blue are all 0, or all 255, the background's too.
     std::uint64_t black_pixels = 0, white_pixels = 0;
+    double done =
+        1;  ///< share of its pixels that were made; less than 1: it was cancelled (PictureRequest::keep_partial)
 };
 
 /// Makes a picture and its channel files. Memory: a strip of rows of at most 64 MiB, or 64 rows, beside the engine's

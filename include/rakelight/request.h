@@ -101,6 +101,8 @@ struct PictureRequest {
         settings{};  ///< channels go into files by `channel_files`; a window makes the picture as large as the
                      ///< window; alpha is written when background.w < 1
     std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits
+    /// A picture that is cancelled is written with what is there, the rest in the background's color; false: nothing is.
+    bool keep_partial = false;
     bool half_colors = false;  ///< colors in EXR files, those of channels too, as 16-bit halves; data stays at 32 bits
     bool operator==(const PictureRequest&) const = default;
 };

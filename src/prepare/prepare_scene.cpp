@@ -156,13 +156,18 @@ Scene subdivided(Scene scene, const PrepareOptions& options, Context& context) {
 
 /// Shapes of meshes whose triangles no more lie on them, or are asked for.
 void drop_shapes(Scene& scene, const std::set<const void*>& kept, const PrepareOptions& options) {
-    const bool shows_triangles = options.tessellate || options.normals == NormalSource::flat;
-    for (Mesh& mesh : scene.meshes)
-        if (mesh.shape && (shows_triangles || !kept.contains(mesh.positions.identity()))) mesh.shape.reset();
+    for (Mesh& mesh : scene.meshes) {
+        if (!mesh.shape) continue;
+        const NormalRule rule = normal_rule(scene, mesh, options.normals);
+        const bool is_flat = !rule.keeps_given && rule.scope == Scope::face;
+        if (options.tessellate || is_flat || !kept.contains(mesh.positions.identity())) mesh.shape.reset();
+    }
 }
+/// Of those that have a shape.
 std::set<const void*> places_of(const Scene& scene) {
     std::set<const void*> places;
-    for (const Mesh& mesh : scene.meshes) places.insert(mesh.positions.identity());
+    for (const Mesh& mesh : scene.meshes)
+        if (mesh.shape) places.insert(mesh.positions.identity());
     return places;
 }
 

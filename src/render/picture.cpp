@@ -85,11 +85,23 @@ void draw_to_files(Session& session, const Camera& camera, const PictureRequest&
     });
     ExtremePixels extremes;
     sink.count_in(&extremes);
+    if (request.keep_partial) sink.expect_gaps(settings.background);
     Stopwatch drawing;
-    result.stats = session.render(camera, settings, sink, context);
+    try {
+        result.stats = session.render(camera, settings, sink, context);
+        context.throw_if_cancelled();
+    } catch (const Error&) {
+        if (!request.keep_partial || !context.cancelled() || sink.done() == 0) throw;
+        result.done = sink.done();
+        char text[120];
+        std::snprintf(text, sizeof text,
+                      "the picture was cancelled: %.1f %% of its pixels are there, the rest is the background",
+                      100 * result.done);
+        context.report().add(Remark::warning, request.output, "", text);
+        sink.finish_partial();
+    }
     result.render_ms += drawing.lap_ms() - written_ms;
     result.write_ms += written_ms;
-    context.throw_if_cancelled();
     const Stopwatch watch;
     files.finish();
     result.write_ms += watch.ms();

@@ -48,6 +48,39 @@ void PictureSink::begin(int width, int height, Window window, std::uint32_t chan
     color_.resize(pixels * format_.bytes());  // every pixel belongs to a tile
     if (keeps_linear_) linear_.resize(pixels * std::size_t(format_.channels));
     for (ChannelPlane& plane : planes_) plane.words.resize(pixels * std::size_t(plane.components));
+    brought_ = 0;
+    if (gaps_) empty_strip();
+}
+
+void PictureSink::empty_strip() {
+    const std::size_t pixels = color_.size() / format_.bytes();
+    const std::vector<vec4> row(std::size_t(window_.width), *gaps_);
+    const PixelFormat linear{Component::f32, format_.channels};
+    for (std::size_t at = 0; at + row.size() <= pixels; at += row.size()) {
+        convert_row(row.data(), row.size(), format_, tone_, color_.data() + at * format_.bytes());
+        if (keeps_linear_)
+            convert_row(row.data(), row.size(), linear, tone_,
+                        reinterpret_cast<std::byte*>(linear_.data() + at * std::size_t(format_.channels)));
+    }
+    ChannelArrays one;
+    for (ChannelPlane& plane : planes_)
+        for_each_channel(
+            [&](std::uint32_t bit, auto& values) {
+                if (bit != plane.channel) return;
+                values.assign(1, empty_value(bit, values));
+                for (std::size_t at = 0; at < plane.words.size(); at += std::size_t(plane.components))
+                    std::memcpy(plane.words.data() + at, values.data(), sizeof(values[0]));
+            },
+            one);
+}
+
+double PictureSink::done() const {
+    const double all = double(window_.width) * window_.height;
+    return all > 0 ? std::min(1.0, double(brought_) / all) : 1;
+}
+
+void PictureSink::finish_partial() {
+    while (first_ < window_.y + window_.height) rows_done(first_, std::min(rows_, window_.y + window_.height - first_));
 }
 
 DisplayRows PictureSink::display_rows(const Window& a) {
@@ -89,6 +122,7 @@ void PictureSink::keep_channels(const Tile& tile, int row) {
 void PictureSink::tile(const Tile& tile) {
     RL_ASSERT(is_kept(tile.area), "a tile reaches out of the strip");
     const std::size_t count = std::size_t(tile.area.width);
+    brought_ += count * std::size_t(tile.area.height);
     const PixelFormat linear{Component::f32, format_.channels};
     const bool counts = extremes_ && format_.component == Component::u8;
     for (int row = 0; row < tile.area.height; ++row) {
@@ -107,6 +141,7 @@ void PictureSink::tile(const Tile& tile) {
 void PictureSink::display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) {
     RL_ASSERT(is_kept(tile.area), "a tile reaches out of the strip");
     const std::size_t count = std::size_t(tile.area.width);
+    brought_ += count * std::size_t(tile.area.height);
     if (extremes_) extremes_->add(srgb8);
     for (int row = 0; row < tile.area.height; ++row) {
         std::byte* const out = color_.data() + place_of(tile, row) * format_.bytes();
@@ -123,6 +158,7 @@ void PictureSink::rows_done(int first, int rows) {
     RL_ASSERT(first == first_ && rows <= rows_, "strips come in order");
     strip_done_(rows);
     first_ += rows;
+    if (gaps_) empty_strip();
 }
 
 }  // namespace rakelight

@@ -2,8 +2,10 @@
 // The sink of a picture that goes to a file: tiles become display values at once, so a plain picture needs no float
 // frame, and strips of rows are handed on as soon as they are there.
 #pragma once
+#include <atomic>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,6 +46,13 @@ public:
     /// Where every 8-bit pixel is to be counted that is black or white; null: nowhere. It must live as long as this.
     void count_in(ExtremePixels* pixels) { extremes_ = pixels; }
 
+    /// Before begin(): pixels that no tile brings have this color, and no surface in the channels.
+    void expect_gaps(vec4 background) { gaps_ = background; }
+    /// Of the pixels, 0..1: that tiles have brought.
+    double done() const;
+    /// Hands out the strips that are left, as they are.
+    void finish_partial();
+
     /// Rows of the strip (or of the window), the first is 0.
     const std::byte* color_row(int y) const { return color_.data() + at_row(y) * format_.bytes(); }
     const float* linear_row(int y) const { return linear_.data() + at_row(y) * std::size_t(format_.channels); }
@@ -55,6 +64,7 @@ public:
     std::vector<std::byte> take_colors() { return std::move(color_); }
 
 private:
+    void empty_strip();
     bool is_kept(const Window& area) const;
     /// Where in the arrays of the strip a row of a tile begins.
     std::size_t place_of(const Tile& tile, int row) const;
@@ -66,6 +76,8 @@ private:
     PixelFormat format_;
     ToneCurve tone_;
     bool keeps_linear_ = false;
+    std::optional<vec4> gaps_;
+    std::atomic<std::uint64_t> brought_{0};  ///< pixels
     ExtremePixels* extremes_ = nullptr;
     std::function<void(int)> strip_done_;
     Window window_;

@@ -38,7 +38,8 @@ struct MaterialFactors {
     // Where rays go on (engine trace).
     int32_t mirror;        ///< MirrorNumber, of classical materials
     float filter[3];       ///< k_t of classical materials
-    float refraction;      ///< index of refraction of a body, of both models; 1: rays go straight on
+    int32_t is_body;       ///< light is refracted and absorbed where it goes through; 0: a thin wall
+    float refraction;      ///< index of refraction of a body, of both models
     float attenuation[3];  ///< [1/m] of light in the body
 };
 

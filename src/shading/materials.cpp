@@ -49,9 +49,11 @@ void add_transport(const Material& m, MaterialFactors& v) {
         v.mirror = std::int32_t(m.classical.mirror);
         copy(v.filter, m.classical.transmission);
         v.refraction = m.classical.refraction_index;
+        v.is_body = v.refraction != 1;
     }
     if (m.model != MaterialModel::metallic_roughness) return;
-    if (m.metallic_roughness.thickness > 0) v.refraction = m.metallic_roughness.ior;
+    v.is_body = m.metallic_roughness.thickness > 0;
+    if (v.is_body) v.refraction = m.metallic_roughness.ior;
     copy(v.attenuation, attenuation_of(m.metallic_roughness));
 }
 

@@ -28,6 +28,12 @@ constexpr Word<Visibility> visibility_words[] = {{"z-reversed", Visibility::z_re
 constexpr Word<PointShape> point_words[] = {
     {"none", PointShape::none}, {"square", PointShape::square}, {"disc", PointShape::disc}};
 
+/// Rays have shadows by nature; `shadows`, which is read behind it, may say otherwise.
+void read_engine(PictureRequest& r, Words w) {
+    r.engine = w[0];
+    if (r.engine == "trace") r.settings.shadows = true;
+}
+
 void read_resolution(PictureRequest& r, Words w) {
     const std::vector<int> size = values::integers("resolution", w[0], 2);
     constexpr int most = 65536;
@@ -141,7 +147,7 @@ void read_point_sprites(PictureRequest& r, Words w) {
 }
 
 constexpr RenderKey table[] = {
-    RL_KEY("engine", value, r.engine, w[0], {r.engine}),
+    {"engine", Kind::value, read_engine, RL_WRITE(r.engine, {r.engine})},
     RL_WORD_KEY("method", r.settings.method, method_words),
     RL_INTEGER_KEY("max-depth", r.settings.max_depth, 0, 64),
     RL_KEY("naive", flag, r.settings.naive, w[0] == "on", {"on"}),

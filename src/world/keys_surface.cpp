@@ -60,7 +60,12 @@ constexpr RenderKey table[] = {
     RL_SWITCH_KEY("bump-silhouette", r.settings.relief.limit_silhouette),
     RL_WORD_KEY("tangent-space", r.settings.tangent_space, tangent_space_words),
     RL_SWITCH_KEY("normalize-frames", r.settings.normalize_frames),
-    RL_SWITCH_KEY("shadows", r.settings.shadows),
+    {"shadows", Kind::switched,
+     [](PictureRequest& r, Words w) { r.settings.shadows = values::switched("shadows", w[0]); },
+     [](const PictureRequest& r) -> Written {
+         const bool by_engine = r.engine == "trace";
+         return r.settings.shadows == by_engine ? Written{} : on_or_off(r.settings.shadows);
+     }},
     RL_INTEGER_KEY("shadow-size", r.settings.shadow_size, 16, 8192),
     RL_FLOAT_KEY("shadow-bias", r.settings.shadow_bias, 0, 100),
     RL_INTEGER_KEY("shadow-filter", r.settings.shadow_filter, 0, 4),

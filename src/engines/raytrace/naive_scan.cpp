@@ -57,7 +57,8 @@ Meeting NaiveScan::first(vec3 origin, vec3 direction, float from, float to, cons
         for (std::uint32_t k = first_[i]; k < end; ++k) {
             dvec3 normal;
             const double t = meet_triangle(corners_.data() + 3 * std::size_t(k), o, d, normal);
-            if (t > double(from) && t < double(nearest.t)) offer({draws_[i], k - first_[i], float(t), dot(normal, d) < 0});
+            if (t > double(from) && t < double(nearest.t))
+                offer({draws_[i], k - first_[i], float(t), dot(normal, d) < 0});
         }
     }
     for (const std::uint32_t draw : shapes_) {

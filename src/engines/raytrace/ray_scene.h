@@ -6,6 +6,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <rakelight/context.h>
@@ -69,6 +70,14 @@ public:
     bool is_blocked(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const;
 
 private:
+    /// What of a draw rays know.
+    struct Placement {
+        Block<vec3> positions;  ///< keep the blocks: what has their identity is them
+        Block<std::uint32_t> indices;
+        dmat4 to_world;
+        std::optional<ExactShape> shape;
+        bool operator==(const Placement& other) const;
+    };
     struct Part;
     struct Key;
     struct Crowd;
@@ -91,6 +100,7 @@ private:
 
     RTCDevice device_ = nullptr;
     RTCScene top_ = nullptr;
+    std::vector<Placement> placements_;
     std::map<Key, std::unique_ptr<Part>> parts_;
     std::vector<bool> mirrored_;  ///< [draws]
     std::unique_ptr<Crowd> crowd_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Data channels of a tile.
 #include <algorithm>
+#include <utility>
 
 #include "cpu_shading/kernel_channels.h"
 #include "engines/raytrace/trace_tile.h"
@@ -11,8 +12,11 @@ namespace {
 /// The numbers of a hit, into its pixel.
 void take_numbers(const TracePicture& picture, std::size_t pixel, const Meeting& m, TileScratch& s) {
     const shading::Draw& draw = picture.list.draws[m.draw];
-    s.object[pixel] = draw.node, s.mesh[pixel] = draw.mesh, s.triangle[pixel] = m.triangle;
-    s.material[pixel] = picture.list.material(draw).scene_material;
+    const std::uint32_t channels = picture.settings.channels;
+    if (channels & channel_object) s.object[pixel] = draw.node;
+    if (channels & channel_mesh) s.mesh[pixel] = draw.mesh;
+    if (channels & channel_triangle) s.triangle[pixel] = m.triangle;
+    if (channels & channel_material) s.material[pixel] = picture.list.material(draw).scene_material;
 }
 
 /// What kernels give of the hits of one draw, into their pixels.
@@ -26,10 +30,16 @@ void take_values(const TracePicture& picture, std::size_t begin, std::size_t end
     static_cast<cpu_shading::ChannelValues&>(job) =
         cpu_shading::channel_values(channels, s.channel_values.data(), stride);
     job.hits = &hits;
-    std::vector<float> own(7 * stride);
-    for (std::size_t c = 0; c < 3; ++c)
-        job.normal[c] = own.data() + c * stride, job.face_normal[c] = own.data() + (3 + c) * stride;
-    job.depth = own.data() + 6 * stride;
+    // What comes of the hit's place alone is cheap, what kernels for the material give is not.
+    constexpr std::uint32_t own_channels = channel_depth | channel_normal | channel_object | channel_material |
+                                           channel_mesh | channel_triangle | channel_face_normal | channel_overdraw;
+    job.needs_values = (channels & ~own_channels) != 0;
+    s.own_values.resize(7 * stride);
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (channels & channel_normal) job.normal[c] = s.own_values.data() + c * stride;
+        if (channels & channel_face_normal) job.face_normal[c] = s.own_values.data() + (3 + c) * stride;
+    }
+    job.depth = s.own_values.data() + 6 * stride;
     picture.kernels.channels(&job);
     const auto pixel_of = [&s](std::size_t i) { return std::size_t(s.hit_ray[i]); };
     cpu_shading::take_channels(channels, s.channel_values.data(), stride, end - begin,
@@ -59,8 +69,12 @@ void find_data(const TracePicture& picture, const Window& area, TileScratch& s) 
     const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
     make_primary(picture, area, {0, 0}, s);
     s.from.assign(count, float(picture.view.z_near));
-    for_each_channel([&](std::uint32_t bit, auto& array) { array.assign(count, empty_value(bit, array)); },
-                     static_cast<ChannelArrays&>(s));
+    s.meetings.resize(count);
+    for_each_channel(
+        [&](std::uint32_t bit, auto& array) {
+            if (picture.settings.channels & bit) array.assign(count, empty_value(bit, array));
+        },
+        static_cast<ChannelArrays&>(s));
     s.order.clear();
     for (std::size_t i = 0; i < count; ++i) {
         s.meetings[i] = find_first(picture, s, i, false);
@@ -71,6 +85,7 @@ void find_data(const TracePicture& picture, const Window& area, TileScratch& s) 
             s.overdraw[i] = 1 + count_behind(picture, i, s.meetings[i], s);
     }
     for_each_run(s, [&](std::size_t begin, std::size_t end) { take_values(picture, begin, end, s); });
+    std::swap(s.wave, s.primary);
 }
 
 }  // namespace rakelight::raytrace

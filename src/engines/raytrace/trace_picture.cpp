@@ -2,6 +2,7 @@
 #include "engines/raytrace/trace_picture.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "cpu_shading/make_material_job.h"
 #include "cpu_shading/make_mesh_view.h"
@@ -65,6 +66,8 @@ void set_rows(const dmat4& m, float (&to)[3][4]) {
         for (std::size_t c = 0; c < 4; ++c) to[r][c] = float(m[c][r]);
 }
 
+std::atomic<std::uint64_t> last_number{0};
+
 bool lets_light_through(const cpu_shading::MaterialView& m) {
     return m.metallic_roughness != 0 ? m.transmission > 0 : m.filter[0] > 0 || m.filter[1] > 0 || m.filter[2] > 0;
 }
@@ -95,7 +98,8 @@ ShapeView shape_view(const PlacedShape* placed, vec3 eye) {
 
 TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene& of_rays, const shading::View& of_view,
                            const RenderSettings& of_settings, const Kernels& of_kernels, Context& context)
-    : list(of_list),
+    : number(++last_number),
+      list(of_list),
       rays(of_rays),
       view(of_view),
       settings(of_settings),

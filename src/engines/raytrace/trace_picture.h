@@ -60,6 +60,7 @@ public:
     /// Whether a masked surface is not there. @param ray  into `rays` of the job's planes
     bool is_cut_out(const Meeting& meeting, const RayView& planes, std::int32_t ray) const;
 
+    const std::uint64_t number;  ///< of all pictures, from 1
     const cpu_shading::DrawList& list;
     const RayScene& rays;
     const NaiveScan* naive = nullptr;  ///< every ray is held against every triangle

@@ -10,8 +10,8 @@ namespace {
 constexpr std::size_t most_in_wave = 8192;  ///< rays: more are followed in parts, pixel by pixel in the end
 
 /// The same vector for all rays.
-void fill(RayWave& wave, std::int32_t number, std::size_t count, dvec3 v) {
-    for (std::size_t c = 0; c < 3; ++c) std::fill_n(wave.plane(number + std::int32_t(c)), count, float(v[c]));
+void fill(RayWave& wave, std::int32_t number, dvec3 v) {
+    for (std::size_t c = 0; c < 3; ++c) std::fill_n(wave.plane(number + std::int32_t(c)), plane_stride, float(v[c]));
 }
 
 /// The colors of what rays of the wave meet when they meet no surface, into red, green and blue. @return false: `background` is there
@@ -111,6 +111,7 @@ void trace_sample(const TracePicture& picture, const Window& area, shading::Samp
     s.sum.assign(count, vec3{});
     follow(picture, context, 0, s);
     lay_background(picture, s);
+    std::swap(s.wave, s.primary);
     follow_on(picture, context, s);
     for (std::size_t i = 0; i < count; ++i) {
         const float alpha = s.covered[i];
@@ -121,22 +122,24 @@ void trace_sample(const TracePicture& picture, const Window& area, shading::Samp
 
 }  // namespace
 
-/// A ray through a place of every pixel.
 void make_primary(const TracePicture& picture, const Window& area, shading::SamplePosition at, TileScratch& s) {
     const shading::View& view = picture.view;
     const shading::PixelRays rays = shading::pixel_rays(view, area.x, area.y);
-    const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
-    const dvec3 none{}, ahead = -view.camera_to_world[2].xyz();
-    s.wave.stride = plane_stride, s.wave.count = count;
-    s.wave.planes.resize(std::size_t(ray_planes) * plane_stride);
-    s.wave.pixel.clear(), s.wave.weight.clear(), s.wave.media.clear();
-    fill(s.wave, view.orthographic ? ray_d : ray_o, count, view.orthographic ? ahead : none);
-    fill(s.wave, ray_o_dx, count, view.orthographic ? rays.along_x : none);
-    fill(s.wave, ray_o_dy, count, view.orthographic ? rays.along_y : none);
-    fill(s.wave, ray_d_dx, count, view.orthographic ? none : rays.along_x);
-    fill(s.wave, ray_d_dy, count, view.orthographic ? none : rays.along_y);
+    std::swap(s.wave, s.primary);
+    RayWave& wave = s.wave;
+    wave.count = std::size_t(area.width) * std::size_t(area.height);
+    if (std::exchange(s.filled_for, picture.number) != picture.number) {
+        wave.stride = plane_stride;
+        wave.planes.resize(std::size_t(ray_planes) * plane_stride);
+        const dvec3 none{}, ahead = -view.camera_to_world[2].xyz();
+        fill(wave, view.orthographic ? ray_d : ray_o, view.orthographic ? ahead : none);
+        fill(wave, ray_o_dx, view.orthographic ? rays.along_x : none);
+        fill(wave, ray_o_dy, view.orthographic ? rays.along_y : none);
+        fill(wave, ray_d_dx, view.orthographic ? none : rays.along_x);
+        fill(wave, ray_d_dy, view.orthographic ? none : rays.along_y);
+    }
     for (std::size_t c = 0; c < 3; ++c) {
-        float* to = s.wave.plane((view.orthographic ? ray_o : ray_d) + std::int32_t(c));
+        float* to = wave.plane((view.orthographic ? ray_o : ray_d) + std::int32_t(c));
         for (int y = 0; y < area.height; ++y) {
             const double row = rays.along_y[c] * (y + at.y / 16.0) + rays.first[c] + rays.along_x[c] * (at.x / 16.0);
             for (int x = 0; x < area.width; ++x) *to++ = float(row + rays.along_x[c] * x);

@@ -22,13 +22,16 @@ struct TileScratch : WaveScratch, ChannelArrays {
         std::vector<NextRay> rays;
     };
     std::vector<Waiting> waiting;
+    RayWave primary;                    ///< in s.wave while it is followed
+    std::uint64_t filled_for = 0;       ///< TracePicture::number that the constant planes of primary rays are of
     std::vector<float> covered;         ///< [pixels] alpha of one sample
     std::vector<vec4> color;            ///< [pixels] the result
     std::vector<vec4> sample_colors;    ///< [pixels][samples]
     std::vector<float> channel_values;  ///< [channel_planes][tile_pixels + batch_padding] where channels need them
+    std::vector<float> own_values;      ///< [7][the same]
 };
 
-/// A ray through a place of every pixel, into s.wave.
+/// A ray through a place of every pixel, into s.wave; s.primary is to be swapped back with it.
 void make_primary(const TracePicture& picture, const Window& area, shading::SamplePosition at, TileScratch& s);
 
 /// Data of the nearest opaque surface at the pixels' centers.

@@ -79,7 +79,8 @@ void send_on(const TracePicture& picture, const NextView& hit, std::int32_t lobe
     if (!(std::max({weight.x, weight.y, weight.z}) > least_weight)) return;
     const bool goes_through = lobe == lobe_refracted;
     const vec3 place = hit.vector(next_o), normal = hit.vector(next_n);
-    const float offset = std::max(picture.offset(), 4e-7f * std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}));
+    const float offset =
+        std::max(picture.offset(), 4e-7f * std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}));
     NextRay out{};
     put3(out, ray_o, place + normal * (goes_through ? -offset : offset));
     put3(out, ray_d, hit.vector(base + lobe_d));
@@ -89,7 +90,7 @@ void send_on(const TracePicture& picture, const NextView& hit, std::int32_t lobe
     out.weight = weight;
     if (!s.wave.is_primary()) out.media = s.wave.media[ray];
     const std::uint32_t draw = s.meetings[ray].draw, body = picture.list.draws[draw].material;
-    if (goes_through && picture.list.view(draw).refraction != 1) {
+    if (goes_through && picture.list.view(draw).is_body != 0) {
         if (hit.number(next_side) > 0)
             out.media.enter(body);
         else
@@ -156,8 +157,8 @@ void shade_run(const TracePicture& picture, int depth, std::size_t begin, std::s
 Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended) {
     const RayWave& wave = s.wave;
     const SeenFilter filter(picture, wave, ray, with_blended);
-    const bool needs_filter = (wave.is_primary() ? picture.has_filtered : picture.has_masked) ||
-                              (!with_blended && picture.has_holes);
+    const bool needs_filter =
+        (wave.is_primary() ? picture.has_filtered : picture.has_masked) || (!with_blended && picture.has_holes);
     const float to = wave.is_primary() ? float(picture.view.z_far) : std::numeric_limits<float>::infinity();
     return picture.first(picture.in_rays(wave.vector(ray_o, ray)), wave.vector(ray_d, ray), s.from[ray], to,
                          needs_filter ? &filter : nullptr);

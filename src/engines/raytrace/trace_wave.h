@@ -10,7 +10,7 @@ namespace rakelight::raytrace {
 
 /// Rays; of primary ones, ray i through pixel i, the last three arrays are empty.
 struct RayWave {
-    std::vector<float> planes;         ///< [ray_planes][stride]
+    std::vector<float> planes;  ///< [ray_planes][stride]
     std::size_t stride = 0, count = 0;
     std::vector<std::uint32_t> pixel;  ///< [count]
     std::vector<vec3> weight;          ///< [count] of what they bring
@@ -43,15 +43,15 @@ struct RayCounts {
 /// What following rays needs, and gives.
 struct WaveScratch {
     RayWave wave;
-    std::vector<Meeting> meetings;           ///< [rays]
-    std::vector<float> from;                 ///< [rays] where they begin
-    std::vector<float> rest;                 ///< [rays] what is not covered yet
-    std::vector<std::int32_t> live, going;   ///< rays that go on behind something blended; those that are followed now
+    std::vector<Meeting> meetings;          ///< [rays]
+    std::vector<float> from;                ///< [rays] where they begin
+    std::vector<float> rest;                ///< [rays] what is not covered yet
+    std::vector<std::int32_t> live, going;  ///< rays that go on behind something blended; those that are followed now
     std::vector<std::int32_t> order, hit_ray, hit_triangle;  ///< hits by draw; those of one draw
     std::vector<float> hit_t, eta_front, eta_back;
     std::vector<float> red, green, blue, alpha, next_planes_of_hits;
-    std::vector<vec3> sum;                   ///< [pixels] what all rays have brought
-    std::vector<NextRay> next;               ///< that surfaces of this wave send on
+    std::vector<vec3> sum;      ///< [pixels] what all rays have brought
+    std::vector<NextRay> next;  ///< that surfaces of this wave send on
     RayCounts counts;
 };
 

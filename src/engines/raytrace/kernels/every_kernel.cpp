@@ -46,12 +46,15 @@ static void put3(float* const (&to)[3], int32_t i, vec3 v) {
 }
 
 void channels(const ChannelJob* job) {
-    cpu::find_channels<WholeHits, HitSource<1>>(*job->hits, *job);
+    if (job->needs_values != 0) cpu::find_channels<WholeHits, HitSource<1>>(*job->hits, *job);
     for (int32_t i = 0; i < job->hits->count; i += lanes) {
+        Hits h;
+        h.find(*job->hits, i);
+        store(job->depth + i, h.t);
+        if (job->face_normal[0] != nullptr) put3(job->face_normal, i, HitSource<1>::face_normal(h));
+        if (job->normal[0] == nullptr) continue;
         const WholeHits p(*job->hits, i);
-        store(job->depth + i, p.source.hits[0].t);
         put3(job->normal, i, p.state().surface.base.n);
-        put3(job->face_normal, i, HitSource<1>::face_normal(p.source.hits[0]));
     }
 }
 

@@ -14,9 +14,9 @@ static_assert(shading::mirror_constant == RL_MIRROR_CONSTANT && shading::mirror_
 /// What is mirrored and let through at a vector of hits, and what is left of the surface's own light.
 struct HitTransport {
     lit::Transport weights;
-    real kept;      ///< of the diffuse terms
-    mask mirrors;   ///< lanes whose gloss rays bring
-    mask coats;     ///< lanes whose coat's gloss rays bring
+    real kept;     ///< of the diffuse terms
+    mask mirrors;  ///< lanes whose gloss rays bring
+    mask coats;    ///< lanes whose coat's gloss rays bring
 };
 
 /// Lambert and Oren-Nayar have no gloss that could mirror.
@@ -28,20 +28,19 @@ inline HitTransport classical_transport(const EveryJob& job, const EveryPoint& s
     const vec3 k_s = has_gloss(job) ? splat(m.specular) * cpu::rgb(texel) : vec3(real(0.0f));
     const real open = m.blend != 0 ? real(1.0f) - clamp(s.base.color.w, real(0.0f), real(1.0f)) : real(1.0f);
     const mask none(false);
-    return {lit::classical_transport(k_s, splat(m.filter) * open, m.mirror, m.refraction != 1.0f, cosine, eta),
-            real(1.0f), mask(m.mirror != shading::mirror_none), none};
+    return {lit::classical_transport(k_s, splat(m.filter) * open, m.mirror, m.is_body, cosine, eta), real(1.0f),
+            mask(m.mirror != shading::mirror_none), none};
 }
 
 inline HitTransport metallic_transport(const EveryJob& job, const EveryPoint& s, real cosine, real eta) {
     const cpu_shading::MaterialView& m = job.material();
     const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, s.point, s.texels);
     const real transmission = real(m.transmission) * cpu::texel_or_white(job, role_transmission, s.point).x;
-    const int32_t bends = m.refraction != 1.0f;
+    const int32_t bends = m.is_body;
     HitTransport out;
     out.weights = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, bends, cosine, eta);
     out.kept = real(1.0f) - transmission;
-    const real alpha =
-        job.is_pbr() ? max(s.surface.alpha_x, s.surface.alpha_y) : lit::alpha_of_roughness(at.roughness);
+    const real alpha = job.is_pbr() ? max(s.surface.alpha_x, s.surface.alpha_y) : lit::alpha_of_roughness(at.roughness);
     out.mirrors = alpha <= real(RL_MIRROR_ALPHA) && mask(has_gloss(job));
     const mask is_total = lit::refracted_cosine_squared(cosine, eta) <= real(0.0f) && transmission > real(0.0f);
     out.weights.reflected = select(out.mirrors || is_total, out.weights.reflected, vec3(real(0.0f)));
@@ -106,12 +105,13 @@ inline void put_lobes(const HitJob& job, const Hits& h, const EveryPoint& s, con
     const vec3 n = s.surface.base.n;
     const vec3 turn_x = h.change_of_normal(job, n, move_x), turn_y = h.change_of_normal(job, n, move_y);
     const auto mirrored = [&](int32_t number, vec3 normal, vec3 weight) {
-        lobe(number, above(lit::mirrored_about(normal, -ray.d), plane), change_of_mirrored(ray.d, normal, ray.dx, turn_x),
-             change_of_mirrored(ray.d, normal, ray.dy, turn_y), weight * share);
+        lobe(number, above(lit::mirrored_about(normal, -ray.d), plane),
+             change_of_mirrored(ray.d, normal, ray.dx, turn_x), change_of_mirrored(ray.d, normal, ray.dy, turn_y),
+             weight * share);
     };
     mirrored(lobe_reflected, n, weights.reflected);
     mirrored(lobe_coat, s.surface.coat_n, weights.coat);
-    const bool bends = job.material->refraction != 1.0f;
+    const bool bends = job.material->is_body != 0;
     const vec3 out = bends ? -above(-lit::refracted(n, -ray.d, eta), plane) : ray.d;
     lobe(lobe_refracted, out, bends ? change_of_refracted(ray.d, n, out, eta, ray.dx, turn_x) : ray.dx,
          bends ? change_of_refracted(ray.d, n, out, eta, ray.dy, turn_y) : ray.dy, weights.refracted * share);
@@ -122,7 +122,7 @@ inline void find_next(const EveryJob& job, const HitJob& hits, const Hits& h, in
     const vec3 n = s.surface.base.n;
     const mask is_front = h.shows_front > real(0.0f);
     const real eta = select(is_front, load(hits.next->eta_front + first), load(hits.next->eta_back + first));
-    const bool bends = hits.material->refraction != 1.0f;
+    const bool bends = hits.material->is_body != 0;
     const vec3 v = -safe_normalize(h.along);
     const real cosine = clamp(dot(n, v), real(0.0f), real(1.0f)), used = bends ? eta : real(1.0f);
     if (!job.is_pbr()) s.surface.coat_n = n, s.surface.coat_alpha = real(1.0f);

@@ -13,6 +13,21 @@ struct SeenByRays {
     const HitJob& job;
     const HitSource<most>& source;
 
+    /// The place on the round surface that smooth normals pretend, which lies above the flat triangle and so is not shaded by its
+    /// neighbors: Hanika 2021, "Hacking the Shadow Terminator".
+    vec3 lifted_position(const Hits& h) const {
+        if (job.mesh.normals == nullptr || job.lit_at != lit_at_points || job.shape.kind != shape_none)
+            return h.position;
+        vec3 normal[3];
+        cpu::load_normals(job.mesh, h.corners, normal);
+        vec3 lift[3];
+        for (int32_t k = 0; k < 3; ++k) {
+            const vec3 seen_normal = normal[k] * h.facing;
+            lift[k] = seen_normal * -min(dot(h.position - h.corner[k], seen_normal), real(0.0f));
+        }
+        return h.position + h.interpolate(lift[0], lift[1], lift[2]);
+    }
+
     real operator()(int32_t k, int32_t i, lit::LightSample& light) const {
         const lighting::LightParameters& from = job.lights[i];
         if (job.find_seen == nullptr || !from.casts_shadow || from.kind == lighting::LightKind::ambient)
@@ -20,13 +35,14 @@ struct SeenByRays {
         const Hits& h = source.hits[k];
         const bool is_far = from.kind == lighting::LightKind::directional;
         // About the world's axes, also where `light.l` is in tangent space.
-        const vec3 to_light = is_far ? -splat(from.direction) : splat(from.position) - h.position;
+        const vec3 at = lifted_position(h);
+        const vec3 to_light = is_far ? -splat(from.direction) : splat(from.position) - at;
         const vec3 n = safe_normalize(h.normal);
         const real side = select(dot(n, to_light) < real(0.0f), real(-1.0f), real(1.0f));
         const real offset = max(real(job.offset), largest_component(h.position) * real(4e-7f));
         float origin[3][lanes], direction[3][lanes], length[lanes], seen[3][lanes];
         const auto put = [](float(&to)[3][lanes], vec3 v) { store(to[0], v.x), store(to[1], v.y), store(to[2], v.z); };
-        put(origin, h.position + n * (side * offset));
+        put(origin, at + n * (side * offset));
         put(direction, to_light);
         store(length, select(light.attenuation > real(0.0f), real(is_far ? __builtin_inff() : 1.0f), real(-1.0f)));
         ShadowRays rays = {lanes,

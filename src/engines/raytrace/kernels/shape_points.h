@@ -71,8 +71,8 @@ inline ShapePoint flat_point(vec3 p, real up, real down, real per_u, real per_v)
 }
 
 inline ShapePoint select_point(mask m, const ShapePoint& a, const ShapePoint& b) {
-    return {select(m, a.n, b.n),         select(m, a.uv, b.uv),       select(m, a.du, b.du),
-            select(m, a.dv, b.dv),       select(m, a.per_u, b.per_u), select(m, a.per_v, b.per_v),
+    return {select(m, a.n, b.n),           select(m, a.uv, b.uv),        select(m, a.du, b.du),
+            select(m, a.dv, b.dv),         select(m, a.per_u, b.per_u),  select(m, a.per_v, b.per_v),
             select(m, a.bend_u, b.bend_u), select(m, a.bend_v, b.bend_v)};
 }
 

@@ -117,6 +117,7 @@ enum LitAtNumber : int32_t { lit_at_points, lit_at_faces, lit_at_corners };
 /// Data of the points of a HitJob beside their color.
 struct ChannelJob : cpu_shading::ChannelValues {
     const HitJob* hits;
+    int32_t needs_values;   ///< some of ChannelValues are wanted
     float* normal[3];       ///< [count + batch_padding] out, shading normal; null: not wanted
     float* face_normal[3];  ///< likewise, of the triangle's plane on the side that is seen
     float* depth;           ///< where on the ray
