@@ -92,6 +92,7 @@ void draw_shading_panel(PanelView& view) {
     constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
     choose("samples", sample_words, s.samples);
     slide("anisotropy", s.anisotropy, 1, 16);
+    if (r.engine == "trace") slide("reflections", s.max_depth, 0, 64);
     constexpr Word<Cull> cull_words[] = {
         {"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
     choose("culling", cull_words, s.cull);

@@ -134,7 +134,8 @@ struct RenderSettings {
     /// seen at a grazing angle (GL_EXT_texture_filter_anisotropic).
     int anisotropy = 1;
     RayMethod method = RayMethod::automatic;
-    int max_depth = 8;  ///< 0..64 reflections and refractions that a ray goes on after; 0: none
+    int max_depth =
+        8;  ///< of engines that follow rays: 0..64 reflections and refractions that a ray goes on after; 0: none
     /// Every ray is held against every triangle, as the textbook's first program does it: for comparison.
     bool naive = false;
     double naive_limit = 1e11;  ///< more tests of rays with triangles are refused before the first one
@@ -264,7 +265,7 @@ struct EngineAbilities {
     bool lines_and_points = false;      ///< edges, points
     bool shadows = false;               ///< RenderSettings::shadows
     bool user_lighting = false;         ///< RenderSettings::lighting_text
-    bool rays = false;                  ///< RenderSettings::method, max_depth, naive; colors may be false
+    bool rays = false;                  ///< RenderSettings::method, naive; colors may be false
     bool progressive = false;           ///< delivers passes: Sink::end_pass() comes more than once
 };
 

@@ -62,9 +62,7 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
     require(can.lines_and_points || (s.surfaces && !s.edges && s.points == PointShape::none),
             "draw edges and vertices");
     require(can.shadows || !s.shadows, "draw shadows");
-    const RenderSettings plain;
-    require(can.rays || (s.method == plain.method && s.max_depth == plain.max_depth && !s.naive),
-            "follow rays: --engine trace does");
+    require(can.rays || (s.method == RayMethod::automatic && !s.naive), "follow rays: engine trace does");
     require(can.rays || s.colors, "leave the colors out");
     require(can.user_lighting || s.lighting_text.empty(), "light by a text in GLSL, " + one_line(s.lighting_name, 80));
     return first;

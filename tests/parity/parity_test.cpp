@@ -250,7 +250,6 @@ protected:
     }
     virtual const char* engine() const { return "gl"; }
     virtual double least_db() const { return 1e9; }  ///< where a scene asks for more
-    virtual int depth() const { return RenderSettings{}.max_depth; }
     void SetUp() override {
         try {
             make_engine(engine());
@@ -265,9 +264,8 @@ protected:
         RenderSettings settings = of.request.settings;
         if (!with_shadows) settings.shadows = false;
         settings.channels = channel_object | channel_mesh | channel_depth | (settings.shadows ? channel_diffuse : 0u);
-        const Frame soft = of.by("soft", settings, context);
-        settings.max_depth = depth();
-        const Frame other = of.by(engine(), settings, context);
+        settings.max_depth = 0;
+        const Frame soft = of.by("soft", settings, context), other = of.by(engine(), settings, context);
         const std::vector<bool> in_soft = smooth_pixels(soft), in_other = smooth_pixels(other);
         std::vector<bool> border(in_soft.size(), false);
         if (settings.shadows) border = shadow_borders(of, soft, context);
@@ -312,7 +310,6 @@ protected:
     const char* engine() const override { return "trace"; }
     /// Every sample is lit, where soft lights a triangle once a pixel: textures are a little sharper.
     double least_db() const override { return 43; }
-    int depth() const override { return 0; }
 };
 
 TEST_P(ParityOfRays, TracedPicturesAreThoseOfTheSoftEngine) {

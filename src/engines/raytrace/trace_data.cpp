@@ -20,11 +20,14 @@ void take_numbers(const TracePicture& picture, std::size_t pixel, const Meeting&
 }
 
 /// What kernels give of the hits of one draw, into their pixels.
-void take_values(const TracePicture& picture, std::size_t begin, std::size_t end, TileScratch& s) {
+void take_values(const TracePicture& picture, const Context& context, std::size_t begin, std::size_t end,
+                 TileScratch& s) {
     constexpr std::size_t stride = tile_pixels + batch_padding;
     const std::uint32_t channels = picture.settings.channels;
     HitJob hits = picture.hit_job(s.meetings[std::size_t(s.order[begin])].draw);
     set_hits(begin, end, s, hits);
+    const TileTracer tracer{picture, context, s.counts.rays.shadow};
+    hits.tracer = &tracer;
     s.channel_values.resize(std::size_t(cpu_shading::channel_planes) * stride);
     ChannelJob job{};
     static_cast<cpu_shading::ChannelValues&>(job) =
@@ -65,7 +68,7 @@ std::uint32_t count_behind(const TracePicture& picture, std::size_t ray, const M
 
 }  // namespace
 
-void find_data(const TracePicture& picture, const Window& area, TileScratch& s) {
+void find_data(const TracePicture& picture, const Window& area, const Context& context, TileScratch& s) {
     const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
     make_primary(picture, area, {0, 0}, s);
     s.from.assign(count, float(picture.view.z_near));
@@ -76,7 +79,7 @@ void find_data(const TracePicture& picture, const Window& area, TileScratch& s) 
         },
         static_cast<ChannelArrays&>(s));
     s.order.clear();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count && !context.cancelled(); ++i) {
         s.meetings[i] = find_first(picture, s, i, false);
         if (s.meetings[i].draw == no_index) continue;
         s.order.push_back(std::int32_t(i));
@@ -84,7 +87,7 @@ void find_data(const TracePicture& picture, const Window& area, TileScratch& s) 
         if (picture.settings.channels & channel_overdraw)
             s.overdraw[i] = 1 + count_behind(picture, i, s.meetings[i], s);
     }
-    for_each_run(s, [&](std::size_t begin, std::size_t end) { take_values(picture, begin, end, s); });
+    for_each_run(s, [&](std::size_t begin, std::size_t end) { take_values(picture, context, begin, end, s); });
     std::swap(s.wave, s.primary);
 }
 

@@ -51,7 +51,7 @@ void find_seen(const void* tracer, ShadowRays* rays) {
     const TileTracer& tile = *static_cast<const TileTracer*>(tracer);
     for (std::int32_t i = 0; i < rays->count; ++i) {
         vec3 seen{1, 1, 1};
-        if (rays->length[i] >= 0) {
+        if (rays->length[i] >= 0 && !(tile.picture.naive && tile.context.cancelled())) {
             const vec3 origin{rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
             const vec3 direction{rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
             seen = find_light(tile.picture, origin, direction, rays->length[i]);

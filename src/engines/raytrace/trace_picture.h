@@ -89,6 +89,7 @@ private:
 /// What kernels hand back with their shadow rays (HitJob::tracer).
 struct TileTracer {
     const TracePicture& picture;
+    const Context& context;
     std::uint64_t& shadow_rays;
 };
 

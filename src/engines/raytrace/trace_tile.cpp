@@ -164,7 +164,7 @@ void trace_tile(const TracePicture& picture, const Window& area, const Context& 
         for (std::size_t i = 0; i < count; ++i)
             s.color[i] = shading::mean_of_samples(s.sample_colors.data() + i * positions.size(), positions.size());
     }
-    if (picture.settings.channels != 0) find_data(picture, area, s);
+    if (picture.settings.channels != 0) find_data(picture, area, context, s);
 }
 
 }  // namespace rakelight::raytrace

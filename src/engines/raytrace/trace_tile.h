@@ -35,7 +35,7 @@ struct TileScratch : WaveScratch, ChannelArrays {
 void make_primary(const TracePicture& picture, const Window& area, shading::SamplePosition at, TileScratch& s);
 
 /// Data of the nearest opaque surface at the pixels' centers.
-void find_data(const TracePicture& picture, const Window& area, TileScratch& s);
+void find_data(const TracePicture& picture, const Window& area, const Context& context, TileScratch& s);
 
 /// @param area  of at most tile_size x tile_size pixels
 /// @return the result's arrays are [area.width * area.height]

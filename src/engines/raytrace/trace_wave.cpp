@@ -112,7 +112,8 @@ vec3 weight_of(const TracePicture& picture, const WaveScratch& s, std::size_t ra
 }
 
 /// Lights the hits of one draw.
-void shade_run(const TracePicture& picture, int depth, std::size_t begin, std::size_t end, WaveScratch& s) {
+void shade_run(const TracePicture& picture, const Context& context, int depth, std::size_t begin, std::size_t end,
+               WaveScratch& s) {
     const std::uint32_t draw = s.meetings[std::size_t(s.order[begin])].draw;
     const std::size_t count = end - begin;
     const bool goes_on = depth < picture.max_depth && picture.goes_on(draw);
@@ -122,7 +123,7 @@ void shade_run(const TracePicture& picture, int depth, std::size_t begin, std::s
     for (auto* const numbers : {&s.red, &s.green, &s.blue, &s.alpha})
         if (numbers->size() < room) numbers->resize(room);
     job.red = s.red.data(), job.green = s.green.data(), job.blue = s.blue.data(), job.alpha = s.alpha.data();
-    const TileTracer tracer{picture, s.counts.rays.shadow};
+    const TileTracer tracer{picture, context, s.counts.rays.shadow};
     job.tracer = &tracer;
     NextRays next{};
     if (goes_on) {
@@ -190,10 +191,11 @@ void follow(const TracePicture& picture, const Context& context, int depth, Wave
         s.live.swap(s.going);
         s.live.clear();
         for (const std::int32_t ray : s.going) {
+            if (picture.naive && context.cancelled()) break;  // one ray may take long
             s.meetings[std::size_t(ray)] = find_first(picture, s, std::size_t(ray), true);
             if (s.meetings[std::size_t(ray)].draw != no_index) s.order.push_back(ray);
         }
-        for_each_run(s, [&](std::size_t begin, std::size_t end) { shade_run(picture, depth, begin, end, s); });
+        for_each_run(s, [&](std::size_t begin, std::size_t end) { shade_run(picture, context, depth, begin, end, s); });
     }
 }
 

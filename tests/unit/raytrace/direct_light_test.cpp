@@ -46,7 +46,8 @@ protected:
         const vec3 straight = color_at(scene_, eye, {0, 0, 0}, settings);
         Scene with_mirror = scene_;
         Material mirror = test::matte({0, 0, 0});
-        mirror.classical.ambient = {}, mirror.classical.specular = {1, 1, 1}, mirror.classical.mirror = Mirror::constant;
+        mirror.classical.ambient = {}, mirror.classical.specular = {1, 1, 1},
+        mirror.classical.mirror = Mirror::constant;
         mirror.lighting = Lighting::phong, mirror.classical.shininess = 1e4f, mirror.double_sided = true;
         with_mirror.materials.push_back(mirror);
         const auto number = std::uint32_t(with_mirror.materials.size() - 1);

@@ -101,6 +101,35 @@ TEST(Raytrace, ChannelsAreThoseOfTheSoftEngine) {
     EXPECT_LT(overdraw, 100) << "at silhouettes";
 }
 
+TEST(Raytrace, TheChannelsOfLightHoldTheColorInShadowsToo) {
+    Scene scene;
+    scene.materials = {test::matte()};
+    test::add_object(scene, test::square_mesh(0, 4), lying(0));
+    test::add_object(scene, test::square_mesh(0, 0.5f), lying(2));
+    scene.lights = {{.type = LightType::point, .position = {0, 4, 0}, .ambient = {0.25f, 0.25f, 0.25f}}};
+    const RenderSettings settings{.width = 60, .height = 40, .channels = channels_lighting, .shadows = true};
+    const Frame f = traced(scene, from_above(), settings);
+    int dark = 0;
+    for (std::size_t i = 0; i < f.color.size(); ++i) {
+        if (f.ambient[i] == vec3{}) continue;
+        dark += f.diffuse[i] == vec3{};
+        const vec3 sum = f.ambient[i] + f.diffuse[i] + f.specular[i] + f.emission[i];
+        ASSERT_NEAR(length(sum - f.color[i].xyz()), 0, 1e-5) << i;
+    }
+    EXPECT_GT(dark, 10);
+}
+
+TEST(Raytrace, DataAloneIsThatBesideColors) {
+    Context context;
+    const Scene scene = load("builtin:torus", {}, context);
+    RenderSettings settings{.width = 60, .height = 40, .channels = channel_depth | channel_normal | channel_object};
+    const Frame both = traced(scene, from_above(), settings);
+    settings.colors = false;
+    const Frame alone = traced(scene, from_above(), settings);
+    EXPECT_TRUE(both.depth == alone.depth && both.normal == alone.normal && both.object == alone.object);
+    for (const vec4& c : alone.color) ASSERT_EQ(c, settings.background);
+}
+
 TEST(Raytrace, HasTheSameBitsForAnyThreadsAndWindows) {
     Context context;
     const Scene scene = knight(context);

@@ -34,12 +34,8 @@ double off(const ExactShape& s, dvec3 p) {
     return 0;
 }
 
-const ExactShape shapes[] = {{Kind::sphere, 1.5},
-                             {Kind::cylinder, 0.7, 0, 2.5},
-                             {Kind::cone, 0.9, 0, 1.6},
-                             {Kind::torus, 1.2, 0.4},
-                             {Kind::torus, 1, 0.001},
-                             {Kind::torus, 1, 1},
+const ExactShape shapes[] = {{Kind::sphere, 1.5},         {Kind::cylinder, 0.7, 0, 2.5}, {Kind::cone, 0.9, 0, 1.6},
+                             {Kind::torus, 1.2, 0.4},     {Kind::torus, 1, 0.001},       {Kind::torus, 1, 1},
                              {Kind::plane, 0, 0, 0, 2, 3}};
 
 class Shapes : public testing::TestWithParam<ExactShape> {
@@ -62,7 +58,8 @@ TEST_P(Shapes, MeetingsLieOnTheSurfaceAndTellTheSide) {
             ASSERT_LE(hits.at[std::size_t(std::max(k - 1, 0))].t, hit.t);
             const dvec3 n = normalize_or(outward(s, hit.face, p), dvec3{});
             ASSERT_NEAR(length(n), 1, 1e-9);
-            if (s.kind != Kind::plane && s.tube_radius != 1 && std::fabs(dot(n, direction)) > 1e-3 * length(direction)) {
+            if (s.kind != Kind::plane && s.tube_radius != 1 &&
+                std::fabs(dot(n, direction)) > 1e-3 * length(direction)) {
                 const double step = 1e-6 * (1 + s.tube_radius);
                 ASSERT_GT(off(s, p + n * step), off(s, p - n * step)) << "outward";
             }

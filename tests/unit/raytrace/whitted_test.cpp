@@ -50,7 +50,8 @@ struct Eye {
 vec3 seen(Scene scene, const Eye& eye, RenderSettings settings = {}) {
     scene.lights = {{.type = LightType::ambient, .ambient = {0, 0, 0}}};
     Camera camera;
-    camera.to_world = look_at(eye.from, eye.to, std::fabs(eye.to.y - eye.from.y) > 1e-3 ? dvec3{0, 0, 1} : dvec3{0, 1, 0});
+    camera.to_world =
+        look_at(eye.from, eye.to, std::fabs(eye.to.y - eye.from.y) > 1e-3 ? dvec3{0, 0, 1} : dvec3{0, 1, 0});
     camera.vertical_fov_rad = 1e-4;
     camera.z_near = 1e-4, camera.z_far = 1e4;
     settings.width = settings.height = 1;
@@ -67,7 +68,8 @@ double fresnel(double cosine, double eta) {
     const double sine = eta * std::sqrt(1 - cosine * cosine);
     if (sine >= 1) return 1;
     const double behind = std::sqrt(1 - sine * sine);
-    const double s = (eta * cosine - behind) / (eta * cosine + behind), p = (eta * behind - cosine) / (eta * behind + cosine);
+    const double s = (eta * cosine - behind) / (eta * cosine + behind),
+                 p = (eta * behind - cosine) / (eta * behind + cosine);
     return 0.5 * (s * s + p * p);
 }
 
@@ -102,7 +104,7 @@ void add_slab(Scene& scene, std::uint32_t material, double size, double thicknes
 TEST(Whitted, AMirrorShowsWhatStandsInFrontOfIt) {
     Scene scene;
     scene.materials = {mirror(0.75f), glowing({0.5f, 0.25f, 1})};
-    test::add_object(scene, test::square_mesh(0, 5));                                   // in z = 0
+    test::add_object(scene, test::square_mesh(0, 5));                                  // in z = 0
     test::add_object(scene, test::square_mesh(1, 0.5f), translation(dvec3{4, 0, 3}));  // parallel to it
     for (const double x : {1.01, 1.7, 2.3, 2.99}) {
         // From (x0, 0, 5) over (x, 0, 0) to z = 3: at 4 +- 0.5 where it comes from the mirror image of the eye.
@@ -308,7 +310,8 @@ TEST(Whitted, HasTheSameBitsForAnyThreadsAndWindows) {
     const Frame part = drawn(2);
     for (int y = 0; y < 50; ++y)
         for (int x = 0; x < 60; ++x)
-            ASSERT_EQ(part.color[std::size_t(y * 60 + x)], one.color[std::size_t((y + 11) * 90 + x + 13)]) << x << " " << y;
+            ASSERT_EQ(part.color[std::size_t(y * 60 + x)], one.color[std::size_t((y + 11) * 90 + x + 13)])
+                << x << " " << y;
 }
 
 /// Scenes that no eye has seen: a picture comes all the same, finite, and soon.

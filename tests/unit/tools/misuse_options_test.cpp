@@ -106,6 +106,11 @@ const WrongSettings wrong_settings[] = {
     {"NoVisibility", [](auto& s) { s.visibility = no_such<Visibility>(); }, "there is no visibility 99"},
     {"NoInterpolation", [](auto& s) { s.interpolation = no_such<AttributeInterpolation>(); },
      "there is no interpolation 99"},
+    {"NoMethod", [](auto& s) { s.method = no_such<RayMethod>(); }, "there is no method 99"},
+    {"NegativeDepth", [](auto& s) { s.max_depth = -1; }, "the depth of rays"},
+    {"LargeDepth", [](auto& s) { s.max_depth = 65; }, "the depth of rays"},
+    {"NaiveReflections", [](auto& s) { s.naive = true; }, "is for the method cast"},
+    {"NanLimit", [](auto& s) { s.naive_limit = double(nan_f); }, "must be 0 or more"},
     {"NoPointShape", [](auto& s) { s.points = no_such<PointShape>(); }, "there is no shape of points 99"},
     {"NoRule",
      [](auto& s) {
