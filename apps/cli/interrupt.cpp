@@ -20,6 +20,7 @@ constexpr int patience_us = 300'000;
 std::atomic<Context*> running{nullptr};
 std::atomic<const char*> last_words{""};
 std::atomic<int> interrupted{0};  // the signal
+std::atomic<bool> may_finish{false};
 constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 static_assert(std::atomic<Context*>::is_always_lock_free, "a signal handler may use it");
 
@@ -42,7 +43,7 @@ void cancel_running(int signal) {
     interrupted = signal;
     if (Context* context = running.load()) context->cancel();
     std::signal(signal, end_at_once);
-    set_alarm(patience_us);
+    if (!may_finish) set_alarm(patience_us);
 }
 
 }  // namespace
@@ -66,6 +67,8 @@ CancelOnInterrupt::~CancelOnInterrupt() {
 }
 
 bool CancelOnInterrupt::happened() { return interrupted != 0; }
+
+void CancelOnInterrupt::let_finish() { may_finish = true; }
 
 void CancelOnInterrupt::die_of_signal() {
     if (const int signal = interrupted) {

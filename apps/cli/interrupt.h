@@ -21,6 +21,9 @@ public:
     /// Whether a signal came at any time: no further file is to be begun.
     static bool happened();
 
+    /// From now on what is interrupted may take its time to finish, as files that are kept; a second signal still ends it at once.
+    static void let_finish();
+
     /// Ends the program by the signal that came, so that a shell sees it and stops its loop too; returns where none came.
     static void die_of_signal();
 

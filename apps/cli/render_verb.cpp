@@ -37,7 +37,9 @@ Command render_command() {
 
 int run_render(const Run& run) {
     std::vector<InputRequest> requests = picture_requests(run);
-    for (InputRequest& input : requests) input.picture.keep_partial = run.given.has("keep-partial");
+    const bool keeps_partial = run.given.has("keep-partial");
+    for (InputRequest& input : requests) input.picture.keep_partial = keeps_partial;
+    if (keeps_partial) CancelOnInterrupt::let_finish();
     check_requests(requests);
     std::vector<PictureRow> rows;
     int worst = 0;
@@ -52,7 +54,7 @@ int run_render(const Run& run) {
         const int code = run_input(run, input, row, [&](Context& c) { row.result = render_picture(request, c); });
         if (code == 0) print_note(summary(row.result), run.loudness);
         if (code == 0 && run.given.has("stats") && !run.is_json) print_text(stats_text(row.result));
-        worst = std::max(worst, code == 0 && row.result.done < 1 ? 1 : code);
+        worst = std::max(worst, code);
     }
     if (run.is_json) print_data(to_json(rows));
     return worst;

@@ -69,6 +69,7 @@ def make_inputs(program, folder):
 
 def cases():
     """What is run, in words; OUT is replaced by the output's name."""
+    glass = ROOT / "data/rays/glass.scene.toml"
     head, brick = ROOT / "data/head/head.obj", ROOT / "data/maps/brick_height.png"
     subdivided = f"{head} --subdivide 4 --max-memory 16G"
     displaced = f"builtin:sphere --bump displacement --height-map {brick} --displacement-edge 0.0005 --displacement-triangles 10000000 --max-memory 16G"
@@ -88,6 +89,10 @@ def cases():
         render builtin:teapot -o OUT.jpg --resolution 16000,12000
         render builtin:teapot -o OUT.webp --resolution 12000,9000
         render builtin:teapot -o OUT.png --resolution 8000,6000 --samples 8 --shadows
+        render mesh.glb -o OUT.png --engine trace
+        render {glass} -o OUT.png --resolution 4000,3000 --max-depth 64
+        render {glass} -o OUT.exr --resolution 4000,3000 --channels all
+        render mesh.ply -o OUT.png --engine trace --method cast --naive --naive-limit 1e18
         smooth mesh.glb -o OUT.glb
         smooth mesh.glb -o OUT.ply --weld-distance 0.0001
         smooth mesh.ply -o OUT.glb

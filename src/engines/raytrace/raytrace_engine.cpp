@@ -49,7 +49,7 @@ void check_naive(const NaiveScan& naive, const RenderSettings& settings, const W
     char text[160];
     std::snprintf(text, sizeof text, "%.3g rays and %llu triangles are %.3g tests, about %.1f hours of one processor",
                   rays, static_cast<unsigned long long>(naive.triangles()), tests, tests / tests_a_second / 3600);
-    throw Error(ErrorCode::usage, text, {}, "make the picture smaller, or let the limit be higher")
+    throw Error(ErrorCode::usage, text, {}, "make the picture smaller, or 'naive-limit' higher")
         .about("naive", {"naive-limit"});
 }
 
