@@ -159,8 +159,7 @@ void drop_shapes(Scene& scene, const std::set<const void*>& kept, const PrepareO
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.shape) continue;
         const NormalRule rule = normal_rule(scene, mesh, options.normals);
-        const bool is_flat = !rule.keeps_given && rule.scope == Scope::face;
-        if (options.tessellate || is_flat || !kept.contains(mesh.positions.identity())) mesh.shape.reset();
+        if (options.tessellate || !rule.keeps_given || !kept.contains(mesh.positions.identity())) mesh.shape.reset();
     }
 }
 /// Of those that have a shape.

@@ -24,6 +24,10 @@ bool are_prepared_alike(const Scene& a, const Scene& b) {
            a.missing_normals_are_flat == b.missing_normals_are_flat && a.source == b.source;
 }
 
+std::string counted(std::size_t count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 /// What a rasterizer does not show of the materials.
 void remark_missing_rays(const Scene& scene, const Engine& engine, Report& report) {
     if (engine.abilities().rays) return;
@@ -41,10 +45,11 @@ void remark_missing_rays(const Scene& scene, const Engine& engine, Report& repor
     }
     const std::string tail = ": engine " + engine.name() + " shows the surface alone, --engine trace follows rays";
     if (open > 0)
-        report.add(Remark::dropped, scene.source, "",
-                   "light goes through " + std::to_string(open) + " materials" + tail, {"engine"});
+        report.add(Remark::dropped, scene.source, "", "light goes through " + counted(open, "material") + tail,
+                   {"engine"});
     if (mirrors > 0)
-        report.add(Remark::note, scene.source, "", std::to_string(mirrors) + " materials mirror" + tail, {"engine"});
+        report.add(Remark::note, scene.source, "",
+                   counted(mirrors, "material") + (mirrors == 1 ? " mirrors" : " mirror") + tail, {"engine"});
 }
 
 }  // namespace

@@ -43,6 +43,9 @@ struct MaterialFactors {
     float attenuation[3];  ///< [1/m] of light in the body
 };
 
+inline constexpr float widest_mirror =
+    0.1f;  ///< roughness up to which a GGX lobe is a mirror to rays that are followed
+
 /// Mirror of scene.h.
 enum MirrorNumber : int32_t { mirror_none, mirror_constant, mirror_fresnel };
 

@@ -17,6 +17,9 @@ struct Media {
     std::uint32_t count = 0;
 
     std::uint32_t innermost() const { return count > 0 ? material[count - 1] : no_index; }
+    bool holds(std::uint32_t body) const {
+        return std::find(material.begin(), material.begin() + count, body) != material.begin() + count;
+    }
     /// Where they are too many, the outermost is forgotten.
     void enter(std::uint32_t body) {
         if (count == most) std::shift_left(material.begin(), material.end(), 1), --count;

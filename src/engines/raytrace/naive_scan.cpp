@@ -62,14 +62,8 @@ Meeting NaiveScan::first(vec3 origin, vec3 direction, float from, float to, cons
         }
     }
     for (const std::uint32_t draw : shapes_) {
-        const PlacedShape& placed = *rays_.shape_of(draw);
-        const dvec3 at = transform_point(placed.to_object, o), along = transform_direction(placed.to_object, d);
-        const ShapeHits hits = meet(placed.shape, at, along);
-        for (int i = 0; i < hits.count; ++i) {
-            const ShapeHit& hit = hits.at[std::size_t(i)];
-            const bool is_against = dot(outward(placed.shape, hit.face, at + along * hit.t), along) < 0;
-            offer({draw, hit.face, float(hit.t), is_against != placed.is_mirrored});
-        }
+        const Meeting m = first_on_shape(*rays_.shape_of(draw), origin, direction, from, nearest.t, wanted);
+        if (m.draw != no_index) nearest = m;
     }
     return nearest.draw == no_index ? Meeting{} : nearest;
 }

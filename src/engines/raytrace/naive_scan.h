@@ -3,6 +3,7 @@
 // worth, and a second opinion on what rays meet.
 #pragma once
 #include <atomic>
+#include <vector>
 
 #include "engines/raytrace/ray_scene.h"
 
@@ -14,6 +15,7 @@ public:
     NaiveScan(const shading::DrawList& list, const RayScene& rays, Context& context);
 
     std::uint64_t triangles() const { return corners_.size() / 3; }
+    std::uint64_t surfaces() const { return triangles() + shapes_.size(); }  ///< tests that a ray needs
     /// Of rays with triangles or shapes, so far.
     std::uint64_t tests() const { return tests_; }
 

@@ -172,12 +172,14 @@ RTCGeometry triangles_of(RTCDevice device, const float* positions, std::uint64_t
     return geometry;
 }
 
-float reach_of(const Bounds& bounds) {
-    const dvec3 half = (bounds.high - bounds.low) * 0.5;
-    return float(std::max({half.x, half.y, half.z, 0.0}));
-}
-
 }  // namespace
+
+void RayScene::clear() {
+    if (top_) embree().ReleaseScene(std::exchange(top_, nullptr));
+    crowd_.reset();
+    placements_.clear();
+    shapes_.clear(), shape_numbers_.clear(), shapes_charge_ = {};
+}
 
 void RayScene::set(const shading::DrawList& list, Context& context) {
     std::vector<Placement> placements;
@@ -187,14 +189,10 @@ void RayScene::set(const shading::DrawList& list, Context& context) {
         placements.push_back({mesh.positions, mesh.indices, draw.to_world, mesh.shape});
     }
     if (top_ && placements_ == placements) return;
-    placements_.clear();
-    if (top_) embree().ReleaseScene(std::exchange(top_, nullptr));
-    crowd_.reset();
+    clear();
     for (auto& [key, part] : parts_) part->is_used = false;
     origin_ = list.bounds.empty() ? dvec3{} : list.bounds.center();
-    reach_ = list.bounds.empty() ? 0 : reach_of(list.bounds);
     mirrored_.assign(list.draws.size(), false);
-    shapes_.clear(), shape_numbers_.clear(), shapes_charge_ = {};
     std::map<Key, std::uint64_t> triangles;  // in all places
     const auto mesh_of = [&](const shading::Draw& draw) -> const Mesh& { return list.scene.meshes[draw.mesh]; };
     std::map<Key, std::uint64_t> places;
@@ -315,22 +313,26 @@ void RayScene::find_bounds(const RTCBoundsFunctionArguments* args) {
     out.upper_x = float(high.x + slack), out.upper_y = float(high.y + slack), out.upper_z = float(high.z + slack);
 }
 
-/// The nearest meeting that counts.
-Meeting RayScene::find_on_shape(const RTCRay& ray, const RTCIntersectContext* context, std::uint32_t number) const {
-    const PlacedShape& placed = shapes_[number];
-    const RayFilter* const wanted = reinterpret_cast<const RayContext*>(context)->filter;
-    const dvec3 origin = transform_point(placed.to_object, dvec3{ray.org_x, ray.org_y, ray.org_z});
-    const dvec3 direction = transform_direction(placed.to_object, dvec3{ray.dir_x, ray.dir_y, ray.dir_z});
+Meeting first_on_shape(const PlacedShape& placed, vec3 from_place, vec3 along, float from, float to,
+                       const RayFilter* wanted) {
+    const dvec3 origin = transform_point(placed.to_object, cast<double>(from_place));
+    const dvec3 direction = transform_direction(placed.to_object, cast<double>(along));
     const ShapeHits hits = meet(placed.shape, origin, direction);
     for (int i = 0; i < hits.count; ++i) {
         const ShapeHit& hit = hits.at[std::size_t(i)];
         const auto t = float(hit.t);
-        if (!(t > ray.tnear && t < ray.tfar)) continue;
+        if (!(t > from && t < to)) continue;
         const dvec3 normal = outward(placed.shape, hit.face, origin + direction * hit.t);
         const Meeting meeting{placed.draw, hit.face, t, (dot(normal, direction) < 0) != placed.is_mirrored};
         if (!wanted || wanted->counts(meeting)) return meeting;
     }
     return {};
+}
+
+Meeting RayScene::find_on_shape(const RTCRay& ray, const RTCIntersectContext* context, std::uint32_t number) const {
+    const PlacedShape& placed = shapes_[number];
+    return first_on_shape(placed, {ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tnear,
+                          ray.tfar, reinterpret_cast<const RayContext*>(context)->filter);
 }
 
 void RayScene::meet_nearest(const RTCIntersectFunctionNArguments* args) {

@@ -43,6 +43,10 @@ struct PlacedShape {
     bool is_mirrored = false;
 };
 
+/// The nearest meeting with a shape that counts; as RayScene::first().
+Meeting first_on_shape(const PlacedShape& placed, vec3 origin, vec3 direction, float from, float to,
+                       const RayFilter* filter);
+
 class RayScene {
 public:
     explicit RayScene(Isa isa);
@@ -53,10 +57,11 @@ public:
     /// @throws Error bad_file: over the memory budget; failed: cancelled. Then nothing is met
     void set(const shading::DrawList& list, Context& context);
 
+    /// Nothing is met.
+    void clear();
+
     /// Of the world, where Embree's coordinates are 0.
     dvec3 origin() const { return origin_; }
-    /// [m] of the coordinates about it, at most
-    float reach() const { return reach_; }
 
     /// Null: the draw is its triangles.
     const PlacedShape* shape_of(std::uint32_t draw) const;
@@ -109,7 +114,6 @@ private:
     MemoryCharge shapes_charge_;
     std::atomic<std::int64_t> bytes_{0};
     dvec3 origin_{};
-    float reach_ = 0;
 };
 
 }  // namespace rakelight::raytrace

@@ -40,15 +40,21 @@ void add(const RayStats& from, RayStats& to) {
     to.deepest = std::max(to.deepest, from.deepest);
 }
 
-/// Before hours go by. Shadow rays come on top.
-void check_naive(const NaiveScan& naive, const RenderSettings& settings, const Window& window) {
-    const double rays = double(window.width) * window.height * settings.samples,
-                 tests = rays * double(naive.triangles());
+/// Before hours go by: as many rays as there can be.
+void check_naive(const NaiveScan& naive, const RenderSettings& settings, const Window& window,
+                 const std::vector<Light>& lights) {
+    const auto shadows = std::ranges::count_if(lights, [&](const Light& light) {
+        return settings.shadows && light.casts_shadow && light.type != LightType::ambient;
+    });
+    const double pixels = double(window.width) * window.height,
+                 passes = (settings.colors ? settings.samples : 0) + (settings.channels != 0 ? 1 : 0);
+    const double rays = pixels * passes * double(1 + shadows), tests = rays * double(naive.surfaces());
     constexpr double tests_a_second = 2e8;  // of one thread, about
     if (tests <= settings.naive_limit) return;
     char text[160];
-    std::snprintf(text, sizeof text, "%.3g rays and %llu triangles are %.3g tests, about %.1f hours of one processor",
-                  rays, static_cast<unsigned long long>(naive.triangles()), tests, tests / tests_a_second / 3600);
+    std::snprintf(text, sizeof text,
+                  "up to %.3g rays and %llu surfaces are %.3g tests, about %.1f hours of one processor", rays,
+                  static_cast<unsigned long long>(naive.surfaces()), tests, tests / tests_a_second / 3600);
     throw Error(ErrorCode::usage, text, {}, "make the picture smaller, or 'naive-limit' higher")
         .about("naive", {"naive-limit"});
 }
@@ -67,10 +73,15 @@ public:
     void prepare(Scene scene, Context& context) override {
         validate_changes(scene, list_.scene);
         list_ = {};  // what fails from here on leaves an empty scene
-        cpu_shading::DrawList list = cpu_shading::make_draw_list(std::move(scene), textures_, context);
-        cpu_shading::set_environment(list.scene, environments_, list.views, context);
-        rays_.set(list, context);
-        list_ = std::move(list);
+        try {
+            cpu_shading::DrawList list = cpu_shading::make_draw_list(std::move(scene), textures_, context);
+            cpu_shading::set_environment(list.scene, environments_, list.views, context);
+            rays_.set(list, context);
+            list_ = std::move(list);
+        } catch (...) {
+            rays_.clear();
+            throw;
+        }
     }
     const Scene& scene() const override { return list_.scene; }
     void set_lights(std::vector<Light> lights) override {
@@ -85,7 +96,7 @@ public:
         std::optional<NaiveScan> naive;
         if (settings.naive) {
             naive.emplace(list_, rays_, context);
-            check_naive(*naive, settings, window);
+            check_naive(*naive, settings, window, list_.scene.lights);
             picture.naive = &*naive;
         }
         if (!list_.line_draws.empty() && settings.surfaces)

@@ -26,7 +26,7 @@ void take_values(const TracePicture& picture, const Context& context, std::size_
     const std::uint32_t channels = picture.settings.channels;
     HitJob hits = picture.hit_job(s.meetings[std::size_t(s.order[begin])].draw);
     set_hits(begin, end, s, hits);
-    const TileTracer tracer{picture, context, s.counts.rays.shadow};
+    const TileTracer tracer = tracer_of(picture, context, s);
     hits.tracer = &tracer;
     s.channel_values.resize(std::size_t(cpu_shading::channel_planes) * stride);
     ChannelJob job{};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "cpu_shading/make_material_job.h"
 #include "cpu_shading/make_mesh_view.h"
@@ -24,8 +25,8 @@ public:
             for (std::size_t c = 0; c < 3; ++c) numbers_[3 * k + c] = ray[k][c];
     }
     bool counts(const Meeting& meeting) const override {
-        if (picture_.is_filter(meeting.draw)) return is_with_filters;
-        if (picture_.is_blended(meeting.draw)) return false;
+        const bool is_filter = picture_.is_filter(meeting.draw);
+        if (is_filter ? !is_with_filters : picture_.is_blended(meeting.draw)) return false;
         return !picture_.is_masked(meeting.draw) || !picture_.is_cut_out(meeting, {numbers_, 1}, 0);
     }
     RayView ray() const { return {numbers_, 1}; }
@@ -38,23 +39,24 @@ private:
 };
 
 /// One ray to a light.
-vec3 find_light(const TracePicture& picture, vec3 origin, vec3 direction, float to) {
+vec3 find_light(const TracePicture& picture, vec3 origin, vec3 direction, float to, const Media& media) {
     ShadowFilter filter(picture, origin, direction);
     const RayFilter* const holes = picture.has_holes ? &filter : nullptr;
     if (picture.is_blocked(picture.in_rays(origin), direction, 0, to, holes)) return {};
     if (!picture.has_filters) return {1, 1, 1};
     filter.is_with_filters = true;
-    return picture.light_through(filter.ray(), to, filter);
+    return picture.light_through(filter.ray(), to, filter, media);
 }
 
 void find_seen(const void* tracer, ShadowRays* rays) {
     const TileTracer& tile = *static_cast<const TileTracer*>(tracer);
     for (std::int32_t i = 0; i < rays->count; ++i) {
         vec3 seen{1, 1, 1};
-        if (rays->length[i] >= 0 && !(tile.picture.naive && tile.context.cancelled())) {
+        if (rays->length[i] >= 0 && !tile.context.cancelled()) {
             const vec3 origin{rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
             const vec3 direction{rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
-            seen = find_light(tile.picture, origin, direction, rays->length[i]);
+            const Media media = tile.media ? tile.media[tile.hit_ray[rays->first + i]] : Media{};
+            seen = find_light(tile.picture, origin, direction, rays->length[i], media);
             ++tile.shadow_rays;
         }
         for (std::size_t c = 0; c < 3; ++c) rays->seen[c][i] = seen[c];
@@ -74,11 +76,13 @@ bool lets_light_through(const cpu_shading::MaterialView& m) {
 
 /// Some point may: maps multiply roughness, and coats stand above.
 bool mirrors(const cpu_shading::MaterialView& m) {
-    constexpr float widest = 0.1f;  // alpha of RL_MIRROR_ALPHA
     if (m.metallic_roughness == 0)
         return m.mirror != shading::mirror_none && (m.specular[0] > 0 || m.specular[1] > 0 || m.specular[2] > 0);
-    const bool has_map = m.map[role_metallic_roughness].view != nullptr;
-    return has_map || m.roughness <= widest || (m.clearcoat > 0 && m.clearcoat_roughness <= widest);
+    const auto may_mirror = [&m](float roughness, int role) {
+        return roughness <= shading::widest_mirror || m.map[role].view != nullptr;
+    };
+    return may_mirror(m.roughness, role_metallic_roughness) ||
+           (m.clearcoat > 0 && may_mirror(m.clearcoat_roughness, role_clearcoat_roughness));
 }
 
 /// @param eye  about the middle of the ray scene
@@ -131,7 +135,7 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
             job.roughness = cpu_shading::mean_roughness(*job.material);
         }
         if (settings.shadows) job.find_seen = find_seen;
-        job.offset = offset();
+        for (std::size_t c = 0; c < 3; ++c) job.to_rays[c] = eye_[c];
         job.kernel =
             job.lit_at != lit_at_points ? cpu_shading::kernel_every : cpu_shading::kernel_for(job, settings.shadows);
         cutoffs_.push_back(shading::mask_cutoff(list.view(d), job.relief.limit_silhouette));
@@ -174,47 +178,70 @@ bool TracePicture::meets_front(const Meeting& meeting, vec3 direction) const {
     return is_against == culling_[meeting.draw].front_is_negative;
 }
 
-vec3 TracePicture::light_through(const RayView& ray, float to, const RayFilter& filter) const {
+vec3 TracePicture::light_through(const RayView& ray, float to, const RayFilter& filter, Media media) const {
     constexpr int most_surfaces = 64;
     const auto vector = [&ray](std::size_t at) { return vec3{ray.planes[at], ray.planes[at + 1], ray.planes[at + 2]}; };
     const vec3 origin = in_rays(vector(ray_o)), direction = vector(ray_d);
     const float meters = length(direction);
     vec3 light{1, 1, 1};
-    float from = 0;
+    float from = 0, outside = 0;  // on the ray; outside: what lies in no body that is known, up to now
     for (int i = 0; i < most_surfaces && std::max({light.x, light.y, light.z}) > 1e-4f; ++i) {
         const Meeting m = first(origin, direction, from, to, &filter);
+        const float end = m.draw == no_index ? to : m.t, part = (end - from) * meters;
+        if (media.innermost() != no_index)
+            light = light * absorbed(list.materials[media.innermost()].factors, part);
+        else
+            outside += part;
         if (m.draw == no_index) return light;
         light = light * share_through(m, ray);
-        if (!meets_front(m, direction)) light = light * absorbed(list.view(m.draw), (m.t - from) * meters);
         from = m.t * step_behind;
+        const shading::MaterialFactors& surface = list.view(m.draw);
+        const std::uint32_t body = list.draws[m.draw].material;
+        if (surface.is_body == 0) continue;
+        if (meets_front(m, direction)) {
+            media.enter(body);
+        } else if (!media.holds(body)) {  // it began in there, and nobody knew
+            light = light * absorbed(surface, std::exchange(outside, 0.0f));
+        } else {
+            media.leave(body);
+        }
     }
     return {};
 }
 
+namespace {
+
+/// A job of one hit, with room for what kernels read and write past it.
+struct OneHit {
+    std::int32_t ray[batch_padding + 1], triangle[batch_padding + 1];
+    float t[batch_padding + 1], red[batch_padding + 1], green[batch_padding + 1], blue[batch_padding + 1],
+        alpha[batch_padding + 1];
+    HitJob job;
+
+    OneHit(const HitJob& of, const Meeting& meeting, const RayView& planes, std::int32_t number) : job(of) {
+        std::fill(std::begin(ray), std::end(ray), number);
+        std::fill(std::begin(triangle), std::end(triangle), std::int32_t(meeting.triangle));
+        std::fill(std::begin(t), std::end(t), meeting.t);
+        job.count = 1;
+        job.ray = ray, job.triangle = triangle, job.t = t, job.rays = planes;
+        job.red = red, job.green = green, job.blue = blue, job.alpha = alpha;
+    }
+    OneHit(const OneHit&) = delete;
+    OneHit& operator=(const OneHit&) = delete;
+};
+
+}  // namespace
+
 vec3 TracePicture::share_through(const Meeting& meeting, const RayView& planes) const {
-    std::int32_t ray[batch_padding + 1] = {}, triangle[batch_padding + 1];
-    float color[3][batch_padding + 1], t[batch_padding + 1];
-    std::fill(std::begin(triangle), std::end(triangle), std::int32_t(meeting.triangle));
-    std::fill(std::begin(t), std::end(t), meeting.t);
-    HitJob job = jobs_[meeting.draw];
-    job.count = 1;
-    job.ray = ray, job.triangle = triangle, job.t = t, job.rays = planes;
-    job.red = color[0], job.green = color[1], job.blue = color[2];
-    kernels.through(&job);
-    return {color[0][0], color[1][0], color[2][0]};
+    const OneHit hit(jobs_[meeting.draw], meeting, planes, 0);
+    kernels.through(&hit.job);
+    return {hit.red[0], hit.green[0], hit.blue[0]};
 }
 
 bool TracePicture::is_cut_out(const Meeting& meeting, const RayView& planes, std::int32_t ray) const {
-    std::int32_t all_rays[batch_padding + 1], triangles[batch_padding + 1];
-    float alpha[batch_padding + 1], t[batch_padding + 1];
-    std::fill(std::begin(t), std::end(t), meeting.t);
-    std::fill(std::begin(all_rays), std::end(all_rays), ray);
-    std::fill(std::begin(triangles), std::end(triangles), std::int32_t(meeting.triangle));
-    HitJob job = jobs_[meeting.draw];
-    job.count = 1;
-    job.ray = all_rays, job.triangle = triangles, job.t = t, job.rays = planes, job.alpha = alpha;
-    kernels.alpha(&job);
-    return alpha[0] < cutoffs_[meeting.draw];
+    const OneHit hit(jobs_[meeting.draw], meeting, planes, ray);
+    kernels.alpha(&hit.job);
+    return hit.alpha[0] < cutoffs_[meeting.draw];
 }
 
 }  // namespace rakelight::raytrace

@@ -5,6 +5,7 @@
 
 #include "cpu_shading/draw_list.h"
 #include "engines/raytrace/kernels/trace_types.h"
+#include "engines/raytrace/media.h"
 #include "engines/raytrace/naive_scan.h"
 #include "engines/raytrace/ray_scene.h"
 #include "shading/draw_choices.h"
@@ -13,7 +14,6 @@
 
 namespace rakelight::raytrace {
 
-inline constexpr float least_offset = 1e-6f;     ///< of the scene's reach, that rays begin off a surface
 inline constexpr float step_behind = 1 + 4e-6f;  ///< where a ray goes on behind what it met
 
 /// Not to be copied or moved: its parts refer to each other.
@@ -34,8 +34,6 @@ public:
                      : rays.is_blocked(origin, direction, from, to, filter);
     }
 
-    float offset() const { return least_offset * rays.reach(); }  ///< [m] that rays begin off surfaces, at least
-
     /// A job without hits and results.
     HitJob hit_job(std::uint32_t draw) const;
     /// The same for rays that come from a surface, or of hits that rays go on from. @param goes_on  HitJob::next will be set
@@ -55,8 +53,9 @@ public:
     bool is_culled(const Meeting& meeting) const;
     /// Whether a ray meets the front. @param direction  in world axes
     bool meets_front(const Meeting& meeting, vec3 direction) const;
-    /// What surfaces that light goes through leave of it, the body's own absorption too.
-    vec3 light_through(const RayView& ray, float to, const RayFilter& filter) const;
+    /// What surfaces that light goes through, and the bodies behind them, leave of it.
+    /// @param media  that the ray begins in
+    vec3 light_through(const RayView& ray, float to, const RayFilter& filter, Media media) const;
     /// Whether a masked surface is not there. @param ray  into `rays` of the job's planes
     bool is_cut_out(const Meeting& meeting, const RayView& planes, std::int32_t ray) const;
 
@@ -91,6 +90,8 @@ struct TileTracer {
     const TracePicture& picture;
     const Context& context;
     std::uint64_t& shadow_rays;
+    const std::int32_t* hit_ray;  ///< [hits] whose ray it is
+    const Media* media;           ///< [rays] that they are in; null: in none
 };
 
 }  // namespace rakelight::raytrace

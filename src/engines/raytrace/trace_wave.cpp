@@ -47,8 +47,10 @@ void set_etas(const TracePicture& picture, std::uint32_t draw, std::size_t count
     for (std::size_t i = 0; i < count; ++i) {
         Media media = s.wave.is_primary() ? Media{} : s.wave.media[std::size_t(s.hit_ray[i])];
         s.eta_front[i] = index_in(media) / own;
+        // In another body that overlaps this one the ray stays as it is.
+        const float before = media.innermost() == no_index ? own : index_in(media);
         media.leave(body);
-        s.eta_back[i] = own / index_in(media);
+        s.eta_back[i] = before / index_in(media);
     }
     pad(s.eta_front, count), pad(s.eta_back, count);
 }
@@ -79,8 +81,7 @@ void send_on(const TracePicture& picture, const NextView& hit, std::int32_t lobe
     if (!(std::max({weight.x, weight.y, weight.z}) > least_weight)) return;
     const bool goes_through = lobe == lobe_refracted;
     const vec3 place = hit.vector(next_o), normal = hit.vector(next_n);
-    const float offset =
-        std::max(picture.offset(), 4e-7f * std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}));
+    const float offset = hit.number(next_offset);
     NextRay out{};
     put3(out, ray_o, place + normal * (goes_through ? -offset : offset));
     put3(out, ray_d, hit.vector(base + lobe_d));
@@ -123,9 +124,11 @@ void shade_run(const TracePicture& picture, const Context& context, int depth, s
     for (auto* const numbers : {&s.red, &s.green, &s.blue, &s.alpha})
         if (numbers->size() < room) numbers->resize(room);
     job.red = s.red.data(), job.green = s.green.data(), job.blue = s.blue.data(), job.alpha = s.alpha.data();
-    const TileTracer tracer{picture, context, s.counts.rays.shadow};
+    const TileTracer tracer = tracer_of(picture, context, s);
     job.tracer = &tracer;
     NextRays next{};
+    const bool is_blended = picture.is_blended(draw), is_opened = goes_on && picture.is_opened_by_alpha(draw);
+    job.is_opened = is_opened;
     if (goes_on) {
         set_etas(picture, draw, count, s);
         s.next_planes_of_hits.resize(std::size_t(next_planes) * room);
@@ -134,26 +137,29 @@ void shade_run(const TracePicture& picture, const Context& context, int depth, s
     }
     s.counts.not_finite += std::uint64_t(picture.kernels.shade(&job));
     s.counts.shaded += count;
-    const bool is_blended = picture.is_blended(draw), is_opened = goes_on && picture.is_opened_by_alpha(draw);
     for (std::size_t i = 0; i < count; ++i) {
         const auto ray = std::size_t(s.hit_ray[i]);
         const bool is_sound = s.alpha[i] - s.alpha[i] == 0;
-        const float alpha = !is_blended ? 1.0f : is_sound ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f;
+        const float alpha = !is_blended || is_opened ? 1.0f : is_sound ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f;
         const vec3 weight = weight_of(picture, s, ray);
         vec3& sum = s.sum[s.wave.pixel_of(ray)];
         sum = sum + weight * vec3{s.red[i], s.green[i], s.blue[i]} * (s.rest[ray] * alpha);
         if (goes_on)
             for (std::int32_t lobe = 0; lobe < lobe_count; ++lobe)
-                send_on(picture, {s.next_planes_of_hits.data(), room, i}, lobe, ray,
-                        weight * (s.rest[ray] * (is_opened ? 1.0f : alpha)), s);
-        s.rest[ray] *= is_opened ? 0.0f : 1 - alpha;
-        if (!is_blended || s.rest[ray] <= 0) continue;
+                send_on(picture, {s.next_planes_of_hits.data(), room, i}, lobe, ray, weight * (s.rest[ray] * alpha), s);
+        s.rest[ray] *= 1 - alpha;
+        if (s.rest[ray] <= 0) continue;
         s.from[ray] = s.meetings[ray].t * step_behind;
         s.live.push_back(std::int32_t(ray));
     }
 }
 
 }  // namespace
+
+TileTracer tracer_of(const TracePicture& picture, const Context& context, WaveScratch& s) {
+    return {picture, context, s.counts.rays.shadow, s.hit_ray.data(),
+            s.wave.is_primary() ? nullptr : s.wave.media.data()};
+}
 
 Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended) {
     const RayWave& wave = s.wave;
@@ -191,7 +197,7 @@ void follow(const TracePicture& picture, const Context& context, int depth, Wave
         s.live.swap(s.going);
         s.live.clear();
         for (const std::int32_t ray : s.going) {
-            if (picture.naive && context.cancelled()) break;  // one ray may take long
+            if (context.cancelled()) return;
             s.meetings[std::size_t(ray)] = find_first(picture, s, std::size_t(ray), true);
             if (s.meetings[std::size_t(ray)].draw != no_index) s.order.push_back(ray);
         }

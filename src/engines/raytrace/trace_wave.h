@@ -62,6 +62,9 @@ void follow(const TracePicture& picture, const Context& context, int depth, Wave
 /// The nearest surface that a ray of the wave shows. @param with_blended  false: only opaque ones
 Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
 
+/// For the jobs of the hits that set_hits() set.
+TileTracer tracer_of(const TracePicture& picture, const Context& context, WaveScratch& s);
+
 /// The hits of one draw: rays `begin` to `end` of s.order, into the job.
 void set_hits(std::size_t begin, std::size_t end, WaveScratch& s, HitJob& job);
 

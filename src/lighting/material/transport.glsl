@@ -4,7 +4,7 @@
 // Sources: Whitted 1980, "An Improved Illumination Model for Shaded Display", eq. 2 (k_s S + k_t T); glTF's KHR_materials_transmission,
 // KHR_materials_volume; Schlick 1994.
 
-// GGX lobes of at most this alpha are mirrors: two thirds of their light lie within 2 alpha = 1.1 degrees of the mirror direction.
+// GGX lobes of at most this alpha are mirrors: half of their light lies within 2 alpha = 1.2 degrees of the mirror direction.
 #define RL_MIRROR_ALPHA 0.0101f
 
 #define RL_MIRROR_NONE 0

@@ -148,6 +148,20 @@ TEST(Raytrace, HasTheSameBitsForAnyThreadsAndWindows) {
         }
 }
 
+TEST(Raytrace, AfterAPrepareThatFailedThereIsNothing) {
+    const auto engine = make_engine();
+    Context context;
+    engine->prepare(load("builtin:sphere", {}, context), context);
+    Scene scene = knight(context);
+    Context cancelled;
+    cancelled.cancel();
+    EXPECT_THROW(engine->prepare(scene, cancelled), Error);
+    Frame frame;
+    const RenderSettings settings{.width = 30, .height = 20, .channels = channel_object};
+    engine->render(from_above(), settings, frame, context);
+    for (const std::uint32_t object : frame.object) ASSERT_EQ(object, no_index);
+}
+
 TEST(Raytrace, AnEmptyPictureIsTheBackground) {
     const RenderSettings settings{
         .width = 40, .height = 30, .channels = channels_all, .background = {0.2f, 0.4f, 0.6f, 0.5f}};

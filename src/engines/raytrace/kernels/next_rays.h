@@ -9,6 +9,8 @@ namespace rakelight::raytrace::RL_ISA {
 using EveryJob = cpu::Job<cpu::EveryMaterial>;
 using EveryPoint = cpu::PointState<cpu::EveryMaterial>;
 
+static_assert(RL_MIRROR_ALPHA >= shading::widest_mirror * shading::widest_mirror &&
+              RL_MIRROR_ALPHA < 1.02f * shading::widest_mirror * shading::widest_mirror);
 static_assert(shading::mirror_constant == RL_MIRROR_CONSTANT && shading::mirror_fresnel == RL_MIRROR_FRESNEL);
 
 /// What is mirrored and let through at a vector of hits, and what is left of the surface's own light.
@@ -96,6 +98,7 @@ inline void put_lobes(const HitJob& job, const Hits& h, const EveryPoint& s, con
     const UnitRay ray = unit_ray(job, h);
     const vec3 move_x = h.change_of_position(job, 0), move_y = h.change_of_position(job, ray_o_dy - ray_o_dx);
     to.put3(next_o, h.position), to.put3(next_n, plane), to.put(next_side, h.shows_front);
+    to.put(next_offset, h.offset(job, plane));
     to.put3(next_o_dx, move_x), to.put3(next_o_dy, move_y);
     const auto lobe = [&to](int32_t number, vec3 d, vec3 dx, vec3 dy, vec3 weight) {
         const int32_t base = next_lobes + number * lobe_planes;
@@ -143,7 +146,10 @@ inline vec3 straight_through(const EveryJob& job, const Hits& h, EveryPoint& s) 
     if (m.metallic_roughness == 0) return classical_transport(job, s, cosine, one).weights.refracted;
     const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, s.point, s.texels);
     const real transmission = real(m.transmission) * cpu::texel_or_white(job, role_transmission, s.point).x;
-    return lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, 0, cosine, one).refracted;
+    const vec3 share = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, 0, cosine, one).refracted;
+    if (m.blend == 0) return share;
+    const real alpha = clamp(s.base.color.w, real(0.0f), real(1.0f));
+    return vec3(one - alpha) + share * alpha;  // what the surface does not cover passes whole
 }
 
 }  // namespace rakelight::raytrace::RL_ISA

@@ -39,14 +39,15 @@ struct SeenByRays {
         const vec3 to_light = is_far ? -splat(from.direction) : splat(from.position) - at;
         const vec3 n = safe_normalize(h.normal);
         const real side = select(dot(n, to_light) < real(0.0f), real(-1.0f), real(1.0f));
-        const real offset = max(real(job.offset), largest_component(h.position) * real(4e-7f));
         float origin[3][lanes], direction[3][lanes], length[lanes], seen[3][lanes];
         const auto put = [](float(&to)[3][lanes], vec3 v) { store(to[0], v.x), store(to[1], v.y), store(to[2], v.z); };
-        put(origin, at + n * (side * offset));
+        put(origin, at + n * (side * h.offset(job, n)));
         put(direction, to_light);
         store(length, select(light.attenuation > real(0.0f), real(is_far ? __builtin_inff() : 1.0f), real(-1.0f)));
+        const int32_t first = source.first + k * lanes;
+        for (int32_t lane = job.count - first; lane < lanes; ++lane) length[lane] = -1.0f;
         ShadowRays rays = {lanes,
-                           i,
+                           first,
                            {origin[0], origin[1], origin[2]},
                            {direction[0], direction[1], direction[2]},
                            length,
@@ -77,6 +78,9 @@ inline int32_t shade_hits(const HitJob& job) {
             if (job.next != nullptr) find_next(material, job, source.hits[0], first, b.of[0]);
         vec3 radiance[most];
         cpu::find_radiance(material, source, b, SeenByRays<Kind, most>{job, source}, radiance);
+        if constexpr (Kind::has_bump_choices)
+            if (job.is_opened != 0)
+                radiance[0] = radiance[0] * clamp(cpu::alpha_of(material, b.of[0]), real(0.0f), real(1.0f));
         for (int32_t k = 0; k < b.count; ++k) {
             const int32_t at = first + k * lanes;
             const vec3 color = cpu::behind_fog(material, b.of[k].point.position - source.hits[k].origin, radiance[k]);

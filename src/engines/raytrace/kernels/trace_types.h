@@ -34,10 +34,10 @@ struct RayView {
 /// Whether light reaches points: a ray each, from `origin` (about the eye) along `direction`, up to `length` times that.
 struct ShadowRays {
     int32_t count;
-    int32_t light;  ///< into HitJob::lights
+    int32_t first;  ///< of the hits whose rays these are, into HitJob::ray
     const float* origin[3];
     const float* direction[3];
-    const float* length;  ///< may be infinity; < 0: nothing is to be found out
+    const float* length;  ///< may be infinity; < 0: nothing is to be found out, or there is no such hit
     float* seen[3];       ///< [count] out: 0..1 of red, green, blue
 };
 
@@ -47,8 +47,9 @@ enum NextPlaneNumber : int32_t {
     next_n = 3,     ///< unit normal of the surface's plane, on the side that is seen
     next_o_dx = 6,  ///< change of the place from pixel to pixel
     next_o_dy = 9,
-    next_side = 12,  ///< 1: the front is seen, -1: the back
-    next_lobes = 13,
+    next_side = 12,    ///< 1: the front is seen, -1: the back
+    next_offset = 13,  ///< [m] by which rays begin off the surface
+    next_lobes = 14,
 };
 enum LobeNumber : int32_t { lobe_reflected, lobe_coat, lobe_refracted, lobe_count };
 enum LobePlaneNumber : int32_t {
@@ -95,8 +96,9 @@ struct HitJob : MaterialJob {
     float roughness;        ///< of corners: of the material, with the mean of its map
     void (*find_seen)(const void* tracer, ShadowRays* rays);  ///< null: nothing is in shadow
     const void* tracer;
+    int32_t is_opened;     ///< 1: alpha thins the surface's own light, before the fog
     const NextRays* next;  ///< null: no ray goes on
-    float offset;          ///< [m] by which shadow rays begin off the surface, at least
+    float to_rays[3];      ///< from the eye to where Embree's coordinates are 0, negated: place about the eye + this
     float* red;            ///< [count] out, linear, finite
     float* green;
     float* blue;
