@@ -249,7 +249,6 @@ protected:
         ::setenv("RAKELIGHT_GL_CACHE", "off", 1);
     }
     virtual const char* engine() const { return "gl"; }
-    virtual double least_db() const { return 1e9; }  ///< where a scene asks for more
     void SetUp() override {
         try {
             make_engine(engine());
@@ -283,7 +282,7 @@ protected:
         RecordProperty("psnr_db_of_all", std::to_string(all.psnr_db()));
         EXPECT_GE(inside.share(), limits.share) << "of " << inside.pixels << " interior pixels";
         EXPECT_LE(inside.rmse(), limits.rmse);
-        EXPECT_GE(all.psnr_db(), limits.psnr_db > 0 ? std::min(limits.psnr_db, least_db()) : 0);
+        EXPECT_GE(all.psnr_db(), limits.psnr_db);
     }
 };
 
@@ -308,8 +307,6 @@ TEST_P(ParityOfEs, OpenGlDrawsWhatTheSoftEngineDraws) {
 class ParityOfRays : public Parity {
 protected:
     const char* engine() const override { return "trace"; }
-    /// Every sample is lit, where soft lights a triangle once a pixel: textures are a little sharper.
-    double least_db() const override { return 43; }
 };
 
 TEST_P(ParityOfRays, TracedPicturesAreThoseOfTheSoftEngine) {

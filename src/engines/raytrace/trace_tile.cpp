@@ -156,6 +156,9 @@ void trace_tile(const TracePicture& picture, const Window& area, const Context& 
     } else if (positions.size() == 1) {
         trace_sample(picture, area, positions[0], context, s.color, s);
     } else {
+        make_primary(picture, area, {0, 0}, s);
+        s.centers = s.wave.planes;
+        std::swap(s.wave, s.primary);
         s.sample_colors.assign(count * positions.size(), vec4{});
         for (std::size_t k = 0; k < positions.size(); ++k) {
             trace_sample(picture, area, positions[k], context, s.color, s);

@@ -120,6 +120,10 @@ void shade_run(const TracePicture& picture, const Context& context, int depth, s
     const bool goes_on = depth < picture.max_depth && picture.goes_on(draw);
     HitJob job = picture.hit_job(draw, !s.wave.is_primary(), goes_on);
     set_hits(begin, end, s, job);
+    // Mirrors and shadows are found at each sample.
+    const bool is_shaded_once = s.wave.is_primary() && picture.settings.samples > 1 && !picture.settings.shadows &&
+                                !goes_on && job.shape.kind == shape_none;
+    if (is_shaded_once) job.rays = {s.centers.data(), std::int32_t(s.wave.stride)};
     const std::size_t room = count + batch_padding;
     for (auto* const numbers : {&s.red, &s.green, &s.blue, &s.alpha})
         if (numbers->size() < room) numbers->resize(room);

@@ -43,6 +43,9 @@ struct RayCounts {
 /// What following rays needs, and gives.
 struct WaveScratch {
     RayWave wave;
+    /// Planes of rays through the pixels' centers, where a pixel has more samples than one: what is shaded once a triangle and pixel,
+    /// as by rasterizers, is shaded there.
+    std::vector<float> centers;
     std::vector<Meeting> meetings;          ///< [rays]
     std::vector<float> from;                ///< [rays] where they begin
     std::vector<float> rest;                ///< [rays] what is not covered yet
