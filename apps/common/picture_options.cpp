@@ -19,7 +19,7 @@ constexpr Entry entries[] = {
     {output, "window", "X,Y,W,H", "Draw and write only this part of the picture; 0,0 is the top left pixel"},
     {output, "samples", "N",
      "Samples a pixel: 1 (default), 4 or 8 make edges smooth; surfaces are shaded once a pixel, by trace at each "
-     "sample"},
+     "sample where rays go on or shadows are"},
     {output, "anisotropy", "N",
      "Texture samples along a pixel's longer side, 1 (default) to 16: sharp at grazing angles"},
     {output, "background", "COLOR", "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent"},
