@@ -10,13 +10,15 @@ std::string rays_text(const std::string& name, const RayStats& rays) {
     const struct {
         const char* what;
         std::uint64_t count;
+        bool is_rare = false;
     } rows[] = {{"primary rays", rays.primary},          {"shadow rays", rays.shadow},
                 {"reflected rays", rays.reflected},      {"refracted rays", rays.refracted},
-                {"dropped rays", rays.dropped},          {"deepest ray", std::uint64_t(rays.deepest)},
-                {"triangle tests", rays.triangle_tests}, {"bytes of the ray tree", rays.scene_bytes}};
+                {"dropped rays", rays.dropped, true},          {"deepest ray", std::uint64_t(rays.deepest)},
+                {"triangle tests", rays.triangle_tests, true}, {"bytes of the ray tree", rays.scene_bytes}};
     std::string text;
     char line[80];
     for (const auto& row : rows) {
+        if (row.count == 0 && row.is_rare) continue;
         std::snprintf(line, sizeof line, "%-21s %12llu\n", row.what, static_cast<unsigned long long>(row.count));
         text += name + line;
     }
@@ -49,12 +51,16 @@ std::string stats_text(const PictureResult& result) {
     const std::string name = one_line(result.output) + ": ";
     std::string text;
     char line[80];
+    const bool is_traced = s.rays.all() > 0;  // rays know nothing of clipping and depth
     for (const auto& row : rows) {
+        if (is_traced && row.count == 0) continue;
         std::snprintf(line, sizeof line, "%-21s %12llu\n", row.what, static_cast<unsigned long long>(row.count));
         text += name + line;
     }
-    std::snprintf(line, sizeof line, "%-21s %12.3f\n", "overdraw", s.overdraw());
-    text += name + line;
+    if (!is_traced) {
+        std::snprintf(line, sizeof line, "%-21s %12.3f\n", "overdraw", s.overdraw());
+        text += name + line;
+    }
     if (s.rays.all() > 0) text += rays_text(name, s.rays);
     for (const GpuPass& pass : s.gpu_passes) {
         std::snprintf(line, sizeof line, "GPU: %-16s %12.3f ms\n", pass.name.c_str(), 1e3 * pass.seconds);

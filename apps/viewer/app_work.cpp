@@ -204,6 +204,7 @@ void App::explain_at(int x, int y) {
                        y](Context& context) -> Background::Finish {
         const Scene scene = with_edits(model->scene, edits, context);
         std::string text = to_text(*explain(scene, request, x, y, context));
+        if (request.engine == "trace") text = "as engine soft draws it, without rays that go on:\n\n" + text;
         return [this, file = model->file, text = std::move(text)] {
             ui_.explained = with_short_paths(text, file);
             ui_.open[std::size_t(Panel::pixel)] = true, ui_.are_panels_hidden = false;

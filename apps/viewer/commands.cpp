@@ -134,9 +134,10 @@ void step_channel(Look& look, int by) {
 
 void next_engine(PictureRequest& request) {
     const std::vector<std::string> all = build_info().engines;
-    request.engine = *(std::ranges::find(all, request.engine) == std::prev(all.end())
-                           ? all.begin()
-                           : std::next(std::ranges::find(all, request.engine)));
+    choose_engine(*(std::ranges::find(all, request.engine) == std::prev(all.end())
+                        ? all.begin()
+                        : std::next(std::ranges::find(all, request.engine))),
+                  request);
 }
 
 bool apply_to_picture(Command command, Look& look, const Model& model) {
@@ -185,6 +186,11 @@ bool apply_to_picture(Command command, Look& look, const Model& model) {
 }
 
 }  // namespace
+
+void choose_engine(const std::string& name, PictureRequest& request) {
+    request.engine = name;
+    if (name == "trace") request.settings.shadows = true;
+}
 
 bool apply(Command command, Look& look, const Model& model, int width, int height) {
     return apply_to_view(command, look, model, width, height) || apply_to_picture(command, look, model);

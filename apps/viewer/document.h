@@ -82,6 +82,9 @@ std::vector<std::string> files_of(const Look& look);
 /// A fresh look at a model: as its request says.
 Look first_look(const Model& model);
 
+/// Another engine; rays have shadows by nature, as where `engine` is said.
+void choose_engine(const std::string& name, PictureRequest& request);
+
 /// What a command does to a look; false: it is not about looks. @throws Error usage
 bool apply(Command command, Look& look, const Model& model, int width, int height);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Engine, shading frequency, lighting model, bump technique, channels, lines, tone.
+#include "document.h"
 #include "panels.h"
 #include "shown_path.h"
 #include "widgets.h"
@@ -80,7 +81,7 @@ void draw_shading_panel(PanelView& view) {
     RenderSettings& s = r.settings;
     if (ImGui::BeginCombo("engine", r.engine.c_str())) {
         for (const std::string& name : build_info().engines)
-            if (ImGui::Selectable(name.c_str(), name == r.engine)) r.engine = name;
+            if (ImGui::Selectable(name.c_str(), name == r.engine)) choose_engine(name, r);
         ImGui::EndCombo();
     }
     draw_channels(view);

@@ -110,7 +110,7 @@ struct ClassicalParameters {
     bool is_normalized = false;
     Mirror mirror = Mirror::none;  ///< MTL illum 3, 4, 6: constant; 5, 7: fresnel. Engine trace only, as the next two
     vec3 transmission{0, 0, 0};    ///< k_t, linear (MTL Tf with illum 4, 6, 7); of blended surfaces times 1 - alpha
-    float refraction_index = 1;    ///< MTL Ni with illum 6 and 7; 1: rays go straight on
+    float refraction_index = 0;    ///< of a body (MTL Ni with illum 6 and 7); 0: a thin wall, rays go straight on
     bool operator==(const ClassicalParameters&) const = default;
 };
 

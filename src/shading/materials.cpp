@@ -48,8 +48,8 @@ void add_transport(const Material& m, MaterialFactors& v) {
     if (m.model == MaterialModel::classical) {
         v.mirror = std::int32_t(m.classical.mirror);
         copy(v.filter, m.classical.transmission);
-        v.refraction = m.classical.refraction_index;
-        v.is_body = v.refraction != 1;
+        v.is_body = m.classical.refraction_index > 0;
+        if (v.is_body) v.refraction = m.classical.refraction_index;
     }
     if (m.model != MaterialModel::metallic_roughness) return;
     v.is_body = m.metallic_roughness.thickness > 0;

@@ -51,10 +51,13 @@ void check_naive(const NaiveScan& naive, const RenderSettings& settings, const W
     const double rays = pixels * passes * double(1 + shadows), tests = rays * double(naive.surfaces());
     constexpr double tests_a_second = 2e8;  // of one thread, about
     if (tests <= settings.naive_limit) return;
+    const double seconds = tests / tests_a_second;
+    const auto [time, unit] = seconds < 120    ? std::pair(seconds, "seconds")
+                              : seconds < 7200 ? std::pair(seconds / 60, "minutes")
+                                               : std::pair(seconds / 3600, "hours");
     char text[160];
-    std::snprintf(text, sizeof text,
-                  "up to %.3g rays and %llu surfaces are %.3g tests, about %.1f hours of one processor", rays,
-                  static_cast<unsigned long long>(naive.surfaces()), tests, tests / tests_a_second / 3600);
+    std::snprintf(text, sizeof text, "up to %.3g rays and %llu surfaces are %.3g tests, about %.3g %s of one processor",
+                  rays, static_cast<unsigned long long>(naive.surfaces()), tests, time, unit);
     throw Error(ErrorCode::usage, text, {}, "make the picture smaller, or 'naive-limit' higher")
         .about("naive", {"naive-limit"});
 }
@@ -102,6 +105,7 @@ public:
         if (!list_.line_draws.empty() && settings.surfaces)
             context.report().add(Remark::warning, list_.scene.source, {},
                                  "lines and points are not drawn: rays do not meet them");
+        note_rough_glass(settings, context.report());
         sink.begin(settings.width, settings.height, window, settings.channels);
         const auto begin = std::chrono::steady_clock::now();
         trace(picture, window, sink, context);
@@ -132,6 +136,16 @@ public:
     }
 
 private:
+    void note_rough_glass(const RenderSettings& settings, Report& report) const {
+        if (settings.method == RayMethod::cast || settings.max_depth == 0) return;
+        const auto is_rough = [](const shading::DrawMaterial& m) {
+            const shading::MaterialFactors& f = m.factors;
+            return m.is_drawn && f.metallic_roughness && f.transmission > 0 && f.roughness > shading::widest_mirror;
+        };
+        if (std::ranges::any_of(list_.materials, is_rough))
+            report.add(Remark::note, list_.scene.source, {}, "rough glass lets light through unspread");
+    }
+
     /// In strips of as many rows as the sink takes.
     void trace(const TracePicture& picture, const Window& window, Sink& sink, Context& context) {
         auto* const strips = dynamic_cast<StripSink*>(&sink);

@@ -209,6 +209,7 @@ void MaterialLibrary::set_alpha(Material& m, const MtlMaterial& source, const Fi
 void MaterialLibrary::set_rays(Material& m, const MtlMaterial& source, Remarks& remarks) {
     const std::int64_t illumination = source.illumination.value_or(2);
     if (illumination < 3 || illumination > 7) return;
+    if (source.ior && *source.ior < 0) remarks.add(Issue::mtl_number, source.line);
     ClassicalParameters& c = m.classical;
     c.mirror = illumination == 5 || illumination == 7 ? Mirror::fresnel : Mirror::constant;
     if (illumination == 3 || illumination == 5) return;

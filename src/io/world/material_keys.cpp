@@ -106,7 +106,7 @@ std::vector<MaterialKey> classical() {
         {{"transmission_color", Kind::color, "classical: k_t, what goes through; engine trace"},
          Of::classical,
          [](C& c) { c.material.classical.transmission = c.color(); }},
-        {{"refraction_index", Kind::number, "classical: of the body (default 1: rays go straight on)", {0.1, 100}},
+        {{"refraction_index", Kind::number, "classical: of a body; without it a thin wall", {0.1, 100}},
          Of::classical,
          [](C& c) { c.material.classical.refraction_index = c.number(); }},
     };

@@ -63,9 +63,9 @@ TEST_F(ObjMaterials, IlluminationModelsFrom3To7SayWhereRaysGoOn) {
     for (const int model : {5, 7}) EXPECT_EQ(of(model).mirror, Mirror::fresnel) << model;
     for (const int model : {3, 5}) EXPECT_EQ(of(model).transmission, vec3{}) << model;
     for (const int model : {4, 6, 7}) EXPECT_EQ(of(model).transmission, linear(0, 0.5f, 1)) << model;
-    for (const int model : {3, 4, 5}) EXPECT_EQ(of(model).refraction_index, 1) << model;
+    for (const int model : {3, 4, 5}) EXPECT_EQ(of(model).refraction_index, 0) << model;
     for (const int model : {6, 7}) EXPECT_EQ(of(model).refraction_index, 1.5f) << model;
-    EXPECT_EQ(of(6, "Ni 0").refraction_index, 1) << "means nothing";
+    EXPECT_EQ(of(6, "Ni 0").refraction_index, 0) << "means nothing";
     EXPECT_EQ(material("illum 4").classical.transmission, vec3{}) << "opaque, without Tf";
     EXPECT_EQ(material("illum 4\nd 0.25").classical.transmission, (vec3{1, 1, 1}));
     EXPECT_TRUE(remarks().empty());

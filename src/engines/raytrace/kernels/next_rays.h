@@ -143,7 +143,10 @@ inline vec3 straight_through(const EveryJob& job, const Hits& h, EveryPoint& s) 
     const real cosine = clamp(dot(n, v), real(0.0f), real(1.0f)), one(1.0f);
     const cpu_shading::MaterialView& m = job.material();
     s.texels = cpu::material_texels(job, s.point);
-    if (m.metallic_roughness == 0) return classical_transport(job, s, cosine, one).weights.refracted;
+    if (m.metallic_roughness == 0) {
+        const float index = m.refraction > 0.0f ? m.refraction : 1.0f;  // straight on, from either side: no total reflection
+        return classical_transport(job, s, cosine, real(index > 1.0f ? 1.0f / index : index)).weights.refracted;
+    }
     const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, s.point, s.texels);
     const real transmission = real(m.transmission) * cpu::texel_or_white(job, role_transmission, s.point).x;
     const vec3 share = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, 0, cosine, one).refracted;
