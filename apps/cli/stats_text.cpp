@@ -11,10 +11,14 @@ std::string rays_text(const std::string& name, const RayStats& rays) {
         const char* what;
         std::uint64_t count;
         bool is_rare = false;
-    } rows[] = {{"primary rays", rays.primary},          {"shadow rays", rays.shadow},
-                {"reflected rays", rays.reflected},      {"refracted rays", rays.refracted},
-                {"dropped rays", rays.dropped, true},          {"deepest ray", std::uint64_t(rays.deepest)},
-                {"triangle tests", rays.triangle_tests, true}, {"bytes of the ray tree", rays.scene_bytes}};
+    } rows[] = {{"primary rays", rays.primary},
+                {"shadow rays", rays.shadow},
+                {"reflected rays", rays.reflected},
+                {"refracted rays", rays.refracted},
+                {"dropped rays", rays.dropped, true},
+                {"deepest ray", std::uint64_t(rays.deepest)},
+                {"triangle tests", rays.triangle_tests, true},
+                {"bytes of the ray tree", rays.scene_bytes}};
     std::string text;
     char line[80];
     for (const auto& row : rows) {

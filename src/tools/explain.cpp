@@ -45,8 +45,9 @@ std::shared_ptr<const ExplainedPixel> explained(const PictureRequest& request, i
         const RenderSettings& s = request.settings;
         const bool follows_rays = s.method != RayMethod::cast && s.max_depth > 0;
         if (request.engine == "trace" && (follows_rays || s.shadows))
-            context.report().add(Remark::warning, request.input, {},
-                                 "the pixel is explained as engine soft draws it: no rays go on from it, and shadows are those of maps");
+            context.report().add(
+                Remark::warning, request.input, {},
+                "the pixel is explained as engine soft draws it: no rays go on from it, and shadows are those of maps");
         const vec3 displayed = ToneCurve(request.tone)(out->pixel.color.xyz());
         out->displayed = {displayed.x, displayed.y, displayed.z, out->pixel.color.w};
         out->codes = codes(out->pixel.color, request.settings.background.w < 1, request.tone);

@@ -148,6 +148,38 @@ TEST(Raytrace, HasTheSameBitsForAnyThreadsAndWindows) {
         }
 }
 
+/// Moved, scaled unevenly, sheared and mirrored: by their formulas they are what fine triangles are.
+TEST(Raytrace, ShapesAreTheirTrianglesUnderAnyAffineTransform) {
+    for (const char* const name : {"sphere", "cylinder", "cone", "torus", "plane"})
+        for (const double mirror : {1.0, -1.0}) {
+            Context context;
+            Scene scene = load(std::string("builtin:") + name + ":tolerance=0.0005", {}, context);
+            dmat4 m = translation(dvec3{0.3, -0.2, 0.1});
+            m[0] = {1.2 * mirror, 0.3, 0, 0}, m[1] = {0.5, 0.9, -0.2, 0}, m[2] = {0, 0.25, 1.4, 0};
+            scene.nodes[0].local.matrix = m;
+            const RenderSettings settings{.width = 120,
+                                          .height = 90,
+                                          .channels = channel_position | channel_normal | channel_object | channel_uv};
+            const Frame exact = traced(scene, from_above(), settings);
+            scene.meshes[0].shape.reset();
+            const Frame fine = traced(scene, from_above(), settings);
+            int both = 0, far = 0, others = 0;
+            for (std::size_t i = 0; i < exact.object.size(); ++i) {
+                others += exact.object[i] != fine.object[i];
+                if (exact.object[i] == no_index || fine.object[i] == no_index) continue;
+                ++both;
+                const vec2 move = exact.uv[i] - fine.uv[i];
+                const bool is_near = length(exact.position[i] - fine.position[i]) < 0.02f &&
+                                     dot(exact.normal[i], fine.normal[i]) > 0.995f &&
+                                     std::fabs(move.x) + std::fabs(move.y) < 0.02f;
+                far += !is_near;
+            }
+            EXPECT_GT(both, 300) << name;
+            EXPECT_LE(others, 12) << name << ": at silhouettes";
+            EXPECT_LE(far, both / 50) << name << ": at silhouettes, rims and the seam of the texture";
+        }
+}
+
 TEST(Raytrace, AfterAPrepareThatFailedThereIsNothing) {
     const auto engine = make_engine();
     Context context;

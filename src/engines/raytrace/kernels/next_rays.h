@@ -144,7 +144,8 @@ inline vec3 straight_through(const EveryJob& job, const Hits& h, EveryPoint& s) 
     const cpu_shading::MaterialView& m = job.material();
     s.texels = cpu::material_texels(job, s.point);
     if (m.metallic_roughness == 0) {
-        const float index = m.refraction > 0.0f ? m.refraction : 1.0f;  // straight on, from either side: no total reflection
+        const float index =
+            m.refraction > 0.0f ? m.refraction : 1.0f;  // straight on, from either side: no total reflection
         return classical_transport(job, s, cosine, real(index > 1.0f ? 1.0f / index : index)).weights.refracted;
     }
     const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, s.point, s.texels);
