@@ -19,7 +19,7 @@ constexpr Entry entries[] = {
     {output, "window", "X,Y,W,H", "Draw and write only this part of the picture; 0,0 is the top left pixel"},
     {output, "samples", "N",
      "Samples a pixel: 1 (default), 4 or 8 make edges smooth; surfaces are shaded once a pixel, by trace at each "
-     "sample where rays go on or shadows are"},
+     "sample where rays go on or shadows are. With --method path (default 64) any number of paths, in passes"},
     {output, "anisotropy", "N",
      "Texture samples along a pixel's longer side, 1 (default) to 16: sharp at grazing angles"},
     {output, "background", "COLOR", "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent"},
@@ -35,10 +35,21 @@ constexpr Entry entries[] = {
      "auto: "
      "gl where there is a GPU"},
     {shading, "method", "NAME",
-     "trace: auto (default: whitted), whitted (mirrors, refraction and shadows by rays), cast (no reflections)"},
+     "trace: auto (default: whitted), whitted (mirrors, refraction and shadows by rays), cast (no reflections), path "
+     "(random paths of light: global illumination, less noisy with --samples)"},
     {shading, "max-depth", "N", "trace: reflections and refractions that a ray goes on after, 0 to 64 (default 8)"},
     {shading, "naive", "", "trace with --method cast: hold every ray against every triangle, as the textbook does"},
     {shading, "naive-limit", "N", "--naive: more tests of rays with triangles are not begun (default 100000000000)"},
+    {shading, "seed", "N", "--method path: another number gives other noise (default 0)"},
+    {shading, "max-seconds", "S", "--method path: no pass begins that would end later than S seconds after the first"},
+    {shading, "noise", "SHARE",
+     "--method path: no pass begins once the estimated error is less than this share of the picture's mean: 0.02"},
+    {shading, "clamp", "VALUE",
+     "--method path: most radiance that a path may bring by indirect light: less noise, darker (default 0: any)"},
+    {shading, "light-sampling", "HOW",
+     "--method path: what shines is both (default), lights (asked at every surface) or materials (met by chance): the "
+     "same picture with other noise"},
+    {shading, "denoise", "", "--method path: smooth the noise along edges; the file's metadata say so"},
     {shading, "shading", "HOW",
      "How often lighting is evaluated: phong (default: at every pixel), gouraud (at every vertex), flat (once a face), "
      "unlit (never: own color only), auto (gouraud where triangles are so small that it hardly differs). For a part: "
@@ -154,7 +165,7 @@ constexpr Entry entries[] = {
     {light, "hdri-rotation", "DEG", "Turns the surroundings about +Y (default 0)"},
     {output, "tone-mapping", "CURVE", "Of 8-bit pictures: none (default: cut off at 1), reinhard, neutral, aces, agx"},
     {output, "exposure", "EV", "Light is multiplied by 2^EV first, -30 to 30 (default 0)"},
-    {light, "light", "SPEC", "A light instead of the model's; may be repeated, see below"},
+    {light, "light", "SPEC", "A light instead of the model's; may be repeated, see below; none: no light at all"},
     {materials, "material", "KEY=VALUE",
      "A key of [[material]] in world files for all materials, as clearcoat=1; may be repeated"},
 };

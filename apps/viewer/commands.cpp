@@ -132,7 +132,10 @@ void step_channel(Look& look, int by) {
     look.channel = now == 0 ? 0 : 1u << (now - 1);
 }
 
+/// Engines one after the other; of one that follows rays its plain method, then paths.
 void next_engine(PictureRequest& request) {
+    if (request.engine == "trace" && request.settings.method != RayMethod::path)
+        return choose_method(RayMethod::path, request);
     const std::vector<std::string> all = build_info().engines;
     choose_engine(*(std::ranges::find(all, request.engine) == std::prev(all.end())
                         ? all.begin()
@@ -143,7 +146,7 @@ void next_engine(PictureRequest& request) {
 bool apply_to_picture(Command command, Look& look, const Model& model) {
     PictureRequest& r = look.request;
     RenderSettings& s = r.settings;
-    constexpr int samples[] = {1, 4, 8};
+    constexpr int samples[] = {1, 4, 8}, path_samples[] = {64, 256, 1024, 4096};
     constexpr ToneMapping tones[] = {ToneMapping::none, ToneMapping::reinhard, ToneMapping::neutral, ToneMapping::aces,
                                      ToneMapping::agx};
     const auto& own = model.scene.environment;
@@ -159,7 +162,8 @@ bool apply_to_picture(Command command, Look& look, const Model& model) {
         case Command::previous_channel:
             return step_channel(look, -1), true;
         case Command::samples:
-            return s.samples = next(samples, s.samples), true;
+            return s.samples = s.method == RayMethod::path ? next(path_samples, s.samples) : next(samples, s.samples),
+                   true;
         case Command::tone:
             return r.tone.mapping = next(tones, r.tone.mapping), true;
         case Command::shadows:
@@ -187,7 +191,14 @@ bool apply_to_picture(Command command, Look& look, const Model& model) {
 
 }  // namespace
 
+void choose_method(RayMethod method, PictureRequest& request) {
+    RenderSettings& s = request.settings;
+    if ((s.method == RayMethod::path) != (method == RayMethod::path)) s.samples = method == RayMethod::path ? 256 : 1;
+    s.method = method;
+}
+
 void choose_engine(const std::string& name, PictureRequest& request) {
+    choose_method(RayMethod::automatic, request);
     request.engine = name;
     if (name == "trace") request.settings.shadows = true;
 }

@@ -82,7 +82,10 @@ std::vector<std::string> files_of(const Look& look);
 /// A fresh look at a model: as its request says.
 Look first_look(const Model& model);
 
-/// Another engine; rays have shadows by nature, as where `engine` is said.
+/// Another way of following rays: paths take many samples.
+void choose_method(RayMethod method, PictureRequest& request);
+
+/// Another engine, by its plain method; rays have shadows by nature, as where `engine` is said.
 void choose_engine(const std::string& name, PictureRequest& request);
 
 /// What a command does to a look; false: it is not about looks. @throws Error usage

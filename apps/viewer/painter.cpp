@@ -2,6 +2,7 @@
 #include "painter.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 
@@ -31,6 +32,30 @@ void note_pace(Pace& pace, const Painting& painting) {
                                                       : painting.ms;
     pace.measured(1e3 * times.front_end, pixels_ms, double(painting.width) * double(painting.height));
 }
+
+/// Keeps a picture, and shows each of its passes.
+class PassSink final : public Sink {
+public:
+    using Show = std::function<void(const Frame& frame, int samples)>;
+    explicit PassSink(Show show) : show_(std::move(show)) {}
+    void begin(int width, int height, Window window, std::uint32_t channels) override {
+        frame_.begin(width, height, window, channels);
+    }
+    void tile(const Tile& tile) override {
+        frame_.tile(tile);
+        if (!tile.samples.empty()) samples_ = tile.samples[0];
+    }
+    void end_pass(int pass) override {
+        frame_.end_pass(pass);
+        if (samples_ > 0) show_(frame_, samples_);
+    }
+    Frame& frame() { return frame_; }
+
+private:
+    Show show_;
+    Frame frame_;
+    std::atomic<int> samples_{0};  ///< 0: the engine does not say
+};
 
 std::vector<std::string> warnings_of(Context& context) {
     std::vector<std::string> warnings;
@@ -154,7 +179,9 @@ void Painter::work(const PaintJob& job) {
     const bool is_coarse_first = job.is_moving || coarse < 0.6;
     if (is_coarse_first && !paint_pass(job, coarse, 1, false)) return;
     if (job.is_moving || is_outdated(job)) return;
-    if (samples > 1 && (!paint_pass(job, 1, 1, false) || is_outdated(job))) return;
+    const bool comes_in_passes =
+        job.look.request.engine == "trace" && job.look.request.settings.method == RayMethod::path;
+    if (samples > 1 && !comes_in_passes && (!paint_pass(job, 1, 1, false) || is_outdated(job))) return;
     paint_pass(job, 1, samples, true);
 }
 
@@ -201,8 +228,22 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
 void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request, Painting& to, Context& context) {
     is_in_gl_ = false;
     const std::uint32_t wished = job.wants_depth ? std::uint32_t(channel_depth) : 0u;
-    Frame frame;
-    to.stats = studio_->draw(job.model, job.look, request, to.camera, wished, frame, context);
+    const auto begin = std::chrono::steady_clock::now();
+    PassSink sink([&](const Frame& frame, int samples) {
+        if (job.look.channel || samples >= request.settings.samples) return;
+        auto painting = std::make_shared<Painting>(to);
+        painting->model = job.model, painting->number = job.number, painting->prepared = studio_->prepared();
+        painting->is_whole = true, painting->stats.rays.samples = samples, painting->ms = ms_since(begin);
+        painting->codes = to_srgb8(frame, request.tone), painting->depth = frame.depth;
+        {
+            const std::scoped_lock lock(mutex_);
+            if (next_) return;
+            painting_ = std::move(painting);
+        }
+        wake_();
+    });
+    to.stats = studio_->draw(job.model, job.look, request, to.camera, wished, sink, context);
+    Frame& frame = sink.frame();
     to.prepared = studio_->prepared();
     to.codes = job.look.channel
                    ? channel_codes(frame, job.look.channel, view_range_of(job.model->box.bounds(), to.camera))

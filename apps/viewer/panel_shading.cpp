@@ -74,6 +74,15 @@ void draw_lines(RenderSettings& s) {
     slide("point size", s.point_size, 1, 32, "%.1f px");
 }
 
+void draw_rays(PictureRequest& r) {
+    constexpr Word<RayMethod> words[] = {
+        {"whitted", RayMethod::automatic}, {"cast", RayMethod::cast}, {"path", RayMethod::path}};
+    RayMethod method = r.settings.method == RayMethod::whitted ? RayMethod::automatic : r.settings.method;
+    if (choose("rays", words, method)) choose_method(method, r);
+    slide("reflections", r.settings.max_depth, 0, 64);
+    if (method == RayMethod::path) ImGui::Checkbox("denoise", &r.settings.paths.denoise);
+}
+
 }  // namespace
 
 void draw_shading_panel(PanelView& view) {
@@ -91,9 +100,12 @@ void draw_shading_panel(PanelView& view) {
         ImGui::TextWrapped("in its place: %s", one_line(shown_path(s.lighting_name), 100).c_str());
     choose("specular", specular_form_words, s.specular_form);
     constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
-    choose("samples", sample_words, s.samples);
+    if (r.engine == "trace") draw_rays(r);
+    if (s.method == RayMethod::path)
+        slide("paths a pixel", s.samples, 1, 4096);
+    else
+        choose("samples", sample_words, s.samples);
     slide("anisotropy", s.anisotropy, 1, 16);
-    if (r.engine == "trace") slide("reflections", s.max_depth, 0, 64);
     constexpr Word<Cull> cull_words[] = {
         {"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
     choose("culling", cull_words, s.cull);

@@ -107,12 +107,14 @@ void draw_splitter(PanelView& view, float width) {
     ImGui::PopStyleVar(2);
 }
 
+std::string counted(int samples) { return std::to_string(samples) + (samples == 1 ? " sample" : " samples"); }
+
 std::string time_text(const Painting& painting) {
     char text[200];
     std::snprintf(text, sizeof text, "%.1f ms  %d x %d  %s%s", painting.ms, painting.width, painting.height,
                   painting.request.engine.c_str(),
                   painting.is_final   ? ""
-                  : painting.is_whole ? "  (1 sample)"
+                  : painting.is_whole ? ("  (" + counted(std::max(painting.stats.rays.samples, 1)) + ")").c_str()
                                       : "  (coarse)");
     return text;
 }

@@ -52,8 +52,9 @@ enum class Visibility : std::uint8_t { z_reversed, z_float, z16, z24, z32, paint
 enum class AttributeInterpolation : std::uint8_t { perspective, screen };
 
 /// How an engine that follows rays does it. Whitted (1980): from every surface on to the lights, into mirrors and through glass.
-/// Cast: primary rays and shadow rays alone. `automatic`: whitted.
-enum class RayMethod : std::uint8_t { automatic, whitted, cast };
+/// Cast: primary rays and shadow rays alone. Path (Kajiya 1986): random paths of light, all of global illumination, in
+/// passes that get less noisy. `automatic`: whitted.
+enum class RayMethod : std::uint8_t { automatic, whitted, cast, path };
 
 /// How vertices are shown, if at all.
 enum class PointShape : std::uint8_t { none, square, disc };
@@ -89,10 +90,37 @@ enum Channel : std::uint32_t {
     channel_diffuse = 1u << 15,
     channel_specular = 1u << 16,
     channel_emission = 1u << 17,
+    /// Of path tracing alone, means over all samples, linear RGB: what surfaces reflect of even light from all around (1 where
+    /// there is none, or it shines); light
+    /// that came to the first surface straight from a light (and its own), and all other light: their sum is the color.
+    channel_albedo = 1u << 18,
+    channel_direct = 1u << 19,
+    channel_indirect = 1u << 20,
+    channel_variance = 1u << 21,  ///< of the mean of the samples' luminance
 };
 inline constexpr std::uint32_t channels_lighting =
     channel_ambient | channel_diffuse | channel_specular | channel_emission;
-inline constexpr std::uint32_t channels_all = (channel_emission << 1) - 1;
+inline constexpr std::uint32_t channels_of_paths =
+    channel_albedo | channel_direct | channel_indirect | channel_variance;
+inline constexpr std::uint32_t channels_all = (channel_emission << 1) - 1;  ///< of every engine: not those of paths
+
+/// How paths find what shines: surfaces and environment are asked at every surface, and met by chance, each by the weight of the
+/// balance heuristic (Veach 1997, section 9.2.2); only asked; only met. All have the same mean.
+enum class LightSampling : std::uint8_t { both, lights, materials };
+
+/// Of path tracing.
+struct PathSettings {
+    LightSampling light_sampling = LightSampling::both;
+    int seed = 0;            ///< another one: other noise
+    double max_seconds = 0;  ///< no pass begins that would end later; 0: `samples` decide
+    /// No pass begins once the estimated error of the picture is less: the standard error of the pixels' luminance over its mean,
+    /// both as means over the window. 0: `samples` decide.
+    double noise = 0;
+    double clamp =
+        0;  ///< most radiance that a path may bring by indirect light; 0: any. Less noise, and a darker picture
+    bool denoise = false;  ///< the last pass is smoothed along edges of color, albedo and normals
+    bool operator==(const PathSettings&) const = default;
+};
 
 struct RenderSettings {
     int width = 1280, height = 720;  ///< [px] of the whole picture, 1..65536
@@ -129,6 +157,7 @@ struct RenderSettings {
     AttributeInterpolation interpolation = AttributeInterpolation::perspective;
     /// 1, 4 or 8 a pixel, at the standard positions of Direct3D and Vulkan: coverage, depth and masks are found at
     /// each, shading once for a triangle in a pixel, and linear colors are averaged. More than 1 need z_reversed.
+    /// Path tracing: paths a pixel, 1..2^20.
     int samples = 1;
     /// Texture samples along the longer side of a pixel's footprint, 1..16: 1 filters in squares, which blurs what is
     /// seen at a grazing angle (GL_EXT_texture_filter_anisotropic).
@@ -139,9 +168,10 @@ struct RenderSettings {
     /// Every ray is held against every triangle, as the textbook's first program does it: for comparison.
     bool naive = false;
     double naive_limit = 1e11;  ///< more tests of rays with triangles are refused before the first one
-    bool colors = true;         ///< false: data channels alone, all pixels have the background's color
-    bool surfaces = true;       ///< triangles are filled; false: only lines and points are drawn
-    bool edges = false;         ///< edges of the triangles that culling leaves, over the picture
+    PathSettings paths{};
+    bool colors = true;    ///< false: data channels alone, all pixels have the background's color
+    bool surfaces = true;  ///< triangles are filled; false: only lines and points are drawn
+    bool edges = false;    ///< edges of the triangles that culling leaves, over the picture
     PointShape points =
         PointShape::none;  ///< their vertices; the scene's own points are discs unless this says squares
     float line_width = 1, point_size = 4;  ///< [px] more than 0, at most 256; of the scene's own lines and points too
@@ -166,6 +196,8 @@ struct Tile {
     std::span<const vec4> tangent{};
     std::span<const vec2> uv{}, uv1{};
     std::span<const vec3> base_color{}, ambient{}, diffuse{}, specular{}, emission{};
+    std::span<const vec3> albedo{}, direct{}, indirect{};
+    std::span<const float> variance{};
 };
 
 /// Takes finished tiles. Bit-equal results whatever the order of the tiles. Progressive engines deliver passes.
@@ -189,6 +221,8 @@ struct ChannelArrays {
     std::vector<vec4> tangent{};
     std::vector<vec2> uv{}, uv1{};
     std::vector<vec3> base_color{}, ambient{}, diffuse{}, specular{}, emission{};
+    std::vector<vec3> albedo{}, direct{}, indirect{};
+    std::vector<float> variance{};
 };
 
 /// The sink that keeps everything of a window. Pixel (x, y) of the picture is at (y - window.y) * window.width + x - window.x.
@@ -226,6 +260,8 @@ struct RayStats {
     std::uint64_t triangle_tests = 0;  ///< RenderSettings::naive
     int deepest = 0;                   ///< reflections and refractions before the farthest ray
     std::uint64_t scene_bytes = 0;     ///< of the tree that rays are followed in, kept from picture to picture
+    int passes = 0, samples = 0;       ///< of path tracing: that were delivered, and paths a pixel in them
+    double noise = 0;                  ///< likewise: as PathSettings::noise has it
     std::uint64_t all() const { return primary + shadow + reflected + refracted; }
 };
 
@@ -266,6 +302,7 @@ struct EngineAbilities {
     bool shadows = false;               ///< RenderSettings::shadows
     bool user_lighting = false;         ///< RenderSettings::lighting_text
     bool rays = false;                  ///< RenderSettings::method, naive; colors may be false
+    std::uint32_t path_channels = 0;    ///< Channel bits of path tracing, beside `channels`
     bool progressive = false;           ///< delivers passes: Sink::end_pass() comes more than once
 };
 

@@ -136,6 +136,7 @@ struct MetallicRoughnessParameters {
     TextureUse thickness_texture{};     ///< data: G; kept only: rays find the thickness themselves
     float attenuation_distance = 0;     ///< [m] in which light becomes attenuation_color; 0: nothing is absorbed
     vec3 attenuation_color{1, 1, 1};    ///< linear
+    float dispersion = 0;               ///< KHR_materials_dispersion: 20 / Abbe number of a body; of paths alone
     bool operator==(const MetallicRoughnessParameters&) const = default;
 };
 

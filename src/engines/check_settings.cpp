@@ -10,7 +10,8 @@
 namespace rakelight {
 namespace {
 
-constexpr int most_pixels = 65536;     // a side
+constexpr int most_pixels = 65536;  // a side
+constexpr int most_paths = 1 << 20;
 constexpr float widest_mark_px = 256;  // of lines and points
 
 /// @param setting  its key in [render]; empty: it has none
@@ -48,7 +49,8 @@ void check_words(const RenderSettings& s) {
     require("cull", "culling", s.cull, Cull::front);
     require("visibility", "visibility", s.visibility, Visibility::back_face);
     require("interpolation", "interpolation", s.interpolation, AttributeInterpolation::screen);
-    require("method", "method", s.method, RayMethod::cast);
+    require("method", "method", s.method, RayMethod::path);
+    require("light-sampling", "light sampling", s.paths.light_sampling, LightSampling::materials);
     require("points", "shape of points", s.points, PointShape::disc);
     for (const ShadingRule& rule : s.shading_rules) {
         require("shading", "rule for shading", rule.of, ShadingRule::Of::material);
@@ -56,8 +58,19 @@ void check_words(const RenderSettings& s) {
     }
 }
 
+void check_paths(const RenderSettings& s) {
+    require(s.samples >= 1 && s.samples <= most_paths, "samples", "the paths of a pixel must be 1 to 1048576");
+    for (const auto& [setting, number] :
+         {std::pair("max-seconds", s.paths.max_seconds), {"noise", s.paths.noise}, {"clamp", s.paths.clamp}})
+        require(std::isfinite(number) && number >= 0, setting, "must be a number >= 0");
+}
+
 void check_numbers(const RenderSettings& s) {
-    require(s.samples == 1 || s.samples == 4 || s.samples == 8, "samples", "the samples of a pixel must be 1, 4 or 8");
+    if (s.method == RayMethod::path)
+        check_paths(s);
+    else
+        require(s.samples == 1 || s.samples == 4 || s.samples == 8, "samples",
+                "the samples of a pixel must be 1, 4 or 8 but for the method path");
     require(s.samples == 1 || s.visibility == Visibility::z_reversed, "samples",
             "more than one sample a pixel needs the default visibility, z-reversed");
     require(s.shadow_size >= 16 && s.shadow_size <= 8192, "shadow-size",
@@ -71,7 +84,7 @@ void check_numbers(const RenderSettings& s) {
                 "the width of lines and the size of points must be more than 0 and at most 256 pixels");
     require(is_finite(s.line_color), "line-color", "the color of lines is not finite");
     require(is_finite(s.background), "background", "the background is not finite");
-    require((s.channels & ~channels_all) == 0, "channels", "there is no such data channel");
+    require((s.channels & ~(channels_all | channels_of_paths)) == 0, "channels", "there is no such data channel");
     require(s.max_depth >= 0 && s.max_depth <= 64, "max-depth", "the depth of rays must be 0 to 64");
     require(!s.naive || s.method == RayMethod::cast, "naive", "is for the method cast alone");
     require(s.naive_limit >= 0, "naive-limit", "must be 0 or more");

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/color.h"
 #include "math/functions.h"
 #include "math/linear.h"
 
@@ -15,13 +14,6 @@ constexpr int widest_for_sums = 1024;  ///< [px] of the level that irradiance is
 constexpr int largest_map = 512;       ///< [texels] of the sharpest octahedral map
 constexpr int sizes[environment_levels] = {largest_map, 128, 64, 32, 32, 32, 32, 32};
 constexpr int samples[environment_levels] = {1, 48, 96, 128, 192, 256, 256, 256};
-
-vec3 texel_of(const MipChain& chain, const MipLevel& level, std::size_t i) {
-    if (chain.is_float) return level.rgba32f[i].xyz();
-    const std::uint32_t code = level.rgba8[i];
-    const auto linear = [](std::uint32_t c) { return linear_from_srgb8(std::uint8_t(c)); };
-    return {linear(code & 255u), linear(code >> 8 & 255u), linear(code >> 16 & 255u)};
-}
 
 /// The largest level of at most this width.
 const MipLevel& level_for(const MipChain& chain, int width) {
@@ -46,7 +38,7 @@ Harmonics sums_of_row(const MipChain& chain, const MipLevel& level, int y, const
     const double up = math::cos(middle), across = math::sin(middle);
     Harmonics sums{};
     for (int x = 0; x < level.width; ++x) {
-        const vec3 c = texel_of(chain, level, std::size_t(y) * std::size_t(level.width) + std::size_t(x));
+        const vec3 c = linear_texel(chain, level, std::size_t(y) * std::size_t(level.width) + std::size_t(x));
         const dvec2 turn = around[std::size_t(x)];
         const auto p = polynomials({across * turn.x, up, across * turn.y});
         for (std::size_t i = 0; i < 9; ++i)
@@ -100,7 +92,7 @@ vec3 filtered_panorama(const MipChain& chain, const MipLevel& level, dvec2 uv) {
     const int x0 = int(std::floor(x)), y0 = int(y), y1 = std::min(y0 + 1, level.height - 1);
     const auto at = [&](int column, int row) {
         const int wrapped = (column % level.width + level.width) % level.width;
-        return texel_of(chain, level, std::size_t(row) * std::size_t(level.width) + std::size_t(wrapped));
+        return linear_texel(chain, level, std::size_t(row) * std::size_t(level.width) + std::size_t(wrapped));
     };
     const float tx = float(x - x0), ty = float(y - y0);
     return blend(blend(at(x0, y0), at(x0 + 1, y0), tx), blend(at(x0, y1), at(x0 + 1, y1), tx), ty);

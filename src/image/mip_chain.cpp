@@ -163,6 +163,13 @@ std::uint64_t averages_bytes(const Pixels& pixels) {
 
 }  // namespace
 
+vec3 linear_texel(const MipChain& chain, const MipLevel& level, std::size_t i) {
+    if (chain.is_float) return level.rgba32f[i].xyz();
+    const std::uint32_t code = level.rgba8[i];
+    const auto linear = [](std::uint32_t c) { return linear_from_srgb8(std::uint8_t(c)); };
+    return {linear(code & 255u), linear(code >> 8 & 255u), linear(code >> 16 & 255u)};
+}
+
 std::uint64_t mip_chain_bytes(const Pixels& pixels) { return level_bytes(pixels) + averages_bytes(pixels); }
 
 MipChain make_mip_chain(const Pixels& pixels, ColorSpace space, Context& context) {

@@ -36,6 +36,9 @@ struct MipChain {
 /// @throws Error bad_file: over the memory budget
 MipChain make_mip_chain(const Pixels& pixels, ColorSpace space, Context& context);
 
+/// Linear RGB of texel `i` of a color picture's level.
+vec3 linear_texel(const MipChain& chain, const MipLevel& level, std::size_t i);
+
 /// [bytes] that make_mip_chain() takes at most beside the pixels, of which it looks at size and kind alone.
 std::uint64_t mip_chain_bytes(const Pixels& pixels);
 

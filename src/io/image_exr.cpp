@@ -12,6 +12,7 @@
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
 #include <ImfRgbaFile.h>
+#include <ImfStringAttribute.h>
 #include <half.h>
 
 #include <algorithm>
@@ -187,6 +188,7 @@ public:
         const Imath::Box2i whole({0, 0}, {place.width - 1, place.height - 1});
         Imf::Header header(whole, {{place.x, place.y}, {place.x + width - 1, place.y + height - 1}});
         header.compression() = Imf::ZIP_COMPRESSION;
+        if (!target.comment.empty()) header.insert("comments", Imf::StringAttribute(target.comment));
         for (const ExrChannel& c : channels_) header.channels().insert(c.name, Imf::Channel(pixel_type(c.type)));
         call([&] { exr_ = std::make_unique<Imf::OutputFile>(output_, header, 0); });
         // A row stride of 0: every row is handed over in the same place. The library adds x times the pixel's stride.

@@ -32,7 +32,8 @@ struct JpegEncoder {
     std::longjmp(encoder->escape, 1);
 }
 
-bool start(JpegEncoder& encoder, std::FILE* file, unsigned width, unsigned height, bool gray) {
+bool start(JpegEncoder& encoder, std::FILE* file, unsigned width, unsigned height, bool gray,
+           const std::string& comment) {
     if (setjmp(encoder.escape) != 0) return false;
     encoder.info.err = jpeg_std_error(&encoder.errors);
     encoder.errors.error_exit = leave;
@@ -47,6 +48,9 @@ bool start(JpegEncoder& encoder, std::FILE* file, unsigned width, unsigned heigh
     jpeg_set_quality(&encoder.info, quality, TRUE);
     encoder.info.comp_info[0].h_samp_factor = encoder.info.comp_info[0].v_samp_factor = 1;  // 4:4:4
     jpeg_start_compress(&encoder.info, TRUE);
+    if (!comment.empty())
+        jpeg_write_marker(&encoder.info, JPEG_COM, reinterpret_cast<const JOCTET*>(comment.data()),
+                          unsigned(comment.size()));
     return true;
 }
 
@@ -72,7 +76,7 @@ public:
           row_(std::size_t(width) * (channels < 3 ? 1 : 3)) {
         if (width > JPEG_MAX_DIMENSION || height > JPEG_MAX_DIMENSION)
             throw Error(ErrorCode::usage, "a JPEG picture has at most 65500 pixels a side").with_file(path_);
-        require(start(encoder_, file_.handle(), unsigned(width), unsigned(height), channels < 3));
+        require(start(encoder_, file_.handle(), unsigned(width), unsigned(height), channels < 3, target.comment));
     }
 
     void write_row(const void* row) override {

@@ -3,6 +3,7 @@
 #include <spng.h>
 
 #include <cerrno>
+#include <cstring>
 #include <system_error>
 
 #include "io/file.h"
@@ -15,6 +16,7 @@ class PngWriter final : public ImageWriter {
 public:
     PngWriter(const OutputTarget& target, int width, int height, int channels, Component component)
         : path_(target.path),
+          comment_(target.comment),
           row_bytes_(std::size_t(width) * std::size_t(channels) * size_of(component)),
           rows_left_(height),
           file_(target),
@@ -30,6 +32,7 @@ public:
         require(spng_set_ihdr(png_.get(), &header));
         require(spng_set_png_file(png_.get(), file_.handle()));
         if (component == Component::u8 && channels >= 3) require(spng_set_srgb(png_.get(), perceptual_intent));
+        if (!target.comment.empty()) set_comment();
         // Measured at 1280 x 720 on a shaded sphere and on a photograph: run lengths over one fixed filter take 12 and 38 ms
         // for 234 and 576 KB; zlib's default level 6 with a filter chosen for every row 185 ms for 589 KB of photograph.
         require(spng_set_option(png_.get(), SPNG_IMG_COMPRESSION_LEVEL, 1));
@@ -54,6 +57,14 @@ private:
     static constexpr std::uint8_t perceptual_intent = 0;
     static constexpr int run_lengths = 3;  // Z_RLE of zlib.h
 
+    void set_comment() {
+        spng_text text{};
+        std::strcpy(text.keyword, "Comment");
+        text.type = SPNG_TEXT;
+        text.text = comment_.data(), text.length = comment_.size();
+        require(spng_set_text(png_.get(), &text, 1));
+    }
+
     void require(int result) {
         if (result == 0) return;
         // libspng writes by stdio, which sets errno, and may say "non-recoverable state" then.
@@ -63,6 +74,7 @@ private:
     }
 
     std::string path_;
+    std::string comment_;  // the encoder keeps a pointer
     std::size_t row_bytes_;
     int rows_left_;
     OutputFile file_;  // outlives the encoder that holds its handle

@@ -7,7 +7,8 @@
 //   light/        sample_light(parameters, position) -> LightSample; to_viewer; fog_factor, behind_fog
 //   relief/       bump_frame -> Frame; decode_mapped, mapped_normal; relief_point, filtered_slope, relief_shadow
 //   material/     factors and texels -> Surface, MaterialSurface: set_metallic_reflectance, set_even_widths, set_normals,
-//                 set_pbr_albedos, ...; light_terms, add_light (classical), surface_terms (all models)
+//                 set_pbr_albedos, ...; light_terms, add_light (classical), surface_terms (all models); lobe_shares,
+//                 sample_surface, surface_pdf, reflected_share (paths)
 //   environment/  irradiance, mirrored, environment_terms, sky_color
 //   shadow/       shadow_factor(maps, map, position, normal) -> 0..1
 // Functions that read maps take `maps`, a struct of the caller's with sample_height(maps, uv, level),
@@ -29,6 +30,7 @@ namespace rakelight::lighting::RL_ISA {
 // clang-format off
 #include "math/prelude.h"
 // the order of all.glsl.list
+#include "lighting/models/sampling.glsl"
 #include "lighting/models/lambert.glsl"
 #include "lighting/models/phong.glsl"
 #include "lighting/models/blinn_phong.glsl"
@@ -57,6 +59,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/material/directions.glsl"
 #include "lighting/material/around.glsl"
 #include "lighting/material/surface_terms.glsl"
+#include "lighting/material/sample_surface.glsl"
 #include "lighting/material/point.glsl"
 #include "lighting/material/transport.glsl"
 #include "lighting/environment/irradiance.glsl"

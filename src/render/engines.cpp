@@ -50,11 +50,13 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
     const auto require = [&first](bool can_do, const std::string& what) {
         if (!can_do && first.empty()) first = what;
     };
+    const bool is_path = can.rays && s.method == RayMethod::path;
     for (const ChannelInfo& channel : all_channels())
-        require((s.channels & channel.channel & ~can.channels) == 0,
-                std::string("give the data channel ") + channel.word);
-    require(std::ranges::find(can.samples, s.samples) != can.samples.end(),
-            "take " + std::to_string(s.samples) + " samples a pixel");
+        require((s.channels & channel.channel & ~(can.channels | (is_path ? can.path_channels : 0))) == 0,
+                std::string("give the data channel ") + channel.word +
+                    (can.path_channels & channel.channel ? ": method path does" : ""));
+    require(is_path || std::ranges::find(can.samples, s.samples) != can.samples.end(),
+            "take " + std::to_string(s.samples) + " samples a pixel" + (can.rays ? ": method path does" : ""));
     require(can.visibility_methods || s.visibility == Visibility::z_reversed,
             "remove hidden surfaces by another method than its own");
     require(can.screen_interpolation || s.interpolation == AttributeInterpolation::perspective,

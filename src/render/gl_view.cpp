@@ -44,7 +44,8 @@ RenderStats GlView::draw(const Camera& camera, const RenderSettings& settings, c
     check_abilities("gl", s.view.abilities(), settings);
     check_camera(camera, s.whole->scene.nodes.size(), CameraUse::in_scene);
     const Camera at = camera_in_world(s.whole->scene, camera, double(settings.width) / double(settings.height));
-    s.view.set_lights(s.whole->has_chosen_lights ? s.whole->scene.lights : lights_of(s.whole->scene, at));
+    s.view.set_lights(s.whole->has_chosen_lights ? s.whole->scene.lights
+                                                 : lights_of(s.whole->scene, at, RayMethod::automatic));
     return s.view.draw(at, settings, tone, context);
 }
 

@@ -36,6 +36,12 @@ std::string text_of(const ViewRange& r) {
     return text;
 }
 
+/// What whoever gets the file has to know of its colors.
+std::string comment_of(const RenderSettings& settings) {
+    if (settings.method != RayMethod::path || !settings.paths.denoise) return {};
+    return "rakelight: denoised by joint NL-means filtering (Rousselle, Manzi, Zwicker 2013)";
+}
+
 void note_drawn(const Window& window, const ExtremePixels& extremes, PictureResult& result) {
     result.width = window.width;
     result.height = window.height;
@@ -74,9 +80,10 @@ void draw_to_files(Session& session, const Camera& camera, const PictureRequest&
     const RenderSettings& settings = request.settings;
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
-    PictureFiles files(request.output, window.width, window.height, format,
-                       {settings.channels, request.channel_files, request.half_colors, result.view_range},
-                       {window.x, window.y, settings.width, settings.height});
+    PictureFiles files(
+        request.output, window.width, window.height, format,
+        {settings.channels, request.channel_files, request.half_colors, result.view_range, comment_of(settings)},
+        {window.x, window.y, settings.width, settings.height});
     double written_ms = 0;
     PictureSink sink(format, request.tone, files.needs_linear(), [&](int rows) {
         const Stopwatch watch;
@@ -93,10 +100,11 @@ void draw_to_files(Session& session, const Camera& camera, const PictureRequest&
     } catch (const Error&) {
         if (!request.keep_partial || !context.cancelled() || sink.done() == 0) throw;
         result.done = sink.done();
-        char text[120];
-        std::snprintf(text, sizeof text,
-                      "the picture was cancelled: %.1f %% of its pixels are there, the rest is the background",
-                      100 * result.done);
+        char text[120] = "the picture was cancelled: it has not all of its samples";
+        if (result.done < 1)
+            std::snprintf(text, sizeof text,
+                          "the picture was cancelled: %.1f %% of its pixels are there, the rest is the background",
+                          100 * result.done);
         context.report().add(Remark::warning, request.output, "", text);
         sink.finish_partial();
     }

@@ -47,6 +47,12 @@ std::uint32_t float_word(const ChannelInfo& info, std::uint32_t number) {
     return std::bit_cast<std::uint32_t>(info.kind == ChannelKind::number && number == no_index ? -1.0f : float(number));
 }
 
+io::OutputTarget commented(const std::string& path, const std::string& comment) {
+    io::OutputTarget target(path);
+    target.comment = comment;
+    return target;
+}
+
 }  // namespace
 
 PixelFormat format_for(const std::string& output, bool transparent) {
@@ -107,7 +113,10 @@ void PictureFiles::add(std::vector<File>& to, const std::string& path,
 void PictureFiles::add_color(const ChannelWishes& wishes) {
     add(
         color_, output_,
-        [&] { return make_color_writer(output_, width_, height_, format_, wishes.half_colors, place_); },
+        [&] {
+            return make_color_writer(commented(output_, wishes.comment), width_, height_, format_, wishes.half_colors,
+                                     place_);
+        },
         [](const PictureSink& strip, int y) -> const void* { return strip.color_row(y); });
 }
 
@@ -154,7 +163,8 @@ void PictureFiles::add_layers(const std::string& path, const ChannelWishes& wish
     };
     add(
         path == output_ ? color_ : channels_, path,
-        [&] { return io::make_exr_writer(path, width_, height_, std::move(list), place_); }, std::move(row));
+        [&] { return io::make_exr_writer(commented(path, wishes.comment), width_, height_, std::move(list), place_); },
+        std::move(row));
 }
 
 void PictureFiles::add_png(std::uint32_t channel, std::size_t plane, const ViewRange& range) {

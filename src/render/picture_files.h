@@ -36,6 +36,7 @@ struct ChannelWishes {
     std::uint32_t files = channel_files_exr;  ///< ChannelFiles bits
     bool half_colors = false;
     ViewRange range;
+    std::string comment{};  ///< into the metadata of the colors' file
 };
 
 class PictureFiles {

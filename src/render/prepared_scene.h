@@ -26,7 +26,8 @@ void give(Session& session, std::shared_ptr<PreparedScene> scene);
 /// A camera of the scene, by its node or placed, as engines take it in a picture of that aspect.
 Camera camera_in_world(const Scene& scene, Camera camera, double aspect);
 
-/// What the scene is lit by: its own lights, or the default rig that stands with the camera.
-std::vector<Light> lights_of(const Scene& scene, const Camera& camera);
+/// What the scene is lit by: its own lights, or the default rig that stands with the camera. Where paths are followed, surfaces
+/// that shine are lights.
+std::vector<Light> lights_of(const Scene& scene, const Camera& camera, RayMethod method);
 
 }  // namespace rakelight

@@ -52,6 +52,16 @@ void remark_missing_rays(const Scene& scene, const Engine& engine, Report& repor
                    counted(mirrors, "material") + (mirrors == 1 ? " mirrors" : " mirror") + tail, {"engine"});
 }
 
+/// Some mesh that is drawn emits light.
+bool has_shining_surface(const Scene& scene) {
+    const auto shines = [&](std::uint32_t mesh) {
+        const std::uint32_t material = scene.meshes[mesh].material;
+        return material != no_index && scene.materials[material].model != MaterialModel::unlit &&
+               scene.materials[material].emission != vec3{};
+    };
+    return std::ranges::any_of(scene.nodes, [&](const Node& n) { return std::ranges::any_of(n.meshes, shines); });
+}
+
 }  // namespace
 
 PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings, const Scene& scene) {
@@ -81,8 +91,10 @@ Camera camera_in_world(const Scene& scene, Camera camera, double aspect) {
     return adapt_to_aspect(std::move(camera), aspect);
 }
 
-std::vector<Light> lights_of(const Scene& scene, const Camera& camera) {
-    return scene.lights.empty() && !is_lit_by_environment(scene) ? default_lights(camera.to_world) : scene.lights;
+std::vector<Light> lights_of(const Scene& scene, const Camera& camera, RayMethod method) {
+    const bool is_lit = !scene.lights.empty() || is_lit_by_environment(scene) ||
+                        (method == RayMethod::path && has_shining_surface(scene));
+    return is_lit ? scene.lights : default_lights(camera.to_world);
 }
 
 struct Session::State {
@@ -190,9 +202,10 @@ const Scene& Session::State::take_up(const RenderSettings& settings, const Camer
     if (source == Source::given) return engine->scene();
     const std::shared_ptr<const PreparedScene> ready = session.prepared(settings, context);
     const double aspect = double(settings.width) / double(settings.height);
-    std::vector<Light> lights = ready->has_chosen_lights
-                                    ? ready->scene.lights
-                                    : lights_of(ready->scene, camera_in_world(ready->scene, camera, aspect));
+    std::vector<Light> lights =
+        ready->has_chosen_lights
+            ? ready->scene.lights
+            : lights_of(ready->scene, camera_in_world(ready->scene, camera, aspect), settings.method);
     if (taken == ready) {
         if (lights != engine->scene().lights) engine->set_lights(std::move(lights));
         return engine->scene();

@@ -35,6 +35,7 @@ constexpr const char* khr_clearcoat = "KHR_materials_clearcoat";
 constexpr const char* khr_sheen = "KHR_materials_sheen";
 constexpr const char* khr_transmission = "KHR_materials_transmission";
 constexpr const char* khr_volume = "KHR_materials_volume";
+constexpr const char* khr_dispersion = "KHR_materials_dispersion";
 
 // clang-format off
 const TextureRole roles[] = {
@@ -99,6 +100,8 @@ const MaterialParameter parameters[] = {
     {"attenuation_distance", "[m] in which light in the body becomes attenuation_color; 0 (default): nothing is absorbed",
      Kind::number, 0, 1e6, &P::attenuation_distance, {}, {khr_volume, "attenuationDistance"}, Range::not_negative},
     {"attenuation_color", khr_volume, Kind::color, 0, 0, {}, &P::attenuation_color, {khr_volume, "attenuationColor"}},
+    {"dispersion", "20 / Abbe number of a body: how far it parts colors (default 0); method path", Kind::number, 0, 100, &P::dispersion,
+     {}, {khr_dispersion, "dispersion"}, Range::not_negative},
 };
 // clang-format on
 static_assert(std::size(roles) == texture_role_count);

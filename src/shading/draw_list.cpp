@@ -107,7 +107,8 @@ std::vector<TextureWish> wishes_of(const DrawList& list) {
         const Material& m = list.scene_material(drawn);
         for (const TextureRole* const role : roles_of(m))
             wishes.push_back({key_of(list.scene.textures[role->in(m).texture], role->space),
-                              role->number == role_normal || role->number == role_height});
+                              role->number == role_normal || role->number == role_height,
+                              role->number == role_emission});
     }
     return wishes;
 }

@@ -7,9 +7,13 @@
 namespace rakelight::shading {
 namespace {
 
+MipChain sky_of(const ImageHandle& image, Context& context) {
+    return make_mip_chain(image ? decode(*image, context) : studio_panorama(), ColorSpace::srgb, context);
+}
+
 EnvironmentImages images_of(const ImageHandle& image, Context& context) {
     EnvironmentImages out;
-    out.sky = make_mip_chain(image ? decode(*image, context) : studio_panorama(), ColorSpace::srgb, context);
+    out.sky = sky_of(image, context);
     out.light = make_environment_light(out.sky, context);
     return out;
 }
@@ -25,6 +29,8 @@ EnvironmentFactors factors_of(const std::array<vec3, 9>& irradiance, const Envir
 }
 
 }  // namespace
+
+MipChain sky_of(const Environment& environment, Context& context) { return sky_of(environment.image, context); }
 
 bool uses_environment(const Scene& scene) {
     return scene.environment && (scene.environment->is_light || scene.environment->is_background);

@@ -33,6 +33,9 @@ public:
                                                           Context& context) const = 0;
 };
 
+/// The picture of all around. @throws Error as decoding does
+MipChain sky_of(const Environment& environment, Context& context);
+
 /// Whether pictures show the environment, or are lit by it.
 bool uses_environment(const Scene& scene);
 

@@ -41,6 +41,7 @@ struct MaterialFactors {
     int32_t is_body;       ///< light is refracted and absorbed where it goes through; 0: a thin wall
     float refraction;      ///< index of refraction of a body, of both models
     float attenuation[3];  ///< [1/m] of light in the body
+    float dispersion;      ///< 20 / Abbe number of a body
 };
 
 inline constexpr float widest_mirror =

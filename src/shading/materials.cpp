@@ -53,7 +53,7 @@ void add_transport(const Material& m, MaterialFactors& v) {
     }
     if (m.model != MaterialModel::metallic_roughness) return;
     v.is_body = m.metallic_roughness.thickness > 0;
-    if (v.is_body) v.refraction = m.metallic_roughness.ior;
+    if (v.is_body) v.refraction = m.metallic_roughness.ior, v.dispersion = m.metallic_roughness.dispersion;
     copy(v.attenuation, attenuation_of(m.metallic_roughness));
 }
 

@@ -8,10 +8,19 @@
 namespace rakelight::shading {
 namespace {
 
+/// What all wishes for a texture want of it.
+struct Wanted {
+    bool is_bump = false, means = false;
+};
+
+bool has(const LoadedTexture& texture, const Wanted& wanted) {
+    return (texture.is_bump || !wanted.is_bump) && (texture.means || !wanted.means);
+}
+
 /// A texture that is not there yet.
 struct Missing {
     const TextureKey* key;
-    bool is_bump;
+    Wanted wanted;
     std::shared_ptr<const LoadedTexture>* data;
     std::optional<Pixels> header{};  ///< what the picture will be, where that is known before it is decoded
     MemoryCharge charge{};           ///< pays for the data
@@ -45,7 +54,9 @@ void charge(Missing& m, const TexturePacker& packer, Context& context) {
     const bool is_float = p.component != Component::u8;
     try_to(m, context, [&] {
         MemoryBudget& memory = context.memory();
-        MemoryCharge kept(memory, packer.packed_bytes(p.width, p.height, is_float, m.key->space == ColorSpace::srgb),
+        MemoryCharge kept(memory,
+                          packer.packed_bytes(p.width, p.height, is_float, m.key->space == ColorSpace::srgb) +
+                              (m.wanted.means ? MeanMap::bytes_for(p.width, p.height) : 0),
                           "the texture");
         memory.check(p.row_bytes() * std::uint64_t(p.height) + mip_chain_bytes(p), "the texture while it is decoded");
         m.charge = std::move(kept);
@@ -63,9 +74,15 @@ void load(Missing& m, const TexturePacker& packer, Context& context) {
             return make_mip_chain(pixels, m.key->space, context);
         }();
         MemoryCharge charge = m.charge.bytes() > 0 ? std::move(m.charge) : MemoryCharge(context.memory());
+        if (m.wanted.means && !chain.levels.empty()) {
+            const std::uint64_t bytes = MeanMap::bytes_for(chain.levels[0].width, chain.levels[0].height);
+            texture->means_charge =
+                charge.bytes() > 0 ? charge.split(bytes) : MemoryCharge(context.memory(), bytes, "the texture's means");
+            texture->means.emplace(chain);
+        }
         texture->packed = packer.pack(chain, *m.key, std::move(charge));
-        texture->is_bump = m.is_bump;
-        if (m.is_bump && !chain.is_float && !chain.is_srgb) texture->check = check_of(chain.levels[0]);
+        texture->is_bump = m.wanted.is_bump;
+        if (m.wanted.is_bump && !chain.is_float && !chain.is_srgb) texture->check = check_of(chain.levels[0]);
         *m.data = std::move(texture);
     });
 }
@@ -93,20 +110,24 @@ void load_all(std::vector<Missing>& missing, const TexturePacker& packer, Contex
 
 void TextureCache::update(const std::vector<TextureWish>& wishes, const TexturePacker& packer, Context& context) {
     std::map<TextureKey, std::shared_ptr<const LoadedTexture>> kept;
-    std::map<TextureKey, bool> is_bump;
-    for (const TextureWish& wish : wishes) is_bump[wish.key] |= wish.is_bump;
+    std::map<TextureKey, Wanted> wanted;
+    for (const TextureWish& wish : wishes) {
+        wanted[wish.key].is_bump |= wish.is_bump;
+        wanted[wish.key].means |= wish.is_emission;
+    }
     std::vector<Missing> missing;  // in the order of the wishes: that of the map is the order of addresses
-    for (const auto& [key, _] : wishes) {
+    for (const TextureWish& wish : wishes) {
+        const TextureKey& key = wish.key;
         const auto [entry, is_new] = kept.try_emplace(key);
         if (!is_new) continue;
         const auto known = textures_.find(key);
-        if (known != textures_.end() && known->second && (known->second->is_bump || !is_bump[key]))
+        if (known != textures_.end() && known->second && has(*known->second, wanted[key]))
             entry->second = known->second;
         else
-            missing.push_back({&entry->first, is_bump[key], &entry->second});
+            missing.push_back({&entry->first, wanted[key], &entry->second});
     }
     load_all(missing, packer, context);
-    for (const Missing& m : missing)  // one that was there, and is not to be had again for its check
+    for (const Missing& m : missing)  // one that was there, and is not to be had again for what is new of it
         if (const auto known = textures_.find(*m.key); !*m.data && known != textures_.end()) *m.data = known->second;
     for (const Missing& m : missing)
         if (!*m.data)

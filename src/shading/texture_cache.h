@@ -11,6 +11,7 @@
 
 #include "image/mip_chain.h"
 #include "image/normal_map_check.h"
+#include "shading/mean_map.h"
 
 namespace rakelight::shading {
 
@@ -45,12 +46,15 @@ struct LoadedTexture {
     bool is_tagged_srgb = false;          ///< Pixels::is_tagged_srgb
     bool is_bump = false;                 ///< as it was wished for
     std::optional<NormalMapCheck> check;  ///< of bumps of 8 bits
+    std::optional<MeanMap> means;         ///< where they were wished for
+    MemoryCharge means_charge;            ///< pays for them
 };
 
 /// What a material needs.
 struct TextureWish {
     TextureKey key;
-    bool is_bump = false;  ///< a normal or height map: LoadedTexture::check is wanted
+    bool is_bump = false;      ///< a normal or height map: LoadedTexture::check is wanted
+    bool is_emission = false;  ///< LoadedTexture::means are wanted
 };
 
 /// Decodes pictures once for each color space and wrapping in which they are used, in parallel, and keeps them by

@@ -24,6 +24,9 @@ static Json rays_json(const RayStats& r) {
             {"refracted", r.refracted},
             {"dropped", r.dropped},
             {"deepest", r.deepest},
+            {"passes", r.passes},
+            {"samples", r.samples},
+            {"noise", r.noise},
             {"triangle_tests", r.triangle_tests},
             {"scene_bytes", r.scene_bytes}};
 }

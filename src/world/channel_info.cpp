@@ -32,12 +32,16 @@ constexpr std::array channels{
     ChannelInfo{channel_diffuse, "diffuse", "diffuse", "RGB", color},
     ChannelInfo{channel_specular, "specular", "specular", "RGB", color},
     ChannelInfo{channel_emission, "emission", "emission", "RGB", color},
+    ChannelInfo{channel_albedo, "albedo", "albedo", "RGB", color},
+    ChannelInfo{channel_direct, "direct", "direct", "RGB", color},
+    ChannelInfo{channel_indirect, "indirect", "indirect", "RGB", color},
+    ChannelInfo{channel_variance, "variance", "variance", "Y", amount},
 };
 
 constexpr bool are_in_order() {
     for (std::size_t i = 0; i < channels.size(); ++i)
         if (channels[i].channel != 1u << i) return false;
-    return (1u << channels.size()) - 1 == channels_all;
+    return (1u << channels.size()) - 1 == (channels_all | channels_of_paths);
 }
 static_assert(are_in_order());
 
@@ -53,12 +57,15 @@ std::uint32_t channels_by_name(std::string_view name) {
     for (const ChannelInfo& c : channels)
         if (name == c.word) return c.channel;
     if (name == "lighting") return channels_lighting;
+    if (name == "paths") return channels_of_paths;
     if (name == "all") return channels_all;
     if (name == "none") return 0;
     std::string words;
     for (const ChannelInfo& c : channels) words += std::string(c.word) + ", ";
     throw Error(ErrorCode::usage, "unknown channel '" + one_line(std::string(name), 40) + "'", {},
-                "use one of: " + words + "lighting (ambient, diffuse, specular and emission), all");
+                "use one of: " + words +
+                    "lighting (ambient, diffuse, specular and emission), paths (albedo, direct, indirect "
+                    "and variance), all");
 }
 
 }  // namespace rakelight

@@ -6,7 +6,17 @@
 
 namespace rakelight {
 
-enum class ChannelKind : std::uint8_t { distance, direction, number, count, coordinates, position, weights, color };
+enum class ChannelKind : std::uint8_t {
+    distance,
+    direction,
+    number,
+    count,
+    coordinates,
+    position,
+    weights,
+    color,
+    amount
+};
 
 struct ChannelInfo {
     std::uint32_t channel;  ///< one Channel bit

@@ -6,12 +6,15 @@
 namespace rakelight::keys {
 namespace {
 
-constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
 constexpr Word<std::uint32_t> channel_file_words[] = {
     {"exr", channel_files_exr}, {"layers", channel_files_layers}, {"png", channel_files_png}};
 constexpr Word<bool> exr_color_words[] = {{"float", false}, {"half", true}};
-constexpr Word<RayMethod> method_words[] = {
-    {"auto", RayMethod::automatic}, {"whitted", RayMethod::whitted}, {"cast", RayMethod::cast}};
+constexpr Word<RayMethod> method_words[] = {{"auto", RayMethod::automatic},
+                                            {"whitted", RayMethod::whitted},
+                                            {"cast", RayMethod::cast},
+                                            {"path", RayMethod::path}};
+constexpr Word<LightSampling> sampling_words[] = {
+    {"both", LightSampling::both}, {"lights", LightSampling::lights}, {"materials", LightSampling::materials}};
 constexpr Word<FrontFace> front_words[] = {{"ccw", FrontFace::counter_clockwise}, {"cw", FrontFace::clockwise}};
 constexpr Word<Cull> cull_words[] = {
     {"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
@@ -32,6 +35,19 @@ constexpr Word<PointShape> point_words[] = {
 void read_engine(PictureRequest& r, Words w) {
     r.engine = w[0];
     if (r.engine == "trace") r.settings.shadows = true;
+}
+
+constexpr int plain_paths = 64;
+
+/// One path a pixel shows nothing; `samples`, which is read behind it, may say otherwise.
+void read_method(PictureRequest& r, Words w) {
+    r.settings.method = values::word("method", w[0], method_words);
+    if (r.settings.method == RayMethod::path) r.settings.samples = plain_paths;
+}
+
+Written write_samples(const PictureRequest& r) {
+    const int plain = r.settings.method == RayMethod::path ? plain_paths : defaults().settings.samples;
+    return r.settings.samples == plain ? Written{} : Written{std::to_string(r.settings.samples)};
 }
 
 void read_resolution(PictureRequest& r, Words w) {
@@ -148,13 +164,21 @@ void read_point_sprites(PictureRequest& r, Words w) {
 
 constexpr RenderKey table[] = {
     {"engine", Kind::value, read_engine, RL_WRITE(r.engine, {r.engine})},
-    RL_WORD_KEY("method", r.settings.method, method_words),
+    {"method", Kind::value, read_method, RL_WRITE(r.settings.method, (name_in(method_words, r.settings.method)))},
     RL_INTEGER_KEY("max-depth", r.settings.max_depth, 0, 64),
     RL_KEY("naive", flag, r.settings.naive, w[0] == "on", {"on"}),
     RL_NUMBER_KEY("naive-limit", r.settings.naive_limit, 0, 1e18),
     {"resolution", Kind::value, read_resolution, write_resolution},
     {"window", Kind::value, read_window, RL_WRITE(r.settings.window, {text_of_window(r.settings.window)})},
-    RL_WORD_KEY("samples", r.settings.samples, sample_words),
+    {"samples", Kind::value,
+     [](PictureRequest& r, Words w) { r.settings.samples = values::integer("samples", w[0], 1, 1 << 20); },
+     write_samples},
+    RL_INTEGER_KEY("seed", r.settings.paths.seed, 0, 2147483647),
+    RL_NUMBER_KEY("max-seconds", r.settings.paths.max_seconds, 0, 1e9),
+    RL_NUMBER_KEY("noise", r.settings.paths.noise, 0, 1e9),
+    RL_NUMBER_KEY("clamp", r.settings.paths.clamp, 0, 1e18),
+    RL_WORD_KEY("light-sampling", r.settings.paths.light_sampling, sampling_words),
+    RL_KEY("denoise", flag, r.settings.paths.denoise, w[0] == "on", {"on"}),
     RL_INTEGER_KEY("anisotropy", r.settings.anisotropy, 1, 16),
     RL_KEY("background", value, r.settings.background, values::background("background", w[0]),
            {background_of(r.settings.background)}),

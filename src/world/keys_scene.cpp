@@ -11,13 +11,17 @@ void read_lights(PictureRequest& r, Words w) {
     r.default_lights = w.size() == 1 && w[0] == "default";
     r.lights.reset();
     if (r.default_lights) return;
-    if (std::ranges::find(w, "default") != w.end()) throw values::wrong("light", "default stands alone");
+    for (const char* const word : {"default", "none"})
+        if (std::ranges::find(w, word) != w.end() && w.size() > 1)
+            throw values::wrong("light", std::string(word) + " stands alone");
     r.lights.emplace();
+    if (w[0] == "none") return;
     for (const std::string& text : w) r.lights->push_back(values::light("light", text));
 }
 
 Written write_lights(const PictureRequest& r) {
     if (r.default_lights) return {"default"};
+    if (r.lights && r.lights->empty()) return {"none"};
     Written all;
     if (r.lights)
         for (const Light& light : *r.lights) all.push_back(text_of(light));

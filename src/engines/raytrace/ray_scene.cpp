@@ -50,6 +50,17 @@ struct RayScene::Key {
     auto operator<=>(const Key&) const = default;
 };
 
+namespace {
+
+/// What shines is its triangles, from which paths choose places.
+std::optional<ExactShape> formula_of(const shading::DrawList& list, const shading::Draw& draw) {
+    const float(&light)[3] = list.material(draw).factors.emission;
+    const bool shines = light[0] > 0 || light[1] > 0 || light[2] > 0;
+    return shines ? std::nullopt : list.scene.meshes[draw.mesh].shape;
+}
+
+}  // namespace
+
 bool RayScene::Placement::operator==(const Placement& other) const {
     return positions.identity() == other.positions.identity() && indices.identity() == other.indices.identity() &&
            to_world == other.to_world && shape == other.shape;
@@ -186,7 +197,7 @@ void RayScene::set(const shading::DrawList& list, Context& context) {
     placements.reserve(list.draws.size());
     for (const shading::Draw& draw : list.draws) {
         const Mesh& mesh = list.scene.meshes[draw.mesh];
-        placements.push_back({mesh.positions, mesh.indices, draw.to_world, mesh.shape});
+        placements.push_back({mesh.positions, mesh.indices, draw.to_world, formula_of(list, draw)});
     }
     if (top_ && placements_ == placements) return;
     clear();
@@ -270,9 +281,9 @@ void RayScene::add_crowd(RTCScene top, const shading::DrawList& list, const std:
 
 bool RayScene::place_shape(const shading::DrawList& list, std::uint32_t draw) {
     const shading::Draw& at = list.draws[draw];
-    const Mesh& mesh = list.scene.meshes[at.mesh];
-    if (!mesh.shape) return false;
-    PlacedShape placed{*mesh.shape, draw, {}, translation(-origin_) * at.to_world, at.mirrored};
+    const std::optional<ExactShape> shape = formula_of(list, at);
+    if (!shape) return false;
+    PlacedShape placed{*shape, draw, {}, translation(-origin_) * at.to_world, at.mirrored};
     if (!inverse_affine(placed.to_rays, placed.to_object)) return false;
     shape_numbers_.resize(list.draws.size(), no_index);
     shape_numbers_[draw] = std::uint32_t(shapes_.size());

@@ -4,7 +4,6 @@
 #include <rakelight/tools/strip_sink.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <optional>
@@ -13,7 +12,8 @@
 #include "cpu_shading/environment_maps.h"
 #include "cpu_shading/scratch_pool.h"
 #include "cpu_shading/textures.h"
-#include "engines/raytrace/trace_tile.h"
+#include "engines/raytrace/path_render.h"
+#include "engines/raytrace/tiles.h"
 #include "math/flush_denormals.h"
 #include "math/isa.h"
 
@@ -70,11 +70,17 @@ public:
 
     std::string name() const override { return "trace"; }
     EngineAbilities abilities() const override {
-        return {.channels = channels_all, .samples = {1, 4, 8}, .shadows = true, .rays = true};
+        return {.channels = channels_all,
+                .samples = {1, 4, 8},
+                .shadows = true,
+                .rays = true,
+                .path_channels = channels_of_paths,
+                .progressive = true};
     }
 
     void prepare(Scene scene, Context& context) override {
         validate_changes(scene, list_.scene);
+        path_lights_.reset();
         list_ = {};  // what fails from here on leaves an empty scene
         try {
             cpu_shading::DrawList list = cpu_shading::make_draw_list(std::move(scene), textures_, context);
@@ -92,7 +98,9 @@ public:
         list_.scene.lights = std::move(lights);
     }
 
-    RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
+    RenderStats render(const Camera& camera, const RenderSettings& asked, Sink& sink, Context& context) override {
+        const bool is_path = asked.method == RayMethod::path;
+        const RenderSettings settings = is_path ? path_settings(asked) : asked;
         const shading::View view = shading::view_of(list_, camera, settings);
         TracePicture picture(list_, rays_, view, settings, kernels_, context);
         const Window window = whole(settings);
@@ -105,21 +113,28 @@ public:
         if (!list_.line_draws.empty() && settings.surfaces)
             context.report().add(Remark::warning, list_.scene.source, {},
                                  "lines and points are not drawn: rays do not meet them");
-        note_rough_glass(settings, context.report());
+        if (!is_path) note_rough_glass(settings, context.report());
         sink.begin(settings.width, settings.height, window, settings.channels);
         const auto begin = std::chrono::steady_clock::now();
-        trace(picture, window, sink, context);
-        sink.end_pass(0);
+        RayStats passes;
+        if (is_path && settings.colors) {
+            passes = follow_paths(picture, window, sink, context);
+        } else {
+            trace(picture, window, sink, context);
+            sink.end_pass(0);
+        }
         RayCounts counts;
-        pool_.for_each([&counts](TileScratch& scratch) {
+        const auto take = [&counts](TileScratch& scratch) {
             const RayCounts c = std::exchange(scratch.counts, {});
             counts.shaded += c.shaded, counts.not_finite += c.not_finite;
             add(c.rays, counts.rays);
-        });
+        };
+        pool_.for_each(take), path_pool_.for_each(take);
         RenderStats stats;
         stats.pixels_shaded = stats.lighting_evaluations = counts.shaded;
         stats.pixels_not_finite = counts.not_finite;
         stats.rays = counts.rays;
+        stats.rays.passes = passes.passes, stats.rays.samples = passes.samples, stats.rays.noise = passes.noise;
         stats.rays.scene_bytes = rays_.tree_bytes_used();
         if (naive) stats.rays.triangle_tests = naive->tests();
         if (counts.rays.dropped > 0)
@@ -160,33 +175,54 @@ private:
 
     void trace_strip(const TracePicture& picture, const Window& window, const Window& strip, Sink& sink,
                      Context& context) {
-        const int columns = (strip.width + tile_size - 1) / tile_size,
-                  rows = (strip.height + tile_size - 1) / tile_size;
-        std::atomic<int> done{0};
-        context.parallel_for(std::size_t(columns) * std::size_t(rows), [&](std::size_t number) {
-            if (context.cancelled()) return;
+        for_tiles(strip, context, [&](const Window& area, double share) {
             const FlushDenormals guard;
-            const int x = int(number) % columns * tile_size, y = int(number) / columns * tile_size;
-            const Window area{strip.x + x, strip.y + y, std::min(tile_size, strip.width - x),
-                              std::min(tile_size, strip.height - y)};
             auto scratch = pool_.take();
             trace_tile(picture, area, context, *scratch);
             if (!context.cancelled()) sink.tile(tile_of(area, picture.settings.channels, *scratch));
             pool_.give_back(std::move(scratch));
-            const double before = strip.y - window.y, share = double(++done) / (columns * rows);
-            context.progress("render", (before + strip.height * share) / window.height);
+            context.progress("render", (strip.y - window.y + strip.height * share) / window.height);
         });
     }
 
-    static Tile tile_of(const Window& area, std::uint32_t channels, const TileScratch& s) {
-        Tile tile{.area = area};
-        tile.color = s.color;
-        for_each_channel(
-            [&](std::uint32_t bit, auto& to, const auto& array) {
-                if (channels & bit) to = array;
-            },
-            tile, static_cast<const ChannelArrays&>(s));
-        return tile;
+    RayStats follow_paths(const TracePicture& picture, const Window& window, Sink& sink, Context& context) {
+        const FrontFace front = picture.settings.front_face;
+        if (!path_lights_ || path_lights_->front_face != front)
+            path_lights_ = make_path_lights(list_, rays_, textures_, front, context);
+        const PathLights lights(*path_lights_, picture);
+        PathPicture paths{
+            picture, lights, {}, picture.settings.paths.denoise || (picture.settings.channels & channel_albedo) != 0};
+        for (std::uint32_t d = 0; d < list_.draws.size(); ++d)
+            paths.shines_behind.push_back(path_lights_->emitters.shines_back(d));
+        paths.has_dispersion = std::ranges::any_of(
+            list_.materials, [](const shading::DrawMaterial& m) { return m.factors.dispersion > 0; });
+        paths.shines = lights.has_sky() || std::ranges::any_of(list_.materials, [](const shading::DrawMaterial& m) {
+                           const float(&e)[3] = m.factors.emission;
+                           return e[0] > 0 || e[1] > 0 || e[2] > 0 || m.factors.unlit != 0;
+                       });
+        note_paths(context.report());
+        return render_paths(paths, window, sink, context, path_pool_);
+    }
+
+    void note_paths(Report& report) const {
+        const auto is_ambient = [](const Light& light) {
+            return light.type == LightType::ambient || light.ambient != vec3{};
+        };
+        if (std::ranges::any_of(list_.scene.lights, is_ambient))
+            report.add(Remark::note, list_.scene.source, {},
+                       "ambient light is left out: paths bring the light that it stands for");
+        const auto is_too_bright = [](const shading::DrawMaterial& m) {
+            const shading::MaterialFactors& f = m.factors;
+            if (!m.is_drawn || f.metallic_roughness || f.unlit) return false;
+            for (std::size_t c = 0; c < 3; ++c)
+                if (f.base_color[c] + f.specular[c] > 1) return true;
+            return false;
+        };
+        const auto count = std::ranges::count_if(list_.materials, is_too_bright);
+        if (count > 0)
+            report.add(Remark::note, list_.scene.source, {},
+                       std::to_string(count) + (count == 1 ? " material reflects" : " materials reflect") +
+                           " more light than arrives: diffuse and specular color are divided by their sum");
     }
 
     Isa isa_;
@@ -196,6 +232,8 @@ private:
     cpu_shading::DrawList list_;
     RayScene rays_;
     cpu_shading::ScratchPool<TileScratch> pool_;
+    cpu_shading::ScratchPool<PathScratch> path_pool_;
+    std::unique_ptr<ScenePathLights> path_lights_;  ///< of list_; null: not made yet
 };
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace rakelight::raytrace {
 namespace {
 
-/// Surfaces that throw shadows: blended ones do not, as in shadow maps.
+/// Surfaces that throw shadows: blended ones do not, as in shadow maps, but on paths.
 class ShadowFilter final : public RayFilter {
 public:
     /// @param origin  about the eye
@@ -26,7 +26,8 @@ public:
     }
     bool counts(const Meeting& meeting) const override {
         const bool is_filter = picture_.is_filter(meeting.draw);
-        if (is_filter ? !is_with_filters : picture_.is_blended(meeting.draw)) return false;
+        if (is_filter && !is_with_filters) return false;
+        if (!is_filter && !picture_.is_path && picture_.is_blended(meeting.draw)) return false;
         return !picture_.is_masked(meeting.draw) || !picture_.is_cut_out(meeting, {numbers_, 1}, 0);
     }
     RayView ray() const { return {numbers_, 1}; }
@@ -38,16 +39,6 @@ private:
     float numbers_[ray_planes] = {};  ///< no differentials: maps are read at their finest
 };
 
-/// One ray to a light.
-vec3 find_light(const TracePicture& picture, vec3 origin, vec3 direction, float to, const Media& media) {
-    ShadowFilter filter(picture, origin, direction);
-    const RayFilter* const holes = picture.has_holes ? &filter : nullptr;
-    if (picture.is_blocked(picture.in_rays(origin), direction, 0, to, holes)) return {};
-    if (!picture.has_filters) return {1, 1, 1};
-    filter.is_with_filters = true;
-    return picture.light_through(filter.ray(), to, filter, media);
-}
-
 void find_seen(const void* tracer, ShadowRays* rays) {
     const TileTracer& tile = *static_cast<const TileTracer*>(tracer);
     for (std::int32_t i = 0; i < rays->count; ++i) {
@@ -56,7 +47,7 @@ void find_seen(const void* tracer, ShadowRays* rays) {
             const vec3 origin{rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
             const vec3 direction{rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
             const Media media = tile.media ? tile.media[tile.hit_ray[rays->first + i]] : Media{};
-            seen = find_light(tile.picture, origin, direction, rays->length[i], media);
+            seen = tile.picture.light_reaching(origin, direction, rays->length[i], media);
             ++tile.shadow_rays;
         }
         for (std::size_t c = 0; c < 3; ++c) rays->seen[c][i] = seen[c];
@@ -85,6 +76,13 @@ bool mirrors(const cpu_shading::MaterialView& m) {
            (m.clearcoat > 0 && may_mirror(m.clearcoat_roughness, role_clearcoat_roughness));
 }
 
+/// Light from all around comes along paths, and lighting is found where they meet surfaces.
+void make_path_job(HitJob& job) {
+    job.environment = nullptr;
+    job.has_light_around = 1;  // the albedos that lobes are chosen by
+    if (job.lit_at == lit_at_corners) job.lit_at = lit_at_points;
+}
+
 /// @param eye  about the middle of the ray scene
 ShapeView shape_view(const PlacedShape* placed, vec3 eye) {
     ShapeView view{};
@@ -108,6 +106,7 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
       view(of_view),
       settings(of_settings),
       kernels(of_kernels),
+      is_path(of_settings.method == RayMethod::path),
       max_depth(of_settings.method == RayMethod::cast ? 0 : of_settings.max_depth) {
     const dvec3 eye = view.camera_to_world[3].xyz();
     lights = shading::make_lights(list.scene, list.node_to_world, eye);
@@ -139,8 +138,11 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
         job.kernel =
             job.lit_at != lit_at_points ? cpu_shading::kernel_every : cpu_shading::kernel_for(job, settings.shadows);
         cutoffs_.push_back(shading::mask_cutoff(list.view(d), job.relief.limit_silhouette));
-        const bool follows = max_depth > 0 && shading[d] != Shading::unlit && !job.material->unlit;
-        is_filter_.push_back(follows && lets_light_through(*job.material));
+        if (is_path) make_path_job(job);
+        const bool follows = (max_depth > 0 || is_path) && shading[d] != Shading::unlit && !job.material->unlit;
+        lets_through_.push_back(follows && lets_light_through(*job.material));
+        is_filter_.push_back(is_path ? (lets_through_[d] && job.material->is_body == 0) || is_blended(d)
+                                     : bool(lets_through_[d]));
         goes_on_.push_back(is_filter_.back() || (follows && mirrors(*job.material)));
         has_filters = has_filters || is_filter_.back();
         has_holes = has_holes || cutoffs_.back() >= 0 || is_blended(d) || is_filter_.back();
@@ -148,6 +150,14 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
         has_filtered = has_filtered || cutoffs_.back() >= 0 || culling_.back().back || culling_.back().front;
         jobs_.push_back(job);
     }
+}
+
+vec3 TracePicture::light_reaching(vec3 origin, vec3 direction, float to, const Media& media) const {
+    ShadowFilter filter(*this, origin, direction);
+    if (is_blocked(in_rays(origin), direction, 0, to, has_holes ? &filter : nullptr)) return {};
+    if (!has_filters) return {1, 1, 1};
+    filter.is_with_filters = true;
+    return light_through(filter.ray(), to, filter, media);
 }
 
 HitJob TracePicture::hit_job(std::uint32_t draw) const { return jobs_[draw]; }
@@ -236,6 +246,20 @@ vec3 TracePicture::share_through(const Meeting& meeting, const RayView& planes) 
     const OneHit hit(jobs_[meeting.draw], meeting, planes, 0);
     kernels.through(&hit.job);
     return {hit.red[0], hit.green[0], hit.blue[0]};
+}
+
+vec3 TracePicture::emission_at(std::uint32_t draw, std::uint32_t triangle, vec3 origin, vec3 direction) const {
+    const cpu_shading::MaterialView& m = *jobs_[draw].material;
+    const vec3 plain{m.emission[0], m.emission[1], m.emission[2]};
+    if (m.map[role_emission].view == nullptr && m.clearcoat == 0 && !is_blended(draw) && !is_masked(draw)) return plain;
+    float planes[ray_planes] = {};
+    for (std::size_t c = 0; c < 3; ++c)
+        planes[std::size_t(ray_o) + c] = origin[c], planes[std::size_t(ray_d) + c] = direction[c];
+    const OneHit hit(jobs_[draw], {draw, triangle, 1}, {planes, 1}, 0);
+    kernels.emission(&hit.job);
+    const vec3 own{hit.red[0], hit.green[0], hit.blue[0]};
+    if (is_masked(draw)) return hit.alpha[0] < cutoffs_[draw] ? vec3{} : own;
+    return is_blended(draw) ? own * std::clamp(hit.alpha[0], 0.0f, 1.0f) : own;
 }
 
 bool TracePicture::is_cut_out(const Meeting& meeting, const RayView& planes, std::int32_t ray) const {

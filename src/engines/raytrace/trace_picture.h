@@ -47,7 +47,7 @@ public:
     bool is_filter(std::uint32_t draw) const { return is_filter_[draw]; }  ///< rays go through
     /// A classical material whose alpha says how much goes through.
     bool is_opened_by_alpha(std::uint32_t draw) const {
-        return is_filter(draw) && is_blended(draw) && list.view(draw).metallic_roughness == 0;
+        return lets_through_[draw] && is_blended(draw) && list.view(draw).metallic_roughness == 0;
     }
     /// Whether culling leaves out the side that a ray meets.
     bool is_culled(const Meeting& meeting) const;
@@ -56,6 +56,11 @@ public:
     /// What surfaces that light goes through, and the bodies behind them, leave of it.
     /// @param media  that the ray begins in
     vec3 light_through(const RayView& ray, float to, const RayFilter& filter, Media media) const;
+    /// What of the light from a place arrives: nothing lies in the way, or only what light goes through.
+    /// @param origin  about the eye
+    vec3 light_reaching(vec3 origin, vec3 direction, float to, const Media& media) const;
+    /// What a triangle emits where a ray, from `origin` about the eye, meets it at 1.
+    vec3 emission_at(std::uint32_t draw, std::uint32_t triangle, vec3 origin, vec3 direction) const;
     /// Whether a masked surface is not there. @param ray  into `rays` of the job's planes
     bool is_cut_out(const Meeting& meeting, const RayView& planes, std::int32_t ray) const;
 
@@ -67,6 +72,7 @@ public:
     const RenderSettings& settings;
     const Kernels& kernels;
     std::vector<lighting::LightParameters> lights;
+    const bool is_path;         ///< light goes along paths: it is refracted by bodies, and blended surfaces shade
     bool has_filtered = false;  ///< some draw is culled, or has holes
     bool has_masked = false;    ///< some draw is masked
     bool has_holes = false;     ///< some draw is masked or blended: not all of it throws shadows
@@ -81,7 +87,7 @@ private:
     std::vector<HitJob> jobs_;
     std::vector<shading::Culling> culling_;
     std::vector<float> cutoffs_;
-    std::vector<bool> goes_on_, is_filter_;
+    std::vector<bool> goes_on_, is_filter_, lets_through_;
     vec3 eye_;
 };
 

@@ -56,17 +56,6 @@ void lay_surroundings(const TracePicture& picture, TileScratch& s) {
     }
 }
 
-void set_wave(const std::vector<NextRay>& rays, RayWave& wave) {
-    wave.count = rays.size();
-    wave.stride = rays.size() + 48;
-    wave.planes.resize(std::size_t(ray_planes) * wave.stride);
-    wave.pixel.resize(rays.size()), wave.weight.resize(rays.size()), wave.media.resize(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        for (std::int32_t p = 0; p < ray_planes; ++p) wave.plane(p)[i] = rays[i].numbers[p];
-        wave.pixel[i] = rays[i].pixel, wave.weight[i] = rays[i].weight, wave.media[i] = rays[i].media;
-    }
-}
-
 /// What is to be followed: all rays of a pixel stay together, in their order, so that no pixel depends on its neighbors.
 void put_off(int depth, std::vector<NextRay> rays, TileScratch& s) {
     if (rays.empty()) return;
@@ -128,6 +117,7 @@ void make_primary(const TracePicture& picture, const Window& area, shading::Samp
     std::swap(s.wave, s.primary);
     RayWave& wave = s.wave;
     wave.count = std::size_t(area.width) * std::size_t(area.height);
+    wave.pixel.clear(), wave.weight.clear(), wave.media.clear();
     if (std::exchange(s.filled_for, picture.number) != picture.number) {
         wave.stride = plane_stride;
         wave.planes.resize(std::size_t(ray_planes) * plane_stride);

@@ -35,26 +35,6 @@ void pad(std::vector<T>& v, std::size_t count) {
     std::fill(v.begin() + std::ptrdiff_t(count), v.end(), v[count - 1]);
 }
 
-/// Indices of refraction before the surface over those behind it, by what the rays are in.
-void set_etas(const TracePicture& picture, std::uint32_t draw, std::size_t count, WaveScratch& s) {
-    const std::uint32_t body = picture.list.draws[draw].material;
-    const float own = refraction_of(picture.list.view(draw));
-    const auto index_in = [&](const Media& media) {
-        const std::uint32_t around = media.innermost();
-        return around == no_index ? 1.0f : refraction_of(picture.list.materials[around].factors);
-    };
-    s.eta_front.resize(count), s.eta_back.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        Media media = s.wave.is_primary() ? Media{} : s.wave.media[std::size_t(s.hit_ray[i])];
-        s.eta_front[i] = index_in(media) / own;
-        // In another body that overlaps this one the ray stays as it is.
-        const float before = media.innermost() == no_index ? own : index_in(media);
-        media.leave(body);
-        s.eta_back[i] = before / index_in(media);
-    }
-    pad(s.eta_front, count), pad(s.eta_back, count);
-}
-
 /// Numbers of the i-th hit in the planes that the kernel wrote.
 struct NextView {
     const float* planes;
@@ -62,12 +42,6 @@ struct NextView {
     float number(std::int32_t plane) const { return planes[std::size_t(plane) * stride + hit]; }
     vec3 vector(std::int32_t plane) const { return {number(plane), number(plane + 1), number(plane + 2)}; }
 };
-
-bool is_sound(const NextRay& ray) {
-    for (const float number : ray.numbers)
-        if (!(number - number == 0)) return false;
-    return is_finite(ray.weight);
-}
 
 void put3(NextRay& ray, std::int32_t plane, vec3 v) {
     for (std::size_t c = 0; c < 3; ++c) ray.numbers[std::size_t(plane) + c] = v[c];
@@ -100,16 +74,6 @@ void send_on(const TracePicture& picture, const NextView& hit, std::int32_t lobe
     if (!is_sound(out)) return;
     (goes_through ? s.counts.rays.refracted : s.counts.rays.reflected) += 1;
     s.next.push_back(out);
-}
-
-/// What reaches the pixel of a ray's light: its weight, and what the body that it is in has absorbed on the way.
-vec3 weight_of(const TracePicture& picture, const WaveScratch& s, std::size_t ray) {
-    if (s.wave.is_primary()) return {1, 1, 1};
-    const vec3 weight = s.wave.weight[ray];
-    const std::uint32_t body = s.wave.media[ray].innermost();
-    if (body == no_index) return weight;
-    const vec3 d = s.wave.vector(ray_d, ray);
-    return weight * absorbed(picture.list.materials[body].factors, s.meetings[ray].t * length(d));
 }
 
 /// Lights the hits of one draw.
@@ -159,6 +123,52 @@ void shade_run(const TracePicture& picture, const Context& context, int depth, s
 }
 
 }  // namespace
+
+bool is_sound(const NextRay& ray) {
+    for (const float number : ray.numbers)
+        if (!(number - number == 0)) return false;
+    return is_finite(ray.weight);
+}
+
+void set_wave(const std::vector<NextRay>& rays, RayWave& wave) {
+    wave.count = rays.size();
+    wave.stride = rays.size() + 48;
+    wave.planes.resize(std::size_t(ray_planes) * wave.stride);
+    wave.pixel.resize(rays.size()), wave.weight.resize(rays.size()), wave.media.resize(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        for (std::int32_t p = 0; p < ray_planes; ++p) wave.plane(p)[i] = rays[i].numbers[p];
+        wave.pixel[i] = rays[i].pixel, wave.weight[i] = rays[i].weight, wave.media[i] = rays[i].media;
+    }
+}
+
+void set_etas(const TracePicture& picture, std::uint32_t draw, std::size_t count, WaveScratch& s) {
+    const std::uint32_t body = picture.list.draws[draw].material;
+    const auto index_in = [&](const Media& media, int color) {
+        const std::uint32_t around = media.innermost();
+        return around == no_index ? 1.0f : refraction_of(picture.list.materials[around].factors, color);
+    };
+    s.eta_front.resize(count), s.eta_back.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Media media = s.wave.is_primary() ? Media{} : s.wave.media[std::size_t(s.hit_ray[i])];
+        const int color = s.hit_color.empty() ? -1 : s.hit_color[i];
+        const float own = refraction_of(picture.list.view(draw), color);
+        s.eta_front[i] = index_in(media, color) / own;
+        // In another body that overlaps this one the ray stays as it is.
+        const float before = media.innermost() == no_index ? own : index_in(media, color);
+        media.leave(body);
+        s.eta_back[i] = before / index_in(media, color);
+    }
+    pad(s.eta_front, count), pad(s.eta_back, count);
+}
+
+vec3 weight_of(const TracePicture& picture, const WaveScratch& s, std::size_t ray) {
+    if (s.wave.is_primary()) return {1, 1, 1};
+    const vec3 weight = s.wave.weight[ray];
+    const std::uint32_t body = s.wave.media[ray].innermost();
+    if (body == no_index) return weight;
+    const vec3 d = s.wave.vector(ray_d, ray);
+    return weight * absorbed(picture.list.materials[body].factors, s.meetings[ray].t * length(d));
+}
 
 TileTracer tracer_of(const TracePicture& picture, const Context& context, WaveScratch& s) {
     return {picture, context, s.counts.rays.shadow, s.hit_ray.data(),

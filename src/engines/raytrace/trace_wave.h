@@ -52,6 +52,7 @@ struct WaveScratch {
     std::vector<std::int32_t> live, going;  ///< rays that go on behind something blended; those that are followed now
     std::vector<std::int32_t> order, hit_ray, hit_triangle;  ///< hits by draw; those of one draw
     std::vector<float> hit_t, eta_front, eta_back;
+    std::vector<std::int8_t> hit_color;  ///< [hits] of light of one color, 0 to 2; < 0, or empty: of all
     std::vector<float> red, green, blue, alpha, next_planes_of_hits;
     std::vector<vec3> sum;      ///< [pixels] what all rays have brought
     std::vector<NextRay> next;  ///< that surfaces of this wave send on
@@ -67,6 +68,18 @@ Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_
 
 /// For the jobs of the hits that set_hits() set.
 TileTracer tracer_of(const TracePicture& picture, const Context& context, WaveScratch& s);
+
+/// Whether a ray can be followed: all of it is finite.
+bool is_sound(const NextRay& ray);
+
+/// @param rays  become the wave's
+void set_wave(const std::vector<NextRay>& rays, RayWave& wave);
+
+/// Indices of refraction before the surface over those behind it, by what the rays are in, of the hits that set_hits() set.
+void set_etas(const TracePicture& picture, std::uint32_t draw, std::size_t count, WaveScratch& s);
+
+/// What reaches the pixel of a ray's light: its weight, and what the body that it is in has absorbed on the way.
+vec3 weight_of(const TracePicture& picture, const WaveScratch& s, std::size_t ray);
 
 /// The hits of one draw: rays `begin` to `end` of s.order, into the job.
 void set_hits(std::size_t begin, std::size_t end, WaveScratch& s, HitJob& job);

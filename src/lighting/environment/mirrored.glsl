@@ -20,9 +20,3 @@ RL_MAP_FN vec3 mirrored(RL_IN(Maps) maps, RL_IN(Environment) e, vec3 direction, 
     real level = clamp(roughness, 0.0f, 1.0f) * e.last_level;
     return sample_environment(maps, octahedral(to_environment(e, direction)), level) * e.intensity;
 }
-
-RL_FN vec3 mirrored_about(vec3 n, vec3 v)
-{
-    real n_dot_v = dot(n, v);
-    return n * (n_dot_v + n_dot_v) - v;
-}

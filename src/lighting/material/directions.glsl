@@ -17,6 +17,18 @@ RL_FN void set_normals(RL_INOUT(MaterialSurface) s, vec3 bumped, vec3 even, int 
     }
 }
 
+// n turned as little as keeps the mirror direction of v above the surface, whose own normal is `plane`: no black fringes where bumps
+// and smooth normals lead below it. All unit, v above the plane. Source: Keller et al. 2017, "The Iray Light Transport Simulation and
+// Rendering System", appendix A.3.
+RL_FN vec3 valid_normal(vec3 n, vec3 v, vec3 plane)
+{
+    vec3 mirrored_v = n * (2.0f * dot(n, v)) - v;
+    real depth = dot(mirrored_v, plane);
+    real least = min(0.9f * dot(v, plane), 0.01f);
+    vec3 raised = safe_normalize_or(mirrored_v + plane * (least - depth), plane);
+    return select(depth < least, safe_normalize_or(v + raised, plane), n);
+}
+
 // tangent not unit; bitangent = cross(n, t) * w.
 RL_FN void set_lobe_axes(RL_INOUT(MaterialSurface) s, vec3 tangent, real w)
 {

@@ -70,20 +70,25 @@ RL_FN real smith_visibility(real n_dot_l, real n_dot_v, real stretch_l, real str
     return 0.5f / max(n_dot_l * stretch_v + n_dot_v * stretch_l, 1e-9f);
 }
 
-// [1/sr] D V with F = 1; 0 where l or v is below the horizon. 1e-3 <= alpha <= 1. ggx_distribution_isotropic() times
-// smith_visibility() with one division and no unit halfway direction: with s = l + v,
+// ggx_distribution_isotropic() times 1 / (2 rest) without a unit halfway direction and with one division: with s = l + v,
 // D = alpha^2 |s|^4 / (pi (|n x s|^2 + alpha^2 (n.s)^2)^2).
-RL_FN real ggx_brdf(vec3 n, vec3 l, vec3 v, real alpha)
+RL_FN real ggx_over_twice(vec3 n, vec3 sum, real alpha, real rest)
 {
-    vec3 sum = l + v;
     vec3 across = cross(n, sum);
     real along = alpha * dot(n, sum);
     real spread = dot(across, across) + along * along;
+    real peak = alpha * min(dot(sum, sum), 4.0f);
+    return (0.5f * RL_INVERSE_PI) * peak * peak / (max(spread * spread, 1e-26f) * max(rest, 1e-9f));
+}
+
+// [1/sr] D V with F = 1; 0 where l or v is below the horizon. 1e-3 <= alpha <= 1. ggx_distribution_isotropic() times
+// smith_visibility().
+RL_FN real ggx_brdf(vec3 n, vec3 l, vec3 v, real alpha)
+{
     real n_dot_l = dot(n, l);
     real n_dot_v = dot(n, v);
     real masked = n_dot_l * ggx_stretch_isotropic(n_dot_v, alpha) + n_dot_v * ggx_stretch_isotropic(n_dot_l, alpha);
-    real peak = alpha * min(dot(sum, sum), 4.0f);
-    real value = (0.5f * RL_INVERSE_PI) * peak * peak / (max(spread * spread, 1e-26f) * max(masked, 1e-9f));
+    real value = ggx_over_twice(n, l + v, alpha, masked);
     return select(min(n_dot_l, n_dot_v) > 0.0f, value, 0.0f);
 }
 
@@ -115,4 +120,45 @@ RL_FN vec3 scattering_color(vec3 f0, vec3 f90, real albedo_mean)
     vec3 f = f0 + (f90 - f0) * (1.0f / 21.0f);
     vec3 rest = vec3(1.0f) - f * (1.0f - albedo_mean);
     return f * f * albedo_mean / max(rest, vec3(1e-6f));
+}
+
+// v mirrored on a facet, of those that v sees evenly by the area that it sees of them. Dupuy & Benyoub 2023, "Sampling Visible GGX
+// Normals with Spherical Caps": in the space stretched by the alphas h is the sum of v and a point of the unit sphere
+// above the height of -v. n.v < 0 counts as 0.
+RL_FN vec3 sample_ggx(vec3 n, vec3 t, vec3 b, vec3 v, real alpha_x, real alpha_y, vec2 u)
+{
+    vec3 stretched = vec3(alpha_x * dot(v, t), alpha_y * dot(v, b), max(dot(v, n), 0.0f));
+    vec3 s = safe_normalize(stretched);
+    real top = 1.0f + s.z;
+    real h_n = max(1.0f - u.x, 0.0f) * top;  // s.z and the point's height, from 0 to 1 + s.z
+    real sine = safe_sqrt((h_n + 1.0f - s.z) * u.x * top);  // 1 + the point's height, 1 - it
+    vec2 around = cos_sin_of_turns(u.y);
+    real h_t = alpha_x * (sine * around.x + s.x);
+    real h_b = alpha_y * (sine * around.y + s.y);
+    return mirrored_about(safe_normalize_or(t * h_t + b * h_b + n * h_n, n), v);
+}
+
+RL_FN vec3 sample_ggx_isotropic(vec3 n, vec3 v, real alpha, vec2 u)
+{
+    Axes axes = axes_about(n);
+    return sample_ggx(n, axes.tangent, axes.bitangent, v, alpha, alpha, u);
+}
+
+// [1/sr] of sample_ggx(): D G1(v) v.h / n.v / (4 v.h) = D / (2 (n.v + stretch(v))), Heitz 2018, "Sampling the GGX Distribution of
+// Visible Normals", eq. 3 and 17. The weight, ggx_anisotropic_brdf() n.l over it, is G / G1(v) <= 1. 0 for n.v <= 0.
+RL_FN real ggx_anisotropic_pdf(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v, real alpha_x, real alpha_y)
+{
+    vec3 h = half_vector(l, v, n);
+    real n_dot_v = dot(n, v);
+    real seen = 0.5f / max(n_dot_v + ggx_stretch(n, t, b, v, alpha_x, alpha_y), 1e-9f);
+    return select(min(n_dot_v, dot(n, l + v)) > 0.0f, ggx_distribution(n, t, b, h, alpha_x, alpha_y) * seen, 0.0f);
+}
+
+// The same for equal alphas, with the roundings of ggx_brdf().
+RL_FN real ggx_pdf(vec3 n, vec3 l, vec3 v, real alpha)
+{
+    vec3 sum = l + v;
+    real n_dot_v = dot(n, v);
+    real value = ggx_over_twice(n, sum, alpha, n_dot_v + ggx_stretch_isotropic(n_dot_v, alpha));
+    return select(min(n_dot_v, dot(n, sum)) > 0.0f, value, 0.0f);
 }

@@ -2,6 +2,7 @@
 // Source: Oren & Nayar 1994, "Generalization of Lambert's Reflectance Model", eq. 30, the full qualitative model:
 // rho / pi (A + B max(0, cos(phi_r - phi_i)) sin alpha tan beta), alpha the greater, beta the smaller of both angles.
 // sigma [rad]: standard deviation of the facets' angles; 0 is Lambert. Its albedo reaches 1.015 of rho at grazing angles.
+// Its sampler is sample_cosine() of lambert.glsl: what is left in the weight, oren_nayar_factor(), is bounded.
 
 RL_FN real oren_nayar_a(real sigma)
 {

@@ -44,3 +44,30 @@ RL_FN real phong_brdf(real r_dot_v, real exponent)
 {
     return phong_normalization(exponent) * phong_lobe(r_dot_v, exponent);
 }
+
+// Directions about the axis whose cosine c to it has the density (exponent + 1) / (2 pi) c^exponent: Lafortune & Willems 1994.
+// c = x^(1 / (exponent + 1)) of the random number x; the sine comes without cancellation, so that narrow lobes keep their shape.
+RL_FN vec3 sample_power_cosine(vec3 axis, real exponent, vec2 u)
+{
+    real power = log2(max(1.0f - u.x, 5.96e-8f)) / (max(exponent, 0.0f) + 1.0f);
+    real sine = safe_sqrt(one_minus_exp(1.38629436f * power));  // 2 ln 2
+    return direction_about(axis, exp2(power), sine, u.y);
+}
+
+// [1/sr] of c^exponent.
+RL_FN real power_cosine_pdf(real power_of_cosine, real exponent)
+{
+    return (clamp(exponent, 0.0f, 1e18f) + 1.0f) * (0.5f * RL_INVERSE_PI) * power_of_cosine;
+}
+
+// About the mirror direction of v.
+RL_FN vec3 sample_phong(vec3 n, vec3 v, real exponent, vec2 u)
+{
+    return sample_power_cosine(mirrored_about(n, v), exponent, u);
+}
+
+// [1/sr] `lobe`: phong_lobe() of the direction.
+RL_FN real phong_pdf(real lobe, real exponent)
+{
+    return power_cosine_pdf(lobe, exponent);
+}

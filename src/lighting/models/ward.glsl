@@ -44,3 +44,24 @@ RL_FN real ward_brdf(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v, real alpha_x, real 
     real value = ward_peak(alpha_x, alpha_y) * ward_lobe(n, t, b, h, alpha_x, alpha_y) / ward_divisor(n, l, v, h, form);
     return select(min(dot(n, l), dot(n, v)) > 0.0f, value, 0.0f);
 }
+
+// v mirrored on a facet of Ward's slopes; the same for the three forms. Walter 2005, "Notes on the Ward BRDF", eq. 6 and 7, as
+// slopes. The weight, BRDF n.l over density, is at most 2 in the bounded form; v.h (n.h)^3 sqrt(n.l / n.v) in that of 1992, and over
+// n.v in Duer's.
+RL_FN vec3 sample_ward(vec3 n, vec3 t, vec3 b, vec3 v, real alpha_x, real alpha_y, vec2 u)
+{
+    real slope = safe_sqrt(-0.693147181f * log2(max(1.0f - u.x, 5.96e-8f)));
+    vec2 around = cos_sin_of_turns(u.y);
+    vec3 h = t * (slope * alpha_x * around.x) + b * (slope * alpha_y * around.y) + n;
+    return mirrored_about(safe_normalize_or(h, n), v);
+}
+
+// [1/sr] Walter 2005, its density of facets over 4 v.h. Facets seen from behind mirror v, too: to directions whose n.h is below 0.
+RL_FN real ward_pdf(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v, real alpha_x, real alpha_y)
+{
+    vec3 halfway = half_vector(l, v, n);
+    vec3 h = select(dot(n, halfway) < 0.0f, -halfway, halfway);
+    real n_dot_h = max(dot(n, h), 1e-3f);
+    real facets = ward_peak(alpha_x, alpha_y) * ward_lobe(n, t, b, h, alpha_x, alpha_y) / (n_dot_h * n_dot_h * n_dot_h);
+    return facets / halfway_cosine(l, v);
+}

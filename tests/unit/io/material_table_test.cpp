@@ -70,6 +70,7 @@ constexpr Expected parameter_places[] = {
     {"thickness", "/extensions/KHR_materials_volume/thicknessFactor"},
     {"attenuation_distance", "/extensions/KHR_materials_volume/attenuationDistance"},
     {"attenuation_color", "/extensions/KHR_materials_volume/attenuationColor"},
+    {"dispersion", "/extensions/KHR_materials_dispersion/dispersion"},
 };
 
 std::string place_of(std::span<const Expected> places, std::string_view row) {

@@ -38,7 +38,8 @@ std::string whole_text() {
     for (std::string name; std::getline(list, name);)
         if (!name.empty() && name[0] != '#') text += read_source("src/lighting/" + name);
     return text + operations.substr(end_of_maps) + read_source("tests/unit/lighting/material_operations.glsl") +
-           "#define RL_TANGENT orthogonal_tangent(n, p)\n";
+           "#define RL_TANGENT orthogonal_tangent(n, p)\n"
+           "#define RL_U vec2(clamp(abs(s), 0.0f, 0.9999999f), clamp(abs(t), 0.0f, 0.9999999f))\n";
 }
 
 /// Of one operation: an item a pixel, six texels an item.

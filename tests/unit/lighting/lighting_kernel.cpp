@@ -172,6 +172,48 @@ static void relief_of_step(vec3 p, vec3 v, vec3 l, const ReliefCase& c, float* c
 
 static void relief(const Inputs& in, ReliefCase c, float* const* out) { RL_LOOP(relief_of_step(p, v, l, c, out, at)) }
 
-const Kernel kernel = {lanes, operations, int(sizeof operations / sizeof operations[0]), terms, material, sum, relief};
+static MaterialSurface surface_of(const PathSurface& c, vec3 n, vec3 v, vec3 diffuse_n, vec3 coat_n, vec3 p,
+                                  const MaterialTraits& traits) {
+    MaterialSurface s;
+    s.base = surface_of(n, v, vec3(0.0f), broadcast3(c.kd), broadcast3(c.ks), c.exponent,
+                        {c.model, RL_NORMALIZED, 1, c.whole_exponent});
+    s.diffuse_n = c.has_two_normals != 0 ? diffuse_n : n;
+    set_lobe_axes(s, p, 1.0f);
+    set_oren_nayar(s, c.sigma);
+    s.alpha_x = c.alpha_x, s.alpha_y = c.alpha_y;
+    s.table_roughness = sqrt(s.alpha_x);
+    if (c.is_anisotropic != 0) s.table_roughness = equal_roughness(s.alpha_x, s.alpha_y);
+    s.f90 = vec3(c.f90);
+    s.dielectric_f0 = c.dielectric_f0, s.dielectric_f90 = c.f90;
+    s.sheen = broadcast3(c.sheen), s.sheen_alpha = c.sheen_alpha;
+    s.coat_n = coat_n, s.coat_alpha = c.coat_alpha, s.coat_reflectance = c.coat;
+    set_pbr_albedos(s, test_maps(), 1.0f, 0, traits);
+    return s;
+}
+
+static void paths_of_step(const MaterialSurface& s, const MaterialTraits& traits, const Reflection& r, vec3 l,
+                          real choice, vec2 u, float* const* out, int at) {
+    const LobeShares shares = lobe_shares(s, traits, r);
+    const vec3 sampled = sample_surface(s, shares, traits, r, choice, u);
+    store3(out, at, sampled);
+    store(out[3] + at, surface_pdf(s, shares, sampled, traits, r));
+    store3(out + 4, at, reflected_share(s, sampled, light_albedo(s, test_maps(), sampled, traits, r.model), traits, r));
+    store(out[7] + at, surface_pdf(s, shares, l, traits, r));
+    store3(out + 8, at, reflected_share(s, l, light_albedo(s, test_maps(), l, traits, r.model), traits, r));
+    store3(out + 11, at, vec3(shares.diffuse, shares.specular, shares.scattering));
+    store(out[14] + at, shares.sheen);
+    store(out[15] + at, shares.coat);
+}
+
+static void paths(const Inputs& in, const PathSurface& c, float* const* out) {
+    const MaterialTraits traits = {c.ward_form, c.is_anisotropic, c.has_scattering,
+                                   c.has_sheen, c.has_coat,       c.has_two_normals};
+    const Reflection r = reflection_of({c.model, RL_NORMALIZED, 1, c.whole_exponent});
+    RL_LOOP(paths_of_step(surface_of(c, n, v, ka, kd, p, traits), traits, r, l, fract(e), vec2(fract(s), fract(t)), out,
+                          at))
+}
+
+const Kernel kernel = {lanes,  operations, int(sizeof operations / sizeof operations[0]), terms, material, sum,
+                       relief, paths};
 
 }  // namespace rakelight::lighting_test::RL_ISA

@@ -32,6 +32,19 @@ struct MaterialChoice {
     int model, ward_form = 2, is_anisotropic = 0, has_scattering = 0, has_sheen = 0, has_coat = 0;
 };
 
+/// A surface that paths meet, normalized form; the same for all items. Metals: kd 0, ks the base color.
+struct PathSurface {
+    const char* name = "";
+    int model = 0, ward_form = 2, is_anisotropic = 0, has_scattering = 0, has_sheen = 0, has_coat = 0,
+        has_two_normals = 0;
+    float kd[3] = {0, 0, 0}, ks[3] = {0, 0, 0};  ///< ks: f0 of pbr, rho_s of Ward
+    float exponent = 1;
+    int whole_exponent = 0;
+    float alpha_x = 1, alpha_y = 1, sigma = 0;
+    float dielectric_f0 = 0.04f, f90 = 1;
+    float sheen[3] = {0, 0, 0}, sheen_alpha = 1, coat = 0, coat_alpha = 1;
+};
+
 struct Kernel {
     int lanes;
     const Operation* operations;
@@ -48,6 +61,10 @@ struct Kernel {
     /// A ray at p.x, p.y towards v into a relief of one width, and from where it is met towards l: the place u, v, its
     /// height, and 1 where it is lit, in out[0..3].
     void (*relief)(const Inputs& in, ReliefCase relief, float* const* out);
+    /// The surface with normals n, ka (diffuse), kd (coat) and tangent p, seen from v. Of the direction that sample_surface()
+    /// makes of e, (s, t) modulo 1: out[0..2] itself, [3] surface_pdf, [4..6] reflected_share; of l: [7] and [8..10]; lobe_shares in
+    /// [11..15].
+    void (*paths)(const Inputs& in, const PathSurface& surface, float* const* out);
 };
 
 namespace scalar {

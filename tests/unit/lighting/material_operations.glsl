@@ -10,6 +10,7 @@ RL_FN MaterialTraits traits_with(int form, int all)
     traits.has_scattering = all;
     traits.has_sheen = all;
     traits.has_coat = all;
+    traits.has_two_normals = all;
     return traits;
 }
 
@@ -225,4 +226,50 @@ RL_FN vec3 reach_of(vec3 ka, int radius)
     s.radius = radius;
     set_reach(s, ka.y);
     return vec3(s.texel, s.push, s.reach);
+}
+
+// As any_material(), of a normalized model.
+RL_FN MaterialSurface any_path_surface(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, real e, int model)
+{
+    MaterialSurface s = any_material(n, v, ka, kd, ks, p, model);
+    s.base = any_base(n, v, ka, kd, ks, e, any_reflection(model, RL_NORMALIZED));
+    return s;
+}
+
+// The sum is 1: diffuse and coat are told by the others.
+RL_FN vec3 shares_of(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, int model)
+{
+    LobeShares shares = lobe_shares(any_path_surface(n, v, ka, kd, ks, p, 10.0f, model), traits_with(RL_WARD_BOUNDED, 1), any_reflection(model, RL_NORMALIZED));
+    return vec3(shares.specular, shares.scattering + 2.0f * shares.sheen, shares.coat + 2.0f * shares.diffuse);
+}
+
+RL_FN LobeShares equal_shares()
+{
+    LobeShares shares;
+    shares.diffuse = 0.2f;
+    shares.specular = 0.2f;
+    shares.scattering = 0.2f;
+    shares.sheen = 0.2f;
+    shares.coat = 0.2f;
+    return shares;
+}
+
+// lobe: 0 diffuse ... 4 coat, which a random number could draw in one place and not in the other.
+RL_FN vec3 sampled_lobe(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, real e, vec2 u, int model, real lobe)
+{
+    MaterialSurface s = any_path_surface(n, v, ka, kd, ks, p, e, model);
+    return sample_surface(s, equal_shares(), traits_with(RL_WARD_BOUNDED, 1), any_reflection(model, RL_NORMALIZED), 0.2f * lobe + 0.1f, u);
+}
+
+RL_FN real density_of(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, real e, int model)
+{
+    MaterialSurface s = any_path_surface(n, v, ka, kd, ks, p, e, model);
+    return surface_pdf(s, equal_shares(), l, traits_with(RL_WARD_BOUNDED, 1), any_reflection(model, RL_NORMALIZED));
+}
+
+RL_FN vec3 share_from(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, real e, int model)
+{
+    MaterialSurface s = any_path_surface(n, v, ka, kd, ks, p, e, model);
+    LightAlbedo albedo = light_albedo(s, test_maps(), l, traits_with(RL_WARD_BOUNDED, 1), model);
+    return reflected_share(s, l, albedo, traits_with(RL_WARD_BOUNDED, 1), any_reflection(model, RL_NORMALIZED));
 }

@@ -9,6 +9,7 @@
 
 #include "lighting_items.h"
 #include "math/flush_denormals.h"
+#include "sphere_bins.h"
 
 namespace rakelight::lighting_test {
 namespace {
@@ -67,6 +68,12 @@ void expect_all_flavours_equal(Items& items) {
         for (const Flavour& f : flavours())
             expect_equal(material(*f.kernel, items, choice), expected,
                          "material model " + std::to_string(choice.model) + " in " + name(f.isa));
+    }
+    for (const PathCase& c : path_cases()) {
+        const Results expected = paths(scalar::kernel, items, c.surface);
+        for (const Flavour& f : flavours())
+            expect_equal(paths(*f.kernel, items, c.surface), expected,
+                         std::string("path surface ") + c.surface.name + " in " + name(f.isa));
     }
     const auto lights = one_light_of_each_kind();
     for (const Choice choice : all_choices)
@@ -130,6 +137,13 @@ TEST(WideLighting, NothingThatGoesInGivesNaN) {
             if (!(std::abs(in.column[c][item]) < 1e18f)) return false;
         return true;
     };
+    for (const PathCase& c : path_cases()) {
+        const Results results = paths(scalar::kernel, items, c.surface);
+        for (std::size_t column = 0; column < results.width(); ++column)
+            for (std::size_t i = 0; i < items.size(); ++i)
+                ASSERT_FALSE(is_in_range(i) && std::isnan(results[column][i]))
+                    << "path surface " << c.surface.name << " column " << column << " item " << i;
+    }
     const std::set<std::string> of_any_size = {
         "orthogonal_tangent",    "perturb_normal", "blinn_phong_lobe_of_vectors", "phong_lobe",      "blinn_phong_lobe",
         "classical_attenuation", "classical_spot", "photometric_attenuation",     "photometric_spot"};

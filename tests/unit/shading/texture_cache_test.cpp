@@ -55,6 +55,28 @@ TEST(TextureCache, BumpsAreCheckedAlsoWhenThePictureWasThereAsData) {
     EXPECT_EQ(packer.packed, 2) << "it was there with its check";
 }
 
+TEST(TextureCache, MeansArePaidForWhetherThePictureIsMeasuredBeforeOrNot) {
+    Context context({.threads = 1});
+    const FakePacker packer;
+    for (const bool is_measured : {false, true}) {
+        auto image = std::make_shared<EncodedImage>(*picture(bluish(64)));
+        if (is_measured)
+            image->measure = [](const EncodedImage&, Context&) {
+                return Pixels{.width = 64, .height = 64, .channels = 3};
+            };
+        TextureCache cache;
+        const TextureKey color = key(image);
+        cache.update({{color}}, packer, context);
+        EXPECT_FALSE(cache.find(color)->means);
+        cache.update({{color}, {color, false, true}}, packer, context);
+        ASSERT_TRUE(cache.find(color)->means);
+        EXPECT_EQ(cache.find(color)->means_charge.bytes(), MeanMap::bytes_for(64, 64)) << is_measured;
+        EXPECT_EQ(context.memory().charged(), MeanMap::bytes_for(64, 64)) << is_measured;
+        cache.update({}, packer, context);
+        EXPECT_EQ(context.memory().charged(), 0u);
+    }
+}
+
 TEST(TextureCache, WhatCannotBeDecodedIsAWarningAndTheOthersAreThere) {
     Context context({.threads = 2});
     const FakePacker packer;

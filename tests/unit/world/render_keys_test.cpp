@@ -39,6 +39,12 @@ const std::map<std::string, std::vector<std::string>> examples = {
     {"naive", {"on"}},
     {"naive-limit", {"1000"}},
     {"tessellate", {"on"}},
+    {"seed", {"7"}},
+    {"max-seconds", {"2.5"}},
+    {"noise", {"0.02"}},
+    {"clamp", {"10"}},
+    {"light-sampling", {"lights"}},
+    {"denoise", {"on"}},
     {"background", {"#204080"}},
     {"channels", {"depth,normal"}},
     {"channel-files", {"layers,png"}},
@@ -179,6 +185,7 @@ TEST(RenderKeys, WhatExcludesEachOtherNamesBoth) {
     EXPECT_EQ(fault_of({value("edges", {})}).setting(), "edges");
     EXPECT_EQ(fault_of({value("subdivide-uv", {"smooth"})}).setting(), "subdivide-uv");
     EXPECT_EQ(fault_of({value("point-sprites", {"on"}), value("points", {"none"})}).setting(), "point-sprites");
+    EXPECT_EQ(fault_of({value("light", {"none", "ambient:1,1,1"})}).setting(), "light");
     EXPECT_EQ(fault_of({value("light", {"default", "ambient:1,1,1"})}).setting(), "light");
     EXPECT_EQ(fault_of({value("light", {"point:0,0,0:exponent=2"})}).setting(), "light");
     EXPECT_EQ(fault_of({value("shading", {"flat", "phong"})}).setting(), "shading");
@@ -251,6 +258,27 @@ TEST(RenderKeys, NumbersThatAreNotOrOutOfRangeAreRefused) {
     }
     const std::vector<WorldValue> two = {value("near", {"1", "2"})};
     EXPECT_EQ(test::error_of([&] { read(two); }).setting(), "near");
+}
+
+TEST(RenderKeys, PathsTakeManySamplesUnlessItIsSaid) {
+    PictureRequest r = read(std::vector{value("method", {"path"})});
+    EXPECT_EQ(r.settings.samples, 64);
+    r = read(std::vector{value("samples", {"1"}), value("method", {"path"})});
+    EXPECT_EQ(r.settings.samples, 1);
+    const std::vector<WorldValue> written = written_render_keys(r);
+    EXPECT_EQ(read(written).settings.samples, 1);
+    r.settings.samples = 64;
+    EXPECT_EQ(read(written_render_keys(r)).settings.samples, 64);
+}
+
+TEST(RenderKeys, NoLightIsNotTheDefaultOne) {
+    const PictureRequest r = read(std::vector{value("light", {"none"})});
+    ASSERT_TRUE(r.lights.has_value());
+    EXPECT_TRUE(r.lights->empty());
+    EXPECT_FALSE(r.default_lights);
+    const PictureRequest again = read(written_render_keys(r));
+    ASSERT_TRUE(again.lights.has_value());
+    EXPECT_TRUE(again.lights->empty());
 }
 
 }  // namespace

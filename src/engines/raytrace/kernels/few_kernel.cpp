@@ -45,9 +45,11 @@ static void sky(const SkyJob* job) {
 void alpha(const HitJob* job);  // every_kernel.cpp
 void through(const HitJob* job);
 void channels(const ChannelJob* job);
+int32_t walk(const PathJob* job);  // path_kernel.cpp
+void emission(const HitJob* job);
 
 const Kernels* kernels() {
-    static constexpr Kernels table = {lanes, shade, alpha, through, channels, sky};
+    static constexpr Kernels table = {lanes, shade, alpha, through, channels, walk, emission, sky};
     return &table;
 }
 

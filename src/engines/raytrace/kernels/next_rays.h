@@ -34,10 +34,14 @@ inline HitTransport classical_transport(const EveryJob& job, const EveryPoint& s
             mask(m.mirror != shading::mirror_none), none};
 }
 
+inline real transmission_at(const EveryJob& job, const EveryPoint& s) {
+    return real(job.material().transmission) * cpu::texel_or_white(job, role_transmission, s.point).x;
+}
+
 inline HitTransport metallic_transport(const EveryJob& job, const EveryPoint& s, real cosine, real eta) {
     const cpu_shading::MaterialView& m = job.material();
     const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, s.point, s.texels);
-    const real transmission = real(m.transmission) * cpu::texel_or_white(job, role_transmission, s.point).x;
+    const real transmission = transmission_at(job, s);
     const int32_t bends = m.is_body;
     HitTransport out;
     out.weights = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, bends, cosine, eta);
@@ -144,12 +148,14 @@ inline vec3 straight_through(const EveryJob& job, const Hits& h, EveryPoint& s) 
     const cpu_shading::MaterialView& m = job.material();
     s.texels = cpu::material_texels(job, s.point);
     if (m.metallic_roughness == 0) {
+        if (m.blend != 0 && !(m.filter[0] > 0.0f || m.filter[1] > 0.0f || m.filter[2] > 0.0f))
+            return vec3(real(1.0f) - clamp(s.base.color.w, real(0.0f), real(1.0f)));
         const float index =
             m.refraction > 0.0f ? m.refraction : 1.0f;  // straight on, from either side: no total reflection
         return classical_transport(job, s, cosine, real(index > 1.0f ? 1.0f / index : index)).weights.refracted;
     }
     const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, s.point, s.texels);
-    const real transmission = real(m.transmission) * cpu::texel_or_white(job, role_transmission, s.point).x;
+    const real transmission = transmission_at(job, s);
     const vec3 share = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, 0, cosine, one).refracted;
     if (m.blend == 0) return share;
     const real alpha = clamp(s.base.color.w, real(0.0f), real(1.0f));

@@ -105,6 +105,50 @@ struct HitJob : MaterialJob {
     float* alpha;
 };
 
+/// What a path needs at a hit, an array each.
+enum PathInNumber : int32_t {
+    in_choice = 0,           ///< random numbers, [0, 1): which of the surface's lobes,
+    in_direction = 1,        ///< where in the lobe (2)
+    in_emitter = 3,          ///< a place on an emitter, about the eye, or the unit direction to the environment (3)
+    in_emitter_n = 6,        ///< its unit normal (3)
+    in_emitter_pdf = 9,      ///< [1/m^2], or [1/sr] of the environment; 0: there is no emitter
+    in_emitter_is_far = 10,  ///< 1: the environment
+    in_emitter_both = 11,    ///< 1: it shines from both sides
+    in_lights = 12,          ///< as many as PathJob::picked_lights: into HitJob::lights, as numbers
+};
+inline constexpr int32_t most_picked_lights = 4;
+inline constexpr int32_t path_in_planes = in_lights + most_picked_lights;
+
+/// What a path's hit gives beside HitJob's color, which is the light of lights without an area.
+enum PathOutNumber : int32_t {
+    out_own = 0,        ///< own radiance (3)
+    out_per_area = 3,   ///< [m^2/sr] by which densities on the surface, seen along the ray, are those of directions
+    out_emitter_o = 4,  ///< where the ray to the emitter begins, about the eye (3)
+    out_emitter_d = 7,  ///< the emitter is at 1 on it, the environment at infinity (3)
+    out_emitter_weight = 10,  ///< of its radiance; 0: no ray (3)
+    out_o = 13,               ///< where the path goes on, about the eye (3)
+    out_d = 16,               ///< unit (3)
+    out_weight = 19,          ///< 0: it ends (3)
+    out_pdf = 22,             ///< [1/sr] of the direction; 0: emitters are not sampled in this lobe
+    out_through = 23,         ///< 1: through the surface
+    out_side = 24,            ///< 1: the front is seen, -1: the back
+    out_albedo = 25,          ///< (3)
+    out_normal = 28,          ///< (3)
+    path_out_planes = 31,
+};
+
+struct PathJob {
+    HitJob hits;                        ///< `next` is null
+    const float* in;                    ///< [path_in_planes][stride]
+    float* out;                         ///< [path_out_planes][stride]
+    int32_t stride;                     ///< at least the count + batch_padding
+    const float *eta_front, *eta_back;  ///< as NextRays has them
+    int32_t picked_lights;              ///< lights of each hit, chosen at random; < 0: all lights
+    const float* light_scale;           ///< [lights] that the light of a pick is multiplied by
+    int32_t asks_alone;                 ///< emitters are not met by chance: LightSampling::lights
+    int32_t shines_behind;              ///< the back gives light, too
+};
+
 /// Rays that meet nothing.
 struct SkyJob {
     int32_t count;  ///< from ray 0 on
@@ -132,6 +176,8 @@ struct Kernels {
     void (*alpha)(const HitJob* job);     ///< only `alpha` is written: for masks
     void (*through)(const HitJob* job);   ///< red, green, blue: what goes straight through, for shadows
     void (*channels)(const ChannelJob* job);
+    int32_t (*walk)(const PathJob* job);  ///< as `shade`
+    void (*emission)(const HitJob* job);  ///< red, green, blue: own radiance, times alpha where it is blended
     void (*sky)(const SkyJob* job);
 };
 

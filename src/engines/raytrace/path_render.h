@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture by paths, pass by pass, until it is good enough.
+#pragma once
+#include <functional>
+
+#include "cpu_shading/scratch_pool.h"
+#include "engines/raytrace/path_tile.h"
+
+namespace rakelight::raytrace {
+
+/// What the settings are for paths: what is not physical about lighting does not hold.
+RenderSettings path_settings(RenderSettings settings);
+
+/// Follows paths until samples, time or noise say so, and delivers each pass; sinks of strips get the last one alone. After a cancel
+/// these get what is there.
+/// @return passes, samples and noise are set, the rest is counted in the pool
+/// @throws Error failed: cancelled
+RayStats render_paths(const PathPicture& picture, const Window& window, Sink& sink, Context& context,
+                      cpu_shading::ScratchPool<PathScratch>& pool);
+
+}  // namespace rakelight::raytrace

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`rakelight render --engine trace --method path` through the program: samples, passes, seeds, windows, channels, denoising.
+
+  path_test.py PROGRAM [unittest arguments]"""
+import json
+import signal
+import struct
+import subprocess
+import time
+
+import program
+
+SIZE = ("--resolution", "60,40")
+WORLD = """
+[[primitive]]
+type = "plane"
+size = [4, 4]
+material = "white"
+[[primitive]]
+type = "plane"
+size = [1, 1]
+position = [0, 2, 0]
+rotation_deg = [180, 0, 0]
+material = "lamp"
+[[material]]
+name = "white"
+metallic = 0
+roughness = 1
+[[material]]
+name = "lamp"
+metallic = 0
+roughness = 1
+emission = [6, 5, 4]
+[[camera]]
+position = [0, 1.5, 4]
+target = [0, 0.5, 0]
+[render]
+engine = "trace"
+method = "path"
+samples = 8
+background = "#000000"
+"""
+
+
+class Paths(program.Case):
+    def picture(self, name, *options, model="w.scene.toml"):
+        run = self.run_program("render", model, "-o", name, *SIZE, "--json", *options)
+        self.assertEqual(run.code, 0, run.err)
+        return (self.folder / name).read_bytes(), json.loads(run.out)["rows"][0]["stats"]["rays"]
+
+    def setUp(self):
+        super().setUp()
+        if self.run_program("render", "builtin:plane", "-o", "try.png", *SIZE, "--engine", "trace").code != 0:
+            self.skipTest("Embree is not there")
+        (self.folder / "try.png").unlink()
+        self.write("w.scene.toml", WORLD)
+
+    def test_samples_come_in_passes_until_noise_or_time_ends_them(self):
+        _, rays = self.picture("a.png")
+        self.assertEqual((rays["samples"], rays["passes"]), (8, 4))
+        self.assertEqual(rays["primary"], 8 * 60 * 40)
+        self.assertGreater(rays["noise"], 0)
+        _, rays = self.picture("b.png", "--samples", "4096", "--noise", "0.2")
+        self.assertLess(rays["noise"], 0.2)
+        self.assertLess(rays["samples"], 4096)
+        begin = time.monotonic()
+        _, rays = self.picture("c.png", "--samples", "1000000", "--max-seconds", "1")
+        self.assertLess(time.monotonic() - begin, 30)
+        self.assertLess(rays["samples"], 1000000)
+
+    def test_the_same_seed_gives_the_same_bits(self):
+        picture, _ = self.picture("a.png")
+        self.assertEqual(self.picture("b.png", "--threads", "1")[0], picture)
+        self.assertNotEqual(self.picture("c.png", "--seed", "1")[0], picture)
+
+    def test_lamps_are_light_and_no_other_is_there(self):
+        self.picture("a.png", "--light", "none")
+        alone = program.png(self.folder / "a.png")[3]
+        self.assertGreater(max(max(row) for row in alone), 100)
+        self.picture("b.png")
+        self.assertEqual(program.png(self.folder / "b.png")[3], alone)
+
+    def test_no_light_is_black_in_every_engine(self):
+        for engine in ("soft", "trace"):
+            self.picture("dark.png", "--light", "none", "--engine", engine, "--background", "#000000", model="builtin:sphere")
+            rows = program.png(self.folder / "dark.png")[3]
+            self.assertEqual(max(max(row) for row in rows), 0, engine)
+
+    def test_denoised_pictures_say_so_and_windows_of_them_are_parts(self):
+        plain, _ = self.picture("a.png")
+        whole, _ = self.picture("b.png", "--denoise")
+        self.assertNotEqual(plain, whole)
+        self.assertNotIn(b"denoised", plain)
+        self.assertIn(b"tEXtComment\0rakelight: denoised", whole)
+        self.assertIn(b"denoised", self.picture("c.exr", "--denoise")[0])
+        self.assertIn(b"denoised", self.picture("c.jpg", "--denoise")[0])
+        self.picture("part.png", "--denoise", "--window", "17,9,20,15")
+        part, rows = program.png(self.folder / "part.png")[3], program.png(self.folder / "b.png")[3]
+        self.assertEqual([bytes(row) for row in part], [bytes(row[3 * 17:3 * 37]) for row in rows[9:24]])
+
+    def test_channels_of_paths_are_for_paths(self):
+        self.picture("a.png", "--channels", "paths,normal", "--channel-files", "png")
+        self.assertEqual(len(list(self.folder.glob("a.*.png"))), 5)
+        run = self.run_program("render", "w.scene.toml", "-o", "out.png", *SIZE, "--method", "whitted", "--samples", "1", "--channels", "variance")
+        self.check_refused(run, 2, "variance", "path")
+        self.check_refused(self.run_program("render", "w.scene.toml", "-o", "out.png", *SIZE, "--method", "whitted", "--samples", "16"), 2, "samples")
+
+    def test_what_is_not_there_is_wrong_usage(self):
+        for words in (("--samples", "0"), ("--samples", "2000000"), ("--seed", "-1"), ("--noise", "-1"), ("--max-seconds", "x"), ("--clamp", "-1"),
+                      ("--light-sampling", "all")):
+            self.check_refused(self.run_program("render", "w.scene.toml", "-o", "out.png", *SIZE, *words), 2, words[0])
+
+    def test_an_interrupted_picture_is_kept_when_it_is_said(self):
+        for keep in (False, True):
+            work = subprocess.Popen([program.PROGRAM, "render", "w.scene.toml", "-o", "long.png", "--resolution", "200,150", "--samples", "1000000",
+                                     *(["--keep-partial"] if keep else [])], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+            time.sleep(2)
+            work.send_signal(signal.SIGINT)
+            said = work.communicate()[1]
+            self.assertEqual(work.returncode, -signal.SIGINT, said)
+            self.assertEqual((self.folder / "long.png").exists(), keep, said)
+        self.assertEqual(struct.unpack(">II", (self.folder / "long.png").read_bytes()[16:24]), (200, 150))
+
+
+if __name__ == "__main__":
+    program.main()
