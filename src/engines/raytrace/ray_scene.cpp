@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -393,8 +394,20 @@ std::unique_ptr<RayScene::Part> RayScene::make_part(const Mesh& mesh, Building& 
     return part;
 }
 
+namespace {
+
+/// What Embree takes, whose assertions would end the program. Numbers beyond that come of places that no picture shows.
+bool can_be_cast(vec3 origin, vec3 direction, float from) {
+    constexpr float most = 1e18f;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (!(std::fabs(origin[c]) < most) || !(std::fabs(direction[c]) < most)) return false;
+    return from >= 0;
+}
+
+}  // namespace
+
 Meeting RayScene::first(vec3 origin, vec3 direction, float from, float to, const RayFilter* wanted) const {
-    if (!top_) return {};
+    if (!top_ || !can_be_cast(origin, direction, from)) return {};
     RayContext context{{}, wanted, this};
     rtcInitIntersectContext(&context.embree);
     if (wanted) context.embree.filter = filter;
@@ -406,7 +419,7 @@ Meeting RayScene::first(vec3 origin, vec3 direction, float from, float to, const
 }
 
 bool RayScene::is_blocked(vec3 origin, vec3 direction, float from, float to, const RayFilter* wanted) const {
-    if (!top_) return false;
+    if (!top_ || !can_be_cast(origin, direction, from)) return false;
     RayContext context{{}, wanted, this};
     rtcInitIntersectContext(&context.embree);
     if (wanted) context.embree.filter = filter;

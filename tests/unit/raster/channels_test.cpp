@@ -256,8 +256,11 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 
 bool same_bits(const Frame& a, const Frame& b) {
     bool same = same_bits(a.color, b.color);
-    for_each_channel([&](std::uint32_t, const auto& x, const auto& y) { same = same && !x.empty() && same_bits(x, y); },
-                     static_cast<const ChannelArrays&>(a), static_cast<const ChannelArrays&>(b));
+    for_each_channel(
+        [&](std::uint32_t bit, const auto& x, const auto& y) {
+            if (bit & channels_all) same = same && !x.empty() && same_bits(x, y);
+        },
+        static_cast<const ChannelArrays&>(a), static_cast<const ChannelArrays&>(b));
     return same;
 }
 
@@ -280,9 +283,12 @@ TEST(Channels, HaveTheSameBitsForThreadsWindowsAndInstructionSets) {
     for (int y = 0; y < 101; ++y)
         for (int x = 0; x < 90; ++x) {
             const auto whole = std::size_t((y + 21) * 150 + x + 37), own = std::size_t(y * 90 + x);
-            for_each_channel([&](std::uint32_t bit, const auto& a,
-                                 const auto& b) { ASSERT_EQ(std::memcmp(&a[whole], &b[own], sizeof a[0]), 0) << bit; },
-                             static_cast<const ChannelArrays&>(reference), static_cast<const ChannelArrays&>(window));
+            for_each_channel(
+                [&](std::uint32_t bit, const auto& a, const auto& b) {
+                    if ((bit & channels_all) == 0) return;
+                    ASSERT_EQ(std::memcmp(&a[whole], &b[own], sizeof a[0]), 0) << bit;
+                },
+                static_cast<const ChannelArrays&>(reference), static_cast<const ChannelArrays&>(window));
         }
 }
 

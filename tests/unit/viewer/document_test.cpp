@@ -250,7 +250,7 @@ TEST_F(Looks, OfASceneThatCannotBeSavedNothingIsLeft) {
     world.render = {{.key = "hdri-file", .words = {"../nowhere.hdr"}}};
     EXPECT_THROW(save_with_files(world, scene.string()), Error);
     EXPECT_FALSE(fs::exists(scene) || fs::exists(files));
-    world.render = {{.key = "samples", .words = {"1000"}}};
+    world.render = {{.key = "samples", .words = {"10000000"}}};
     EXPECT_THROW(save_with_files(world, scene.string()), Error);
     EXPECT_FALSE(fs::exists(scene) || fs::exists(files));
     fs::create_directories(scene);  // cannot be written

@@ -201,7 +201,6 @@ TEST(RenderKeys, WhatNoKeySaysIsNotLeftOutInSilence) {
         change(*request);
         return test::error_of([&] { written_render_keys(*request); }).code() == ErrorCode::usage;
     };
-    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.lights.emplace(); }));
     EXPECT_TRUE(is_refused([](PictureRequest& r) { r.lights.emplace(1)[0].node = 3; }));
     EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.surfaces = false; }));
     EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.own_shading = false; }));
