@@ -200,22 +200,8 @@ void walk_run(const PathPicture& picture, int depth, std::uint32_t sample, const
 }  // namespace
 
 void walk_wave(const PathPicture& picture, int depth, std::uint32_t sample, const Context& context, PathScratch& s) {
-    const std::size_t count = s.wave.count;
-    s.live.resize(count);
-    for (std::size_t i = 0; i < count; ++i) s.live[i] = std::int32_t(i);
-    s.meetings.assign(count, Meeting{});
-    while (!s.live.empty() && !context.cancelled()) {
-        s.order.clear();
-        s.live.swap(s.going);
-        s.live.clear();
-        for (const std::int32_t ray : s.going) {
-            if (context.cancelled()) return;
-            s.meetings[std::size_t(ray)] = find_first(picture.trace, s, std::size_t(ray), true);
-            if (s.meetings[std::size_t(ray)].draw != no_index) s.order.push_back(ray);
-        }
-        for_each_run(
-            s, [&](std::size_t begin, std::size_t end) { walk_run(picture, depth, sample, context, begin, end, s); });
-    }
+    meet_wave(picture.trace, context, s,
+              [&](std::size_t begin, std::size_t end) { walk_run(picture, depth, sample, context, begin, end, s); });
 }
 
 bool reaches_emitter(const PathPicture& picture, const Context& context, EmitterRay& ray, PathScratch& s) {

@@ -33,28 +33,13 @@ void make_path_rays(const TracePicture& picture, const Window& area, std::uint32
     }
 }
 
-/// The environment in the directions of a wave's rays, into red, green and blue.
-void find_sky_colors(const TracePicture& picture, PathScratch& s) {
-    const std::size_t room = s.wave.count + batch_padding;
-    for (auto* const numbers : {&s.red, &s.green, &s.blue})
-        if (numbers->size() < room) numbers->resize(room);
-    SkyJob job{std::int32_t(s.wave.count),
-               s.wave.view(),
-               &picture.list.views.environment_view,
-               0,
-               s.red.data(),
-               s.green.data(),
-               s.blue.data()};
-    picture.kernels.sky(&job);
-}
-
 /// What lies behind all surfaces, for the rays that have met none.
 void lay_behind(const PathPicture& picture, int depth, PathScratch& s) {
     const TracePicture& trace = picture.trace;
     const bool has_picture = trace.list.views.environment != nullptr;
     const bool is_shown = has_picture && trace.list.scene.environment->is_background;
     const vec4 plain = trace.settings.background;
-    if (has_picture) find_sky_colors(trace, s);
+    if (has_picture) find_sky_colors(trace, false, s);
     for (std::size_t i = 0; i < s.wave.count; ++i) {
         if (s.meetings[i].draw != no_index) continue;
         const PathState& state = s.states[i];
@@ -91,7 +76,7 @@ void ask_emitters(const PathPicture& picture, int depth, const Context& context,
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t c = 0; c < 3; ++c)
                 s.wave.plane(ray_d + std::int32_t(c))[i] = s.emitter_rays[i].direction[c];
-        find_sky_colors(picture.trace, s);
+        find_sky_colors(picture.trace, false, s);
         std::swap(s.wave, s.primary);
         for (std::size_t i = 0; i < count; ++i) {
             const EmitterRay& ray = s.emitter_rays[i];

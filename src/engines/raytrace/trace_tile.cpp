@@ -18,17 +18,7 @@ void fill(RayWave& wave, std::int32_t number, dvec3 v) {
 bool find_sky(const TracePicture& picture, WaveScratch& s) {
     if (!picture.list.views.environment) return false;
     if (s.wave.is_primary() && !picture.list.scene.environment->is_background) return false;
-    const std::size_t room = s.wave.count + batch_padding;
-    for (auto* const numbers : {&s.red, &s.green, &s.blue})
-        if (numbers->size() < room) numbers->resize(room);
-    SkyJob job{std::int32_t(s.wave.count),
-               s.wave.view(),
-               &picture.list.views.environment_view,
-               s.wave.is_primary() && picture.view.orthographic,
-               s.red.data(),
-               s.green.data(),
-               s.blue.data()};
-    picture.kernels.sky(&job);
+    find_sky_colors(picture, s.wave.is_primary() && picture.view.orthographic, s);
     return true;
 }
 

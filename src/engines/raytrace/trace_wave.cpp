@@ -170,6 +170,20 @@ vec3 weight_of(const TracePicture& picture, const WaveScratch& s, std::size_t ra
     return weight * absorbed(picture.list.materials[body].factors, s.meetings[ray].t * length(d));
 }
 
+void find_sky_colors(const TracePicture& picture, bool is_parallel, WaveScratch& s) {
+    const std::size_t room = s.wave.count + batch_padding;
+    for (auto* const numbers : {&s.red, &s.green, &s.blue})
+        if (numbers->size() < room) numbers->resize(room);
+    SkyJob job{std::int32_t(s.wave.count),
+               s.wave.view(),
+               &picture.list.views.environment_view,
+               is_parallel,
+               s.red.data(),
+               s.green.data(),
+               s.blue.data()};
+    picture.kernels.sky(&job);
+}
+
 TileTracer tracer_of(const TracePicture& picture, const Context& context, WaveScratch& s) {
     return {picture, context, s.counts.rays.shadow, s.hit_ray.data(),
             s.wave.is_primary() ? nullptr : s.wave.media.data()};
@@ -200,23 +214,10 @@ void set_hits(std::size_t begin, std::size_t end, WaveScratch& s, HitJob& job) {
 }
 
 void follow(const TracePicture& picture, const Context& context, int depth, WaveScratch& s) {
-    const std::size_t count = s.wave.count;
-    s.live.resize(count);
-    for (std::size_t i = 0; i < count; ++i) s.live[i] = std::int32_t(i);
-    s.rest.assign(count, 1.0f);
-    s.meetings.assign(count, Meeting{});
+    s.rest.assign(s.wave.count, 1.0f);
     s.next.clear();
-    while (!s.live.empty() && !context.cancelled()) {
-        s.order.clear();
-        s.live.swap(s.going);
-        s.live.clear();
-        for (const std::int32_t ray : s.going) {
-            if (context.cancelled()) return;
-            s.meetings[std::size_t(ray)] = find_first(picture, s, std::size_t(ray), true);
-            if (s.meetings[std::size_t(ray)].draw != no_index) s.order.push_back(ray);
-        }
-        for_each_run(s, [&](std::size_t begin, std::size_t end) { shade_run(picture, context, depth, begin, end, s); });
-    }
+    meet_wave(picture, context, s,
+              [&](std::size_t begin, std::size_t end) { shade_run(picture, context, depth, begin, end, s); });
 }
 
 }  // namespace rakelight::raytrace

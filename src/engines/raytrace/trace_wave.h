@@ -63,6 +63,9 @@ struct WaveScratch {
 /// goes on into s.next. @param depth  of reflections and refractions before
 void follow(const TracePicture& picture, const Context& context, int depth, WaveScratch& s);
 
+/// The environment's picture in the directions of s.wave's rays, into red, green and blue.
+void find_sky_colors(const TracePicture& picture, bool is_parallel, WaveScratch& s);
+
 /// The nearest surface that a ray of the wave shows. @param with_blended  false: only opaque ones
 Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
 
@@ -94,6 +97,27 @@ void for_each_run(WaveScratch& s, const Run& run) {
         while (end < s.order.size() && draw_of(s.order[end]) == draw_of(s.order[begin])) ++end;
         run(begin, end);
         begin = end;
+    }
+}
+
+/// Finds what the rays of s.wave meet from s.from on, and calls run(begin, end) for the hits of each draw, until no ray is in s.live:
+/// `run` puts those there that go on behind what they have met.
+template <class Run>
+void meet_wave(const TracePicture& picture, const Context& context, WaveScratch& s, const Run& run) {
+    const std::size_t count = s.wave.count;
+    s.live.resize(count);
+    for (std::size_t i = 0; i < count; ++i) s.live[i] = std::int32_t(i);
+    s.meetings.assign(count, Meeting{});
+    while (!s.live.empty() && !context.cancelled()) {
+        s.order.clear();
+        s.live.swap(s.going);
+        s.live.clear();
+        for (const std::int32_t ray : s.going) {
+            if (context.cancelled()) return;
+            s.meetings[std::size_t(ray)] = find_first(picture, s, std::size_t(ray), true);
+            if (s.meetings[std::size_t(ray)].draw != no_index) s.order.push_back(ray);
+        }
+        for_each_run(s, run);
     }
 }
 

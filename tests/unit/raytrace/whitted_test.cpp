@@ -8,6 +8,7 @@
 
 #include "engines/raytrace/raytrace_engine.h"
 #include "math/linear.h"
+#include "path_test_support.h"
 #include "support/scene_builder.h"
 
 namespace rakelight::raytrace {
@@ -73,32 +74,11 @@ double fresnel(double cosine, double eta) {
     return 0.5 * (s * s + p * p);
 }
 
-/// -1..1, its faces outward.
-Mesh cube_mesh(std::uint32_t material) {
-    Mesh mesh;
-    mesh.material = material;
-    std::vector<vec3> positions, normals;
-    std::vector<std::uint32_t> indices;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const float side : {-1.0f, 1.0f}) {
-            const auto first = std::uint32_t(positions.size());
-            vec3 n{}, u{}, v{};
-            n[std::size_t(axis)] = side, u[std::size_t(axis + 1) % 3] = 1;
-            v = cross(n, u);
-            for (const auto& [a, b] : {std::pair(-1.0f, -1.0f), {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}})
-                positions.push_back(n + u * a + v * b), normals.push_back(n);
-            for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(first + i);
-        }
-    mesh.positions = Block<vec3>(std::move(positions)), mesh.normals = Block<vec3>(std::move(normals));
-    mesh.indices = Block<std::uint32_t>(std::move(indices));
-    return mesh;
-}
-
 /// A block -size..size in x and z, y from -thickness to 0, its faces outward.
 void add_slab(Scene& scene, std::uint32_t material, double size, double thickness) {
     dmat4 m = scaling(dvec3{size, thickness / 2, size});
     m[3] = {0, -thickness / 2, 0, 1};
-    test::add_object(scene, cube_mesh(material), m);
+    test::add_object(scene, box_mesh(material), m);
 }
 
 TEST(Whitted, AMirrorShowsWhatStandsInFrontOfIt) {
@@ -227,7 +207,7 @@ TEST(Whitted, NestedBodiesMeetWithTheRatioOfTheirIndices) {
     add_slab(scene, 0, 10, 4);
     dmat4 inner = scaling(dvec3{3, 0.5, 3});
     inner[3] = {0, -2, 0, 1};
-    test::add_object(scene, cube_mesh(1), inner);
+    test::add_object(scene, box_mesh(1), inner);
     dmat4 below = translation(dvec3{0, -9, 0});
     below[1] = {0, 0, -1, 0}, below[2] = {0, 1, 0, 0};
     test::add_object(scene, test::square_mesh(2, 9), below);
@@ -293,7 +273,7 @@ TEST_F(UnderGlass, WhatLiesInABodyTakesNothingOfItsDepth) {
     add_slab(scene_, 1, 1, 2);
     dmat4 inner = scaling(dvec3{0.5, 0.01, 0.5});
     inner[3] = {0, -1.8, 0, 1};
-    test::add_object(scene_, cube_mesh(2), inner);
+    test::add_object(scene_, box_mesh(2), inner);
     EXPECT_NEAR(share().x, std::pow(0.5, 1.98), 1e-3);
 }
 
@@ -304,7 +284,7 @@ TEST_F(UnderGlass, AFarHorizonChangesNothing) {
         dmat4 m = scaling(dvec3{1, 0.003, 1});
         m[3] = {0, -2.99, 0, 1};  // 6 mm, 7 mm above the floor
         scene_.materials[1].metallic_roughness.attenuation_distance = 0.003f;
-        test::add_object(scene_, cube_mesh(1), m);
+        test::add_object(scene_, box_mesh(1), m);
         const double slanted = std::sqrt(29.0) / 2;  // the eye looks through it, too
         EXPECT_NEAR(share().x, 0.25 * std::pow(0.25, slanted), 1e-4) << half;
     }
@@ -355,7 +335,7 @@ TEST(Whitted, OverlappingBodiesAreOnePath) {
     add_slab(scene, 0, 10, 2);
     dmat4 lower = scaling(dvec3{10, 1, 10});
     lower[3] = {0, -2.5, 0, 1};  // y -3.5 .. -1.5, over the lower quarter of the first
-    test::add_object(scene, cube_mesh(1), lower);
+    test::add_object(scene, box_mesh(1), lower);
     scene.materials.push_back(glowing({0, 0, 0}));
     dmat4 below = translation(dvec3{0, -9, 0});
     below[1] = {0, 0, -1, 0}, below[2] = {0, 1, 0, 0};
