@@ -8,7 +8,7 @@
 //   relief/       bump_frame -> Frame; decode_mapped, mapped_normal; relief_point, filtered_slope, relief_shadow
 //   material/     factors and texels -> Surface, MaterialSurface: set_metallic_reflectance, set_even_widths, set_normals,
 //                 set_pbr_albedos, ...; light_terms, add_light (classical), surface_terms (all models); lobe_shares,
-//                 sample_surface, surface_pdf, reflected_share (paths)
+//                 sample_surface, surface_pdf (paths)
 //   environment/  irradiance, mirrored, environment_terms, sky_color
 //   shadow/       shadow_factor(maps, map, position, normal) -> 0..1
 // Functions that read maps take `maps`, a struct of the caller's with sample_height(maps, uv, level),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the light comes from that a whole surface reflects to v: one lobe is drawn, and a direction by the sampler beside the lobe's
 // model. The density is that of all lobes together (Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", section
-// 9.2.4, the one-sample model), the weight of a direction reflected_share() over surface_pdf(). Normalized forms only.
+// 9.2.4, the one-sample model), the weight of a direction BRDF times cosine over surface_pdf(). Normalized forms only.
 
 // Probabilities of the lobes, together 1, or all 0 where nothing is reflected. Each is over 0 wherever its lobe is.
 struct LobeShares {
@@ -126,7 +126,7 @@ RL_FN real specular_pdf(RL_IN(MaterialSurface) s, vec3 l, RL_IN(MaterialTraits) 
     return ggx_pdf(s.base.n, l, s.base.v, s.alpha_x);
 }
 
-// Unit direction to where light comes from; below the horizon, at times, where reflected_share() is 0. Of any lobe where all shares
+// Unit direction to where light comes from; below the horizon, at times, where the BRDF is 0. Of any lobe where all shares
 // are 0. `choice` and u: random numbers, even in 0..1 without 1, independent of each other.
 RL_FN vec3 sample_surface(RL_IN(MaterialSurface) s, RL_IN(LobeShares) shares, RL_IN(MaterialTraits) traits, RL_IN(Reflection) r, real choice, vec2 u)
 {
@@ -175,12 +175,4 @@ RL_FN real surface_pdf(RL_IN(MaterialSurface) s, RL_IN(LobeShares) shares, vec3 
         pdf = pdf + shares.coat * ggx_pdf(s.coat_n, l, s.base.v, s.coat_alpha);
     }
     return pdf;
-}
-
-// BRDF times cosine: the share of the radiance from l that goes to v, for a unit solid angle. `albedo`: light_albedo() of l.
-RL_FN vec3 reflected_share(RL_IN(MaterialSurface) s, vec3 l, RL_IN(LightAlbedo) albedo, RL_IN(MaterialTraits) traits, RL_IN(Reflection) r)
-{
-    vec3 unit_irradiance = vec3(RL_INVERSE_PI);
-    LightTerms terms = surface_terms(s, make_sample(l, 1.0f, vec3(0.0f), unit_irradiance, unit_irradiance), 1.0f, albedo, traits, r);
-    return terms.diffuse + terms.specular;
 }

@@ -267,6 +267,14 @@ RL_FN real density_of(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p,
     return surface_pdf(s, equal_shares(), l, traits_with(RL_WARD_BOUNDED, 1), any_reflection(model, RL_NORMALIZED));
 }
 
+// BRDF times cosine: the share of the radiance from l that goes to v, for a unit solid angle. `albedo`: light_albedo() of l.
+RL_FN vec3 reflected_share(RL_IN(MaterialSurface) s, vec3 l, RL_IN(LightAlbedo) albedo, RL_IN(MaterialTraits) traits, RL_IN(Reflection) r)
+{
+    vec3 unit_irradiance = vec3(RL_INVERSE_PI);
+    LightTerms terms = surface_terms(s, make_sample(l, 1.0f, vec3(0.0f), unit_irradiance, unit_irradiance), 1.0f, albedo, traits, r);
+    return terms.diffuse + terms.specular;
+}
+
 RL_FN vec3 share_from(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p, real e, int model)
 {
     MaterialSurface s = any_path_surface(n, v, ka, kd, ks, p, e, model);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths of light against closed forms: furnaces, closed rooms, polygons as lights; what they promise of noise and bits.
+// Paths of light against closed forms: polygons as lights, lights without an area, glass; what they promise of noise and bits.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -8,121 +8,6 @@
 
 namespace rakelight::raytrace {
 namespace {
-
-constexpr double tau = 2 * std::numbers::pi;
-
-/// Material, and its BRDF times cosine per unit of color: of directions about the normal +Z.
-struct FurnaceCase {
-    const char* name;
-    Material material;
-    Lighting lighting;
-    double (*brdf)(dvec3 l, dvec3 v);
-};
-
-dvec3 mirrored(dvec3 v) { return {-v.x, -v.y, v.z}; }
-dvec3 halfway(dvec3 l, dvec3 v) { return normalize_or(l + v, dvec3{0, 0, 1}); }
-
-Material classical(float k_d, float k_s, float exponent) {
-    Material m = test::matte({k_d, k_d, k_d});
-    m.classical.specular = {k_s, k_s, k_s}, m.classical.shininess = exponent;
-    return m;
-}
-Material metal(float f0, float roughness) {
-    Material m;
-    m.base_color = {f0, f0, f0, 1};
-    m.metallic_roughness = {.metallic = 1, .roughness = roughness};
-    return m;
-}
-
-double lambert(dvec3, dvec3) { return 0.8 / std::numbers::pi; }
-double phong(dvec3 l, dvec3 v) {
-    const double c = std::max(dot(mirrored(l), v), 0.0);
-    return 0.3 / std::numbers::pi + 0.5 * 22 / tau * std::pow(c, 20);
-}
-double blinn_phong(dvec3 l, dvec3 v) {
-    const double e = 50, norm = (e + 2) * (e + 4) / (8 * std::numbers::pi * (std::exp2(-e / 2) + e));
-    return 0.3 / std::numbers::pi + 0.5 * norm * std::pow(std::max(halfway(l, v).z, 0.0), e);
-}
-double oren_nayar(dvec3 l, dvec3 v) {
-    const double sigma = 0.6, s2 = sigma * sigma, a = 1 - 0.5 * s2 / (s2 + 0.33), b = 0.45 * s2 / (s2 + 0.09);
-    const double in = std::acos(l.z), out = std::acos(v.z), sines = std::sin(in) * std::sin(out);
-    const double cosine = sines > 1e-9 ? (l.x * v.x + l.y * v.y) / sines : 0;
-    return 0.8 / std::numbers::pi *
-           (a + b * std::max(0.0, cosine) * std::sin(std::max(in, out)) * std::tan(std::min(in, out)));
-}
-double ggx(dvec3 l, dvec3 v) {
-    const double alpha = 0.25, a2 = alpha * alpha;
-    const dvec3 h = halfway(l, v);
-    const double d = a2 / (std::numbers::pi * std::pow(h.z * h.z * (a2 - 1) + 1, 2));
-    const double sl = std::sqrt(a2 + (1 - a2) * l.z * l.z), sv = std::sqrt(a2 + (1 - a2) * v.z * v.z);
-    const double f = 0.7 + 0.3 * std::pow(1 - std::max(dot(h, v), 0.0), 5);
-    return f * d * 0.5 / (l.z * sv + v.z * sl);
-}
-
-/// Fine at the horizon, and where the lobes are.
-double albedo_by_quadrature(double (*brdf)(dvec3, dvec3), dvec3 v) {
-    constexpr int rings = 1500, sectors = 1500;
-    double sum = 0;
-    for (int i = 0; i < rings; ++i) {
-        const double z = (i + 0.5) / rings, r = std::sqrt(1 - z * z);
-        for (int k = 0; k < sectors; ++k) {
-            const double phi = tau * (k + 0.5) / sectors;
-            sum += brdf({r * std::cos(phi), r * std::sin(phi), z}, v) * z;
-        }
-    }
-    return sum * tau / rings / sectors;
-}
-
-class Furnace : public testing::TestWithParam<FurnaceCase> {};
-
-TEST_P(Furnace, ASphereShowsItsDirectionalAlbedo) {
-    const FurnaceCase& c = GetParam();
-    Scene scene = furnace();
-    scene.materials = {c.material};
-    test::add_object(scene, sphere_by_formula(0));
-    for (const double degrees : {0.0, 40.0, 75.0}) {
-        const double angle = degrees * std::numbers::pi / 180;
-        const dvec3 v{std::sin(angle), 0, std::cos(angle)}, place{0, 0, 1};
-        const double wanted = albedo_by_quadrature(c.brdf, v);
-        const Estimate seen = estimate_at(scene, place + v * 2.0, place, {.lighting = c.lighting, .samples = 4096});
-        EXPECT_NEAR(seen.mean.y, wanted, 3 * seen.error + 2e-4) << degrees;
-        EXPECT_LT(seen.error, 0.01) << degrees;
-    }
-}
-
-Material with_sigma(Material m, float sigma) {
-    m.sigma_rad = sigma;
-    return m;
-}
-
-INSTANTIATE_TEST_SUITE_P(Models, Furnace,
-                         testing::Values(FurnaceCase{"lambert", classical(0.8f, 0, 1), Lighting::lambert, lambert},
-                                         FurnaceCase{"phong", classical(0.3f, 0.5f, 20), Lighting::phong, phong},
-                                         FurnaceCase{"blinn_phong", classical(0.3f, 0.5f, 50), Lighting::blinn_phong,
-                                                     blinn_phong},
-                                         FurnaceCase{"oren_nayar", with_sigma(classical(0.8f, 0, 1), 0.6f),
-                                                     Lighting::oren_nayar, oren_nayar},
-                                         FurnaceCase{"ggx", metal(0.7f, 0.5f), Lighting::pbr, ggx}),
-                         [](const auto& at) { return std::string(at.param.name); });
-
-TEST(Paths, AClosedRoomThatShinesHasTheRadianceOfAllItsReflections) {
-    // E + r E + r^2 E ... = E / (1 - r), whatever its shape; 64 reflections leave 0.6^65 of it.
-    for (const double stretch : {1.0, 1.7}) {
-        Scene scene = dark_scene();
-        Material m = test::matte({0.6f, 0.3f, 0.1f});
-        m.emission = {0.5f, 1, 2};
-        m.double_sided = true;
-        scene.materials = {m};
-        test::add_object(scene, box_mesh(0), scaling(dvec3{1, stretch, 1}));
-        for (const dvec3 to : {dvec3{0.3, -0.2, 1}, dvec3{-1, 0.4, 0.3}}) {
-            const Estimate seen = estimate_at(scene, {0.1, 0.2, -0.3}, to,
-                                              {.lighting = Lighting::lambert, .samples = 1024, .max_depth = 64});
-            EXPECT_NEAR(seen.mean.x, 0.5 / 0.4, 0.01) << stretch;
-            EXPECT_NEAR(seen.mean.y, 1 / 0.7, 0.01) << stretch;
-            EXPECT_NEAR(seen.mean.z, 2 / 0.9, 0.01) << stretch;
-        }
-    }
-}
 
 /// Lambert 1760: irradiance of a polygon of radiance 1 on a surface at the origin with the normal +Z.
 double irradiance_of(const std::vector<dvec3>& corners) {

@@ -90,6 +90,18 @@ inline Mesh box_mesh(std::uint32_t material) {
     return mesh;
 }
 
+inline Material classical(float k_d, float k_s, float exponent) {
+    Material m = test::matte({k_d, k_d, k_d});
+    m.classical.specular = {k_s, k_s, k_s}, m.classical.shininess = exponent;
+    return m;
+}
+inline Material metal(float f0, float roughness) {
+    Material m;
+    m.base_color = {f0, f0, f0, 1};
+    m.metallic_roughness = {.metallic = 1, .roughness = roughness};
+    return m;
+}
+
 inline Material shining(vec3 color) {
     Material m;
     m.base_color = {0, 0, 0, 1};
