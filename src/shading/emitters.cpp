@@ -74,19 +74,18 @@ private:
 
 }  // namespace
 
-Emitters::Emitters(const DrawList& list, const TextureCache& textures, FrontFace front_face,
-                   std::span<const std::uint8_t> is_left_out, Context& context)
+Emitters::Emitters(const DrawList& list, const TextureCache& textures, FrontFace front_face, Context& context)
     : list_(&list), clockwise_(front_face == FrontFace::clockwise) {
-    add_parts(list, is_left_out, context);
+    add_parts(list, context);
     if (parts_.empty()) return;
     weigh(textures, context);
 }
 
-void Emitters::add_parts(const DrawList& list, std::span<const std::uint8_t> is_left_out, Context& context) {
+void Emitters::add_parts(const DrawList& list, Context& context) {
     std::uint64_t count = 0, parts = 0;
     const auto triangles_of = [&](std::size_t d) -> std::uint64_t {
         const Draw& draw = list.draws[d];
-        if ((!is_left_out.empty() && is_left_out[d]) || !emits(list.material(draw))) return 0;
+        if (!emits(list.material(draw))) return 0;
         return list.scene.meshes[draw.mesh].triangle_count();
     };
     for (std::size_t d = 0; d < list.draws.size(); ++d)
@@ -174,13 +173,16 @@ EmitterSample Emitters::sample(double choice, vec2 u, dvec3 origin) const noexce
     const double root = std::sqrt(double(u.x));
     const double weight[3] = {1 - root, root * (1 - double(u.y)), root * double(u.y)};
     const std::uint32_t* const corner = mesh.indices.data() + 3 * std::size_t(out.triangle);
+    const dmat3 linear = upper_left(draw.to_world);
+    const dvec3 move = draw.to_world[3].xyz() - origin;
     dvec3 at{};
     for (std::size_t k = 0; k < 3; ++k) {
-        at += cast<double>(mesh.positions[corner[k]]) * weight[k];
+        const dvec3 place = cast<double>(mesh.positions[corner[k]]);
+        at += place * weight[k];
         out.weight[k] = float(weight[k]);
+        for (std::size_t c = 0; c < 3; ++c) out.size = std::max(out.size, float(std::fabs((linear * place + move)[c])));
     }
-    const dmat3 linear = upper_left(draw.to_world);
-    out.position = cast<float>(linear * at + (draw.to_world[3].xyz() - origin));
+    out.position = cast<float>(linear * at + move);
     out.normal = cast<float>(normalize_or(area_of(linear, mesh, out.triangle) * front_sign(draw), dvec3{0, 0, 1}));
     return out;
 }

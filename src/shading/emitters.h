@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The triangles of a scene that emit light, as something to choose points from: more often where more light comes from.
 #pragma once
-#include <span>
 #include <vector>
 
 #include <rakelight/engine.h>
@@ -18,6 +17,7 @@ struct EmitterSample {
     float weight[3] = {};           ///< of the triangle's corners at the point, sum 1
     vec3 position;                  ///< [m] world axes, about the given origin
     vec3 normal;                    ///< unit, of the triangle in the world, towards its front
+    float size = 0;                 ///< [m] largest coordinate of the triangle, in world axes about the given origin
     float pdf_area = 0;             ///< [1/m^2] of this point among all, the choice of the triangle included
     bool shines_back = false;       ///< from its back too; its front always does
 };
@@ -29,12 +29,10 @@ struct EmitterSample {
 class Emitters {
 public:
     Emitters() = default;
-    /// @param list         must outlive this
-    /// @param textures     as make_draw_list() left it
-    /// @param is_left_out  [draws] not 0: none of its triangles is chosen (what is drawn by a formula); empty: none is left out
+    /// @param list      must outlive this
+    /// @param textures  as make_draw_list() left it
     /// @throws Error bad_file: over the memory budget, or 2^32 triangles emit; failed: cancelled
-    Emitters(const DrawList& list, const TextureCache& textures, FrontFace front_face,
-             std::span<const std::uint8_t> is_left_out, Context& context);
+    Emitters(const DrawList& list, const TextureCache& textures, FrontFace front_face, Context& context);
 
     bool empty() const noexcept { return triangles_.empty(); }
     double power() const noexcept {
@@ -60,7 +58,7 @@ private:
     struct Part {
         std::uint32_t draw, first;  ///< its first triangle, of those of all parts
     };
-    void add_parts(const DrawList& list, std::span<const std::uint8_t> is_left_out, Context& context);
+    void add_parts(const DrawList& list, Context& context);
     void weigh(const TextureCache& textures, Context& context);
     template <class Work>
     void for_parts(Context& context, const Work& work) const;

@@ -9,8 +9,7 @@
 namespace rakelight::raytrace {
 namespace {
 
-constexpr float end_before_emitter = 1 - 1e-4f;  ///< on a ray to it
-constexpr int first_roulette = 3;                ///< surfaces before paths may end by chance
+constexpr int first_roulette = 3;  ///< surfaces before paths may end by chance
 
 /// Numbers of the i-th hit in the planes that the kernel wrote.
 struct StepView {
@@ -47,7 +46,7 @@ void set_inputs(const PathPicture& picture, std::uint32_t sample, std::size_t co
             put(in_emitter_n + std::int32_t(c), i, e.normal[c]);
         }
         put(in_emitter_pdf, i, e.density), put(in_emitter_is_far, i, e.is_far);
-        put(in_emitter_both, i, e.shines_back);
+        put(in_emitter_both, i, e.shines_back), put(in_emitter_size, i, e.size);
         if (!picture.lights.picks_lights()) continue;
         const auto picks = numbers.of(sample, group_of(met, group_lights));
         for (std::size_t k = 0; k < most_picked_lights; ++k)
@@ -128,15 +127,27 @@ void go_on(const PathPicture& picture, const StepView& hit, int depth, std::size
     if (!is_sound(next)) return;
     (is_through ? s.counts.rays.refracted : s.counts.rays.reflected) += 1;
     s.next.push_back(next);
-    s.next_states.push_back({pdf, s.states[ray].met + 1, s.states[ray].is_straight && !(pdf > 0), color});
+    s.next_states.push_back({.pdf = pdf,
+                             .met = s.states[ray].met + 1,
+                             .is_straight = s.states[ray].is_straight && !(pdf > 0),
+                             .color = color});
 }
 
-/// What one path gets of the surface that it has met.
-void take_hit(const PathPicture& picture, const StepView& hit, int depth, std::size_t ray, float chance,
+/// The data of the first surface.
+void take_guides(const StepView& hit, std::size_t ray, PathScratch& s) {
+    PathSample& to = s.brought[s.wave.pixel_of(ray)];
+    to.alpha = 1;
+    to.albedo = hit.vector(out_own) == vec3{} ? hit.vector(out_albedo) : vec3{1, 1, 1};
+    to.normal = hit.vector(out_normal);
+    to.position = s.wave.vector(ray_o, ray) + s.wave.vector(ray_d, ray) * s.meetings[ray].t;
+}
+
+/// What one path gets of the surface that it has met. @return whether the ray goes straight on
+bool take_hit(const PathPicture& picture, const StepView& hit, int depth, std::size_t ray, float chance,
               PathScratch& s) {
     const TracePicture& trace = picture.trace;
-    const vec3 weight = weight_of(trace, s, ray);
-    const PathState& state = s.states[ray];
+    PathState& state = s.states[ray];
+    const vec3 weight = weight_of(trace, s, ray) * state.through;
     PathSample& to = s.brought[s.wave.pixel_of(ray)];
     const vec3 own = hit.vector(out_own);
     if (own != vec3{}) {
@@ -144,14 +155,38 @@ void take_hit(const PathPicture& picture, const StepView& hit, int depth, std::s
         const float density = picture.lights.density_of(m.draw, m.triangle) * hit.number(out_per_area);
         add_light(weight * own * share_by_chance(picture, state, density), depth <= 1, trace.settings, to);
     }
-    if (depth > trace.max_depth) return;
-    add_light(weight * vec3{s.red[hit.hit], s.green[hit.hit], s.blue[hit.hit]}, depth == 0, trace.settings, to);
-    if (depth == 0)
-        to.alpha = 1, to.albedo = own == vec3{} ? hit.vector(out_albedo) : vec3{1, 1, 1},
-        to.normal = hit.vector(out_normal),
-        to.position = s.wave.vector(ray_o, ray) + s.wave.vector(ray_d, ray) * s.meetings[ray].t;
-    ask(hit, ray, weight, s);
-    go_on(picture, hit, depth, ray, weight, chance, s);
+    if (depth <= trace.max_depth) {
+        add_light(weight * vec3{s.red[hit.hit], s.green[hit.hit], s.blue[hit.hit]}, depth == 0, trace.settings, to);
+        if (depth == 0 && to.alpha == 0) take_guides(hit, ray, s);
+        ask(hit, ray, weight, s);
+    }
+    if (hit.number(out_straight) > 0) {
+        state.through = state.through * hit.vector(out_weight);
+        return std::max({state.through.x, state.through.y, state.through.z}) > 0;
+    }
+    if (depth <= trace.max_depth) go_on(picture, hit, depth, ray, weight, chance, s);
+    return false;
+}
+
+void go_behind(std::size_t ray, PathScratch& s) {
+    s.from[ray] = s.meetings[ray].t * step_behind;
+    ++s.states[ray].met;
+    s.live.push_back(std::int32_t(ray));
+}
+
+/// From what the kernel has found of the hits of a draw.
+void take_hits(const PathPicture& picture, int depth, std::uint32_t draw, std::uint32_t sample, std::size_t count,
+               std::size_t room, PathScratch& s) {
+    const TracePicture& trace = picture.trace;
+    const bool is_blended = trace.is_blended(draw) && !trace.is_opened_by_alpha(draw);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto ray = std::size_t(s.hit_ray[i]);
+        const auto numbers = s.numbers[s.wave.pixel_of(ray)].of(sample, group_of(s.states[ray].met, group_emitter));
+        const float chance = unit_float(numbers[3]), alpha = is_blended ? s.alpha[i] : 1.0f;
+        const bool is_there = chance < alpha;
+        const StepView hit{s.path_out.data(), room, i};
+        if (!is_there || take_hit(picture, hit, depth, ray, chance / std::min(alpha, 1.0f), s)) go_behind(ray, s);
+    }
 }
 
 /// The hits of one draw.
@@ -182,19 +217,7 @@ void walk_run(const PathPicture& picture, int depth, std::uint32_t sample, const
     job.shines_behind = picture.shines_behind[draw];
     s.counts.not_finite += std::uint64_t(trace.kernels.walk(&job));
     s.counts.shaded += count;
-    const bool is_blended = trace.is_blended(draw) && !trace.is_opened_by_alpha(draw);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto ray = std::size_t(s.hit_ray[i]);
-        const auto numbers = s.numbers[s.wave.pixel_of(ray)].of(sample, group_of(s.states[ray].met, group_emitter));
-        const float chance = unit_float(numbers[3]), alpha = is_blended ? s.alpha[i] : 1.0f;
-        if (!(chance < alpha)) {
-            s.from[ray] = s.meetings[ray].t * step_behind;
-            ++s.states[ray].met;
-            s.live.push_back(std::int32_t(ray));
-            continue;
-        }
-        take_hit(picture, {s.path_out.data(), room, i}, depth, ray, chance / std::min(alpha, 1.0f), s);
-    }
+    take_hits(picture, depth, draw, sample, count, room, s);
 }
 
 }  // namespace
@@ -207,7 +230,7 @@ void walk_wave(const PathPicture& picture, int depth, std::uint32_t sample, cons
 bool reaches_emitter(const PathPicture& picture, const Context& context, EmitterRay& ray, PathScratch& s) {
     if (context.cancelled()) return false;
     ++s.counts.rays.shadow;
-    const float to = ray.is_far ? std::numeric_limits<float>::infinity() : end_before_emitter;
+    const float to = ray.is_far ? std::numeric_limits<float>::infinity() : 1.0f;
     const vec3 seen = picture.trace.light_reaching(ray.origin, ray.direction, to, ray.media);
     ray.weight = ray.weight * seen;
     return ray.weight != vec3{} && is_finite(ray.weight);

@@ -4,15 +4,14 @@
 #include <algorithm>
 
 #include "shading/environment.h"
+#include "shading/luminance.h"
 
 namespace rakelight::raytrace {
 namespace {
 
 constexpr std::size_t most_lights_each = 8;  ///< asked by every point
 
-double luminance(const float (&c)[3]) {
-    return std::max(0.2126 * double(c[0]) + 0.7152 * double(c[1]) + 0.0722 * double(c[2]), 0.0);
-}
+double luminance(const float (&c)[3]) { return shading::luminance_of(vec3{c[0], c[1], c[2]}); }
 
 /// What a light sends, whatever the distance.
 double power_of(const lighting::LightParameters& light) {
@@ -24,14 +23,12 @@ double power_of(const lighting::LightParameters& light) {
 
 }  // namespace
 
-std::unique_ptr<ScenePathLights> make_path_lights(const cpu_shading::DrawList& list, const RayScene& rays,
+std::unique_ptr<ScenePathLights> make_path_lights(const cpu_shading::DrawList& list,
                                                   const shading::TextureCache& textures, FrontFace front_face,
                                                   Context& context) {
     auto out = std::make_unique<ScenePathLights>();
     out->front_face = front_face;
-    std::vector<std::uint8_t> by_formula(list.draws.size());
-    for (std::uint32_t d = 0; d < by_formula.size(); ++d) by_formula[d] = rays.shape_of(d) != nullptr;
-    out->emitters = shading::Emitters(list, textures, front_face, by_formula, context);
+    out->emitters = shading::Emitters(list, textures, front_face, context);
     if (list.views.environment && list.scene.environment->is_light)
         out->sky = shading::EnvironmentTable(shading::sky_of(*list.scene.environment, context), context);
     return out;
@@ -67,6 +64,7 @@ ChosenEmitter PathLights::choose(const std::array<std::uint32_t, 4>& numbers) co
     const vec2 u{unit_float(numbers[1]), unit_float(numbers[2])};
     const shading::EmitterSample s = scene_.emitters.sample(pick.rest, u, eye_);
     out.place = s.position, out.normal = s.normal, out.density = s.pdf_area * float(pick.probability);
+    out.size = s.size;
     out.shines_back = s.shines_back, out.draw = s.draw, out.triangle = s.triangle;
     return out;
 }

@@ -4,7 +4,6 @@
 #pragma once
 #include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "cpu_shading/draw_list.h"
@@ -24,7 +23,7 @@ struct ScenePathLights {
 };
 
 /// @param list, textures  of the engine; the list must outlive the result
-std::unique_ptr<ScenePathLights> make_path_lights(const cpu_shading::DrawList& list, const RayScene& rays,
+std::unique_ptr<ScenePathLights> make_path_lights(const cpu_shading::DrawList& list,
                                                   const shading::TextureCache& textures, FrontFace front_face,
                                                   Context& context);
 
@@ -32,6 +31,7 @@ std::unique_ptr<ScenePathLights> make_path_lights(const cpu_shading::DrawList& l
 struct ChosenEmitter {
     vec3 place{};       ///< about the eye; unit towards the environment
     vec3 normal{};      ///< unit
+    float size = 0;     ///< [m] largest coordinate of its triangle, about the eye
     float density = 0;  ///< [1/m^2], [1/sr] of the environment; 0: nothing shines
     bool is_far = false, shines_back = false;
     std::uint32_t draw = no_index, triangle = 0;
@@ -45,7 +45,7 @@ public:
     ChosenEmitter choose(const std::array<std::uint32_t, 4>& numbers) const;
     /// [1/m^2] with which choose() comes to a place on a triangle; 0: never.
     float density_of(std::uint32_t draw, std::uint32_t triangle) const {
-        if (!choice_.has_emitters || picture_.rays.shape_of(draw)) return 0;
+        if (!choice_.has_emitters) return 0;
         return float(choice_.probability_of_emitters()) * scene_.emitters.pdf_area(draw, triangle);
     }
     /// [1/sr] of a direction to the environment, unit.

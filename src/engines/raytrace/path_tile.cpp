@@ -44,7 +44,8 @@ void lay_behind(const PathPicture& picture, int depth, PathScratch& s) {
         if (s.meetings[i].draw != no_index) continue;
         const PathState& state = s.states[i];
         PathSample& to = s.brought[s.wave.pixel_of(i)];
-        const vec3 weight = s.wave.is_primary() ? vec3{1, 1, 1} : s.wave.weight[i];
+        const vec3 weight = (s.wave.is_primary() ? vec3{1, 1, 1} : s.wave.weight[i]) * state.through;
+        const bool has_met_none = depth == 0 && to.alpha == 0;
         if (has_picture && (is_shown || (depth > 0 && picture.lights.has_sky()))) {
             const vec3 direction = s.wave.vector(ray_d, i);
             if (!picture.lights.has_sky() && !state.is_straight) continue;
@@ -53,7 +54,7 @@ void lay_behind(const PathPicture& picture, int depth, PathScratch& s) {
             const float share = share_by_chance(picture, state, density);
             add_light(weight * vec3{s.red[i], s.green[i], s.blue[i]} * share, depth <= 1, trace.settings, to);
             if (depth == 0) to.alpha = 1;
-        } else if (depth == 0) {
+        } else if (has_met_none) {
             to.alpha = plain.w;
             add_light(plain.xyz() * plain.w, true, trace.settings, to);
         } else if (state.is_straight) {

@@ -15,6 +15,7 @@ struct PathState {
     float pdf = 0;            ///< [1/sr] of the ray's direction; 0: emitters that it meets count whole
     std::uint32_t met = 0;    ///< surfaces so far, those too that alpha let it through
     bool is_straight = true;  ///< only mirrors and glass so far
+    vec3 through{1, 1, 1};    ///< what is left behind surfaces that the ray went straight through
     std::int8_t color = -1;   ///< 0 to 2: only this color is left, since a body has parted them
 };
 

@@ -188,7 +188,7 @@ private:
     RayStats follow_paths(const TracePicture& picture, const Window& window, Sink& sink, Context& context) {
         const FrontFace front = picture.settings.front_face;
         if (!path_lights_ || path_lights_->front_face != front)
-            path_lights_ = make_path_lights(list_, rays_, textures_, front, context);
+            path_lights_ = make_path_lights(list_, textures_, front, context);
         const PathLights lights(*path_lights_, picture);
         PathPicture paths{
             picture, lights, {}, picture.settings.paths.denoise || (picture.settings.channels & channel_albedo) != 0};

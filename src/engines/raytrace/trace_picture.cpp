@@ -80,6 +80,7 @@ bool mirrors(const cpu_shading::MaterialView& m) {
 void make_path_job(HitJob& job) {
     job.environment = nullptr;
     job.has_light_around = 1;  // the albedos that lobes are chosen by
+    job.is_path = 1;
     if (job.lit_at == lit_at_corners) job.lit_at = lit_at_points;
 }
 
@@ -155,7 +156,7 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
 vec3 TracePicture::light_reaching(vec3 origin, vec3 direction, float to, const Media& media) const {
     ShadowFilter filter(*this, origin, direction);
     if (is_blocked(in_rays(origin), direction, 0, to, has_holes ? &filter : nullptr)) return {};
-    if (!has_filters) return {1, 1, 1};
+    if (!has_filters && media.innermost() == no_index) return {1, 1, 1};
     filter.is_with_filters = true;
     return light_through(filter.ray(), to, filter, media);
 }
@@ -251,7 +252,9 @@ vec3 TracePicture::share_through(const Meeting& meeting, const RayView& planes) 
 vec3 TracePicture::emission_at(std::uint32_t draw, std::uint32_t triangle, vec3 origin, vec3 direction) const {
     const cpu_shading::MaterialView& m = *jobs_[draw].material;
     const vec3 plain{m.emission[0], m.emission[1], m.emission[2]};
-    if (m.map[role_emission].view == nullptr && m.clearcoat == 0 && !is_blended(draw) && !is_masked(draw)) return plain;
+    if (jobs_[draw].unlit == 0 && m.map[role_emission].view == nullptr && m.clearcoat == 0 && !is_blended(draw) &&
+        !is_masked(draw))
+        return plain;
     float planes[ray_planes] = {};
     for (std::size_t c = 0; c < 3; ++c)
         planes[std::size_t(ray_o) + c] = origin[c], planes[std::size_t(ray_d) + c] = direction[c];

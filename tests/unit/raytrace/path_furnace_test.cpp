@@ -68,7 +68,8 @@ Brdf ggx_lobe(double ax, double ay) {
     };
 }
 Brdf ggx(double f0, double ax, double ay) {
-    return [=, lobe = ggx_lobe(ax, ay)](dvec3 l, dvec3 v) { return schlick(f0, 1, dot(halfway(l, v), v)) * lobe(l, v); };
+    return
+        [=, lobe = ggx_lobe(ax, ay)](dvec3 l, dvec3 v) { return schlick(f0, 1, dot(halfway(l, v), v)) * lobe(l, v); };
 }
 Brdf dielectric(double albedo, double f0, double alpha) {
     return [=, lobe = ggx_lobe(alpha, alpha)](dvec3 l, dvec3 v) {
@@ -185,9 +186,8 @@ std::vector<FurnaceCase> furnace_cases() {
          [] { return ggx(0.7, 0.16 + 0.84 * 0.36, 0.16); }},
         {"ggx_dielectric", with(0.6f, {.metallic = 0, .roughness = 0.4f}), Lighting::pbr,
          [] { return dielectric(0.6, 0.04, 0.16); }},
-        {"clearcoat",
-         with(0.6f, {.metallic = 0, .roughness = 0.8f, .clearcoat = 0.9f, .clearcoat_roughness = 0.3f}), Lighting::pbr,
-         [] { return coated(dielectric(0.6, 0.04, 0.64), 0.9, 0.09); }},
+        {"clearcoat", with(0.6f, {.metallic = 0, .roughness = 0.8f, .clearcoat = 0.9f, .clearcoat_roughness = 0.3f}),
+         Lighting::pbr, [] { return coated(dielectric(0.6, 0.04, 0.64), 0.9, 0.09); }},
         {"sheen",
          with(0.5f, {.metallic = 0, .roughness = 0.7f, .sheen_color = {0.8f, 0.8f, 0.8f}, .sheen_roughness = 0.6f}),
          Lighting::pbr, [] { return under_sheen(dielectric(0.5, 0.04, 0.49), 0.8, 0.36); }, false, 3e-3},
@@ -221,8 +221,9 @@ TEST_P(Furnace, ASurfaceShowsItsDirectionalAlbedo) {
             EXPECT_NEAR(seen.mean.y, wanted, 3 * seen.error + c.tolerance) << degrees << " " << is_sphere;
             EXPECT_LT(seen.error, 0.01) << degrees;
             if (is_sphere)
-                RecordProperty("at_" + std::to_string(degrees),
-                               std::to_string(wanted) + " " + std::to_string(seen.mean.y) + " " + std::to_string(seen.error));
+                RecordProperty(
+                    "at_" + std::to_string(degrees),
+                    std::to_string(wanted) + " " + std::to_string(seen.mean.y) + " " + std::to_string(seen.error));
         }
     }
 }

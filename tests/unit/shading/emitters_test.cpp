@@ -29,11 +29,10 @@ struct Made {
     DrawList list;
     std::uint64_t before = 0;  ///< charged without the emitters
     Emitters emitters;
-    explicit Made(Scene scene, FrontFace front = FrontFace::counter_clockwise, std::vector<std::uint8_t> left_out = {},
-                  int threads = 1)
+    explicit Made(Scene scene, FrontFace front = FrontFace::counter_clockwise, int threads = 1)
         : context({.threads = threads}), list(make_draw_list(std::move(scene), textures, packer, context)) {
         before = context.memory().charged();
-        emitters = Emitters(list, textures, front, left_out, context);
+        emitters = Emitters(list, textures, front, context);
     }
     std::uint64_t charged() { return context.memory().charged() - before; }
     float pdf(std::uint32_t draw, std::uint32_t triangle = 0) const { return emitters.pdf_area(draw, triangle); }
@@ -194,13 +193,6 @@ TEST(Emitters, ClassicalMaterialsShineFromBothSides) {
     EXPECT_NEAR(made.emitters.power(), pi * 8, 1e-9);
 }
 
-TEST(Emitters, DrawsThatAreLeftOutAreNotChosen) {
-    const Made made(three_squares(), FrontFace::counter_clockwise, {0, 1, 0});
-    EXPECT_NEAR(made.emitters.power(), pi * 4, 1e-9);
-    EXPECT_EQ(made.pdf(1), 0);
-    EXPECT_FLOAT_EQ(made.pdf(0), 0.25f);
-}
-
 /// Two squares in two halves of a picture: the left one code `left`, the right one white.
 Scene textured(int left) {
     Scene scene;
@@ -263,7 +255,7 @@ TEST(Emitters, ATextureThatWasKeptWithoutItsMeansIsLookedAtAgain) {
     const test::FakePacker packer;
     const DrawList before = make_draw_list(std::move(plain), textures, packer, context);
     const DrawList list = make_draw_list(std::move(scene), textures, packer, context);
-    EXPECT_EQ(Emitters(list, textures, FrontFace::counter_clockwise, {}, context).pdf_area(0, 0), 0);
+    EXPECT_EQ(Emitters(list, textures, FrontFace::counter_clockwise, context).pdf_area(0, 0), 0);
 }
 
 Mesh many_triangles(std::uint32_t count) {
@@ -288,7 +280,7 @@ Scene two_crowds() {
 }
 
 TEST(Emitters, AreTheSameForAnyNumberOfThreads) {
-    const Made one(two_crowds()), four(two_crowds(), FrontFace::counter_clockwise, {}, 4);
+    const Made one(two_crowds()), four(two_crowds(), FrontFace::counter_clockwise, 4);
     EXPECT_EQ(one.emitters.power(), four.emitters.power());
     for (std::uint32_t draw = 0; draw < 2; ++draw)
         for (std::uint32_t i = 0; i < 20000; ++i) ASSERT_EQ(one.pdf(draw, i), four.pdf(draw, i)) << i;
@@ -319,7 +311,7 @@ TEST(Emitters, ChargeWhatTheyKeepAndAskForNoMoreThanThereIs) {
     made.emitters = Emitters();
     EXPECT_EQ(made.charged(), 0u);
     Context small({.threads = 1, .max_memory = 1000000});
-    EXPECT_THROW(Emitters(made.list, made.textures, FrontFace::counter_clockwise, {}, small), Error);
+    EXPECT_THROW(Emitters(made.list, made.textures, FrontFace::counter_clockwise, small), Error);
     EXPECT_EQ(small.memory().charged(), 0u);
 }
 

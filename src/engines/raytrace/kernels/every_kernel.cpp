@@ -28,7 +28,7 @@ void through(const HitJob* job) {
         cpu::find_places(material, source, b);
         EveryPoint& s = b.of[0];
         s.base = cpu::find_base_color(material, source, 0, s.point);
-        const vec3 share = straight_through(material, source.hits[0], s);
+        const vec3 share = straight_through(material, *job, source.hits[0], s);
         store(job->red + i, share.x), store(job->green + i, share.y), store(job->blue + i, share.z);
     }
 }

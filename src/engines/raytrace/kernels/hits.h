@@ -15,6 +15,8 @@ inline vec3 ray_vector(const RayView& rays, int32_t plane, integer ray) {
 
 inline vec3 to_eye(const HitJob& job, vec3 p) { return rows_of(job.to_eye, p); }
 
+inline constexpr float ray_offset = 4e-7f;  ///< by which rays begin and end off surfaces: of the largest coordinate
+
 inline real largest_component(vec3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
 
 /// One vector of hits.
@@ -55,7 +57,7 @@ struct Hits {
         const auto off_plane = [&](vec3 v) { return dot(size, vec3(abs(v.x), abs(v.y), abs(v.z))); };
         const real plane = max(max(off_plane(corner[0]), off_plane(corner[1])), off_plane(corner[2]));
         const real place = max(largest_component(position), largest_component(position + splat(job.to_rays)));
-        return max(max(place, plane), largest_component(origin)) * real(4e-7f);
+        return max(max(place, plane), largest_component(origin)) * real(ray_offset);
     }
     /// How the normal turns when the place moves so on the surface. @param unit  the interpolated normal, unit
     vec3 change_of_normal(const HitJob& job, vec3 unit, vec3 move) const;

@@ -141,24 +141,45 @@ inline void find_next(const EveryJob& job, const HitJob& hits, const Hits& h, in
     lit::leave_to_rays(s.surface, t.kept, t.mirrors, t.coats, job.is_pbr() && hits.has_light_around != 0);
 }
 
-/// What goes straight through a vector of surfaces, as shadows see it: without refraction.
-inline vec3 straight_through(const EveryJob& job, const Hits& h, EveryPoint& s) {
-    const vec3 n = HitSource<1>::face_normal(h), v = -safe_normalize(h.along);
-    const real cosine = clamp(dot(n, v), real(0.0f), real(1.0f)), one(1.0f);
+/// 1, or 1 over what would be more than arrives: of the light that a classical surface sends on.
+/// @param mirrors  its gloss does, as the weights say
+/// @param there    0..1, of the surface; the weights know it
+inline vec3 classical_kept(const lit::Surface& s, bool has_gloss, bool mirrors, const lit::Transport& weights,
+                           real there) {
+    const vec3 own = (has_gloss && !mirrors ? s.diffuse + s.specular : s.diffuse) * there;
+    const vec3 sum = own + weights.refracted + weights.reflected * real(mirrors ? 1.0f : 0.0f);
+    const real one(1.0f);
+    return vec3(reciprocal(max(sum.x, one)), reciprocal(max(sum.y, one)), reciprocal(max(sum.z, one)));
+}
+
+inline vec3 straight_through_classical(const EveryJob& job, const HitJob& hits, real cosine, EveryPoint& s) {
     const cpu_shading::MaterialView& m = job.material();
+    const real one(1.0f), covered = one - clamp(s.base.color.w, real(0.0f), one);
+    if (m.blend != 0 && !(m.filter[0] > 0.0f || m.filter[1] > 0.0f || m.filter[2] > 0.0f)) return vec3(covered);
+    // Straight on, from either side: no total reflection.
+    const float index = m.refraction > 0.0f ? m.refraction : 1.0f;
+    const lit::Transport t = classical_transport(job, s, cosine, real(index > 1.0f ? 1.0f / index : index)).weights;
+    if (hits.is_path == 0) return t.refracted;
+    cpu::set_material(job, s.point, s.texels, s.base, s.surface);
+    const real there = m.blend != 0 ? one - covered : one;
+    return t.refracted * classical_kept(s.surface.base, has_gloss(job), m.mirror != shading::mirror_none, t, there);
+}
+
+/// What goes straight through a vector of surfaces, as shadows see it: without refraction.
+inline vec3 straight_through(const EveryJob& job, const HitJob& hits, const Hits& h, EveryPoint& s) {
+    const vec3 n = HitSource<1>::face_normal(h), v = -safe_normalize(h.along);
+    const real one(1.0f), cosine = clamp(dot(n, v), real(0.0f), one);
     s.texels = cpu::material_texels(job, s.point);
-    if (m.metallic_roughness == 0) {
-        if (m.blend != 0 && !(m.filter[0] > 0.0f || m.filter[1] > 0.0f || m.filter[2] > 0.0f))
-            return vec3(real(1.0f) - clamp(s.base.color.w, real(0.0f), real(1.0f)));
-        const float index =
-            m.refraction > 0.0f ? m.refraction : 1.0f;  // straight on, from either side: no total reflection
-        return classical_transport(job, s, cosine, real(index > 1.0f ? 1.0f / index : index)).weights.refracted;
-    }
+    if (job.material().metallic_roughness == 0) return straight_through_classical(job, hits, cosine, s);
     const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, s.point, s.texels);
     const real transmission = transmission_at(job, s);
-    const vec3 share = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, 0, cosine, one).refracted;
-    if (m.blend == 0) return share;
-    const real alpha = clamp(s.base.color.w, real(0.0f), real(1.0f));
+    vec3 share = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, 0, cosine, one).refracted;
+    if (hits.is_path != 0 && job.is_pbr()) {
+        cpu::set_material(job, s.point, s.texels, s.base, s.surface);
+        share = select(s.surface.alpha_x > real(RL_MIRROR_ALPHA), vec3(real(0.0f)), share);
+    }
+    if (job.material().blend == 0) return share;
+    const real alpha = clamp(s.base.color.w, real(0.0f), one);
     return vec3(one - alpha) + share * alpha;  // what the surface does not cover passes whole
 }
 

@@ -9,10 +9,11 @@ namespace rakelight::raytrace::RL_ISA {
 /// What the border sends back and lets through, apart from the other lobes; uniform: whether there is such a thing at all.
 struct PathBorder {
     bool is_there;
+    bool bends;
     mask acts;   ///< lanes that have it
     real share;  ///< 0..1 with which paths go there
     real eta;
-    bool bends;
+    vec3 reflects, lets_through;  ///< 0..1 of what lighting/material/transport.glsl says
 };
 
 /// A surface in its parts.
@@ -32,11 +33,17 @@ inline vec3 albedo_of(const PathSurface& p, const lit::MaterialSurface& s) {
 /// Weights of both ways for facets that the view meets at this cosine.
 inline lit::Transport border_weights(const PathSurface& p, const PathBorder& border, real cosine) {
     const EveryJob& job = p.job;
-    if (job.material().metallic_roughness == 0) return classical_transport(job, p.point, cosine, border.eta).weights;
-    const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, p.point.point, p.point.texels);
-    lit::Transport t = lit::metallic_transport(at, cpu::rgb(p.point.base.color), transmission_at(job, p.point),
-                                               border.bends, cosine, border.eta);
-    if (job.is_pbr()) lit::add_transport_layers(t, p.surface(), p.traits.has_sheen, p.traits.has_coat);
+    lit::Transport t;
+    if (job.material().metallic_roughness == 0) {
+        t = classical_transport(job, p.point, cosine, border.eta).weights;
+    } else {
+        const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, p.point.point, p.point.texels);
+        t = lit::metallic_transport(at, cpu::rgb(p.point.base.color), transmission_at(job, p.point), border.bends,
+                                    cosine, border.eta);
+        if (job.is_pbr()) lit::add_transport_layers(t, p.surface(), p.traits.has_sheen, p.traits.has_coat);
+    }
+    t.reflected = t.reflected * border.reflects;
+    t.refracted = t.refracted * border.lets_through;
     return t;
 }
 
@@ -49,41 +56,67 @@ inline bool has_border(const EveryJob& job) {
            m.filter[2] > 0.0f;
 }
 
-/// Takes the border's part out of the other lobes.
-inline void part_border(const PathSurface& p, PathLobes& out) {
-    const EveryJob& job = p.job;
-    const bool is_metallic = job.material().metallic_roughness != 0;
-    PathBorder& border = out.border;
-    const real transmission = is_metallic ? transmission_at(job, p.point) : real(0.0f);
-    border.acts = is_metallic ? transmission > real(0.0f) : mask(true);
-    const real kept = is_metallic ? real(1.0f) - transmission : real(1.0f);
-    const bool mirrors = is_metallic || job.material().mirror != shading::mirror_none;
-    const mask takes_gloss = border.acts && mask(mirrors), none(false);
-    const vec3 black(real(0.0f));
-    out.lit_surface.base.diffuse = out.lit_surface.base.diffuse * kept;
-    if (job.is_pbr())
-        lit::leave_to_rays(out.rest, kept, takes_gloss, none, 1);
-    else
-        out.rest.base.diffuse = out.rest.base.diffuse * kept;
-    out.rest.base.specular = select(takes_gloss, black, out.rest.base.specular);
-    out.rest.f90 = select(takes_gloss, black, out.rest.f90);
-    out.rest.scattering = select(takes_gloss, black, out.rest.scattering);
-    const real cosine = clamp(dot(p.surface().base.n, p.surface().base.v), real(0.0f), real(1.0f));
-    const lit::Transport t = border_weights(p, border, cosine);
-    const vec3 both = select(border.acts, t.reflected * real(mirrors ? 1.0f : 0.0f) + t.refracted, black);
-    const real own = max(greatest_of(both), real(0.0f)), others = max(greatest_of(albedo_of(p, out.rest)), real(0.0f));
-    border.share = own * reciprocal(max(own + others, real(1e-20f)));
-    out.albedo = out.albedo + both;
+inline void scale_diffuse(lit::MaterialSurface& s, vec3 kept) {
+    s.base.diffuse = s.base.diffuse * kept;
+    s.around_diffuse = s.around_diffuse * kept;
 }
 
-inline PathLobes find_lobes(const PathSurface& p, real eta) {
+inline void scale_gloss(lit::MaterialSurface& s, vec3 kept) {
+    s.base.specular = s.base.specular * kept;
+    s.f90 = s.f90 * kept;
+    s.scattering = s.scattering * kept;
+    s.around_specular = s.around_specular * kept;
+}
+
+/// By classical models surfaces send on no more than arrives; those that mirror leave their gloss to the border.
+/// @return what the border of a classical material does
+inline vec3 part_classical(const PathSurface& p, real there, real cosine, PathLobes& out) {
+    const cpu_shading::MaterialView& m = p.job.material();
+    const bool mirrors = m.mirror != shading::mirror_none,
+               has_border = out.border.is_there && m.metallic_roughness == 0;
+    const real zero(0.0f), one(1.0f);
+    PathBorder& border = out.border;
+    border.acts = mask(has_border);
+    border.reflects = mirrors ? vec3(one) : vec3(zero), border.lets_through = vec3(one);
+    lit::Transport t{vec3(zero), vec3(zero), vec3(zero)};
+    if (has_border) t = border_weights(p, border, cosine);
+    const vec3 kept = classical_kept(p.surface().base, has_gloss(p.job), mirrors, t, there);
+    border.reflects = border.reflects * kept, border.lets_through = border.lets_through * kept;
+    scale_diffuse(out.lit_surface, kept), scale_gloss(out.lit_surface, kept);
+    scale_diffuse(out.rest, kept), scale_gloss(out.rest, mirrors ? vec3(zero) : kept);
+    return (t.reflected + t.refracted) * kept;
+}
+
+/// The border transmits, and has as much of the gloss. @return what it does
+inline vec3 part_metallic(const PathSurface& p, real cosine, PathLobes& out) {
+    PathBorder& border = out.border;
+    const real one(1.0f), transmission = transmission_at(p.job, p.point);
+    border.acts = transmission > real(0.0f);
+    border.reflects = vec3(transmission), border.lets_through = vec3(one);
+    scale_diffuse(out.lit_surface, vec3(one - transmission));
+    scale_diffuse(out.rest, vec3(one - transmission)), scale_gloss(out.rest, vec3(one - transmission));
+    const lit::Transport t = border_weights(p, border, cosine);
+    return select(border.acts, t.reflected + t.refracted, vec3(real(0.0f)));
+}
+
+/// @param there  0..1, of the surface; what its border does knows it
+inline PathLobes find_lobes(const PathSurface& p, real eta, real there) {
     PathLobes out;
     out.lit_surface = out.rest = p.surface();
-    out.border = {has_border(p.job), mask(false), real(0.0f), eta, p.job.material().is_body != 0};
+    const real zero(0.0f);
+    const vec3 none(zero);
+    const cpu_shading::MaterialView& m = p.job.material();
+    out.border = {has_border(p.job), m.is_body != 0, mask(false), zero, eta, none, none};
     if (!out.border.bends) out.border.eta = real(1.0f);
-    out.albedo = vec3(real(0.0f));
-    if (out.border.is_there) part_border(p, out);
-    out.albedo = out.albedo + albedo_of(p, out.rest);
+    const real cosine = clamp(dot(p.surface().base.n, p.surface().base.v), zero, real(1.0f));
+    vec3 both = none;
+    const bool is_classical = m.metallic_roughness == 0;
+    if (!p.job.is_pbr() || (is_classical && out.border.is_there)) both = part_classical(p, there, cosine, out);
+    if (!is_classical && out.border.is_there) both = part_metallic(p, cosine, out);
+    const vec3 rest = albedo_of(p, out.rest);
+    const real own = max(lit::greatest(both), zero), others = max(lit::greatest(rest), zero);
+    out.border.share = own * reciprocal(max(own + others, real(1e-20f)));
+    out.albedo = rest + both;
     out.shares = lit::lobe_shares(out.rest, p.traits, p.reflection);
     return out;
 }
@@ -96,47 +129,62 @@ inline real pdf_of(const PathSurface& p, const PathLobes& lobes, vec3 l) {
 /// Where a path goes on.
 struct PathStep {
     vec3 d, weight;
-    real pdf;         ///< 0: this lobe is not that of any sampled emitter
-    real is_through;  ///< 1 or 0
+    real pdf;          ///< 0: this lobe is not that of any sampled emitter
+    real is_through;   ///< 1 or 0
+    real is_straight;  ///< likewise: on the same line
 };
 
 /// What masking leaves of a visible facet's light: G / G1(v) of the height-correlated form, Heitz 2014, eq. 99.
 inline real masked_share(const PathSurface& p, vec3 l) {
     const lit::MaterialSurface& s = p.surface();
-    const real alpha = max(s.alpha_x, s.alpha_y), n_l = abs(dot(s.base.n, l)), n_v = abs(dot(s.base.n, s.base.v));
-    const real stretch_l = lit::ggx_stretch_isotropic(n_l, alpha), stretch_v = lit::ggx_stretch_isotropic(n_v, alpha);
+    const real n_l = abs(dot(s.base.n, l)), n_v = abs(dot(s.base.n, s.base.v));
+    const auto stretch = [&](vec3 d, real cosine) {
+        return p.traits.is_anisotropic != 0
+                   ? lit::ggx_stretch(s.base.n, s.tangent, s.bitangent, d, s.alpha_x, s.alpha_y)
+                   : lit::ggx_stretch_isotropic(cosine, s.alpha_x);
+    };
+    const real stretch_l = stretch(l, n_l), stretch_v = stretch(s.base.v, n_v);
     return min(n_l * (n_v + stretch_v) * reciprocal(max(n_l * stretch_v + n_v * stretch_l, real(1e-9f))), real(1.0f));
+}
+
+/// The facet that a path meets. @param is_rough  else the surface itself
+inline vec3 facet_of(const PathSurface& p, mask is_rough, vec2 u) {
+    const lit::MaterialSurface& s = p.surface();
+    const vec3 n = s.base.n, v = s.base.v;
+    if (no_lane(is_rough)) return n;
+    const vec3 l = p.traits.is_anisotropic != 0 ? lit::sample_ggx(n, s.tangent, s.bitangent, v, s.alpha_x, s.alpha_y, u)
+                                                : lit::sample_ggx_isotropic(n, v, s.alpha_x, u);
+    return select(is_rough, lit::half_vector(l, v, n), n);
+}
+
+/// Lanes whose border is of facets.
+inline mask is_rough_border(const PathSurface& p) {
+    const bool has_lobe = p.job.material().metallic_roughness != 0 && p.job.is_pbr();
+    return has_lobe ? p.surface().alpha_x > real(RL_MIRROR_ALPHA) : mask(false);
 }
 
 /// By the border. @param choice  [0, 1)
 inline PathStep step_by_border(const PathSurface& p, const PathLobes& lobes, real choice, vec2 u) {
-    const lit::MaterialSurface& s = p.surface();
     const PathBorder& border = lobes.border;
-    const bool is_metallic = p.job.material().metallic_roughness != 0, has_lobe = is_metallic && p.job.is_pbr();
     const real one(1.0f), zero(0.0f);
-    const vec3 n = s.base.n, v = s.base.v;
-    const mask is_rough = has_lobe ? s.alpha_x > real(RL_MIRROR_ALPHA) : mask(false);
-    vec3 h = n;
-    if (any_lane(is_rough))
-        h = select(is_rough, lit::half_vector(lit::sample_ggx_isotropic(n, v, s.alpha_x, u), v, n), n);
-    const real cosine = clamp(dot(h, v), zero, one);
-    const lit::Transport t = border_weights(p, border, cosine);
-    const bool mirrors = is_metallic || p.job.material().mirror != shading::mirror_none;
-    const vec3 reflected = mirrors ? t.reflected : vec3(zero);
-    const real q_through = max(greatest_of(t.refracted), zero), q_back = max(greatest_of(reflected), zero);
+    const vec3 n = p.surface().base.n, v = p.surface().base.v;
+    const mask is_rough = is_rough_border(p);
+    const vec3 h = facet_of(p, is_rough, u);
+    const lit::Transport t = border_weights(p, border, clamp(dot(h, v), zero, one));
+    const real q_through = max(lit::greatest(t.refracted), zero), q_back = max(lit::greatest(t.reflected), zero);
     const real total = max(q_through + q_back, real(1e-20f));
     const mask is_through = choice * total < q_through;
     // A thin wall leads light on as it would mirror it, but behind the wall: glTF's KHR_materials_transmission.
     const vec3 mirrored = lit::mirrored_about(h, v), behind = mirrored - n * (dot(mirrored, n) * real(2.0f));
-    const vec3 bent = lit::refracted(h, v, border.eta);
-    const vec3 on = border.bends ? bent : has_lobe ? select(is_rough, behind, -v) : -v;
+    const vec3 on = border.bends ? lit::refracted(h, v, border.eta) : select(is_rough, behind, -v);
     PathStep step;
     step.d = select(is_through, on, mirrored);
     const real q = select(is_through, q_through, q_back);
     const real masked = select(is_rough, masked_share(p, step.d), one);
-    step.weight = select(is_through, t.refracted, reflected) * (masked * total * reciprocal(max(q, real(1e-20f))));
+    step.weight = select(is_through, t.refracted, t.reflected) * (masked * total * reciprocal(max(q, real(1e-20f))));
     step.pdf = zero;
     step.is_through = select(is_through, one, zero);
+    step.is_straight = border.bends ? zero : select(is_through && !is_rough, one, zero);
     const real side = dot(step.d, p.plane);
     const mask is_right = select(is_through, -side, side) > zero;
     // Bumped and interpolated normals may lead to the wrong side: along the surface then.
@@ -151,10 +199,10 @@ inline PathStep step_by_lobes(const PathSurface& p, const PathLobes& lobes, real
     PathStep step;
     step.d = lit::sample_surface(lobes.rest, lobes.shares, p.traits, p.reflection, choice, u);
     step.pdf = pdf_of(p, lobes, step.d);
-    const vec3 terms = reflected_terms(p, lobes.rest, unit_light(step.d));
+    const vec3 terms = reflected_terms(p, lobes.rest, unit_light(step.d), is_above(p, step.d));
     const mask is_sound = step.pdf > real(1e-20f);
     step.weight = select(is_sound, terms * reciprocal(max(step.pdf, real(1e-20f))), vec3(zero));
-    step.is_through = zero;
+    step.is_through = step.is_straight = zero;
     return step;
 }
 
@@ -172,6 +220,7 @@ inline PathStep next_step(const PathSurface& p, const PathLobes& lobes, real the
     step.weight = select(by_border, border.weight * reciprocal(max(share, real(1e-20f))), lobe.weight * there);
     step.pdf = select(by_border, border.pdf, lobe.pdf);
     step.is_through = select(by_border, border.is_through, lobe.is_through);
+    step.is_straight = select(by_border, border.is_straight, lobe.is_straight);
     return step;
 }
 

@@ -17,14 +17,13 @@ struct PathPlanes {
     void put3(int32_t plane, vec3 v) const { put(plane, v.x), put(plane + 1, v.y), put(plane + 2, v.z); }
 };
 
-inline real greatest_of(vec3 v) { return max(max(v.x, v.y), v.z); }
-
 struct PathSurface {
     const EveryJob job;
     HitSource<1> source;
     EveryPoint point;
     vec3 plane;  ///< unit normal of the triangle, on the seen side
     vec3 view;   ///< unit, to where the ray comes from
+    vec3 even;   ///< unit, the interpolated normal without bumps, on the seen side
     lit::MaterialTraits traits;
     lit::Reflection reflection;
 
@@ -33,16 +32,6 @@ struct PathSurface {
     lit::MaterialSurface& surface() { return point.surface; }
     const lit::MaterialSurface& surface() const { return point.surface; }
 };
-
-/// Classical colors that reflect more than arrives are divided by their sum.
-inline void keep_energy(const EveryJob& job, lit::MaterialSurface& s) {
-    if (job.is_pbr()) return;
-    const bool has_gloss_here = has_gloss(job);
-    const vec3 sum = has_gloss_here ? s.base.diffuse + s.base.specular : s.base.diffuse, one(real(1.0f));
-    const vec3 scale(reciprocal(max(sum.x, one.x)), reciprocal(max(sum.y, one.y)), reciprocal(max(sum.z, one.z)));
-    s.base.diffuse = s.base.diffuse * scale;
-    s.base.specular = s.base.specular * scale;
-}
 
 /// A normal of the gloss that leads no light below the surface; the diffuse term keeps its own. The view is along the ray.
 inline void set_valid_normals(PathSurface& p) {
@@ -66,20 +55,23 @@ inline void find_path_surface(PathSurface& p) {
     p.view = -safe_normalize(p.hit().along);
     cpu::set_directions(job, p.source.of(0), s.point, s.bumps, s.surface);
     set_valid_normals(p);
-    keep_energy(job, s.surface);
-    const vec3 even = s.bumps.frame.normal * s.bumps.frame.side;
-    s.emission = cpu::finish_surface(job, s.point, s.texels, even, s.emission, s.surface);
+    p.even = s.bumps.frame.normal * s.bumps.frame.side;
+    s.texels.occlusion = real(1.0f);  // paths find what lies around
+    s.emission = cpu::finish_surface(job, s.point, s.texels, p.even, s.emission, s.surface);
     if (!job.is_pbr()) s.surface.coat_n = s.surface.base.n, s.surface.coat_alpha = real(1.0f);
     s.surface.coat_n = lit::valid_normal(s.surface.coat_n, p.view, p.plane);
 }
 
 /// Lanes where light from l arrives on the seen side of the triangle.
 inline mask is_above(const PathSurface& p, vec3 l) { return dot(l, p.plane) > real(0.0f); }
+/// The same of the round surface that smooth normals pretend: for lights without an area, whose shadow rays begin on it.
+inline mask is_above_even(const PathSurface& p, vec3 l) { return dot(l, p.even) > real(0.0f); }
 
-/// What the surface sends back of a light; nothing is in shadow.
-inline vec3 reflected_terms(const PathSurface& p, const lit::MaterialSurface& s, const lit::LightSample& light) {
+/// What the surface sends back of a light; nothing is in shadow. @param arrives  lanes where it does
+inline vec3 reflected_terms(const PathSurface& p, const lit::MaterialSurface& s, const lit::LightSample& light,
+                            mask arrives) {
     const lit::LightTerms terms = cpu::material_terms(p.job, s, light, real(1.0f), p.traits);
-    return select(is_above(p, light.l), terms.diffuse + terms.specular, vec3(real(0.0f)));
+    return select(arrives, terms.diffuse + terms.specular, vec3(real(0.0f)));
 }
 
 /// A light whose terms are f cos.

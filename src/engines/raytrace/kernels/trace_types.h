@@ -96,6 +96,7 @@ struct HitJob : MaterialJob {
     float roughness;        ///< of corners: of the material, with the mean of its map
     void (*find_seen)(const void* tracer, ShadowRays* rays);  ///< null: nothing is in shadow
     const void* tracer;
+    int32_t is_path;       ///< 1: rough surfaces spread what goes through, classical ones send on no more than arrives
     int32_t is_opened;     ///< 1: alpha thins the surface's own light, before the fog
     const NextRays* next;  ///< null: no ray goes on
     float to_rays[3];      ///< from the eye to where Embree's coordinates are 0, negated: place about the eye + this
@@ -114,7 +115,8 @@ enum PathInNumber : int32_t {
     in_emitter_pdf = 9,      ///< [1/m^2], or [1/sr] of the environment; 0: there is no emitter
     in_emitter_is_far = 10,  ///< 1: the environment
     in_emitter_both = 11,    ///< 1: it shines from both sides
-    in_lights = 12,          ///< as many as PathJob::picked_lights: into HitJob::lights, as numbers
+    in_emitter_size = 12,    ///< [m] largest coordinate of its triangle, about the eye
+    in_lights = 13,          ///< as many as PathJob::picked_lights: into HitJob::lights, as numbers
 };
 inline constexpr int32_t most_picked_lights = 4;
 inline constexpr int32_t path_in_planes = in_lights + most_picked_lights;
@@ -131,10 +133,11 @@ enum PathOutNumber : int32_t {
     out_weight = 19,          ///< 0: it ends (3)
     out_pdf = 22,             ///< [1/sr] of the direction; 0: emitters are not sampled in this lobe
     out_through = 23,         ///< 1: through the surface
-    out_side = 24,            ///< 1: the front is seen, -1: the back
-    out_albedo = 25,          ///< (3)
-    out_normal = 28,          ///< (3)
-    path_out_planes = 31,
+    out_straight = 24,        ///< 1: through the surface as if it were not there: the ray stays, times out_weight
+    out_side = 25,            ///< 1: the front is seen, -1: the back
+    out_albedo = 26,          ///< (3)
+    out_normal = 29,          ///< (3)
+    path_out_planes = 32,
 };
 
 struct PathJob {
