@@ -51,7 +51,7 @@ struct OutputTarget {
     OutputTarget(std::string name, std::vector<std::byte>& bytes) : path(std::move(name)), memory(&bytes) {}
     std::string path;                          ///< of the file; in memory: for messages
     std::vector<std::byte>* memory = nullptr;  ///< lives as long as the output
-    std::string comment{};                     ///< ASCII, into the metadata of PNG, JPEG and EXR files; empty: none
+    std::string comment{};  ///< ASCII, into the metadata of PNG, JPEG, EXR and HDR files; empty: none
 };
 
 /// A file written under a temporary name beside its place, and renamed when whole and on the disk; removed when never

@@ -147,8 +147,8 @@ public:
           rows_left_(height),
           file_(target),
           rgbe_(width_ * 4) {
-        put("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) +
-            "\n");
+        put("#?RADIANCE\n" + (target.comment.empty() ? "" : "# " + target.comment + "\n") +
+            "FORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n");
     }
 
     void write_row(const void* row) override {

@@ -50,6 +50,7 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
     const auto require = [&first](bool can_do, const std::string& what) {
         if (!can_do && first.empty()) first = what;
     };
+    require(can.rays || (s.method == RayMethod::automatic && !s.naive), "follow rays: engine trace does");
     const bool is_path = can.rays && s.method == RayMethod::path;
     for (const ChannelInfo& channel : all_channels())
         require((s.channels & channel.channel & ~(can.channels | (is_path ? can.path_channels : 0))) == 0,
@@ -64,7 +65,6 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
     require(can.lines_and_points || (s.surfaces && !s.edges && s.points == PointShape::none),
             "draw edges and vertices");
     require(can.shadows || !s.shadows, "draw shadows");
-    require(can.rays || (s.method == RayMethod::automatic && !s.naive), "follow rays: engine trace does");
     require(can.rays || s.colors, "leave the colors out");
     require(can.user_lighting || s.lighting_text.empty(), "light by a text in GLSL, " + one_line(s.lighting_name, 80));
     return first;

@@ -167,7 +167,7 @@ PictureResult draw_loaded(Scene loaded, const PictureRequest& request, Session& 
     draw(session, camera, result);
     if (request.settings.channels && (request.channel_files & channel_files_png))
         context.report().add(Remark::note, request.input, "", text_of(result.view_range));
-    const bool is_whole = result.done == 1 && request.settings.colors;
+    const bool is_whole = result.done == 1 && request.settings.colors && !context.cancelled();
     if (is_whole &&
         result.stats.pixels_shaded + result.stats.pixels_marked == 0)  // blended surfaces cover nothing, but are seen
         context.report().add(Remark::warning, request.input, "", "no pixel of the picture shows the model");

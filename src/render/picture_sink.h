@@ -39,6 +39,7 @@ public:
     DisplayRows display_rows(const Window& area) override;
     void tile(const Tile& tile) override;
     void display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) override;
+    bool takes_partial() const override { return gaps_.has_value(); }
     int rows_at_once() const override { return strip_done_ ? rows_ : 0; }
     void rows_done(int first, int rows) override;
     void end_pass(int) override {}

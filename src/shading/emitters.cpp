@@ -22,12 +22,6 @@ dvec3 area_of(const dmat3& linear, const Mesh& mesh, std::uint32_t triangle) {
     return cross(u, v) * 0.5;
 }
 
-/// Factors of unlit materials have no emission.
-bool emits(const DrawMaterial& material) {
-    const float* const e = material.factors.emission;
-    return luminance_of(vec3{e[0], e[1], e[2]}) > 0;
-}
-
 /// Mean emission of the triangles of one draw.
 class Emission {
 public:
@@ -73,6 +67,11 @@ private:
 };
 
 }  // namespace
+
+bool emits(const DrawMaterial& material) {
+    const float* const e = material.factors.emission;
+    return luminance_of(vec3{e[0], e[1], e[2]}) > 0;
+}
 
 Emitters::Emitters(const DrawList& list, const TextureCache& textures, FrontFace front_face, Context& context)
     : list_(&list), clockwise_(front_face == FrontFace::clockwise) {

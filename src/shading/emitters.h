@@ -10,6 +10,9 @@
 
 namespace rakelight::shading {
 
+/// Whether some of it may. Factors of unlit materials have no emission.
+bool emits(const DrawMaterial& material);
+
 /// A point on a triangle that emits.
 struct EmitterSample {
     std::uint32_t draw = no_index;  ///< into DrawList::draws; `no_index`: nothing emits

@@ -26,6 +26,9 @@ public:
     /// are there.
     virtual void rows_done(int first, int rows) { (void)first, (void)rows; }
 
+    /// Whether a cancelled picture is wanted as far as it is. Engines that go over the picture several times finish it then.
+    virtual bool takes_partial() const { return false; }
+
     /// Whether tiles should come as 8-bit display values, clamped and correctly rounded, in place of linear colors.
     virtual bool takes_srgb8() const { return false; }
     /// Where display values of a rectangle may be made (written, and read again), by sinks that take them. From any

@@ -5,14 +5,9 @@
 #include <cmath>
 
 #include "math/linear.h"
+#include "shading/luminance.h"
 
 namespace rakelight::raytrace {
-namespace {
-
-double luminance(const dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
-
-}  // namespace
-
 PathFilm::PathFilm(const Window& window, bool guides, Context& context) : window_(window) {
     const std::size_t pixels = std::size_t(window.width) * std::size_t(window.height);
     charge_ = MemoryCharge(context.memory(), pixels * (sizeof(Sums) + (guides ? sizeof(Guides) : 0)), "paths");
@@ -24,17 +19,18 @@ void PathFilm::add(int x, int y, const PathSample& sample) {
     const std::size_t pixel = pixel_at(x, y);
     Sums& s = sums_[pixel];
     const dvec3 color = cast<double>(sample.color);
-    const double bright = luminance(color);
+    const double bright = shading::luminance_of(color);
     s.count += 1;
     s.color = s.color + color, s.direct = s.direct + cast<double>(sample.direct);
     s.alpha += double(sample.alpha), s.luminance += bright, s.luminance_squares += bright * bright;
     s.squares = s.squares + color * color;
     if (guides_.empty()) return;
-    guides_[pixel].albedo = guides_[pixel].albedo + sample.albedo;
-    guides_[pixel].normal = guides_[pixel].normal + sample.normal;
+    Guides& g = guides_[pixel];
+    const auto go_towards = [](vec3& mean, vec3 value, float count) { mean = mean + (value - mean) * (1 / count); };
+    go_towards(g.albedo, sample.albedo, float(s.count)), go_towards(g.normal, sample.normal, float(s.count));
     if (sample.normal == vec3{}) return;
-    guides_[pixel].position = guides_[pixel].position + sample.position;
-    guides_[pixel].count += 1;
+    g.count += 1;
+    go_towards(g.position, sample.position, g.count);
 }
 
 vec3 PathFilm::mean(std::size_t pixel, const dvec3& sum) const { return cast<float>(sum * (1 / sums_[pixel].count)); }
@@ -65,6 +61,8 @@ float PathFilm::variance(std::size_t pixel) const {
 
 PathFilm::Guided PathFilm::guided() const {
     Guided out;
+    for (auto* const numbers : {&out.color, &out.variance, &out.albedo, &out.normal, &out.position})
+        numbers->reserve(sums_.size());
     for (std::size_t i = 0; i < sums_.size(); ++i) {
         const Sums& s = sums_[i];
         const Guides& g = guides_[i];
@@ -73,8 +71,7 @@ PathFilm::Guided PathFilm::guided() const {
         for (std::size_t c = 0; c < 3 && n > 1; ++c)
             variance[c] = float(std::max(s.squares[c] - s.color[c] * s.color[c] / n, 0.0) / (n - 1) / n);
         out.color.push_back(mean(i, s.color)), out.variance.push_back(variance);
-        out.albedo.push_back(albedo(i)), out.normal.push_back(g.normal * (1 / float(n)));
-        out.position.push_back(g.count > 0 ? g.position * (1 / g.count) : vec3{});
+        out.albedo.push_back(g.albedo), out.normal.push_back(g.normal), out.position.push_back(g.position);
     }
     return out;
 }

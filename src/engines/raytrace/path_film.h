@@ -38,7 +38,7 @@ public:
     vec4 color(std::size_t pixel, vec4 background) const;
     vec3 direct(std::size_t pixel) const { return mean(pixel, sums_[pixel].direct) * per_alpha(pixel); }
     vec3 indirect(std::size_t pixel) const;
-    vec3 albedo(std::size_t pixel) const { return guides_[pixel].albedo * (1 / float(sums_[pixel].count)); }
+    vec3 albedo(std::size_t pixel) const { return guides_[pixel].albedo; }
     /// The colors again, from what is times alpha, in place of the sums: those of denoise_into().
     void replace_colors(std::vector<vec3> colors) { replaced_ = std::move(colors); }
     /// What a denoiser asks for, all [pixels]; colors times alpha.
@@ -51,7 +51,8 @@ public:
         return std::size_t(y - window_.y) * std::size_t(window_.width) + std::size_t(x - window_.x);
     }
 
-    /// Standard error of the pixels' luminance over its mean, both means over the window; 0 for fewer than 2 samples.
+    /// Standard error of the pixels' luminance over its mean, both means over the window; 0 where it is not known: for fewer than 2
+    /// samples, or as long as no light has come.
     double noise() const;
 
 private:
@@ -60,6 +61,7 @@ private:
         double alpha = 0, luminance = 0, luminance_squares = 0;
         double count = 0;  ///< of samples: a cancelled pass is not everywhere
     };
+    /// Means.
     struct Guides {
         vec3 albedo{}, normal{}, position{};
         float count = 0;  ///< of positions

@@ -67,7 +67,7 @@ std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
     return reversed(x);
 }
 
-/// Steele, Lea & Flood 2014, "Fast Splittable Pseudorandom Number Generators": the mixer, of 32 bits.
+/// Appleby 2011, MurmurHash3: its mixer of 32 bits.
 std::uint32_t mixed(std::uint32_t x) {
     x ^= x >> 16;
     x *= 0x85ebca6bu;

@@ -13,7 +13,9 @@
 namespace rakelight::raytrace {
 namespace {
 
-constexpr int most_in_pass = 16;  ///< samples
+constexpr int most_in_pass = 16;                          ///< samples
+constexpr int fewest_for_noise = 16;                      ///< samples, before the estimated error is believed
+constexpr std::size_t denoised_bytes = 6 * sizeof(vec3);  ///< of a pixel: what the denoiser reads and writes
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -41,7 +43,10 @@ public:
           strips_(dynamic_cast<StripSink*>(&sink)),
           context_(context),
           pool_(pool),
-          film_(film_window(window, settings_), picture.wants_guides, context) {}
+          film_(film_window(window, settings_), picture.wants_guides, context) {
+        const std::size_t pixels = std::size_t(film_.window().width) * std::size_t(film_.window().height);
+        if (settings_.paths.denoise) charge_ = MemoryCharge(context.memory(), pixels * denoised_bytes, "the denoiser");
+    }
 
     RayStats run() {
         while (film_.samples() < settings_.samples && !context_.cancelled() && !is_enough()) {
@@ -56,21 +61,35 @@ public:
             ++stats_.passes;
             if (!is_of_strips()) deliver_pass();
         }
-        if (settings_.paths.denoise && film_.samples() > 0 && !context_.cancelled()) denoise();
         stats_.samples = film_.samples(), stats_.noise = film_.noise();
-        if (is_of_strips() && film_.samples() > 0) deliver_strips();
+        if (film_.samples() > 0 && !context_.cancelled()) finish(context_);
+        if (film_.samples() > 0 && context_.cancelled() && is_of_strips() && strips_->takes_partial()) {
+            Context rest({.threads = context_.threads()});
+            finish(rest);
+        }
         context_.throw_if_cancelled();
         return stats_;
     }
 
 private:
+    /// What comes behind the last pass.
+    void finish(Context& context) {
+        try {
+            if (settings_.paths.denoise && !is_denoised_) denoise(context);
+            if (is_of_strips()) deliver_strips(context);
+        } catch (const Error&) {
+            if (!context.cancelled()) throw;
+        }
+    }
+
     bool is_of_strips() const { return strips_ && strips_->rows_at_once() > 0; }
 
     /// Whether no further pass is to begin.
     bool is_enough() const {
         const PathSettings& s = settings_.paths;
         if (film_.samples() == 0) return false;
-        if (s.noise > 0 && film_.samples() > 1 && film_.noise() < s.noise) return true;
+        const double noise = s.noise > 0 && film_.samples() >= fewest_for_noise ? film_.noise() : 0;
+        if (noise > 0 && noise < s.noise) return true;
         if (!(s.max_seconds > 0)) return false;
         const double a_sample = seconds_since(begin_) / film_.samples();
         return seconds_since(begin_) + a_sample * samples_of_next_pass(film_.samples(), settings_.samples) >
@@ -78,12 +97,13 @@ private:
     }
 
     /// Once more to sinks that have had the last pass.
-    void denoise() {
+    void denoise(Context& context) {
         const PathFilm::Guided g = film_.guided();
         std::vector<vec3> out(g.color.size());
         denoise_into({film_.window().width, film_.window().height, g.color, g.variance, g.albedo, g.normal, g.position},
-                     out, context_);
+                     out, context);
         film_.replace_colors(std::move(out));
+        is_denoised_ = true;
         ++stats_.passes;
         if (!is_of_strips()) deliver_pass();
     }
@@ -100,14 +120,14 @@ private:
         });
     }
 
-    void deliver(const Window& area) {
+    void deliver(const Window& area, const Context& context) {
         const FlushDenormals guard;
         auto scratch = pool_.take();
         PathScratch& s = *scratch;
         const std::uint32_t asked = settings_.channels;
         const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
         s.color.resize(count);
-        if (asked != 0) find_data(picture_.trace, area, context_, s);
+        if (asked != 0) find_data(picture_.trace, area, context, s);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t pixel = film_.pixel_at(area.x + int(i) % area.width, area.y + int(i) / area.width);
             s.color[i] = film_.color(pixel, settings_.background);
@@ -124,16 +144,16 @@ private:
     }
 
     void deliver_pass() {
-        for_tiles(window_, context_, [&](const Window& area, double) { deliver(area); });
+        for_tiles(window_, context_, [&](const Window& area, double) { deliver(area, context_); });
         sink_.end_pass(stats_.passes - 1);
     }
 
-    /// Even if cancelled: who wants what is there has it then.
-    void deliver_strips() {
+    void deliver_strips(const Context& context) {
         const int most = strips_->rows_at_once();
         for (int y = 0; y < window_.height; y += most) {
             const Window strip{window_.x, window_.y + y, window_.width, std::min(most, window_.height - y)};
-            for_each_tile(strip, [&](const Window& area) { deliver(area); });
+            for_each_tile(strip, [&](const Window& area) { deliver(area, context); });
+            context.throw_if_cancelled();
             strips_->rows_done(strip.y, strip.height);
         }
         sink_.end_pass(0);
@@ -147,6 +167,8 @@ private:
     Context& context_;
     cpu_shading::ScratchPool<PathScratch>& pool_;
     PathFilm film_;
+    MemoryCharge charge_;
+    bool is_denoised_ = false;
     RayStats stats_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A picture by paths, pass by pass, until it is good enough.
 #pragma once
-#include <functional>
 
 #include "cpu_shading/scratch_pool.h"
 #include "engines/raytrace/path_tile.h"

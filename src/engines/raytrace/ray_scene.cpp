@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "math/linear.h"
+#include "shading/emitters.h"
 
 namespace rakelight::raytrace {
 namespace {
@@ -55,9 +56,7 @@ namespace {
 
 /// What shines is its triangles, from which paths choose places.
 std::optional<ExactShape> formula_of(const shading::DrawList& list, const shading::Draw& draw) {
-    const float(&light)[3] = list.material(draw).factors.emission;
-    const bool shines = light[0] > 0 || light[1] > 0 || light[2] > 0;
-    return shines ? std::nullopt : list.scene.meshes[draw.mesh].shape;
+    return shading::emits(list.material(draw)) ? std::nullopt : list.scene.meshes[draw.mesh].shape;
 }
 
 }  // namespace

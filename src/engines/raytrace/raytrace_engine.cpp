@@ -123,6 +123,15 @@ public:
             trace(picture, window, sink, context);
             sink.end_pass(0);
         }
+        RenderStats stats = take_counts(passes, context.report());
+        if (naive) stats.rays.triangle_tests = naive->tests();
+        stats.times.tiles = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return stats;
+    }
+
+private:
+    /// Of all threads since the last call.
+    RenderStats take_counts(const RayStats& passes, Report& report) {
         RayCounts counts;
         const auto take = [&counts](TileScratch& scratch) {
             const RayCounts c = std::exchange(scratch.counts, {});
@@ -136,21 +145,17 @@ public:
         stats.rays = counts.rays;
         stats.rays.passes = passes.passes, stats.rays.samples = passes.samples, stats.rays.noise = passes.noise;
         stats.rays.scene_bytes = rays_.tree_bytes_used();
-        if (naive) stats.rays.triangle_tests = naive->tests();
         if (counts.rays.dropped > 0)
-            context.report().add(Remark::warning, list_.scene.source, {},
-                                 std::to_string(counts.rays.dropped) +
-                                     " reflections and refractions were left out: too many in one pixel",
-                                 {"max-depth"});
-        stats.times.tiles = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            report.add(Remark::warning, list_.scene.source, {},
+                       std::to_string(counts.rays.dropped) +
+                           " reflections and refractions were left out: too many in one pixel",
+                       {"max-depth"});
         if (counts.not_finite > 0)
-            context.report().add(
-                Remark::warning, list_.scene.source, {},
-                std::to_string(counts.not_finite) + " color values came out not finite and are shown black");
+            report.add(Remark::warning, list_.scene.source, {},
+                       std::to_string(counts.not_finite) + " color values came out not finite and are shown black");
         return stats;
     }
 
-private:
     void note_rough_glass(const RenderSettings& settings, Report& report) const {
         if (settings.method == RayMethod::cast || settings.max_depth == 0) return;
         const auto is_rough = [](const shading::DrawMaterial& m) {
@@ -197,32 +202,38 @@ private:
         paths.has_dispersion = std::ranges::any_of(
             list_.materials, [](const shading::DrawMaterial& m) { return m.factors.dispersion > 0; });
         paths.shines = lights.has_sky() || std::ranges::any_of(list_.materials, [](const shading::DrawMaterial& m) {
-                           const float(&e)[3] = m.factors.emission;
-                           return e[0] > 0 || e[1] > 0 || e[2] > 0 || m.factors.unlit != 0;
+                           return shading::emits(m) || m.factors.unlit != 0;
                        });
-        note_paths(context.report());
+        note_paths(picture, context.report());
         return render_paths(paths, window, sink, context, path_pool_);
     }
 
-    void note_paths(Report& report) const {
+    void note_paths(const TracePicture& picture, Report& report) const {
         const auto is_ambient = [](const Light& light) {
             return light.type == LightType::ambient || light.ambient != vec3{};
         };
         if (std::ranges::any_of(list_.scene.lights, is_ambient))
             report.add(Remark::note, list_.scene.source, {},
                        "ambient light is left out: paths bring the light that it stands for");
-        const auto is_too_bright = [](const shading::DrawMaterial& m) {
-            const shading::MaterialFactors& f = m.factors;
-            if (!m.is_drawn || f.metallic_roughness || f.unlit) return false;
-            for (std::size_t c = 0; c < 3; ++c)
-                if (f.base_color[c] + f.specular[c] > 1) return true;
-            return false;
-        };
-        const auto count = std::ranges::count_if(list_.materials, is_too_bright);
+        std::vector<bool> is_too_bright(list_.materials.size());
+        for (std::uint32_t d = 0; d < list_.draws.size(); ++d)
+            if (may_reflect_too_much(picture.hit_job(d))) is_too_bright[list_.draws[d].material] = true;
+        const auto count = std::ranges::count(is_too_bright, true);
         if (count > 0)
             report.add(Remark::note, list_.scene.source, {},
-                       std::to_string(count) + (count == 1 ? " material reflects" : " materials reflect") +
-                           " more light than arrives: diffuse and specular color are divided by their sum");
+                       "where the classical colors of " + std::to_string(count) +
+                           (count == 1 ? " material" : " materials") +
+                           " would send on more light than arrives they are divided by their sum");
+    }
+
+    static bool may_reflect_too_much(const HitJob& job) {
+        const cpu_shading::MaterialView& m = *job.material;
+        if (m.metallic_roughness != 0 || m.unlit != 0 || job.unlit != 0) return false;
+        const bool has_gloss =
+            job.reflection_model != shading::reflects_lambert && job.reflection_model != shading::reflects_oren_nayar;
+        for (std::size_t c = 0; c < 3; ++c)
+            if (m.base_color[c] + (has_gloss ? m.specular[c] : 0) + m.filter[c] > 1) return true;
+        return false;
     }
 
     Isa isa_;
