@@ -158,17 +158,31 @@ std::function<void(std::string_view, double)> ProgressLine::callback() {
     return [this](std::string_view stage, double fraction) { show(stage, fraction); };
 }
 
+std::string time_left(double elapsed_s, double fraction) {
+    constexpr double least_known_s = 2, least_fraction = 0.01, least_said_s = 2;
+    if (elapsed_s < least_known_s || fraction < least_fraction) return "";
+    const double left = elapsed_s * (1 - fraction) / fraction;
+    if (left < least_said_s) return "";
+    const auto [count, unit] = left < 100    ? std::pair(left, "s")
+                               : left < 6000 ? std::pair(left / 60, "min")
+                                             : std::pair(left / 3600, "h");
+    char text[40];
+    std::snprintf(text, sizeof text, ", about %.0f %s left", count, unit);
+    return text;
+}
+
 void ProgressLine::show(std::string_view stage, double fraction) {
     constexpr double patience_s = 0.5, pause_s = 0.1;
-    if (stage != stage_) stage_ = stage, furthest_ = 0;
+    const double now = now_s();
+    if (stage != stage_) stage_ = stage, furthest_ = 0, stage_s_ = now;
     if (fraction < furthest_) return;  // threads may report out of order
     furthest_ = fraction;
-    const double now = now_s();
     if (now - start_s_ < patience_s || now - last_s_ < pause_s) return;
     last_s_ = now;
     shown_ = true;
     const long percent = std::lround(std::clamp(fraction, 0.0, 1.0) * 100);
-    std::fprintf(stderr, "\r\033[K%s: %.*s %ld%%", file_.c_str(), int(stage.size()), stage.data(), percent);
+    std::fprintf(stderr, "\r\033[K%s: %.*s %ld%%%s", file_.c_str(), int(stage.size()), stage.data(), percent,
+                 time_left(now - stage_s_, fraction).c_str());
 }
 
 }  // namespace rakelight::cli

@@ -41,6 +41,9 @@ void print_data(const std::string& text);
 /// Lines for people on standard output. Each goes through one_line(): no name of a file reaches a terminal raw.
 void print_text(const std::string& text);
 
+/// ", about 2 min left", or nothing as long as little is known. @param elapsed_s  since the stage began
+std::string time_left(double elapsed_s, double fraction);
+
 /// A progress line for a terminal: appears after half a second, is wiped when done. Nothing when standard error is no
 /// terminal.
 class ProgressLine {
@@ -58,7 +61,7 @@ private:
     std::string file_, stage_;
     double furthest_ = 0;
     bool enabled_ = false, shown_ = false;
-    double start_s_ = 0, last_s_ = 0;
+    double start_s_ = 0, stage_s_ = 0, last_s_ = 0;
 };
 
 }  // namespace rakelight::cli

@@ -4,11 +4,14 @@
 
   path_test.py PROGRAM [unittest arguments]"""
 import json
+import os
+import pty
 import signal
 import struct
 import subprocess
 import time
 
+import exr
 import program
 
 SIZE = ("--resolution", "60,40")
@@ -82,10 +85,28 @@ class Paths(program.Case):
         self.assertEqual(program.png(self.folder / "b.png")[3], alone)
 
     def test_no_light_is_black_in_every_engine(self):
-        for engine in ("soft", "trace"):
-            self.picture("dark.png", "--light", "none", "--engine", engine, "--background", "#000000", model="builtin:sphere")
+        for words in (("soft",), ("trace",), ("trace", "--method", "path")):
+            run = self.run_program("render", "builtin:sphere", "-o", "dark.png", *SIZE, "--light", "none", "--background", "#000000", "--engine", *words)
+            self.assertEqual(run.code, 0, run.err)
             rows = program.png(self.folder / "dark.png")[3]
-            self.assertEqual(max(max(row) for row in rows), 0, engine)
+            self.assertEqual(max(max(row) for row in rows), 0, words)
+
+    def test_other_engines_say_that_they_follow_no_rays(self):
+        self.check_refused(self.run_program("render", "builtin:sphere", "-o", "out.png", "--engine", "soft", "--method", "path"), 2, "follow rays")
+
+    def test_a_progress_line_says_how_long_it_takes(self):
+        parent, child = pty.openpty()
+        work = subprocess.Popen([program.PROGRAM, "render", "w.scene.toml", "-o", "long.png", "--resolution", "200,150", "--samples", "1000000",
+                                 "--max-seconds", "6"], cwd=self.folder, stderr=child, stdin=subprocess.DEVNULL)
+        os.close(child)
+        said = b""
+        try:
+            while part := os.read(parent, 4096):
+                said += part
+        except OSError:  # the other end was closed
+            pass
+        self.assertEqual(work.wait(), 0)
+        self.assertRegex(said.decode(), r"render \d+%, about \d+ s left")
 
     def test_denoised_pictures_say_so_and_windows_of_them_are_parts(self):
         plain, _ = self.picture("a.png")
@@ -95,6 +116,7 @@ class Paths(program.Case):
         self.assertIn(b"tEXtComment\0rakelight: denoised", whole)
         self.assertIn(b"denoised", self.picture("c.exr", "--denoise")[0])
         self.assertIn(b"denoised", self.picture("c.jpg", "--denoise")[0])
+        self.assertIn(b"\n# rakelight: denoised", self.picture("c.hdr", "--denoise")[0])
         self.picture("part.png", "--denoise", "--window", "17,9,20,15")
         part, rows = program.png(self.folder / "part.png")[3], program.png(self.folder / "b.png")[3]
         self.assertEqual([bytes(row) for row in part], [bytes(row[3 * 17:3 * 37]) for row in rows[9:24]])
@@ -120,7 +142,18 @@ class Paths(program.Case):
             said = work.communicate()[1]
             self.assertEqual(work.returncode, -signal.SIGINT, said)
             self.assertEqual((self.folder / "long.png").exists(), keep, said)
+            self.assertNotIn("shows the model", said)
         self.assertEqual(struct.unpack(">II", (self.folder / "long.png").read_bytes()[16:24]), (200, 150))
+
+    def test_an_interrupted_picture_is_denoised_and_has_its_channels(self):
+        work = subprocess.Popen([program.PROGRAM, "render", "w.scene.toml", "-o", "cut.exr", "--resolution", "200,150", "--samples", "1000000", "--denoise",
+                                 "--keep-partial", "--channels", "normal"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        time.sleep(2)
+        work.send_signal(signal.SIGINT)
+        self.assertEqual((work.communicate()[0], work.returncode), (None, -signal.SIGINT))
+        self.assertIn(b"denoised", (self.folder / "cut.exr").read_bytes()[:4096])
+        normals = exr.read(self.folder / "cut.normal.exr")[2]
+        self.assertGreater(max(max(row) for row in normals["G"][1]), 0.99)
 
 
 if __name__ == "__main__":

@@ -108,15 +108,26 @@ private:
         if (!is_of_strips()) deliver_pass();
     }
 
+    /// The error falls with the root of the samples.
+    double expected_samples() const {
+        const double noise = film_.noise(), wanted = settings_.paths.noise, ratio = noise / wanted;
+        const double enough = wanted > 0 && noise > 0 ? film_.samples() * ratio * ratio : settings_.samples;
+        return std::min(std::max(enough, 1.0 * fewest_for_noise), 1.0 * settings_.samples);
+    }
+    double share_of_time() const {
+        const double most = settings_.paths.max_seconds;
+        return most > 0 ? seconds_since(begin_) / most : 0;
+    }
+
     void follow(int count) {
         const int first = film_.samples();
-        const double before = double(first) / settings_.samples, share = double(count) / settings_.samples;
+        const double all = expected_samples(), before = first / all, share = count / all;
         for_tiles(film_.window(), context_, [&](const Window& area, double done) {
             const FlushDenormals guard;
             auto scratch = pool_.take();
             follow_paths(picture_, area, first, first + count, context_, *scratch, film_);
             pool_.give_back(std::move(scratch));
-            context_.progress("render", before + share * done);
+            context_.progress("render", std::min(std::max(before + share * done, share_of_time()), 1.0));
         });
     }
 
