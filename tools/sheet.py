@@ -21,8 +21,10 @@ def nearest(path, width, height):
 def rendered(arguments, width, height, program, samples, folder):
     """What `render` makes of the arguments, model first, as rows of RGB bytes. Paths count from the repository's root."""
     out = pathlib.Path(folder) / "part.png"
-    subprocess.run([pathlib.Path(program).resolve(), "render", *arguments, "-o", out, "--resolution", f"{width},{height}",
-                    "--samples", str(samples), "--quiet"], check=True, cwd=ROOT)
+    if "--samples" not in arguments:
+        arguments = (*arguments, "--samples", str(samples))
+    subprocess.run([pathlib.Path(program).resolve(), "render", *arguments, "-o", out, "--resolution", f"{width},{height}", "--quiet"],
+                   check=True, cwd=ROOT)
     pixels = read_rgb(out)[2]
     return [pixels[3 * width * y:3 * width * (y + 1)] for y in range(height)]
 
