@@ -59,8 +59,9 @@ def main():
         write_sheet(options.picture, [[(CORNELL, *PATHS), (CORNELL, *PATHS, "--denoise"), (CORNELL, *PATHS, "--light-sampling", "materials")]],
                     300, 300, options.program, samples=16, columns=("16 samples", "--denoise", "--light-sampling materials"))
     elif options.which == "glass":
-        write_sheet(options.picture, [[(GLASS, "--method", "whitted", "--samples", "8"), (GLASS, *PATHS)]], 480, 320, options.program, samples=512,
-                    columns=("--method whitted", "--method path"))
+        write_sheet(options.picture, [[(GLASS, "--method", "whitted", "--samples", "8"), (GLASS, *PATHS),
+                                       (GLASS, *PATHS, "--clamp", "4", "--denoise")]],
+                    400, 267, options.program, samples=512, columns=("--method whitted", "--method path", "--clamp 4 --denoise"))
     elif options.which == "approximations":
         write_sheet(options.picture, approximation_rows(), 300, 300, options.program, columns=("soft", "paths", "difference"),
                     lines=("shadow maps (x 4)", "prefiltered sky (x 4)", "no occlusion (x 2)", "ambient light (x 2)"))
