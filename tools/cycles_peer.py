@@ -9,6 +9,7 @@ without loading and without the ray tree. MSE: mean of squared differences over 
 long picture by the same program, so that it is noise alone. Cycles' long pictures are those of data/paths/reference."""
 import argparse
 import json
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -29,7 +30,8 @@ def scenes(helmet):
 
 
 def run(words):
-    return subprocess.run(list(map(str, words)), check=True, capture_output=True, text=True, cwd=ROOT).stdout
+    plain = {**os.environ, "PATH": "/usr/bin:/bin"}  # Blender takes the modules of the first Python that it finds
+    return subprocess.run(list(map(str, words)), check=True, capture_output=True, text=True, cwd=ROOT, env=plain).stdout
 
 
 def ours(program, words, extra, samples, seed, threads, out):

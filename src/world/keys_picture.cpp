@@ -37,17 +37,24 @@ void read_engine(PictureRequest& r, Words w) {
     if (r.engine == "trace") r.settings.shadows = true;
 }
 
-constexpr int plain_paths = 64;
+/// One path a pixel shows nothing; where the error or the time end the picture the samples do not.
+int plain_samples(const RenderSettings& s) {
+    if (s.method != RayMethod::path) return defaults().settings.samples;
+    return s.paths.noise > 0 || s.paths.max_seconds > 0 ? 65536 : 64;
+}
 
-/// One path a pixel shows nothing; `samples`, which is read behind it, may say otherwise.
+/// `samples`, which is read behind them, may say otherwise.
+void set_plain_paths(RenderSettings& s) {
+    if (s.method == RayMethod::path) s.samples = plain_samples(s);
+}
+
 void read_method(PictureRequest& r, Words w) {
     r.settings.method = values::word("method", w[0], method_words);
-    if (r.settings.method == RayMethod::path) r.settings.samples = plain_paths;
+    set_plain_paths(r.settings);
 }
 
 Written write_samples(const PictureRequest& r) {
-    const int plain = r.settings.method == RayMethod::path ? plain_paths : defaults().settings.samples;
-    return r.settings.samples == plain ? Written{} : Written{std::to_string(r.settings.samples)};
+    return r.settings.samples == plain_samples(r.settings) ? Written{} : Written{std::to_string(r.settings.samples)};
 }
 
 void read_resolution(PictureRequest& r, Words w) {
@@ -170,12 +177,22 @@ constexpr RenderKey table[] = {
     RL_NUMBER_KEY("naive-limit", r.settings.naive_limit, 0, 1e18),
     {"resolution", Kind::value, read_resolution, write_resolution},
     {"window", Kind::value, read_window, RL_WRITE(r.settings.window, {text_of_window(r.settings.window)})},
+    RL_INTEGER_KEY("seed", r.settings.paths.seed, 0, 2147483647),
+    {"max-seconds", Kind::value,
+     [](PictureRequest& r, Words w) {
+         r.settings.paths.max_seconds = values::number("max-seconds", w[0], 0, 1e9);
+         set_plain_paths(r.settings);
+     },
+     RL_WRITE(r.settings.paths.max_seconds, {text_of(r.settings.paths.max_seconds)})},
+    {"noise", Kind::value,
+     [](PictureRequest& r, Words w) {
+         r.settings.paths.noise = values::number("noise", w[0], 0, 1e9);
+         set_plain_paths(r.settings);
+     },
+     RL_WRITE(r.settings.paths.noise, {text_of(r.settings.paths.noise)})},
     {"samples", Kind::value,
      [](PictureRequest& r, Words w) { r.settings.samples = values::integer("samples", w[0], 1, 1 << 20); },
      write_samples},
-    RL_INTEGER_KEY("seed", r.settings.paths.seed, 0, 2147483647),
-    RL_NUMBER_KEY("max-seconds", r.settings.paths.max_seconds, 0, 1e9),
-    RL_NUMBER_KEY("noise", r.settings.paths.noise, 0, 1e9),
     RL_NUMBER_KEY("clamp", r.settings.paths.clamp, 0, 1e18),
     RL_WORD_KEY("light-sampling", r.settings.paths.light_sampling, sampling_words),
     RL_KEY("denoise", flag, r.settings.paths.denoise, w[0] == "on", {"on"}),
