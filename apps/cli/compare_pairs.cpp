@@ -57,6 +57,12 @@ ComparedSide side_of(const Run& run, const std::string& name) {
     return {name, is_scene(name) ? std::optional(request_for(run, name)) : std::nullopt};
 }
 
+/// `method` is that of engine trace; the others draw smooth edges then.
+void follow_no_rays(RenderSettings& s) {
+    if (s.method == RayMethod::path) s.samples = 8, s.paths = {};
+    s.method = RayMethod::automatic;
+}
+
 std::vector<ComparedPair> pairs_of_engines(const Run& run) {
     const std::string list = run.given.word("engines");
     const std::vector<std::string_view> engines = values::split(list, ',');
@@ -69,6 +75,7 @@ std::vector<ComparedPair> pairs_of_engines(const Run& run) {
         const auto drawn_by = [&](std::string_view engine) {
             ComparedSide side{scene, request};
             side.scene->picture.engine = engine;
+            if (engine != "trace") follow_no_rays(side.scene->picture.settings);
             return side;
         };
         for (std::size_t i = 1; i < engines.size(); ++i)

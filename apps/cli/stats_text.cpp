@@ -15,6 +15,8 @@ std::string rays_text(const std::string& name, const RayStats& rays) {
                 {"shadow rays", rays.shadow},
                 {"reflected rays", rays.reflected},
                 {"refracted rays", rays.refracted},
+                {"paths a pixel", std::uint64_t(rays.samples), true},
+                {"passes", rays.samples > 0 ? std::uint64_t(rays.passes) : 0, true},
                 {"dropped rays", rays.dropped, true},
                 {"deepest ray", std::uint64_t(rays.deepest)},
                 {"triangle tests", rays.triangle_tests, true},
@@ -24,6 +26,10 @@ std::string rays_text(const std::string& name, const RayStats& rays) {
     for (const auto& row : rows) {
         if (row.count == 0 && row.is_rare) continue;
         std::snprintf(line, sizeof line, "%-21s %12llu\n", row.what, static_cast<unsigned long long>(row.count));
+        text += name + line;
+    }
+    if (rays.samples > 0) {
+        std::snprintf(line, sizeof line, "%-21s %12.4f\n", "estimated error", rays.noise);
         text += name + line;
     }
     return text;

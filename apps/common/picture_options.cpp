@@ -19,13 +19,15 @@ constexpr Entry entries[] = {
     {output, "window", "X,Y,W,H", "Draw and write only this part of the picture; 0,0 is the top left pixel"},
     {output, "samples", "N",
      "Samples a pixel: 1 (default), 4 or 8 make edges smooth; surfaces are shaded once a pixel, by trace at each "
-     "sample where rays go on or shadows are. With --method path (default 64) any number of paths, in passes"},
+     "sample where rays go on or shadows are. With --method path (default 64, or what --noise and --max-seconds "
+     "let) any number of paths, in passes"},
     {output, "anisotropy", "N",
      "Texture samples along a pixel's longer side, 1 (default) to 16: sharp at grazing angles"},
     {output, "background", "COLOR", "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent"},
     {output, "channels", "LIST",
      "Also write data: depth, normal, face-normal, tangent, uv, uv1, position, object, mesh, material, triangle, "
-     "barycentric, overdraw, base-color, ambient, diffuse, specular, emission; lighting: the last four; all"},
+     "barycentric, overdraw, base-color, ambient, diffuse, specular, emission; lighting: the last four; all; by paths "
+     "albedo, direct, indirect, variance; paths: these four"},
     {output, "channel-files", "HOW",
      "exr (default: NAME.depth.exr, ...), layers (all in one EXR: FILE itself, else NAME.channels.exr), png (for the "
      "eye: NAME.depth.png, ...); several: exr,png"},

@@ -11,7 +11,7 @@ void read_lights(PictureRequest& r, Words w) {
     r.default_lights = w.size() == 1 && w[0] == "default";
     r.lights.reset();
     if (r.default_lights) return;
-    for (const char* const word : {"default", "none"})
+    for (const char* const word : {"none", "default"})
         if (std::ranges::find(w, word) != w.end() && w.size() > 1)
             throw values::wrong("light", std::string(word) + " stands alone");
     r.lights.emplace();

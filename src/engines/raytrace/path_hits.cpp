@@ -129,7 +129,7 @@ void go_on(const PathPicture& picture, const StepView& hit, int depth, std::size
     s.next.push_back(next);
     s.next_states.push_back({.pdf = pdf,
                              .met = s.states[ray].met + 1,
-                             .is_straight = s.states[ray].is_straight && !(pdf > 0),
+                             .is_straight = s.states[ray].is_straight && hit.number(out_mirrored) > 0,
                              .color = color});
 }
 

@@ -205,7 +205,20 @@ private:
                            return shading::emits(m) || m.factors.unlit != 0;
                        });
         note_paths(picture, context.report());
-        return render_paths(paths, window, sink, context, path_pool_);
+        const auto is_dark = [](const Light& light) { return light.type == LightType::ambient; };
+        if (!paths.shines && std::ranges::all_of(list_.scene.lights, is_dark))
+            context.report().add(
+                Remark::warning, list_.scene.source, {},
+                "nothing shines: there are no lights, no surfaces that emit, and no environment that gives light");
+        const RayStats stats = render_paths(paths, window, sink, context, path_pool_);
+        const PathSettings& asked = picture.settings.paths;
+        if (asked.noise > 0 && asked.max_seconds == 0 && stats.noise > asked.noise) {
+            char text[120];
+            std::snprintf(text, sizeof text, "the estimated error is %.3g after all %d samples, not %.3g", stats.noise,
+                          stats.samples, asked.noise);
+            context.report().add(Remark::warning, list_.scene.source, {}, text, {"samples"});
+        }
+        return stats;
     }
 
     void note_paths(const TracePicture& picture, Report& report) const {

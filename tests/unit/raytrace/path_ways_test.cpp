@@ -135,17 +135,18 @@ TEST(Paths, WhatIsSentOnIsNeverMoreThanArrives) {
     shaded.metallic_roughness.transmission = 0.5f;
     Material clear = shaded;
     clear.metallic_roughness.roughness = 0, clear.metallic_roughness.specular = 0;  // Schlick's F at n.v and at v.h
-    constant.name = "constant", fresnel.name = "fresnel", filter.name = "filter", shaded.name = "rough", clear.name = "clear";
+    constant.name = "constant", fresnel.name = "fresnel", filter.name = "filter", shaded.name = "rough",
+    clear.name = "clear";
     for (Material m : {constant, fresnel, filter, shaded, clear}) {
         Scene scene = furnace();
         scene.materials = {m};
         test::add_object(scene, sphere_by_formula(0));
         for (const double x : {0.0, 0.6, 0.95}) {
-            const Estimate seen = estimate_at(
-                scene, {x, 0, 3}, {x, 0, 0},
-                {.lighting = m.model == MaterialModel::classical ? Lighting::phong : Lighting::pbr,
-                 .samples = 4096,
-                 .max_depth = 32});
+            const Estimate seen =
+                estimate_at(scene, {x, 0, 3}, {x, 0, 0},
+                            {.lighting = m.model == MaterialModel::classical ? Lighting::phong : Lighting::pbr,
+                             .samples = 4096,
+                             .max_depth = 32});
             EXPECT_LE(seen.mean.y, 1 + 3 * seen.error) << m.name << " " << x;
             EXPECT_GE(seen.mean.y, 0.85) << m.name << " " << x;
         }
@@ -160,8 +161,9 @@ TEST(Paths, OcclusionMapsDoNothing) {
     test::add_object(scene, test::square_mesh(0));
     const RenderSettings s{.samples = 256, .paths = {.light_sampling = LightSampling::materials}};
     const Estimate without = estimate_at(scene, {0, 0, 3}, {0, 0, 0}, s);
-    scene.materials[0].occlusion_texture = test::add_texture(
-        scene, test::picture(test::rgb_pixels(4, 4, [](int, int) { return std::array{0, 0, 0}; })));
+    scene.materials[0].occlusion_texture = test::add_texture(scene, test::picture(test::rgb_pixels(4, 4, [](int, int) {
+                                                                 return std::array{0, 0, 0};
+                                                             })));
     EXPECT_EQ(estimate_at(scene, {0, 0, 3}, {0, 0, 0}, s).mean, without.mean);
 }
 
@@ -172,9 +174,9 @@ TEST(Paths, ALittleTransmissionLeavesTheHighlightAsItIs) {
     scene.materials = {m};
     test::add_object(scene, test::square_mesh(0));
     scene.environment = Environment{.image = test::picture(test::rgb_pixels(64, 32, [](int x, int y) {
-        const int c = y < 12 && x % 32 < 8 ? 255 : 0;
-        return std::array{c, c, c};
-    }))};
+                                        const int c = y < 12 && x % 32 < 8 ? 255 : 0;
+                                        return std::array{c, c, c};
+                                    }))};
     scene.lights.clear();
     const RenderSettings s{.lighting = Lighting::pbr, .samples = 4096};
     for (const dvec3 from : {dvec3{2, 0, 1}, dvec3{0, 2, 1}}) {
@@ -199,7 +201,8 @@ TEST(Paths, DirectLightOnSmoothMeshesIsThatOfWhitted) {
     Camera camera;
     camera.to_world = look_at({2, 1, 4}, {0, 0, 0}, {0, 1, 0});
     camera.vertical_fov_rad = 0.6, camera.z_near = 1e-2, camera.z_far = 100;
-    RenderSettings s{.width = 24, .height = 24, .lighting = Lighting::lambert, .shadows = true, .samples = 1, .max_depth = 0};
+    RenderSettings s{
+        .width = 24, .height = 24, .lighting = Lighting::lambert, .shadows = true, .samples = 1, .max_depth = 0};
     const Frame paths = picture_by_paths(scene, camera, [&] {
         RenderSettings many = s;
         many.samples = 64;
@@ -230,7 +233,10 @@ TEST(Paths, NoiseIsNotKnownBeforeLightHasCome) {
     Camera camera;
     camera.to_world = look_at({0, -2, 1}, {0, 0, 0}, {0, 0, 1});
     camera.vertical_fov_rad = 0.1, camera.z_near = 1e-3, camera.z_far = 100;
-    RenderSettings s{.width = 4, .height = 4, .samples = 64, .method = RayMethod::path,
+    RenderSettings s{.width = 4,
+                     .height = 4,
+                     .samples = 64,
+                     .method = RayMethod::path,
                      .paths = {.light_sampling = LightSampling::materials, .noise = 0.5}};
     Context context({.threads = 1});
     const auto engine = make_engine();

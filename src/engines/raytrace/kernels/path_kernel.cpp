@@ -108,7 +108,7 @@ void put_step(const PathSurface& p, const PathLobes& lobes, real share, real the
     // The ray that goes straight on is in the fog from its own beginning.
     planes.put3(out_weight, step.weight * select(step.is_straight > zero, real(1.0f), share));
     planes.put(out_pdf, step.pdf), planes.put(out_through, step.is_through);
-    planes.put(out_straight, step.is_straight);
+    planes.put(out_straight, step.is_straight), planes.put(out_mirrored, step.is_mirrored);
 }
 
 /// What shines by itself: from the front, or from both sides.

@@ -132,6 +132,7 @@ struct PathStep {
     real pdf;          ///< 0: this lobe is not that of any sampled emitter
     real is_through;   ///< 1 or 0
     real is_straight;  ///< likewise: on the same line
+    real is_mirrored;  ///< likewise: by a mirror or clear glass
 };
 
 /// What masking leaves of a visible facet's light: G / G1(v) of the height-correlated form, Heitz 2014, eq. 99.
@@ -184,6 +185,7 @@ inline PathStep step_by_border(const PathSurface& p, const PathLobes& lobes, rea
     step.weight = select(is_through, t.refracted, t.reflected) * (masked * total * reciprocal(max(q, real(1e-20f))));
     step.pdf = zero;
     step.is_through = select(is_through, one, zero);
+    step.is_mirrored = one;
     step.is_straight = border.bends ? zero : select(is_through && !is_rough, one, zero);
     const real side = dot(step.d, p.plane);
     const mask is_right = select(is_through, -side, side) > zero;
@@ -192,6 +194,17 @@ inline PathStep step_by_border(const PathSurface& p, const PathLobes& lobes, rea
     step.d = select(is_right || !is_rough, kept, step.d);
     step.weight = select(is_right || !is_rough, step.weight, vec3(zero));
     return step;
+}
+
+/// Lanes where sample_surface() draws the direction of a mirror's lobe.
+inline mask draws_mirror(const PathSurface& p, const PathLobes& lobes, real choice) {
+    if (!p.job.is_pbr()) return mask(false);
+    const lit::LobeShares& shares = lobes.shares;
+    const lit::MaterialSurface& s = lobes.rest;
+    const mask is_gloss = choice >= shares.diffuse && choice < shares.diffuse + shares.specular;
+    const mask is_coat = choice >= real(1.0f) - shares.coat && shares.coat > real(0.0f);
+    return (is_gloss && max(s.alpha_x, s.alpha_y) <= real(RL_MIRROR_ALPHA)) ||
+           (is_coat && s.coat_alpha <= real(RL_MIRROR_ALPHA));
 }
 
 inline PathStep step_by_lobes(const PathSurface& p, const PathLobes& lobes, real choice, vec2 u) {
@@ -203,6 +216,7 @@ inline PathStep step_by_lobes(const PathSurface& p, const PathLobes& lobes, real
     const mask is_sound = step.pdf > real(1e-20f);
     step.weight = select(is_sound, terms * reciprocal(max(step.pdf, real(1e-20f))), vec3(zero));
     step.is_through = step.is_straight = zero;
+    step.is_mirrored = select(draws_mirror(p, lobes, choice), real(1.0f), zero);
     return step;
 }
 
@@ -221,6 +235,7 @@ inline PathStep next_step(const PathSurface& p, const PathLobes& lobes, real the
     step.pdf = select(by_border, border.pdf, lobe.pdf);
     step.is_through = select(by_border, border.is_through, lobe.is_through);
     step.is_straight = select(by_border, border.is_straight, lobe.is_straight);
+    step.is_mirrored = select(by_border, border.is_mirrored, lobe.is_mirrored);
     return step;
 }
 

@@ -134,10 +134,11 @@ enum PathOutNumber : int32_t {
     out_pdf = 22,             ///< [1/sr] of the direction; 0: emitters are not sampled in this lobe
     out_through = 23,         ///< 1: through the surface
     out_straight = 24,        ///< 1: through the surface as if it were not there: the ray stays, times out_weight
-    out_side = 25,            ///< 1: the front is seen, -1: the back
-    out_albedo = 26,          ///< (3)
-    out_normal = 29,          ///< (3)
-    path_out_planes = 32,
+    out_mirrored = 25,        ///< 1: as a mirror or clear glass leads it: what is behind all surfaces is seen
+    out_side = 26,            ///< 1: the front is seen, -1: the back
+    out_albedo = 27,          ///< (3)
+    out_normal = 30,          ///< (3)
+    path_out_planes = 33,
 };
 
 struct PathJob {
