@@ -45,10 +45,10 @@ class Cycles(program.Case):
         self.hold("cornell.scene.toml", "cornell.exr", "256,256", 1e-3, 5e-3)
 
     def test_point_light(self):
-        self.hold("lamp.scene.toml", "lamp.exr", "256,256", 2e-3, 1e-2)
+        self.hold("lamp.scene.toml", "lamp.exr", "256,256", 1e-3, 8e-3)
 
     def test_metals(self):
-        self.hold("panel.scene.toml", "panel.exr", "320,180", 5e-3, 2e-2)
+        self.hold("panel.scene.toml", "panel.exr", "320,180", 4e-3, 1e-2)
 
 
 if __name__ == "__main__":

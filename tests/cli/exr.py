@@ -13,7 +13,8 @@ def text(data, at):
 
 def header_of(data):
     """({attribute: bytes}, where the table of blocks begins)"""
-    assert data[:4] == b"\x76\x2f\x31\x01" and data[4:8] == b"\2\0\0\0"
+    flags = struct.unpack_from("<I", data, 4)[0]  # version 2; bit 10: names may be long, which changes nothing else
+    assert data[:4] == b"\x76\x2f\x31\x01" and flags & ~0x400 == 2
     at, attributes = 8, {}
     while data[at]:
         name, at = text(data, at)
