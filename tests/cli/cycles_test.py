@@ -3,13 +3,16 @@
 """Paths against pictures of the same scenes by Blender Cycles (data/paths/reference): means of the picture and of its blocks of pixels.
 
   cycles_test.py PROGRAM [unittest arguments]"""
+import os
 import pathlib
 
 import exr
 import program
 
 PATHS = pathlib.Path(__file__).resolve().parents[2] / "data/paths"
+MODELS = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", PATHS.parents[2] / "shared")) / "assets/gltf"
 BLOCK = 16  # px
+SKY = ("--hdri-file", PATHS / "sky.hdr", "--hdri-ambient", "--hdri-skybox", "--cull", "none")
 
 
 def blocks(path):
@@ -25,10 +28,10 @@ def blocks(path):
 
 
 class Cycles(program.Case):
-    def hold(self, scene, reference, size, share, share_of_blocks):
+    def hold(self, scene, reference, size, share, share_of_blocks, *options):
         """share: of the mean, that it may be off; share_of_blocks: of the mean too, that blocks may be off, root of the mean square."""
         run = self.run_program("render", PATHS / scene, "-o", "out.exr", "--resolution", size, "--engine", "trace", "--method", "path",
-                               "--samples", "64", "--seed", "3")
+                               "--samples", "64", "--seed", "3", *options)
         self.assertEqual(run.code, 0, run.err)
         ours, theirs = blocks(self.folder / "out.exr"), blocks(PATHS / "reference" / reference)
         mean = sum(theirs) / len(theirs)
@@ -49,6 +52,22 @@ class Cycles(program.Case):
 
     def test_metals(self):
         self.hold("panel.scene.toml", "panel.exr", "320,180", 4e-3, 1e-2)
+
+    def hold_model(self, model, reference, size, share, share_of_blocks, position, target, angle):
+        if not MODELS.exists():
+            self.skipTest("the shared assets are not there")
+        self.hold(MODELS / model, reference, size, share, share_of_blocks, *SKY, "--camera-position", position, "--camera-focal-point", target,
+                  "--camera-view-angle", angle)
+
+    def test_helmet(self):
+        self.hold_model("FlightHelmet/FlightHelmet.gltf", "helmet-sky.exr", "640,360", 3e-3, 1e-2, "0.5,0.5,0.9", "0,0.36,0", "40")
+
+    def test_suzanne(self):
+        self.hold_model("Suzanne/Suzanne.gltf", "suzanne.exr", "320,180", 3e-3, 1e-2, "1.5,0.8,3.5", "0,0,0", "40")
+
+    def test_spheres(self):
+        self.hold_model("MetalRoughSpheresNoTextures/MetalRoughSpheresNoTextures.glb", "spheres.exr", "320,180", 5e-3, 2e-2,
+                        "0.0028,0.0027,0.0125", "0.0028,0.0027,0", "36")
 
 
 if __name__ == "__main__":
