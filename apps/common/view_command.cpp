@@ -6,8 +6,10 @@
 namespace rakelight::apps {
 
 Command view_command() {
-    const Option stats = {"stats", "Output", "",
-                          "Say at the end how long the first picture and the window's longest pause took", Form::flag};
+    const Option stats = {
+        "stats", "Output", "",
+        "Say at the end how long the first picture, the window's longest pause and pictures in motion took",
+        Form::flag};
     std::vector<Option> options =
         without(joined({picture_options(), {stats}, common_options()}),
                 {"window", "channels", "channel-files", "exr-colors", "json", "quiet", "verbose"});

@@ -148,11 +148,13 @@ void App::note_pause() {
 
 void App::log_stats() const {
     if (!start_.wants_stats) return;
-    std::fprintf(stderr,
-                 "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms, while gl "
-                 "draws %.0f ms), %llu pictures by GlView, %s\n",
-                 first_picture_ms_, longest_block_ms_, longest_load_block_ms_, longest_gl_block_ms_,
-                 static_cast<unsigned long long>(gl_pictures_), one_line(views_[0].screen->renderer(), 100).c_str());
+    std::fprintf(
+        stderr,
+        "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms, while gl "
+        "draws %.0f ms), %zu pictures in motion after %.0f ms (median; at most %.0f ms), %llu pictures by GlView, %s\n",
+        first_picture_ms_, longest_block_ms_, longest_load_block_ms_, longest_gl_block_ms_, motion_times_.count(),
+        motion_times_.quantile_ms(0.5), motion_times_.quantile_ms(1), static_cast<unsigned long long>(gl_pictures_),
+        one_line(views_[0].screen->renderer(), 100).c_str());
 }
 
 void App::poll() {
@@ -249,6 +251,7 @@ void App::submit(View& view) {
     view.submitted = view.look, view.submitted_model = model_, view.submitted_area = a;
     view.submitted_marks = wanted_marks;
     view.is_submitted_moving = is_moving, view.is_submitted_with_depth = wants_depth, view.is_painting = true;
+    if (is_moving && &view == &views_[0]) motion_times_.asked(view.number + 1, woke_);
     view.painter->paint({.model = model_,
                          .look = view.look,
                          .width = a.width,

@@ -17,6 +17,7 @@
 #include "lighting_file.h"
 #include "load_model.h"
 #include "materials.h"
+#include "motion_times.h"
 #include "painter.h"
 #include "panels.h"
 #include "settings_file.h"
@@ -193,6 +194,7 @@ private:
     Clock::time_point woke_{};  ///< when the window last began to look at events
     bool was_loading_ = false, was_gl_drawing_ = false;
     double first_picture_ms_ = 0, longest_block_ms_ = 0, longest_load_block_ms_ = 0, longest_gl_block_ms_ = 0;
+    MotionTimes motion_times_;  ///< of the first view
 };
 
 }  // namespace rakelight::viewer

@@ -28,6 +28,7 @@ void App::draw() {
     for (std::size_t i = 0; i < view_count(); ++i)
         if (views_[i].shown && views_[i].shown->picture) mark_as_shown(*views_[i].shown->picture);
     window_->swap();
+    if (views_[0].shown) motion_times_.shown(views_[0].shown->number, Clock::now());
     if (first_picture_ms_ == 0 && views_[0].shown)
         first_picture_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - began_).count();
 }

@@ -20,9 +20,9 @@ void Pace::measured(double front_ms, double pixels_ms, double pixels) {
     pixel_ms_ = mean(pixel_ms_, std::max(pixels_ms, 1e-3) / pixels);
 }
 
-double Pace::scale(double whole_pixels) const {
+double Pace::scale(double whole_pixels, double budget_ms) const {
     if (!(pixel_ms_ > 0) || !(whole_pixels > 0)) return unmeasured;
-    const double left_ms = std::max(budget_ms_ - front_ms_, 0.5 * front_ms_);
+    const double left_ms = std::max(budget_ms - front_ms_, 0.5 * front_ms_);
     const double scale = std::sqrt(left_ms / (pixel_ms_ * whole_pixels));
     return std::clamp(scale, coarsest, 1.0);
 }

@@ -6,17 +6,14 @@ namespace rakelight::viewer {
 
 class Pace {
 public:
-    /// @param budget_ms  that a picture in motion may take
-    explicit Pace(double budget_ms = 40) : budget_ms_(budget_ms) {}
-
     /// What a picture took. @param front_ms  whatever its size  @param pixels_ms  for its pixels  @param pixels  how many it has
     void measured(double front_ms, double pixels_ms, double pixels);
     /// By how much a picture in motion is smaller along each side: 1/16..1. Where the vertices alone take the time, pixels
     /// get half as much on top of it.
-    double scale(double whole_pixels) const;
+    /// @param budget_ms  that a picture in motion may take
+    double scale(double whole_pixels, double budget_ms) const;
 
 private:
-    double budget_ms_;
     double front_ms_ = 0, pixel_ms_ = 0;  ///< of a picture, of a pixel; 0: nothing measured yet
 };
 

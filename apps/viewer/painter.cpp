@@ -19,8 +19,9 @@ double ms_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-constexpr double upload_slice_ms = 20;  // after which newer jobs are looked for
-constexpr double told_after_ms = 200;   // shorter uploads are not told of
+constexpr double upload_slice_ms = 20;                     // after which newer jobs are looked for
+constexpr double motion_ms = 40, motion_of_paths_ms = 25;  // of a picture in motion; a pass takes time to break off
+constexpr double told_after_ms = 200;                      // shorter uploads are not told of
 
 int scaled(int size, double scale) { return std::max(1, int(std::lround(size * scale))); }
 
@@ -174,13 +175,14 @@ void Painter::run() {
 
 /// The passes of a job; what is outdated is left.
 void Painter::work(const PaintJob& job) {
-    const double coarse = pace_.scale(double(job.width) * double(job.height));
+    const bool comes_in_passes =
+        job.look.request.engine == "trace" && job.look.request.settings.method == RayMethod::path;
+    const double coarse =
+        pace_.scale(double(job.width) * double(job.height), comes_in_passes ? motion_of_paths_ms : motion_ms);
     const int samples = job.look.request.settings.samples;
     const bool is_coarse_first = job.is_moving || coarse < 0.6;
     if (is_coarse_first && !paint_pass(job, coarse, 1, false)) return;
     if (job.is_moving || is_outdated(job)) return;
-    const bool comes_in_passes =
-        job.look.request.engine == "trace" && job.look.request.settings.method == RayMethod::path;
     if (samples > 1 && !comes_in_passes && (!paint_pass(job, 1, 1, false) || is_outdated(job))) return;
     paint_pass(job, 1, samples, true);
 }

@@ -102,7 +102,7 @@ void draw_shading_panel(PanelView& view) {
     constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
     if (r.engine == "trace") draw_rays(r);
     if (s.method == RayMethod::path)
-        slide("paths a pixel", s.samples, 1, 4096);
+        slide("paths a pixel", s.samples, 1, most_paths_a_pixel, true);
     else
         choose("samples", sample_words, s.samples);
     slide("anisotropy", s.anisotropy, 1, 16);

@@ -109,13 +109,22 @@ void draw_splitter(PanelView& view, float width) {
 
 std::string counted(int samples) { return std::to_string(samples) + (samples == 1 ? " sample" : " samples"); }
 
+/// How far it has come.
+std::string refinement_text(const Painting& painting) {
+    if (!painting.is_whole) return "  (coarse)";
+    const RayStats& rays = painting.stats.rays;
+    const int wanted = painting.request.settings.samples;
+    if (!painting.is_final) return "  (" + std::to_string(std::max(rays.samples, 1)) + " of " + counted(wanted) + ")";
+    if (rays.passes == 0) return "";
+    char noise[40] = "";
+    if (rays.noise > 0) std::snprintf(noise, sizeof noise, ", error %.2g %%", 100 * rays.noise);
+    return "  (" + counted(rays.samples) + noise + ")";
+}
+
 std::string time_text(const Painting& painting) {
     char text[200];
     std::snprintf(text, sizeof text, "%.1f ms  %d x %d  %s%s", painting.ms, painting.width, painting.height,
-                  painting.request.engine.c_str(),
-                  painting.is_final   ? ""
-                  : painting.is_whole ? ("  (" + counted(std::max(painting.stats.rays.samples, 1)) + ")").c_str()
-                                      : "  (coarse)");
+                  painting.request.engine.c_str(), refinement_text(painting).c_str());
     return text;
 }
 

@@ -43,8 +43,9 @@ inline bool slide(const char* label, double& value, double low, double high, con
     value = std::clamp(double(single), low, high);
     return true;
 }
-inline bool slide(const char* label, int& value, int low, int high) {
-    return ImGui::SliderInt(label, &value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp);
+inline bool slide(const char* label, int& value, int low, int high, bool is_logarithmic = false) {
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    return ImGui::SliderInt(label, &value, low, high, "%d", flags);
 }
 
 /// Linear light, shown as a color of the display; values above 1 stay possible.

@@ -108,6 +108,8 @@ inline constexpr std::uint32_t channels_all = (channel_emission << 1) - 1;  ///<
 /// balance heuristic (Veach 1997, section 9.2.2); only asked; only met. All have the same mean.
 enum class LightSampling : std::uint8_t { both, lights, materials };
 
+inline constexpr int most_paths_a_pixel = 1 << 20;
+
 /// Of path tracing.
 struct PathSettings {
     LightSampling light_sampling = LightSampling::both;

@@ -100,8 +100,8 @@ void Error::compose() {
     if (!place_.empty()) text_ += one_line(place_, 120) + ": ";
     if (!setting_.empty()) text_ += one_line(setting_, 60) + ": ";
     text_ += one_line(reason_, 300);
-    if (!advice_.empty()) text_ += "; " + one_line(advice_, 160);
-    text_ = one_line(text_, 600);
+    if (!advice_.empty()) text_ += "; " + one_line(advice_, 300);
+    text_ = one_line(text_, 800);
 }
 
 }  // namespace rakelight

@@ -10,8 +10,7 @@
 namespace rakelight {
 namespace {
 
-constexpr int most_pixels = 65536;  // a side
-constexpr int most_paths = 1 << 20;
+constexpr int most_pixels = 65536;     // a side
 constexpr float widest_mark_px = 256;  // of lines and points
 
 /// @param setting  its key in [render]; empty: it has none
@@ -59,7 +58,8 @@ void check_words(const RenderSettings& s) {
 }
 
 void check_paths(const RenderSettings& s) {
-    require(s.samples >= 1 && s.samples <= most_paths, "samples", "the paths of a pixel must be 1 to 1048576");
+    require(s.samples >= 1 && s.samples <= most_paths_a_pixel, "samples",
+            "the paths of a pixel must be 1 to " + std::to_string(most_paths_a_pixel));
     for (const auto& [setting, number] :
          {std::pair("max-seconds", s.paths.max_seconds), {"noise", s.paths.noise}, {"clamp", s.paths.clamp}})
         require(std::isfinite(number) && number >= 0, setting, "must be a number >= 0");
@@ -71,7 +71,7 @@ void check_numbers(const RenderSettings& s) {
     else
         require(s.samples == 1 || s.samples == 4 || s.samples == 8, "samples",
                 "the samples of a pixel must be 1, 4 or 8 but for the method path");
-    require(s.samples == 1 || s.visibility == Visibility::z_reversed, "samples",
+    require(!has_pixel_samples(s) || s.visibility == Visibility::z_reversed, "samples",
             "more than one sample a pixel needs the default visibility, z-reversed");
     require(s.shadow_size >= 16 && s.shadow_size <= 8192, "shadow-size",
             "the size of a shadow map must be 16 to 8192 texels");

@@ -154,6 +154,11 @@ template <class Draw>
 PictureResult draw_loaded(Scene loaded, const PictureRequest& request, Session& session, Context& context,
                           const Draw& draw) {
     PictureResult result{.file = request.input, .output = request.output};
+    if (request.settings.method != RayMethod::path && request.settings.paths != PathSettings{})
+        context.report().add(Remark::warning, request.input, "",
+                             "seed, max-seconds, noise, clamp, denoise and light-sampling have no effect without the "
+                             "method path",
+                             {"method"});
     Stopwatch watch;
     context.progress("prepare", 0);
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);

@@ -63,9 +63,7 @@ std::uint32_t channels_by_name(std::string_view name) {
     std::string words;
     for (const ChannelInfo& c : channels) words += std::string(c.word) + ", ";
     throw Error(ErrorCode::usage, "unknown channel '" + one_line(std::string(name), 40) + "'", {},
-                "use one of: " + words +
-                    "lighting (ambient, diffuse, specular and emission), paths (albedo, direct, indirect "
-                    "and variance), all");
+                "use one of: " + words + "lighting, paths, all");
 }
 
 }  // namespace rakelight

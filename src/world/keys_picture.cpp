@@ -191,7 +191,7 @@ constexpr RenderKey table[] = {
      },
      RL_WRITE(r.settings.paths.noise, {text_of(r.settings.paths.noise)})},
     {"samples", Kind::value,
-     [](PictureRequest& r, Words w) { r.settings.samples = values::integer("samples", w[0], 1, 1 << 20); },
+     [](PictureRequest& r, Words w) { r.settings.samples = values::integer("samples", w[0], 1, most_paths_a_pixel); },
      write_samples},
     RL_NUMBER_KEY("clamp", r.settings.paths.clamp, 0, 1e18),
     RL_WORD_KEY("light-sampling", r.settings.paths.light_sampling, sampling_words),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engines/check_settings.h"
 #include "world/key_fields.h"
 
 namespace rakelight {
@@ -44,7 +45,7 @@ void check_picture(const PictureRequest& r, const Given& given) {
         throw Error(ErrorCode::usage, "does not lie inside the picture of " + std::to_string(s.width) + " x " +
                                           std::to_string(s.height) + " pixels that 'resolution' asks for")
             .about("window", {"resolution"});
-    if (s.samples > 1 && s.visibility != Visibility::z_reversed)
+    if (has_pixel_samples(s) && s.visibility != Visibility::z_reversed)
         throw Error(ErrorCode::usage, std::to_string(s.samples) + " samples need 'visibility' z-reversed, the default")
             .about("samples", {"visibility"});
     if (given.has("point-sprites") && !s.surfaces && s.points == PointShape::none) exclude("point-sprites", "points");

@@ -14,6 +14,9 @@ MODELS = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", PATHS.parents[2] / "sha
 BLOCK = 16  # px
 SKY = ("--hdri-file", PATHS / "sky.hdr", "--hdri-ambient", "--hdri-skybox", "--cull", "none")
 
+WHITE = ("--hdri-file", PATHS / "white.hdr", "--hdri-ambient", "--hdri-skybox", "--cull", "none", "--bump", "none", "--material", "metallic=0",
+         "--material", "roughness=1", "--material", "specular_factor=0")
+
 
 def blocks(path):
     """Means of each color over blocks of BLOCK x BLOCK pixels."""
@@ -53,14 +56,17 @@ class Cycles(program.Case):
     def test_metals(self):
         self.hold("panel.scene.toml", "panel.exr", "320,180", 4e-3, 1e-2)
 
-    def hold_model(self, model, reference, size, share, share_of_blocks, position, target, angle):
+    def hold_model(self, model, reference, size, share, share_of_blocks, position, target, angle, light=SKY):
         if not MODELS.exists():
             self.skipTest("the shared assets are not there")
-        self.hold(MODELS / model, reference, size, share, share_of_blocks, *SKY, "--camera-position", position, "--camera-focal-point", target,
+        self.hold(MODELS / model, reference, size, share, share_of_blocks, *light, "--camera-position", position, "--camera-focal-point", target,
                   "--camera-view-angle", angle)
 
     def test_helmet(self):
         self.hold_model("FlightHelmet/FlightHelmet.gltf", "helmet-sky.exr", "640,360", 3e-3, 1e-2, "0.5,0.5,0.9", "0,0.36,0", "40")
+
+    def test_helmet_of_lambert_in_white(self):
+        self.hold_model("FlightHelmet/FlightHelmet.gltf", "helmet-white.exr", "320,180", 1e-3, 1e-2, "0.5,0.5,0.9", "0,0.36,0", "40", WHITE)
 
     def test_suzanne(self):
         self.hold_model("Suzanne/Suzanne.gltf", "suzanne.exr", "320,180", 3e-3, 1e-2, "1.5,0.8,3.5", "0,0,0", "40")

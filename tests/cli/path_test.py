@@ -94,6 +94,16 @@ class Paths(program.Case):
     def test_other_engines_say_that_they_follow_no_rays(self):
         self.check_refused(self.run_program("render", "builtin:sphere", "-o", "out.png", "--engine", "soft", "--method", "path"), 2, "follow rays")
 
+    def test_what_has_no_effect_is_said(self):
+        for words in (("--denoise",), ("--noise", "0.1"), ("--seed", "2")):
+            run = self.run_program("render", "builtin:sphere", "-o", "out.png", *SIZE, *words)
+            self.assertEqual(run.code, 0, run.err)
+            self.assertIn("no effect without the method path", run.err)
+        run = self.run_program("render", "w.scene.toml", "-o", "out.png", *SIZE, "--denoise")
+        self.assertEqual((run.code, run.err), (0, ""))
+        run = self.run_program("render", "w.scene.toml", "-o", "out.png", *SIZE, "--visibility", "painter")
+        self.check_refused(run, 2, "hidden surfaces")
+
     def test_a_progress_line_says_how_long_it_takes(self):
         parent, child = pty.openpty()
         work = subprocess.Popen([program.PROGRAM, "render", "w.scene.toml", "-o", "long.png", "--resolution", "200,150", "--samples", "1000000",

@@ -64,7 +64,7 @@ class Paths(Case):
     def test_motion_begins_the_passes_anew(self):
         window = self.open("w.scene.toml")
         before = self.ends_in_the_picture_of_render(window)
-        window.key("Left", "Left", "Left")
+        window.drag(1, 100, 20)
         early = middle(window.picture())
         late = self.ends_in_the_picture_of_render(window)
         self.assertGreater(differing(before, early), 5000, "the picture did not move")

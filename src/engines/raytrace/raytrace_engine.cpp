@@ -228,6 +228,10 @@ private:
         if (std::ranges::any_of(list_.scene.lights, is_ambient))
             report.add(Remark::note, list_.scene.source, {},
                        "ambient light is left out: paths bring the light that it stands for");
+        const auto has_occlusion = [](const Material& m) { return m.occlusion_texture && m.occlusion_strength > 0; };
+        if (std::ranges::any_of(list_.scene.materials, has_occlusion))
+            report.add(Remark::note, list_.scene.source, {},
+                       "occlusion maps are left out: paths find what is occluded");
         std::vector<bool> is_too_bright(list_.materials.size());
         for (std::uint32_t d = 0; d < list_.draws.size(); ++d)
             if (may_reflect_too_much(picture.hit_job(d))) is_too_bright[list_.draws[d].material] = true;

@@ -167,6 +167,39 @@ TEST(Paths, OcclusionMapsDoNothing) {
     EXPECT_EQ(estimate_at(scene, {0, 0, 3}, {0, 0, 0}, s).mean, without.mean);
 }
 
+/// The remarks of a small picture, a line each.
+std::string remarks_of(Scene scene) {
+    Context context;
+    const auto engine = make_engine();
+    engine->prepare(std::move(scene), context);
+    Frame frame;
+    const RenderSettings s{.width = 4, .height = 4, .samples = 1, .method = RayMethod::path};
+    engine->render(Camera{}, s, frame, context);
+    std::string text;
+    for (const ReportEntry& entry : context.report().entries()) text += entry.message + "\n";
+    return text;
+}
+
+TEST(Paths, WhatIsLeftOutIsSaid) {
+    Scene scene = furnace();
+    scene.materials = {test::matte({0.5f, 0.5f, 0.5f})};
+    test::add_object(scene, test::square_mesh(0));
+    EXPECT_EQ(remarks_of(scene), "");
+    Scene ambient = scene, occluded = scene, bright = scene, dark = dark_scene();
+    ambient.lights = {{.type = LightType::ambient, .ambient = {0.1f, 0.1f, 0.1f}}};
+    EXPECT_NE(remarks_of(ambient).find("ambient light is left out"), std::string::npos);
+    occluded.materials[0].occlusion_texture =
+        test::add_texture(occluded, test::picture(test::rgb_pixels(4, 4, [](int, int) {
+                              return std::array{9, 9, 9};
+                          })));
+    EXPECT_NE(remarks_of(occluded).find("occlusion maps are left out"), std::string::npos);
+    bright.materials[0] = test::matte({1.5f, 0.5f, 0.5f});
+    EXPECT_NE(remarks_of(bright).find("divided by their sum"), std::string::npos);
+    dark.materials = scene.materials;
+    test::add_object(dark, test::square_mesh(0));
+    EXPECT_NE(remarks_of(dark).find("nothing shines"), std::string::npos);
+}
+
 TEST(Paths, ALittleTransmissionLeavesTheHighlightAsItIs) {
     Scene scene = dark_scene();
     Material m = metal(0.8f, 0.4f);

@@ -113,19 +113,19 @@ TEST(Input, KeysAreHeldUntilTheyAreReleased) {
 }
 
 TEST(Pace, SlowPixelsMakePicturesInMotionCoarse) {
-    Pace pace(40);
+    Pace pace;
     pace.measured(5, 400, 1e6);  // 35 ms are left for pixels of 400 ns
-    const double scale = pace.scale(1e6);
+    const double scale = pace.scale(1e6, 40);
     EXPECT_NEAR(scale * scale * 400, 35, 1);
-    Pace fast(40);
+    Pace fast;
     fast.measured(1, 10, 1e6);
-    EXPECT_EQ(fast.scale(1e6), 1);
+    EXPECT_EQ(fast.scale(1e6, 40), 1);
 }
 
 TEST(Pace, WhereVerticesTakeAllTheTimePixelsGetHalfAsMuch) {
-    Pace pace(40);
+    Pace pace;
     pace.measured(200, 1000, 1e6);
-    const double scale = pace.scale(1e6);
+    const double scale = pace.scale(1e6, 40);
     EXPECT_NEAR(scale * scale * 1000, 100, 1);
 }
 
