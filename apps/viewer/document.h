@@ -82,6 +82,11 @@ std::vector<std::string> files_of(const Look& look);
 /// A fresh look at a model: as its request says.
 Look first_look(const Model& model);
 
+/// By paths, pass after pass.
+inline bool comes_in_passes(const PictureRequest& r) {
+    return r.engine == "trace" && r.settings.method == RayMethod::path;
+}
+
 /// Another way of following rays: paths take many samples.
 void choose_method(RayMethod method, PictureRequest& request);
 

@@ -175,15 +175,14 @@ void Painter::run() {
 
 /// The passes of a job; what is outdated is left.
 void Painter::work(const PaintJob& job) {
-    const bool comes_in_passes =
-        job.look.request.engine == "trace" && job.look.request.settings.method == RayMethod::path;
+    const bool in_passes = comes_in_passes(job.look.request);
     const double coarse =
-        pace_.scale(double(job.width) * double(job.height), comes_in_passes ? motion_of_paths_ms : motion_ms);
+        pace_.scale(double(job.width) * double(job.height), in_passes ? motion_of_paths_ms : motion_ms);
     const int samples = job.look.request.settings.samples;
     const bool is_coarse_first = job.is_moving || coarse < 0.6;
     if (is_coarse_first && !paint_pass(job, coarse, 1, false)) return;
     if (job.is_moving || is_outdated(job)) return;
-    if (samples > 1 && !comes_in_passes && (!paint_pass(job, 1, 1, false) || is_outdated(job))) return;
+    if (samples > 1 && !in_passes && (!paint_pass(job, 1, 1, false) || is_outdated(job))) return;
     paint_pass(job, 1, samples, true);
 }
 

@@ -168,7 +168,10 @@ void draw_status(const PanelView& view) {
             text += "  " + std::to_string(view.file_number + 1) + " of " + std::to_string(view.file_count);
         text += "\n";
     }
-    if (view.ui.frame_time && view.painting) text += time_text(*view.painting) + "\n";
+    if (view.ui.frame_time && view.painting)
+        text += time_text(*view.painting) + "\n";
+    else if (view.painting && comes_in_passes(view.painting->request) && !view.painting->is_final)
+        text += "paths" + refinement_text(*view.painting) + "\n";
     for (const std::string& work : view.works) text += work + "  (Esc cancels)\n";
     if (view.ui.is_walking) text += "walking: W A S D, Q E, mouse, Shift; Esc leaves\n";
     if (view.ui.is_picking) text += "click a pixel to have it explained; Esc leaves\n";
