@@ -101,7 +101,7 @@ void Error::compose() {
     if (!setting_.empty()) text_ += one_line(setting_, 60) + ": ";
     text_ += one_line(reason_, 300);
     if (!advice_.empty()) text_ += "; " + one_line(advice_, 300);
-    text_ = one_line(text_, 800);
+    text_ = one_line(text_, 600);
 }
 
 }  // namespace rakelight
