@@ -29,7 +29,7 @@ def words_for(name, width):
 
 def draw(model, out, options, width, height):
     """None, or why there is no picture."""
-    command = [options.program, "render", model, "-o", out, "--resolution", f"{width},{height}", "--samples", "4", "--quiet", *options.render]
+    command = [options.program, "render", model, "-o", out, "--resolution", f"{width},{height}", "--quiet", *options.render]
     try:
         done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=120, stdin=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:

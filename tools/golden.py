@@ -47,7 +47,7 @@ def render(program, row, picture):
         arguments += ["--channels", channel, "--channel-files", "png"]
     if "--resolution" not in arguments:
         arguments += ["--resolution", "{},{}".format(*row["size"])]
-    done = subprocess.run([program, "render", *arguments, "-o", picture, "--quiet"], cwd=ROOT, capture_output=True, text=True,
+    done = subprocess.run([program, "render", *arguments, "--look", "plain", "-o", picture, "--quiet"], cwd=ROOT, capture_output=True, text=True,
                           errors="replace", stdin=subprocess.DEVNULL)
     if done.returncode != 0:
         return f"exit code {done.returncode}: {(done.stderr.strip().splitlines() or ['no message'])[-1]}"

@@ -38,6 +38,7 @@ Run run_of(const Command& command, apps::CommandLine line) {
     if (given.has("max-memory")) run.max_memory = values::byte_size("max-memory", given.word("max-memory"));
     run.picture.load.allow_outside = given.has("allow-outside");
     run.picture.output = given.word("output");
+    run.picture.look = Look::standard;
     if (!are_all_worlds(run)) read_render_keys(given.settings(), run.picture);
     run.picture.settings.own_shading = !shades_the_whole(given.settings());
     return run;

@@ -22,8 +22,9 @@ void show_side(Look& look, const char* side) {
     const bool is_parallel = look.eye ? look.eye->is_orthographic : look.request.view.orthographic;
     look.eye.reset();
     const ViewRequest& was = look.request.view;
-    look.request.view = {.side = side, .z_near = was.z_near, .z_far = was.z_far, .orthographic = is_parallel};
-    if (look.world_up != dvec3{0, 1, 0} && std::string(side) == "default") look.request.view.up = look.world_up;
+    look.request.view = {
+        .side = side, .world_up = was.world_up, .z_near = was.z_near, .z_far = was.z_far, .orthographic = is_parallel};
+    if (look.world_up != dvec3{0, 1, 0}) look.request.view.world_up = look.world_up;
 }
 
 /// From one that the user has moved away from, back to it.
@@ -33,13 +34,26 @@ void next_camera(Look& look, const Model& model) {
     const std::optional<std::size_t> now = shown_camera(look, model);
     look.eye.reset();
     const std::size_t number = now ? (*now + 1) % count : shown_camera(look, model).value_or(0);
-    look.request.view = {.camera = std::to_string(number)};
+    look.request.view = {.camera = std::to_string(number), .world_up = look.request.view.world_up};
 }
 
 void next_up_axis(Look& look) {
     const dvec3 up = look.world_up;
     look.world_up = up == dvec3{0, 1, 0} ? dvec3{0, 0, 1} : up == dvec3{0, 0, 1} ? dvec3{1, 0, 0} : dvec3{0, 1, 0};
+    look.request.view.world_up = look.world_up;
     show_side(look, "default");
+}
+
+/// The whole model, seen from where the eye is now.
+void show_all(Look& look, const Model& model, int width, int height) {
+    Eye& eye = moving_eye(look, model, width, height);
+    ViewRequest all{.up = eye.up, .world_up = look.world_up, .direction = forward_of(eye)};
+    all.vertical_fov_rad = radians(eye.fov_deg);
+    if (eye.horizontal_fov_deg) all.horizontal_fov_rad = radians(*eye.horizontal_fov_deg);
+    all.orthographic = eye.is_orthographic;
+    const double fov_deg = eye.fov_deg;
+    Eye fitted = eye_of(model.box.camera(model.scene, all, double(width) / double(height)), model.box.bounds());
+    eye.position = fitted.position, eye.focal = fitted.focal, eye.fov_deg = fov_deg;
 }
 
 /// Over the poles too, where the turntable would stop.
@@ -54,8 +68,7 @@ void raise(Look& look, const Model& model, int width, int height, double angle_r
 bool apply_to_view(Command command, Look& look, const Model& model, int width, int height) {
     switch (command) {
         case Command::fit:
-            fit(moving_eye(look, model, width, height), model.box.bounds(), double(width) / double(height));
-            return true;
+            return show_all(look, model, width, height), true;
         case Command::reset_view:
             look.eye.reset();
             look.request.view = model.request.view;

@@ -17,7 +17,7 @@ PictureRequest request_of(const Look& look, int width, int height) {
     request.settings.channels = 0;
     if (look.eye) place(request.view, *look.eye, look.world_up);
     if (look.lights) {
-        request.default_lights = false;
+        request.default_lights = request.studio_lights = false;
         request.lights.emplace();
         for (const LightItem& item : *look.lights)
             if (item.is_on) request.lights->push_back(item.light);
@@ -28,7 +28,7 @@ PictureRequest request_of(const Look& look, int width, int height) {
 }
 
 Camera camera_of(const Look& look, const Model& model, int width, int height) {
-    return model.box.camera(request_of(look, width, height).view, double(width) / double(height));
+    return model.box.camera(model.scene, request_of(look, width, height).view, double(width) / double(height));
 }
 
 Eye seen_eye(const Look& look, const Model& model, int width, int height) {
@@ -108,6 +108,7 @@ std::vector<std::string> files_of(const Look& look) {
 /// An up direction across the view, as that of a rolled picture (see place()), says nothing of the world.
 dvec3 world_up_of(const ViewRequest& view) {
     constexpr dvec3 usual{0, 1, 0};
+    if (view.world_up) return normalize_or(*view.world_up, usual);
     if (!view.up) return usual;
     const dvec3 up = normalize_or(*view.up, usual);
     const bool is_axis = std::max({std::fabs(up.x), std::fabs(up.y), std::fabs(up.z)}) == 1;

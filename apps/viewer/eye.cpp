@@ -82,6 +82,7 @@ void place(ViewRequest& view, const Eye& eye, dvec3 world_up) {
     view = {.position = eye.position,
             .focal_point = eye.focal,
             .up = is_upright ? world_up : eye.up,
+            .world_up = view.world_up,
             .vertical_fov_rad = radians(eye.fov_deg),
             .horizontal_fov_rad = horizontal_fov_rad,
             .z_near = view.z_near,
@@ -134,14 +135,6 @@ void center_on(Eye& eye, dvec3 target) {
     if (!is_finite(target) || length(target) > farthest) return;
     eye.position += target - eye.focal;
     eye.focal = target;
-}
-
-void fit(Eye& eye, const Bounds& bounds, double aspect) {
-    const double half = std::tan(radians(0.5 * eye.fov_deg)) * std::min(1.0, aspect);
-    const double sine = half / std::sqrt(1 + half * half);
-    const dvec3 to_eye = -forward_of(eye);
-    eye.focal = bounds.empty() ? dvec3{0, 0, 0} : bounds.center();
-    eye.position = eye.focal + to_eye * (1.02 * radius_of(bounds) / sine);
 }
 
 void look(Eye& eye, double right_rad, double up_rad, dvec3 world_up) {

@@ -43,8 +43,6 @@ void dolly(Eye& eye, double factor);
 void roll(Eye& eye, double angle_rad);
 /// Moves the focal point to `target`, the eye with it.
 void center_on(Eye& eye, dvec3 target);
-/// Goes so far away that the ball about the box fits; the direction stays. @param aspect  width / height
-void fit(Eye& eye, const Bounds& bounds, double aspect);
 
 /// Walking: the head turns; `up` is world_up again.
 void look(Eye& eye, double right_rad, double up_rad, dvec3 world_up);

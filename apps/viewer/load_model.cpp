@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include <rakelight/linear.h>
+#include <rakelight/picture_parts.h>
 
 namespace rakelight::viewer {
 namespace {
@@ -15,6 +16,7 @@ PictureRequest request_for(const std::string& file, const Start& start) {
         request = read_world_request(file, start.load, {start.settings, start.takes}, quiet).picture;
     } else {
         request.load = start.load;
+        request.look = rakelight::Look::standard;
         read_render_keys(start.settings, request);
         request.settings.own_shading = !shades_the_whole(start.settings);
     }
@@ -80,6 +82,9 @@ std::shared_ptr<const Model> load_model(const std::string& file, const Start& st
     if (is_world_file(file)) model->world = read_world(file, context);
     model->scene = load(file, model->request.load, context);
     context.throw_if_cancelled();
+    take_look(model->scene, model->request, context);
+    take_look_of_picture(with_asked_surfaces(model->scene, model->request, context), model->request, context);
+    model->request.look = rakelight::Look::plain;
     model->box = ViewBox(model->scene);
     model->lights = lights_in_world(model->scene);
     count(*model);

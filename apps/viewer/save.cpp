@@ -91,11 +91,9 @@ bool is_flag(const RenderKey& key) {
 /// What [render] of the model's world sets and the look does not: it is at its default again.
 std::vector<WorldValue> taken_back(const Model& model, const std::vector<WorldValue>& written) {
     const auto is_said = [&](const WorldValue& value) {
-        constexpr std::string_view placements[] = {"view", "camera-index", "camera-position"};
-        const bool is_place = std::ranges::find(placements, value.key) != std::end(placements);
-        return std::ranges::any_of(written, [&](const WorldValue& w) {
-            return w.key == value.key || (is_place && std::ranges::find(placements, w.key) != std::end(placements));
-        });
+        const bool is_place = places_camera(value.key);
+        return std::ranges::any_of(
+            written, [&](const WorldValue& w) { return w.key == value.key || (is_place && places_camera(w.key)); });
     };
     std::vector<WorldValue> back = model.world.render;
     std::erase_if(back, [&](const WorldValue& v) { return is_said(v) || v.key == "resolution" || v.key == "shading"; });

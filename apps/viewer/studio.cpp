@@ -10,7 +10,8 @@ namespace {
 
 /// Then the default rig follows the camera by itself.
 bool leaves_lights_to_the_session(const PictureRequest& r, const Scene& scene) {
-    return !r.lights && !r.default_lights && r.light_intensity == 1 && r.light_cutoff == 0 && scene.lights.empty();
+    return !r.lights && !r.default_lights && !r.studio_lights && r.light_intensity == 1 && r.light_cutoff == 0 &&
+           scene.lights.empty();
 }
 
 }  // namespace

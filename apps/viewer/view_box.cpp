@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view_box.h"
 
+#include <mutex>
+
 namespace rakelight::viewer {
 namespace {
 
@@ -41,7 +43,14 @@ std::string title_of(const Camera& camera, std::size_t number) {
 
 }  // namespace
 
-ViewBox::ViewBox(const Scene& scene) : bounds_(rakelight::bounds(scene)) {
+struct ViewBox::Known {
+    std::mutex mutex;
+    ViewRequest view;
+    double aspect = 0;  ///< 0: nothing is known
+    Camera camera;
+};
+
+ViewBox::ViewBox(const Scene& scene) : bounds_(rakelight::bounds(scene)), known_(std::make_shared<Known>()) {
     if (bounds_.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     stand_in_.source = scene.source;
     stand_in_.cameras = scene.cameras;
@@ -51,9 +60,16 @@ ViewBox::ViewBox(const Scene& scene) : bounds_(rakelight::bounds(scene)) {
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) cameras_.push_back(title_of(scene.cameras[i], i));
 }
 
-Camera ViewBox::camera(const ViewRequest& view, double aspect) const {
+Camera ViewBox::camera(const Scene& scene, const ViewRequest& view, double aspect) const {
     Context quiet({.threads = 1});
-    return choose_camera(stand_in_, view, aspect, quiet);
+    if (view.position && view.focal_point) return choose_camera(stand_in_, view, aspect, quiet);
+    const std::lock_guard lock(known_->mutex);  // painters ask, too
+    if (known_->aspect != aspect || known_->view != view) {
+        known_->aspect = 0;
+        known_->camera = choose_camera(scene, view, aspect, quiet);
+        known_->view = view, known_->aspect = aspect;
+    }
+    return known_->camera;
 }
 
 }  // namespace rakelight::viewer

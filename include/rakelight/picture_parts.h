@@ -10,6 +10,15 @@
 
 namespace rakelight {
 
+/// Fills in, where the request's look is the default one, what neither the file nor the request names: samples, light, shadows, and
+/// whether the file's camera and lights are taken. Says what it decided about the file's. The request is plain in these then.
+/// @param scene  as loaded; its lights go where the file's are not taken
+void take_look(Scene& scene, PictureRequest& request, Context& context);
+
+/// The rest of it, that the model's picture decides: the background's tone, and the exposure of lights in physical units.
+/// @param asked  of with_asked_surfaces()
+void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& context);
+
 /// A loaded scene with the materials and the environment that a request asks for. Textures that the request names are new
 /// in each result: call it again only where PictureRequest::materials or hdri_... changed.
 /// @throws Error bad_file: see validate(); not_found, bad_file: a picture of the request

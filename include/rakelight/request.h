@@ -21,11 +21,21 @@ namespace rakelight {
 /// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
 /// and where the file has none a camera fitted to the model's bounding box.
 struct ViewRequest {
-    std::string side{};    ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default", or empty
-    std::string camera{};  ///< number (from 0) or name of a camera of the file, or empty
-    std::optional<dvec3> position{};           ///< [m] world
-    std::optional<dvec3> focal_point{};        ///< [m] world; what the camera looks at
-    std::optional<dvec3> up{};                 ///< any length; default +Y; the default view turns along
+    std::string
+        side{};  ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default"; "file": its first camera; or empty
+    std::string camera{};                ///< number (from 0) or name of a camera of the file, or empty
+    std::optional<dvec3> position{};     ///< [m] world
+    std::optional<dvec3> focal_point{};  ///< [m] world; what the camera looks at
+    std::optional<dvec3> up{};           ///< any length; of the picture; default: the world's
+    /// Any length; which way is up in the world, default +Y: sides, the environment and the picture's own up turn along. Where
+    /// only `up` is given, fitted views turn along with that.
+    std::optional<dvec3> world_up{};
+    /// World, any length; along which a fitted view looks, in place of a side.
+    std::optional<dvec3> direction{};
+    /// Turns the eye about what it looks at after all else: to the right about the world's up, then upward.
+    std::optional<double> azimuth_rad{}, elevation_rad{};
+    std::optional<double>
+        zoom_factor{};  ///< > 0; share of the picture's tighter side that the model takes; default 0.9
     std::optional<double> vertical_fov_rad{};  ///< 0..pi, both exclusive
     /// 0..pi, both exclusive. Alone: pixels stay square, the vertical one follows. With the vertical one: pixels are as wide as both say.
     std::optional<double> horizontal_fov_rad{};
@@ -35,8 +45,10 @@ struct ViewRequest {
     bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
 
     bool is_placed() const {
-        return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic;
+        return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic || direction ||
+               zoom_factor;
     }
+    bool is_orbited() const { return azimuth_rad || elevation_rad; }
     bool operator==(const ViewRequest&) const = default;
 };
 
@@ -73,6 +85,12 @@ enum ChannelFiles : std::uint32_t {
 /// The Channel bits of "depth", "face-normal", ..., of "lighting", of "all" or of "none". @throws Error usage
 std::uint32_t channels_by_name(std::string_view name);
 
+/// What a picture is like in what nobody names: docs/default-look.md.
+enum class Look : std::uint8_t {
+    plain,    ///< what the members below say
+    standard  ///< take_look() fills in what neither the file nor PictureRequest::named has a say in
+};
+
 /// One picture to be made.
 struct PictureRequest {
     std::string input{};   ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
@@ -85,7 +103,10 @@ struct PictureRequest {
     std::optional<std::vector<Light>>
         lights{};  ///< replace all lights; else the file's, else, where no environment lights the scene, the default rig
     bool default_lights = false;  ///< the default rig although the file has lights; `lights` goes first
-    double light_intensity = 1;   ///< >= 0; multiplies every light
+    bool studio_lights = false;   ///< the built-in studio and a key light in place of all lights; `lights` goes first
+    Look look = Look::plain;
+    std::vector<std::string> named{};  ///< keys of [render] that somebody has given: the look leaves their topics alone
+    double light_intensity = 1;        ///< >= 0; multiplies every light
     /// [radiance of a white Lambert surface that faces the light] 0..1: point and spot lights without a range get one
     /// where less than this is left of them; no surface loses more of a light than this. 0: none does.
     double light_cutoff = 0;

@@ -366,7 +366,9 @@ struct Fog {
 struct Environment {
     ImageHandle image{};      ///< null: the built-in neutral studio
     float intensity = 1;      ///< multiplies the picture: 1 on a white Lambert surface gives the picture's own radiance
-    double rotation_rad = 0;  ///< about +Y
+    double rotation_rad = 0;  ///< about `up`
+    dvec3 up{0, 1,
+             0};  ///< where the picture's upper edge is, of length 1; the shortest turn from +Y takes the rest along
     bool is_light = true, is_background = true;
     bool operator==(const Environment&) const = default;
 };

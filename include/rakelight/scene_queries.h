@@ -24,5 +24,7 @@ Bounds bounds(const Scene& scene);
 /// The default light rig, fixed to the camera's frame so that what is looked at is lit: ambient 0.12, a key light (0.68) from
 /// above left and a fill (0.2) from the right, both directional and white, classical units: a white surface stays just below 1.
 std::vector<Light> default_lights(const dmat4& camera_to_world);
+/// The key light that goes with the built-in studio, from the left above the camera.
+std::vector<Light> studio_lights(const dmat4& camera_to_world);
 
 }  // namespace rakelight

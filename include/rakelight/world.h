@@ -166,6 +166,9 @@ std::span<const RenderKey> render_keys();
 const RenderKey* find_render_key(std::string_view name);
 /// @throws Error usage with the nearest name: there is none
 const RenderKey& require_render_key(const std::string& name);
+/// Whether a key of [render] says where the camera stands, so that one takes the place of another: a side, a camera of the
+/// file, a position, a direction.
+bool places_camera(std::string_view key);
 
 /// Whether the words of a value of [render] are names of files: those of a world count from its folder.
 bool names_files(const WorldValue& value);

@@ -8,6 +8,7 @@
 #include "math/linear.h"
 #include "render/drawable.h"
 #include "render/engines.h"
+#include "render/look.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
@@ -119,10 +120,10 @@ void draw_to_files(Session& session, const Camera& camera, const PictureRequest&
 
 PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context) {
     Stopwatch watch;
-    context.progress("load", 0);
-    Scene loaded = scene_of_request(request, context);
+    PictureRequest looked = request;
+    Scene loaded = loaded_as_asked(looked, context);
     const double load_ms = watch.lap_ms();
-    PictureResult result = draw_picture(std::move(loaded), request, session, context);
+    PictureResult result = draw_picture(std::move(loaded), looked, session, context);
     result.load_ms = load_ms;
     return result;
 }
@@ -151,8 +152,7 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
 /// Prepares a scene that was loaded, draws it and looks at what was drawn.
 /// @param draw  with the session, the camera and the result that it completes
 template <class Draw>
-PictureResult draw_loaded(Scene loaded, const PictureRequest& request, Session& session, Context& context,
-                          const Draw& draw) {
+PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session, Context& context, const Draw& draw) {
     PictureResult result{.file = request.input, .output = request.output};
     if (request.settings.method != RayMethod::path && request.settings.paths != PathSettings{})
         context.report().add(Remark::warning, request.input, "",
@@ -169,7 +169,8 @@ PictureResult draw_loaded(Scene loaded, const PictureRequest& request, Session& 
     result.prepare_ms = watch.lap_ms();
 
     context.progress("render", 0);
-    draw(session, camera, result);
+    adjust_to_picture(request, session, camera, context);
+    draw(session, camera, request, result);
     if (request.settings.channels && (request.channel_files & channel_files_png))
         context.report().add(Remark::note, request.input, "", text_of(result.view_range));
     const bool is_whole = result.done == 1 && request.settings.colors && !context.cancelled();
@@ -184,8 +185,8 @@ PictureResult draw_loaded(Scene loaded, const PictureRequest& request, Session& 
 
 PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session& session, Context& context) {
     return draw_loaded(std::move(loaded), request, session, context,
-                       [&](Session& engine, const Camera& camera, PictureResult& result) {
-                           draw_to_files(engine, camera, request, result, context);
+                       [&](Session& engine, const Camera& camera, const PictureRequest& looked, PictureResult& result) {
+                           draw_to_files(engine, camera, looked, result, context);
                        });
 }
 
@@ -219,7 +220,9 @@ PictureResult render_picture(const Scene& scene, const PictureRequest& request, 
     check_request(request);
     return picture_by(request, context, [&](Session& session) {
         validate(scene);
-        return draw_picture(as_asked(scene, request, context), request, session, context);
+        PictureRequest looked = request;
+        Scene asked = looked_as_asked(scene, looked, context);
+        return draw_picture(std::move(asked), looked, session, context);
     });
 }
 
@@ -229,11 +232,12 @@ PictureResult render_picture(const PictureRequest& asked, Pixels& color, Context
     request.settings.channels = 0;
     check_drawing(request);
     return picture_by(request, context, [&](Session& session) {
-        context.progress("load", 0);
-        return draw_loaded(scene_of_request(request, context), request, session, context,
-                           [&](Session& engine, const Camera& camera, PictureResult& result) {
-                               draw_to_memory(engine, camera, request, result, color, context);
-                           });
+        Scene loaded = loaded_as_asked(request, context);
+        return draw_loaded(
+            std::move(loaded), request, session, context,
+            [&](Session& engine, const Camera& camera, const PictureRequest& looked, PictureResult& result) {
+                draw_to_memory(engine, camera, looked, result, color, context);
+            });
     });
 }
 

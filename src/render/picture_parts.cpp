@@ -44,6 +44,7 @@ Scene with_asked_surfaces(Scene scene, const PictureRequest& request, Context& c
 std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
     std::vector<Light> lights = request.lights           ? *request.lights
                                 : request.default_lights ? default_lights(camera.to_world)
+                                : request.studio_lights  ? studio_lights(camera.to_world)
                                                          : lights_of(scene, camera, request.settings.method);
     if (request.light_intensity != 1)
         for (Light& light : lights) scale_light(light, float(request.light_intensity));

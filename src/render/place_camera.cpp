@@ -16,8 +16,9 @@ void check_placement(const ViewRequest& view) {
         return !v || (std::fabs(v->x) <= farthest && std::fabs(v->y) <= farthest && std::fabs(v->z) <= farthest);
     };
     const auto finite = [](const std::optional<dvec3>& v) { return !v || is_finite(*v); };
-    if (!finite(view.position) || !finite(view.focal_point) || !finite(view.up))
-        throw Error(ErrorCode::usage, "the camera's position, focal point and up must be finite");
+    if (!finite(view.position) || !finite(view.focal_point) || !finite(view.up) || !finite(view.world_up) ||
+        !finite(view.direction))
+        throw Error(ErrorCode::usage, "the camera's position, focal point, direction and up must be finite");
     if (!near_enough(view.position)) throw Error(ErrorCode::usage, "the camera's position is more than 1e15 m away");
     if (!near_enough(view.focal_point))
         throw Error(ErrorCode::usage, "the camera's focal point is more than 1e15 m away");
@@ -29,7 +30,14 @@ void check_placement(const ViewRequest& view) {
         throw Error(ErrorCode::usage, "the camera's near and far must be more than 0 m");
     if (view.z_near && view.z_far && !(*view.z_near < *view.z_far))
         throw Error(ErrorCode::usage, "the camera's near must be less than its far");
-    if (view.up && *view.up == dvec3{0, 0, 0}) throw Error(ErrorCode::usage, "the camera's up must not be zero");
+    const dvec3 zero{0, 0, 0};
+    if (view.up == zero || view.world_up == zero) throw Error(ErrorCode::usage, "the camera's up must not be zero");
+    if (view.direction == zero) throw Error(ErrorCode::usage, "the camera's direction must not be zero");
+    const auto is_number = [](const std::optional<double>& v) { return !v || std::isfinite(*v); };
+    if (!is_number(view.azimuth_rad) || !is_number(view.elevation_rad))
+        throw Error(ErrorCode::usage, "the camera's azimuth and elevation must be finite");
+    if (view.zoom_factor && !(*view.zoom_factor >= 1e-3 && *view.zoom_factor <= 1e3))
+        throw Error(ErrorCode::usage, "the camera's zoom factor must be 0.001 to 1000");
 }
 
 namespace {
@@ -55,7 +63,7 @@ void set_depths(Camera& camera, const Bounds& bounds) {
 /// What is up in a view along `along`, with a remark where what was asked for, or is up otherwise, says nothing there:
 /// a warning only where somebody asked for it.
 dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::string& file, Report& report) {
-    const dvec3 up = view.up.value_or(view.position ? dvec3{0, 1, 0} : base_up);
+    const dvec3 up = view.up.value_or(view.position ? view.world_up.value_or(dvec3{0, 1, 0}) : base_up);
     if (!is_along(up, along)) return up;
     const NamedUp other = up_of_view(along);
     report.add(view.up ? Remark::warning : Remark::note, file, "",
@@ -64,6 +72,12 @@ dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::
 }
 
 }  // namespace
+
+void warn_if_up_is_along(dvec3 up, const Camera& camera, const std::string& file, Report& report) {
+    const dvec3 along = -camera.to_world[2].xyz();
+    if (is_along(up, along))
+        report.add(Remark::warning, file, "", "the camera's up is along its view, the side's own is up instead");
+}
 
 Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
                     const std::string& file, Context& context) {
@@ -85,6 +99,10 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     if (eye == focal) throw Error(ErrorCode::usage, "the camera's position and focal point are the same");
     const dvec3 up = choose_up(view, base.to_world[1].xyz(), focal - eye, file, context.report());
     camera.to_world = look_at(eye, focal, up);
+    const dvec3 y{0, 1, 0};
+    if (view.is_orbited())
+        camera.to_world = orbited(camera.to_world, focal, normalize_or(view.world_up.value_or(view.up.value_or(y)), y),
+                                  view.azimuth_rad.value_or(0), view.elevation_rad.value_or(0));
 
     // 3. Projection and depths.
     if (camera.projection == Projection::perspective ? view.orthographic : view.vertical_fov_rad.has_value()) {

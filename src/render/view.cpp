@@ -15,13 +15,6 @@
 namespace rakelight {
 namespace {
 
-Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
-    Camera camera = scene.cameras[index];
-    camera.to_world = camera_to_world(scene, camera, world_matrices(scene));
-    camera.node = no_index;
-    return adapt_to_aspect(camera, aspect);
-}
-
 /// A camera of the file, or the fitted one with a remark where the file's cannot show the model, neither as it is nor
 /// by the depths that were asked for. One that shows it but for those is kept.
 Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewRequest& view, double aspect,
@@ -30,7 +23,7 @@ Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewR
     const std::string place = "camera " + std::to_string(index) + (camera.name.empty() ? "" : " '" + camera.name + "'");
     const auto use_default = [&](const std::string& why) {
         context.report().add(Remark::warning, scene.source, place, why + "; the default view is used instead");
-        Camera fitted = default_camera(bounds, aspect);
+        Camera fitted = default_camera(scene, bounds, aspect, {.world_up = view.world_up});
         set_asked_depths(fitted, view);
         if (view.z_near || view.z_far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
         return fitted;
@@ -71,7 +64,28 @@ void check_fitted(const Camera& camera) {
         .naming({"camera-position"});
 }
 
+/// @param is_moved  the camera goes elsewhere afterwards
+FitWishes fit_wishes(const ViewRequest& view, bool is_moved) {
+    FitWishes wishes{.world_up = view.world_up,
+                     .up = view.up,
+                     .vertical_fov_rad = view.vertical_fov_rad,
+                     .horizontal_fov_rad = view.horizontal_fov_rad,
+                     .orthographic = view.orthographic && !is_moved,
+                     .direction = view.direction};
+    wishes.fill = view.zoom_factor.value_or(wishes.fill);
+    if (is_moved) return wishes;
+    wishes.azimuth_rad = view.azimuth_rad.value_or(0), wishes.elevation_rad = view.elevation_rad.value_or(0);
+    return wishes;
+}
+
 }  // namespace
+
+Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
+    Camera camera = scene.cameras[index];
+    camera.to_world = camera_to_world(scene, camera, world_matrices(scene));
+    camera.node = no_index;
+    return adapt_to_aspect(camera, aspect);
+}
 
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
     validate(scene);
@@ -88,16 +102,28 @@ Camera valid::choose_camera(const Scene& scene, const ViewRequest& asked, double
     if (bounds.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     if (!view.side.empty() && !view.camera.empty())
         throw Error(ErrorCode::usage, "a named view and a camera of the file cannot both be used");
-    const bool use_file = !view.camera.empty() || (view.side.empty() && !view.is_placed() && !scene.cameras.empty());
+    if (view.direction && (!view.side.empty() || !view.camera.empty() || view.position))
+        throw Error(ErrorCode::usage,
+                    "a direction of view and a named view, a camera of the file or a position cannot both be used");
+    if (view.zoom_factor && (!view.camera.empty() || view.position))
+        throw Error(ErrorCode::usage, "a zoom factor is for fitted views, not for a camera of the file or a position");
+    const bool asks_file = !view.camera.empty() || view.side == "file";
+    if (view.side == "file" && scene.cameras.empty())
+        throw Error(ErrorCode::usage, "the file has no camera").about("view", {"view"});
+    const bool use_file = asks_file || (view.side.empty() && !view.is_placed() && !scene.cameras.empty());
     if (use_file) {
         const std::size_t index = view.camera.empty() ? 0 : find_camera(scene, view.camera);
-        if (!view.is_placed()) return checked_camera_of_file(scene, index, view, aspect, bounds, context);
+        if (!view.is_placed() && !view.is_orbited())
+            return checked_camera_of_file(scene, index, view, aspect, bounds, context);
         return place_camera(camera_of_file(scene, index, aspect), false, view, aspect, bounds, scene.source, context);
     }
-    const FitWishes wishes{view.up, view.vertical_fov_rad};
-    Camera fitted = view_camera(bounds, aspect, view.side.empty() ? "default" : view.side, wishes);
+    const bool is_moved = view.position || view.focal_point;
+    Camera fitted =
+        view_camera(scene, bounds, aspect, view.side.empty() ? "default" : view.side, fit_wishes(view, is_moved));
     if (!view.position) check_fitted(fitted);
-    if (view.is_placed()) return place_camera(fitted, true, view, aspect, bounds, scene.source, context);
+    if (is_moved) return place_camera(fitted, true, view, aspect, bounds, scene.source, context);
+    if (view.up && (view.world_up || view.direction))
+        warn_if_up_is_along(*view.up, fitted, scene.source, context.report());
     set_asked_depths(fitted, view);
     if (view.z_near || view.z_far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
     return fitted;

@@ -13,6 +13,12 @@ namespace valid {
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
 }  // namespace valid
 
+/// Warns of an up that was asked for and says nothing in that view.
+void warn_if_up_is_along(dvec3 up, const Camera& camera, const std::string& file, Report& report);
+
+/// A camera of the file, in the world, for a picture of that aspect.
+Camera camera_of_file(const Scene& scene, std::size_t index, double aspect);
+
 /// False when the box lies wholly on the outer side of one plane of the camera's frustum: nothing of it can be seen.
 bool may_see(const Camera& camera, double aspect, const Bounds& bounds);
 

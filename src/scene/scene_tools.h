@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,23 +35,44 @@ std::vector<dmat4> world_matrices(const Scene& scene);
 /// Empty when nothing is drawn.
 Bounds world_bounds(const Scene& scene);
 
+/// How far what is drawn reaches: for each direction (any length) the largest dot product with it of a drawn vertex's place
+/// from `about`, in the world. 0 where nothing is drawn; vertices that are not finite are left out.
+void farthest_along(const Scene& scene, dvec3 about, std::span<const dvec3> directions, std::span<double> reach);
+
 /// Triangles in all objects, instances counted each time.
 std::uint64_t triangle_count(const Scene& scene);
 
 /// What a fitted camera shall keep to; the model fits whatever it is.
 struct FitWishes {
-    std::optional<dvec3> up;                 ///< not zero, finite; any length. One along the view is replaced
-    std::optional<double> vertical_fov_rad;  ///< 0..pi, both exclusive
+    /// The world's up, which sides turn along with: by it the front of a model that is Z up is at -Y. Not zero, finite; any
+    /// length. Absent: `up`, else +Y.
+    std::optional<dvec3> world_up;
+    std::optional<dvec3> up;                   ///< the picture's; likewise. Absent, or along the view: the side's own
+    std::optional<double> vertical_fov_rad;    ///< 0..pi, both exclusive
+    std::optional<double> horizontal_fov_rad;  ///< likewise; the aspect is that of both angles then
+    bool orthographic = false;
+    std::optional<dvec3>
+        direction;  ///< along which the camera looks, in place of the side's; not zero, finite; any length
+    double azimuth_rad = 0, elevation_rad = 0;  ///< see orbited()
+    double fill = 0.9;                          ///< > 0: share of the picture's tighter side that the model takes
 };
 
-/// The view by which a model without cameras is shown: perspective, 40 degrees vertical, from the front slightly right
-/// and above (the direction (0.45, 0.35, 1) from the center), as near as lets the whole bounding box be seen with a
-/// small margin. With another up than +Y the direction turns along: Z up shows a Z-up model as Y up shows a Y-up one.
-Camera default_camera(const Bounds& bounds, double aspect, const FitWishes& wishes = {});
-/// The same from a named side of the world, which `wishes.up` does not turn: "front" (+Z), "back", "left" (-X), "right",
-/// "top" (+Y), "bottom", "isometric"; or "default".
+/// `v` turned by the shortest turn that takes +Y to `up` (of length 1); half a turn about Z where up is -Y.
+dvec3 turn_with_up(dvec3 v, dvec3 up);
+
+/// A camera's placement turned about `focal`: to the right about `axis` (of length 1), then upward about its own x axis.
+dmat4 orbited(const dmat4& to_world, dvec3 focal, dvec3 axis, double azimuth_rad, double elevation_rad);
+
+/// A camera from a named side of the world, as near as lets all that is drawn be seen: it takes `fill` of the picture's
+/// tighter side, and has the same room left and right, and above and below. Perspective, 40 degrees vertical, unless
+/// `wishes` say otherwise. Sides: "front" (+Z), "back", "left" (-X), "right", "top" (+Y), "bottom", "isometric", and
+/// "default", oblique: from the direction (0.45, 0.35, 1).
+/// @param bounds  world_bounds() of the scene
 /// @throws Error usage for another name.
-Camera view_camera(const Bounds& bounds, double aspect, const std::string& side, const FitWishes& wishes = {});
+Camera view_camera(const Scene& scene, const Bounds& bounds, double aspect, const std::string& side,
+                   const FitWishes& wishes = {});
+/// The view by which a model without cameras is shown.
+Camera default_camera(const Scene& scene, const Bounds& bounds, double aspect, const FitWishes& wishes = {});
 
 /// camera -> world of a camera of this scene, whether placed by a node or by itself; scale is taken out.
 dmat4 camera_to_world(const Scene& scene, const Camera& camera, const std::vector<dmat4>& world);

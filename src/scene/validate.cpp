@@ -124,6 +124,8 @@ void check_surroundings(const Scene& scene) {
     if (!(scene.environment->intensity >= 0) || !std::isfinite(scene.environment->intensity))
         of_environment.fail("the intensity is not a number >= 0");
     of_environment.finite("the rotation", scene.environment->rotation_rad);
+    of_environment.finite("up", scene.environment->up);
+    if (!(std::fabs(length(scene.environment->up) - 1) < 1e-6)) of_environment.fail("up is not of length 1");
 }
 
 void check_camera(const Scene& scene, std::size_t i) {

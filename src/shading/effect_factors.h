@@ -18,7 +18,7 @@ struct ReliefFactors {
 /// Light from all around, without its pictures.
 struct EnvironmentFactors {
     float irradiance[9][3];  ///< spherical harmonics of irradiance / pi, scaled for the polynomial in x, y, z
-    float turn[2];           ///< cosine and sine of the rotation about +Y
+    float turn[3][3];        ///< rows: the axes of the environment's picture in the world
     float intensity;
 };
 

@@ -3,6 +3,7 @@
 
 #include "image/decode.h"
 #include "math/functions.h"
+#include "scene/scene_tools.h"
 
 namespace rakelight::shading {
 namespace {
@@ -22,8 +23,12 @@ EnvironmentFactors factors_of(const std::array<vec3, 9>& irradiance, const Envir
     EnvironmentFactors out{};
     for (std::size_t i = 0; i < 9; ++i)
         for (std::size_t c = 0; c < 3; ++c) out.irradiance[i][c] = irradiance[i][c];
-    out.turn[0] = float(math::cos(environment.rotation_rad));
-    out.turn[1] = float(math::sin(environment.rotation_rad));
+    const double c = math::cos(environment.rotation_rad), s = math::sin(environment.rotation_rad);
+    const dvec3 rows[3] = {{c, 0, -s}, {0, 1, 0}, {s, 0, c}};  // of a picture whose upper edge is at +Y
+    for (int k = 0; k < 3; ++k) {
+        const dvec3 row = turn_with_up(rows[k], environment.up);
+        out.turn[k][0] = float(row.x), out.turn[k][1] = float(row.y), out.turn[k][2] = float(row.z);
+    }
     out.intensity = environment.intensity;
     return out;
 }

@@ -11,10 +11,12 @@ namespace rakelight::shading {
 
 /// A direction of the world in the environment picture's own axes, and back: to_environment() of lighting/environment/.
 inline vec3 to_picture(const EnvironmentFactors& e, vec3 d) {
-    return {e.turn[0] * d.x - e.turn[1] * d.z, d.y, e.turn[1] * d.x + e.turn[0] * d.z};
+    const auto along = [&](const float(&row)[3]) { return row[0] * d.x + row[1] * d.y + row[2] * d.z; };
+    return {along(e.turn[0]), along(e.turn[1]), along(e.turn[2])};
 }
 inline vec3 from_picture(const EnvironmentFactors& e, vec3 d) {
-    return {e.turn[0] * d.x + e.turn[1] * d.z, d.y, e.turn[0] * d.z - e.turn[1] * d.x};
+    const auto along = [&](int c) { return e.turn[0][c] * d.x + e.turn[1][c] * d.y + e.turn[2][c] * d.z; };
+    return {along(0), along(1), along(2)};
 }
 
 /// A density on the sphere that is constant over each texel of a small version of the picture: mean luminance of what

@@ -28,7 +28,7 @@ const shading::Draw& draw_of(const ExplainedPixel& e, const ShadedLayer& layer) 
 
 /// @param open  gives the engine with the scene in it
 template <class Open>
-std::shared_ptr<const ExplainedPixel> explained(const PictureRequest& request, int x, int y, Context& context,
+std::shared_ptr<const ExplainedPixel> explained(PictureRequest request, int x, int y, Context& context,
                                                 const Open& open) {
     try {
         auto out = std::make_shared<ExplainedPixel>();
@@ -37,7 +37,7 @@ std::shared_ptr<const ExplainedPixel> explained(const PictureRequest& request, i
             throw Error(ErrorCode::usage, "pixel " + std::to_string(x) + "," + std::to_string(y) +
                                               " is not in the picture of " + std::to_string(request.settings.width) +
                                               " x " + std::to_string(request.settings.height) + " pixels");
-        out->engine = open();
+        out->engine = open(request);
         out->pixel = out->engine->explain(x, y, context);
         if (out->pixel.has_marks)
             context.report().add(Remark::warning, request.input, {},
@@ -62,13 +62,15 @@ std::shared_ptr<const ExplainedPixel> explained(const PictureRequest& request, i
 }  // namespace
 
 std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context) {
-    return explained(request, x, y, context, [&] { return open_engine(request, context); });
+    return explained(request, x, y, context, [&](PictureRequest& looked) { return open_engine(looked, context); });
 }
 
 std::shared_ptr<const ExplainedPixel> explain(const Scene& scene, const PictureRequest& request, int x, int y,
                                               Context& context) {
-    return explained(request, x, y, context,
-                     [&] { return open_engine(asked_for_engine(scene, request, context), request, context); });
+    return explained(request, x, y, context, [&](PictureRequest& looked) {
+        Scene asked = asked_for_engine(scene, looked, context);
+        return open_engine(std::move(asked), looked, context);
+    });
 }
 
 std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel) { return pixel.codes; }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/open_engine.h"
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/session.h>
+#include <rakelight/validate.h>
 
 #include "engines/check_settings.h"
+#include "render/look.h"
 #include "render/picture_steps.h"
 
 namespace rakelight {
@@ -18,27 +20,33 @@ void require_surfaces(const RenderSettings& settings) {
 
 }  // namespace
 
-Scene load_for_engine(const PictureRequest& request, Context& context) {
+Scene load_for_engine(PictureRequest& request, Context& context) {
     require_surfaces(request.settings);
-    context.progress("load", 0);
-    return scene_of_request(request, context);
+    return loaded_as_asked(request, context);
 }
 
-Scene asked_for_engine(const Scene& scene, const PictureRequest& request, Context& context) {
+Scene asked_for_engine(const Scene& scene, PictureRequest& request, Context& context) {
     require_surfaces(request.settings);
     check_settings(request.settings);
-    return with_asked_surfaces(scene, request, context);
+    validate(scene);
+    return looked_as_asked(scene, request, context);
 }
 
-std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, const PictureRequest& request, Context& context) {
+std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureRequest& request, Context& context) {
     context.progress("prepare", 0);
     const ReadyScene ready = ready_scene(std::move(loaded), request, context);
+    if (request.look != Look::plain) {
+        Session session("soft");
+        session.set(ready.prepared);
+        adjust_to_picture(request, session, ready.camera, context);
+    }
     return std::make_unique<const raster::Inspection>(scene_of(*ready.prepared), ready.camera, request.settings,
                                                       context);
 }
 
-std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& request, Context& context) {
-    return open_engine(load_for_engine(request, context), request, context);
+std::unique_ptr<const raster::Inspection> open_engine(PictureRequest& request, Context& context) {
+    Scene loaded = load_for_engine(request, context);
+    return open_engine(std::move(loaded), request, context);
 }
 
 }  // namespace rakelight

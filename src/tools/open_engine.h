@@ -9,15 +9,15 @@
 
 namespace rakelight {
 
-/// Loads and prepares what `request` describes and opens the soft engine on it.
+/// Loads and prepares what `request` describes and opens the soft engine on it. The request gets the look that it asks for.
 /// @throws Error as render_picture()
-std::unique_ptr<const raster::Inspection> open_engine(const PictureRequest& request, Context& context);
+std::unique_ptr<const raster::Inspection> open_engine(PictureRequest& request, Context& context);
 
 /// The first half of it. @throws Error usage: what is asked for is not made of surfaces
-Scene load_for_engine(const PictureRequest& request, Context& context);
+Scene load_for_engine(PictureRequest& request, Context& context);
 /// The same for a scene that is there. @throws Error usage, as above and of settings; bad_file: see validate()
-Scene asked_for_engine(const Scene& scene, const PictureRequest& request, Context& context);
+Scene asked_for_engine(const Scene& scene, PictureRequest& request, Context& context);
 /// The second half. @param loaded  of load_for_engine() or asked_for_engine()
-std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, const PictureRequest& request, Context& context);
+std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureRequest& request, Context& context);
 
 }  // namespace rakelight

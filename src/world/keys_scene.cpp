@@ -9,9 +9,10 @@ namespace {
 
 void read_lights(PictureRequest& r, Words w) {
     r.default_lights = w.size() == 1 && w[0] == "default";
+    r.studio_lights = w.size() == 1 && w[0] == "studio";
     r.lights.reset();
-    if (r.default_lights) return;
-    for (const char* const word : {"none", "default"})
+    if (r.default_lights || r.studio_lights) return;
+    for (const char* const word : {"none", "default", "studio"})
         if (std::ranges::find(w, word) != w.end() && w.size() > 1)
             throw values::wrong("light", std::string(word) + " stands alone");
     r.lights.emplace();
@@ -21,6 +22,7 @@ void read_lights(PictureRequest& r, Words w) {
 
 Written write_lights(const PictureRequest& r) {
     if (r.default_lights) return {"default"};
+    if (r.studio_lights) return {"studio"};
     if (r.lights && r.lights->empty()) return {"none"};
     Written all;
     if (r.lights)
@@ -46,7 +48,10 @@ Written write_material(const PictureRequest& r) {
     return all;
 }
 
+constexpr Word<Look> look_words[] = {{"plain", Look::plain}, {"default", Look::standard}};
+
 constexpr RenderKey table[] = {
+    RL_WORD_KEY("look", r.look, look_words),
     RL_KEY("color", value, r.materials.color, values::display_color("color", w[0]).xyz(),
            {color_of(*r.materials.color)}),
     RL_KEY("opacity", value, r.materials.opacity, values::number("opacity", w[0], 0, 1),

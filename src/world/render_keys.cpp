@@ -58,6 +58,12 @@ void check_view(const PictureRequest& r, const Given& given) {
     if (given.has("view") && given.has("camera-index")) exclude("view", "camera-index");
     if (const char* const other = given.first_of({"view", "camera-index"}); other && given.has("camera-position"))
         exclude(other, "camera-position", "focal point, view up and view angle may be added to either");
+    if (const char* const other = given.first_of({"view", "camera-index", "camera-position"});
+        other && given.has("camera-direction"))
+        exclude(other, "camera-direction");
+    if (const char* const other = given.first_of({"camera-index", "camera-position"});
+        other && given.has("camera-zoom-factor"))
+        exclude(other, "camera-zoom-factor", "it is for fitted views; a view angle may be added to either");
     if (r.view.z_near && r.view.z_far && !(*r.view.z_near < *r.view.z_far))
         throw Error(ErrorCode::usage, "must be less than 'far'").about("near", {"far"});
 }
@@ -102,6 +108,11 @@ const RenderKey* find_render_key(std::string_view name) {
     return found == render_keys().end() ? nullptr : &*found;
 }
 
+bool places_camera(std::string_view key) {
+    constexpr std::string_view keys[] = {"view", "camera-index", "camera-position", "camera-direction"};
+    return std::ranges::find(keys, key) != std::end(keys);
+}
+
 const RenderKey& require_render_key(const std::string& name) {
     if (const RenderKey* const key = find_render_key(name)) return *key;
     std::vector<std::string_view> names;
@@ -122,6 +133,7 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
             const std::string one = joined(value.words);
             key.read(to, key.kind == RenderKey::Kind::list ? value.words : std::span(&one, 1));
         }
+    for (const WorldValue& value : values) to.named.push_back(value.key);
     const Given given(values);
     check_picture(to, given);
     check_view(to, given);

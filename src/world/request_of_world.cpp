@@ -16,9 +16,8 @@ bool has(std::span<const WorldValue> values, std::string_view key) {
 
 /// A setting that is given takes the place of one of the file: the same, or another that says where the camera stands.
 bool is_overridden(std::span<const WorldValue> given, std::string_view key) {
-    constexpr std::string_view placements[] = {"view", "camera-index", "camera-position"};
-    if (std::ranges::find(placements, key) == std::end(placements)) return has(given, key);
-    return std::ranges::any_of(placements, [&](std::string_view name) { return has(given, name); });
+    if (!places_camera(key)) return has(given, key);
+    return std::ranges::any_of(given, [](const WorldValue& value) { return places_camera(value.key); });
 }
 
 /// Names of files count from the world's folder.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The environment of a picture's scene.
+#include <rakelight/linear.h>
+
 #include "io/file.h"
 #include "io/image_io.h"
 #include "world/scene_of_request.h"
@@ -26,10 +28,11 @@ ImageHandle environment_file(const std::string& path, Context& context) {
 }  // namespace
 
 Scene with_environment(Scene scene, const PictureRequest& request, Context& context) {
-    const bool is_wanted =
-        !request.hdri_file.empty() || request.hdri_ambient.value_or(false) || request.hdri_skybox.value_or(false);
+    const bool is_wanted = !request.hdri_file.empty() || request.hdri_ambient.value_or(false) ||
+                           request.hdri_skybox.value_or(false) || request.studio_lights;
     const bool is_turned = request.hdri_intensity || request.hdri_rotation_rad;
-    const bool is_changed = scene.environment && (request.hdri_ambient || request.hdri_skybox || is_turned);
+    const bool is_changed =
+        scene.environment && (request.hdri_ambient || request.hdri_skybox || is_turned || request.view.world_up);
     if (!is_wanted && !is_changed) {
         if (is_turned)
             context.report().add(Remark::warning, request.input, {},
@@ -39,9 +42,10 @@ Scene with_environment(Scene scene, const PictureRequest& request, Context& cont
     }
     Environment environment = scene.environment.value_or(Environment{.is_light = false, .is_background = false});
     if (!request.hdri_file.empty()) environment.image = environment_file(request.hdri_file, context);
-    environment.is_light = request.hdri_ambient.value_or(environment.is_light);
+    environment.is_light = request.hdri_ambient.value_or(environment.is_light || request.studio_lights);
     environment.is_background = request.hdri_skybox.value_or(environment.is_background);
     environment.intensity = float(request.hdri_intensity.value_or(double(environment.intensity)));
+    if (request.view.world_up) environment.up = normalize_or(*request.view.world_up, environment.up);
     environment.rotation_rad = request.hdri_rotation_rad.value_or(environment.rotation_rad);
     const bool is_unseen = !environment.is_light && !environment.is_background;
     if (is_unseen && is_wanted)

@@ -229,6 +229,7 @@ void write_environment(Writer& to, const WorldEnvironment& of) {
     to.put_text("file", of.file);
     to.put_float("intensity", of.environment.intensity, 1);
     if (of.environment.rotation_rad != 0) to.put("rotation_deg", degrees_of(of.environment.rotation_rad));
+    to.put_vector("up", of.environment.up, {0, 1, 0});
     to.put_flag("light", of.environment.is_light, true);
     to.put_flag("background", of.environment.is_background, true);
 }

@@ -58,6 +58,43 @@ class Cameras(program.Case):
         (self.folder / "a.png").unlink()
         self.check_no_picture(self.render(*view, "--camera-view-up", "0,0,0"), "up")
 
+    def test_a_z_up_model_with_its_up_named_is_the_y_up_one(self):
+        """Views, the environment and the camera's own up turn along: the same picture, by coordinates that are only swapped."""
+        shape = "mtllib a.mtl\nusemtl m\n" + "".join("v {} {} {}\n".format(*place) for place in ((0, 0, 0), (2, 0, 0), (0, 1, 0), (0, 0, 0.5))) + "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n"
+        self.write("a.mtl", "newmtl m\nKd .5 .6 .7\nKs .5 .5 .5\nNs 20\n")
+        self.write("y.obj", shape)
+        lines = [line.split() for line in shape.splitlines()]
+        self.write("z.obj", "".join(("v {} {} {}".format(w[1], -float(w[3]), w[2]) if w[0] == "v" else " ".join(w)) + "\n" for w in lines))
+        around = ("--hdri-ambient", "--hdri-skybox", "--hdri-rotation", "33", "--cull", "none")
+        for view in (("--view", "front"), ("--view", "top"), ("--view", "bottom"), ("--view", "isometric"), (), ("--camera-azimuth-angle", "50", "--camera-elevation-angle", "20")):
+            with self.subTest(view=view):
+                pictures = []
+                for model, up in (("y.obj", ()), ("z.obj", ("--up", "+Z"))):
+                    result = self.run_program("render", model, *up, *view, *around, "-o", model + ".png", "--resolution", "64,48")
+                    self.assertEqual(result.code, 0, result.err)
+                    pictures.append(program.png(self.folder / (model + ".png"))[3])
+                worst = max(abs(a - b) for one, other in zip(*pictures) for a, b in zip(one, other))
+                self.assertLessEqual(worst, 2)
+        for text in ("+W", "0,0,0", "z+", "1,2"):
+            self.check_refused(self.run_program("render", "y.obj", "--up", text, "-o", "b.png"), 2, "up")
+
+    def test_the_fitted_view_fills_nine_tenths_of_the_tighter_side(self):
+        """By the picture itself: rows and columns that the model covers."""
+        for options in ((), ("--view", "front"), ("--view", "top"), ("--up", "+Z"), ("--camera-view-up", "0,0,1", "--view", "front"), ("--camera-orthographic",),
+                        ("--camera-direction", "1,-1,-2"), ("--camera-azimuth-angle", "90"), ("--camera-view-angle", "70")):
+            for size in ((240, 90), (90, 240), (160, 160)):
+                with self.subTest(options=options, size=size):
+                    result = self.run_program("render", "builtin:teapot", *options, "--background", "#ff00ff", "-o", "a.png", "--resolution", "{},{}".format(*size))
+                    self.assertEqual(result.code, 0, result.err)
+                    width, height, _, rows = program.png(self.folder / "a.png")
+                    model = [[row[3 * x:3 * x + 3] != b"\xff\x00\xff" for x in range(width)] for row in rows]
+                    high = [any(row) for row in model]
+                    wide = [any(row[x] for row in model) for x in range(width)]
+                    fill = max(sum(high) / height, sum(wide) / width)
+                    self.assertAlmostEqual(fill, 0.9, delta=0.025)
+                    self.assertAlmostEqual(high.index(True) / height, high[::-1].index(True) / height, delta=0.04)
+                    self.assertAlmostEqual(wide.index(True) / width, wide[::-1].index(True) / width, delta=0.04)
+
     def test_fields_of_view_that_see_nothing_or_all_are_refused(self):
         for angle in ("0", "180", "-10", "360", "nan", "inf"):
             with self.subTest(angle=angle):

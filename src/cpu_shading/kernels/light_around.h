@@ -8,7 +8,7 @@ namespace rakelight::cpu_shading::RL_ISA {
 
 inline lit::Environment environment_of(const EnvironmentView& e) {
     lit::Environment out;
-    out.turn = vec2(real(e.turn[0]), real(e.turn[1]));
+    out.to_x = splat(e.turn[0]), out.to_y = splat(e.turn[1]), out.to_z = splat(e.turn[2]);
     out.intensity = real(e.intensity);
     out.last_level = real(float(e.specular->levels - 1));
     const float(&c)[9][3] = e.irradiance;

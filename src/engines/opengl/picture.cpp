@@ -125,13 +125,11 @@ void PictureDrawer::set_picture(const Program& p) const {
     if (p.environment >= 0 && tools_.environment) {
         const shading::EnvironmentFactors& e = tools_.environment.factors();
         const float last = float(tools_.environment.levels().places.size() - 1);
-        const float beside[9] = {e.turn[0], e.turn[1], e.intensity, last};
-        float numbers[40]{};
-        for (std::size_t i = 0; i < 9; ++i) {
-            std::copy_n(e.irradiance[i], 3, numbers + 4 * i);
-            numbers[4 * i + 3] = beside[i];
-        }
-        glUniform4fv(p.environment, 10, numbers);
+        float numbers[48]{};
+        for (std::size_t i = 0; i < 9; ++i) std::copy_n(e.irradiance[i], 3, numbers + 4 * i);
+        for (std::size_t i = 0; i < 3; ++i) std::copy_n(e.turn[i], 3, numbers + 4 * (9 + i));
+        numbers[3] = e.intensity, numbers[7] = last;
+        glUniform4fv(p.environment, 12, numbers);
         const std::vector<vec3>& places = tools_.environment.levels().places;
         if (p.environment_levels >= 0) glUniform3fv(p.environment_levels, GLsizei(places.size()), &places[0].x);
     }

@@ -114,7 +114,8 @@ std::vector<WorldSection> make_sections() {
          "Light from all around",
          {{"file", Kind::file, "Equirectangular picture (default: a built-in studio)"},
           {"intensity", Kind::number, "Multiplies it (default 1)", {0, 1e6}},
-          {"rotation_deg", Kind::number, "Turns it about +Y (default 0)", {-360, 360}},
+          {"rotation_deg", Kind::number, "Turns it about its up (default 0)", {-360, 360}},
+          {"up", Kind::vector, "Where its upper edge is (default [0, 1, 0])"},
           {"light", Kind::flag, "Whether it gives light (default: yes)"},
           {"background", Kind::flag, "Whether it is seen (default: yes)"}}},
     };

@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+#include <rakelight/linear.h>
+
 #include "io/world/material_keys.h"
 
 namespace rakelight::io::world {
@@ -136,6 +138,9 @@ WorldEnvironment read_environment(const SectionValues& v) {
     WorldEnvironment out{.file = v.text("file"), .environment = {}, .place = v.place_of("file")};
     out.environment.intensity = float(v.number("intensity", 1));
     out.environment.rotation_rad = radians(v.number("rotation_deg", 0));
+    const dvec3 up = v.vector("up", out.environment.up);
+    if (up == dvec3{0, 0, 0}) fail(v.place_of("up"), "'up' must not be zero");
+    out.environment.up = normalize_or(up, out.environment.up);
     out.environment.is_light = v.flag("light", true);
     out.environment.is_background = v.flag("background", true);
     return out;

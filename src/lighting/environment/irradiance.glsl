@@ -16,7 +16,9 @@ struct Irradiance {
 
 // The environment; the same for all lanes.
 struct Environment {
-    vec2 turn;        // cosine and sine of its rotation about +Y
+    vec3 to_x;        // the axes of its picture, in the world
+    vec3 to_y;
+    vec3 to_z;
     real intensity;
     real last_level;  // of the prefiltered maps: roughness 1
     Irradiance irradiance;
@@ -25,7 +27,7 @@ struct Environment {
 // A direction of the world in the picture's own axes.
 RL_FN vec3 to_environment(RL_IN(Environment) e, vec3 d)
 {
-    return vec3(e.turn.x * d.x - e.turn.y * d.z, d.y, e.turn.y * d.x + e.turn.x * d.z);
+    return vec3(dot(e.to_x, d), dot(e.to_y, d), dot(e.to_z, d));
 }
 
 // [irradiance / pi] on a surface that looks along the unit vector n, not negative.

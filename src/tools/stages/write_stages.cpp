@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t most_pixels = 1 << 24;
 constexpr std::size_t most_lights = 8;
 
-StagesResult write(const PictureRequest& request, Context& context) {
+StagesResult write(PictureRequest request, Context& context) {
     const RenderSettings& settings = request.settings;
     if (std::int64_t(settings.width) * settings.height > most_pixels)
         throw Error(ErrorCode::usage, "the stages are shown of at most 16 million pixels", {},

@@ -138,7 +138,9 @@ RL_FN vec3 model_terms(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p
 RL_FN Environment any_environment(vec3 ka, vec3 kd, vec3 ks, real s)
 {
     Environment e;
-    e.turn = vec2(0.6f, 0.8f);
+    e.to_x = vec3(0.6f, 0.0f, -0.8f);
+    e.to_y = vec3(0.0f, 1.0f, 0.0f);
+    e.to_z = vec3(0.8f, 0.0f, 0.6f);
     e.intensity = 1.5f;
     e.last_level = 6.0f;
     e.irradiance.constant_part = vec3(1.0f);

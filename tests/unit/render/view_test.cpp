@@ -180,7 +180,8 @@ TEST(ChooseCamera, AnUpAlongTheViewIsReplacedByThatOfTheTopOrTheBottomAndSaid) {
     expect_up({.position = dvec3{0, -5, 0}, .focal_point = middle}, {0, 0, 1}, Remark::note, "+Z is up");
     expect_up({.position = dvec3{5, 0.5, 0}, .focal_point = middle, .up = dvec3{3, 0, 0}}, {0, 1, 0}, Remark::warning,
               "+Y is up");
-    expect_up({.side = "bottom", .up = dvec3{0, 1, 0}}, {0, 0, 1}, Remark::warning, "along its view");
+    expect_up({.side = "bottom", .up = dvec3{0, 1, 0}, .world_up = dvec3{0, 1, 0}}, {0, 0, 1}, Remark::warning,
+              "along its view");
 }
 
 TEST(ChooseCamera, TheDefaultViewTurnsWithUp) {
@@ -189,6 +190,22 @@ TEST(ChooseCamera, TheDefaultViewTurnsWithUp) {
     const Camera z = choose_camera(two_squares(), {.up = dvec3{0, 0, 3}}, aspect, context);
     const dvec3 from = y.to_world[2].xyz();
     EXPECT_NEAR(length(z.to_world[2].xyz() - dvec3{from.x, -from.z, from.y}), 0, 1e-12) << "-Y is the front, Z is up";
+}
+
+TEST(ChooseCamera, GoesRoundAfterAllElse) {
+    Context context;
+    const ViewRequest placed{.position = dvec3{0, 0, 5}, .focal_point = dvec3{0, 0, 0}};
+    ViewRequest round = placed;
+    round.azimuth_rad = radians(90), round.elevation_rad = radians(30);
+    const Camera c = choose_camera(two_squares(), round, aspect, context);
+    EXPECT_NEAR(length(eye_of(c) - dvec3{5 * std::cos(radians(30)), 2.5, 0}), 0, 1e-12);
+    EXPECT_NEAR(length(view_of(c) + normalize_or(eye_of(c), dvec3{0, 0, 0})), 0, 1e-12) << "at the same point";
+    Scene scene = two_squares();
+    scene.cameras = {camera_at({0, 0.5, 7}, {0, 0.5, 0})};
+    const Camera of_file = choose_camera(scene, {.azimuth_rad = radians(180)}, aspect, context);
+    EXPECT_NEAR(length(eye_of(of_file) - dvec3{0, 0.5, -7}), 0, 1e-9);
+    EXPECT_THROW(choose_camera(scene, {.camera = "0", .zoom_factor = 2}, aspect, context), Error);
+    EXPECT_THROW(choose_camera(scene, {.side = "top", .direction = dvec3{0, 0, 1}}, aspect, context), Error);
 }
 
 TEST(ChooseCamera, TheDefaultViewCanBeHadWhereTheFileHasACamera) {

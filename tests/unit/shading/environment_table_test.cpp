@@ -213,13 +213,19 @@ TEST(EnvironmentTable, LightByDensityIsAllLight) {
     EXPECT_LT(variance, 1) << "uniform directions have about 300";
 }
 
+EnvironmentFactors turned_by(float cosine, float sine) {
+    EnvironmentFactors e{};
+    e.turn[0][0] = e.turn[2][2] = cosine, e.turn[1][1] = 1;
+    e.turn[2][0] = sine, e.turn[0][2] = -sine;
+    return e;
+}
+
 TEST(EnvironmentFactors, TurnThePictureAboutTheVertical) {
-    EnvironmentFactors turned{};
-    turned.turn[0] = 0, turned.turn[1] = 1;  // a quarter turn: as a node of the scene turns, -Z to -X
+    EnvironmentFactors turned = turned_by(0, 1);  // a quarter turn: as a node of the scene turns, -Z to -X
     EXPECT_EQ(from_picture(turned, {0, 0, -1}), (vec3{-1, 0, 0}));
     EXPECT_EQ(from_picture(turned, {1, 0, 0}), (vec3{0, 0, -1}));
     EXPECT_EQ(to_picture(turned, {-1, 0, 0}), (vec3{0, 0, -1}));
-    turned.turn[0] = 0.6f, turned.turn[1] = 0.8f;
+    turned = turned_by(0.6f, 0.8f);
     const vec3 d{0.48f, 0.6f, 0.64f}, back = to_picture(turned, from_picture(turned, d));
     EXPECT_NEAR(back.x, d.x, 1e-6);
     EXPECT_EQ(back.y, d.y);

@@ -40,12 +40,12 @@ TEST(EnvironmentCache, KeepsWhatIsMadeOfAPictureAndTurnsItAnew) {
     const auto used = cache.update(scene, packer, context);
     ASSERT_TRUE(used);
     EXPECT_EQ(packer.levels, std::size_t(environment_levels));
-    EXPECT_NEAR(used->factors.turn[0], 0, 1e-7);
-    EXPECT_FLOAT_EQ(used->factors.turn[1], 1);
+    EXPECT_NEAR(used->factors.turn[0][0], 0, 1e-7);
+    EXPECT_FLOAT_EQ(used->factors.turn[2][0], 1);
     EXPECT_EQ(used->factors.intensity, 0.5f);
     EXPECT_NEAR(used->factors.irradiance[0][1], 1, 1e-3) << "white all around gives white";
     scene.environment->rotation_rad = 0;
-    EXPECT_FLOAT_EQ(cache.update(scene, packer, context)->factors.turn[0], 1);
+    EXPECT_FLOAT_EQ(cache.update(scene, packer, context)->factors.turn[0][0], 1);
     EXPECT_EQ(packer.packed, 1);
     scene.environment->image = gray(128);
     EXPECT_TRUE(cache.update(scene, packer, context));

@@ -100,18 +100,6 @@ TEST(Eye, RolledPicturesStayUpright) {
     expect_near(eye.up, y_up);
 }
 
-TEST(Eye, FitShowsTheWholeBall) {
-    for (const double aspect : {0.5, 1.0, 2.0}) {
-        Eye eye{.position = {3, 4, 0}, .focal = {3, 0, 0}};
-        fit(eye, unit_box(), aspect);
-        expect_near(eye.focal, {0, 0, 0});
-        const double half = std::min(radians(20), std::atan(std::tan(radians(20)) * aspect));
-        EXPECT_GT(std::sin(half) * distance_of(eye), std::sqrt(3));
-        EXPECT_LT(std::sin(half) * distance_of(eye), 1.1 * std::sqrt(3));
-        expect_near(forward_of(eye), {0, -1, 0});
-    }
-}
-
 TEST(Eye, WalkingGoesWhereTheHeadLooks) {
     Eye eye;
     look(eye, radians(-90), 0, y_up);  // the pointer goes left

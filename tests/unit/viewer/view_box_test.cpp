@@ -30,7 +30,7 @@ TEST(ViewBox, KeepsOnlyNodesThatCarryCameras) {
         if (node.parent != no_index) node.parent += 1000;
     scene.cameras[0].node += 1000;
     const ViewBox box(scene);
-    EXPECT_EQ(box.camera({.camera = "mounted"}, 1), choose_camera(scene, {.camera = "mounted"}, 1, context));
+    EXPECT_EQ(box.camera(scene, {.camera = "mounted"}, 1), choose_camera(scene, {.camera = "mounted"}, 1, context));
     EXPECT_EQ(box.node_count(), 4u) << "arm, head, two corners";
 }
 
@@ -41,6 +41,7 @@ TEST(ViewBox, GivesTheCamerasOfTheWholeSceneToTheBit) {
     const ViewRequest views[] = {{},
                                  {.side = "top"},
                                  {.side = "default", .up = dvec3{0, 0, 1}},
+                                 {.world_up = dvec3{0, 0, 1}, .direction = dvec3{1, 2, 3}, .zoom_factor = 0.5},
                                  {.camera = "1"},
                                  {.camera = "mounted"},
                                  {.position = dvec3{1, 0.3, 2}},
@@ -48,7 +49,7 @@ TEST(ViewBox, GivesTheCamerasOfTheWholeSceneToTheBit) {
                                  {.vertical_fov_rad = radians(70), .orthographic = true}};
     for (const ViewRequest& view : views)
         for (const double aspect : {0.3, 1.6})
-            EXPECT_EQ(box.camera(view, aspect), choose_camera(scene, view, aspect, context))
+            EXPECT_EQ(box.camera(scene, view, aspect), choose_camera(scene, view, aspect, context))
                 << view.side << view.camera;
 }
 

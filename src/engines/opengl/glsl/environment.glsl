@@ -3,10 +3,12 @@
 Environment environment()
 {
     Environment e;
-    vec4 n[10] = rl_environment_numbers;
-    e.turn = vec2(n[0].w, n[1].w);
-    e.intensity = n[2].w;
-    e.last_level = n[3].w;
+    vec4 n[12] = rl_environment_numbers;
+    e.intensity = n[0].w;
+    e.last_level = n[1].w;
+    e.to_x = n[9].xyz;
+    e.to_y = n[10].xyz;
+    e.to_z = n[11].xyz;
     e.irradiance.constant_part = n[0].xyz;
     e.irradiance.by_y = n[1].xyz;
     e.irradiance.by_z = n[2].xyz;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The default look: what a picture is like in what nobody names. docs/default-look.md has it as numbers.
+#pragma once
+#include <rakelight/picture_parts.h>
+#include <rakelight/session.h>
+
+namespace rakelight {
+
+/// The rest of take_look(), by looking at a small picture first: the background's tone, and the exposure where the file's lights are in
+/// physical units. @param session  has the scene of the picture
+void adjust_to_picture(PictureRequest& request, Session& session, const Camera& camera, Context& context);
+
+/// The model of a request, loaded, with the look and with what the request asks for.
+Scene loaded_as_asked(PictureRequest& request, Context& context);
+/// The same of a scene that was loaded and has passed validate().
+Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context);
+
+/// Of the surface (by triangles' areas; of the vertices where there are none), how much lies inside a camera's picture: 0..1.
+double seen_share(const Scene& scene, const Camera& camera, double aspect);
+
+}  // namespace rakelight
