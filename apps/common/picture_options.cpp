@@ -179,7 +179,9 @@ constexpr Entry entries[] = {
     {light, "hdri-rotation", "DEG", "Turns the surroundings about +Y (default 0)"},
     {output, "tone-mapping", "CURVE", "Of 8-bit pictures: none (default: cut off at 1), reinhard, neutral, aces, agx"},
     {output, "exposure", "EV", "Light is multiplied by 2^EV first, -30 to 30 (default 0)"},
-    {light, "light", "SPEC", "A light instead of the model's; may be repeated, see below; none: no light at all; default: key, fill, ambient; studio: from all around, and a key"},
+    {light, "light", "SPEC",
+     "A light instead of the model's; may be repeated, see below; none: no light at all; default: key, fill, ambient; "
+     "studio: from all around, and a key"},
     {materials, "material", "KEY=VALUE",
      "A key of [[material]] in world files for all materials, as clearcoat=1; may be repeated"},
 };

@@ -12,8 +12,8 @@ namespace rakelight {
 
 /// Fills in, where the request's look is the default one, what neither the file nor the request names: samples, light, shadows, and
 /// whether the file's camera and lights are taken. Says what it decided about the file's. The request is plain in these then.
-/// @param scene  as loaded; its lights go where the file's are not taken
-void take_look(Scene& scene, PictureRequest& request, Context& context);
+/// @param scene  as loaded
+void take_look(const Scene& scene, PictureRequest& request, Context& context);
 
 /// The rest of it, that the model's picture decides: the background's tone, and the exposure of lights in physical units.
 /// @param asked  of with_asked_surfaces()

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "math/color.h"
+#include "math/functions.h"
 #include "render/look.h"
 
 namespace rakelight {
@@ -41,7 +42,9 @@ Frame small_picture(const RenderSettings& of, Session& session, const Camera& ca
 /// Mean distance, in display values, of the model's rim from a background.
 double contrast_of_rim(const Frame& frame, double background) {
     const int width = frame.window.width, height = frame.window.height;
-    const auto is_model = [&](int x, int y) { return frame.color[std::size_t(y) * std::size_t(width) + std::size_t(x)].w > 0.5f; };
+    const auto is_model = [&](int x, int y) {
+        return frame.color[std::size_t(y) * std::size_t(width) + std::size_t(x)].w > 0.5f;
+    };
     double sum = 0, count = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -69,10 +72,11 @@ double bright_of(const Frame& frame) {
 void expose(const Frame& frame, PictureRequest& request, Context& context) {
     const double bright = bright_of(frame);
     if (!(bright > 1e-9) || (bright >= lowest_bright && bright <= highest_bright)) return;
-    const double ev = std::clamp(std::round(10 * std::log2(wanted_bright / bright)) / 10, -30.0, 30.0);
+    const double ev = std::clamp(std::round(10 * math::log2(wanted_bright / bright)) / 10, -30.0, 30.0);
     request.tone.exposure_ev = float(ev);
     char text[120];
-    std::snprintf(text, sizeof text, "the file's lights ask for an exposure of %+.1f, which is used; see 'exposure'", ev);
+    std::snprintf(text, sizeof text, "the file's lights ask for an exposure of %+.1f, which is used; see 'exposure'",
+                  ev);
     context.report().add(Remark::note, request.input, "", text, {"exposure"});
 }
 
@@ -85,10 +89,11 @@ void adjust_to_picture(PictureRequest& request, Session& session, const Camera& 
     if (names(request, "background") && !may_expose) return;
     Frame frame = small_picture(request.settings, session, camera, context);
     const Scene& scene = session.engine().scene();
-    const bool is_physical = std::ranges::any_of(scene.lights, [](const Light& l) { return l.units == LightUnits::photometric; });
+    const bool is_physical =
+        std::ranges::any_of(scene.lights, [](const Light& l) { return l.units == LightUnits::photometric; });
     const bool tones = !names(request, "background") && !(scene.environment && scene.environment->is_background);
     if (is_physical && may_expose) expose(frame, request, context);
-    const float gain = std::exp2(request.tone.exposure_ev);
+    const float gain = float(math::exp2(double(request.tone.exposure_ev)));
     for (vec4& c : frame.color) c = {c.x * gain, c.y * gain, c.z * gain, c.w};
     if (!tones) return;
     const vec3 chosen = contrast_of_rim(frame, double(dark.y)) >= least_contrast ? dark : light;

@@ -13,13 +13,12 @@ namespace rakelight {
 namespace {
 
 constexpr int usual_samples = 4;
-constexpr int soft_shadow_filter = 2;      ///< [texels]
-constexpr double least_seen_share = 0.9;   ///< of the model, by a camera of the file that is taken unasked
+constexpr int soft_shadow_filter = 2;     ///< [texels]
+constexpr double least_seen_share = 0.9;  ///< of the model, by a camera of the file that is taken unasked
 
 bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys) {
-    return std::ranges::any_of(keys, [&](std::string_view key) {
-        return std::ranges::find(request.named, key) != request.named.end();
-    });
+    return std::ranges::any_of(
+        keys, [&](std::string_view key) { return std::ranges::find(request.named, key) != request.named.end(); });
 }
 
 /// A mesh that is drawn has such a material, or none.
@@ -28,41 +27,46 @@ bool draws_metallic_roughness(const Scene& scene) {
         const std::uint32_t material = scene.meshes[mesh].material;
         return material != no_index && scene.materials[material].model == MaterialModel::metallic_roughness;
     };
-    return std::ranges::any_of(scene.nodes, [&](const Node& node) { return std::ranges::any_of(node.meshes, is_such); });
+    return std::ranges::any_of(scene.nodes,
+                               [&](const Node& node) { return std::ranges::any_of(node.meshes, is_such); });
 }
 
-void note(Context& context, const PictureRequest& request, const std::string& text,
-          std::vector<std::string> settings) {
+void note(Context& context, const PictureRequest& request, const std::string& text, std::vector<std::string> settings) {
     context.report().add(Remark::note, request.input, "", text, std::move(settings));
 }
 
-/// The file's first camera with the file's lights, or neither.
-void take_camera(Scene& scene, PictureRequest& request, Context& context) {
+/// The file's first camera with the file's lights, or neither. @return whether the lights are taken
+bool take_camera(const Scene& scene, PictureRequest& request, Context& context) {
     if (scene.cameras.empty() || !request.view.side.empty() || !request.view.camera.empty() || request.view.is_placed())
-        return;
+        return true;
     const double aspect = double(request.settings.width) / double(request.settings.height);
     const Camera camera = camera_of_file(scene, 0, aspect);
     const double share = fault_of(camera, CameraUse::in_engine) ? 0 : seen_share(scene, camera, aspect);
     const std::string of_it = std::to_string(int(std::floor(100 * share))) + " % of the model";
     const std::string lights = scene.lights.empty() ? "" : " and lights";
-    if (share >= least_seen_share)
-        return note(context, request,
-                    "the file's camera" + lights + " are used: it shows " + of_it + "; 'view' default fits the model",
-                    {"view"});
+    if (share >= least_seen_share) {
+        note(context, request,
+             "the file's camera" + (lights.empty() ? " is" : lights + " are") + " used: it shows " + of_it + "; 'view' default fits the model",
+             {"view"});
+        return true;
+    }
     request.view.side = "default";
-    if (!names(request, {"light"})) scene.lights.clear();
     note(context, request,
-         "the file's camera shows " + of_it + ": the fitted view" + (lights.empty() ? "" : " and the default light") +
-             " are used; 'view' file takes the file's camera" + lights,
+         "the file's camera shows " + of_it + ": the fitted view" + (lights.empty() ? " is" : " and the default light are") +
+             " used; 'view' file takes the file's camera" + lights,
          {"view"});
+    return false;
 }
 
 /// Metallic-roughness materials are lit by the studio, where nobody has said what lights the scene.
-void take_light(const Scene& scene, PictureRequest& request) {
-    if (!scene.lights.empty() || scene.environment || request.fog || scene.fog.kind != FogKind::none) return;
-    if (names(request, {"light", "lighting", "shading", "specular", "hdri-file", "hdri-ambient", "hdri-skybox"})) return;
+void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
+    if (!takes_file && !names(request, {"light"})) request.default_lights = !scene.lights.empty();
+    if ((takes_file && !scene.lights.empty()) || scene.environment || request.fog || scene.fog.kind != FogKind::none)
+        return;
+    if (names(request, {"light", "lighting", "shading", "specular", "hdri-file", "hdri-ambient", "hdri-skybox"}))
+        return;
     if (!draws_metallic_roughness(scene)) return;
-    request.studio_lights = true;
+    request.studio_lights = true, request.default_lights = false;
     if (names(request, {"shadows"})) return;
     request.settings.shadows = true;
     if (!names(request, {"shadow-filter"})) request.settings.shadow_filter = soft_shadow_filter;
@@ -70,11 +74,11 @@ void take_light(const Scene& scene, PictureRequest& request) {
 
 }  // namespace
 
-void take_look(Scene& scene, PictureRequest& request, Context& context) {
+void take_look(const Scene& scene, PictureRequest& request, Context& context) {
     if (request.look == Look::plain || request.engine == "trace") return;
     RenderSettings& settings = request.settings;
-    take_camera(scene, request, context);
-    take_light(scene, request);
+    const bool takes_file = take_camera(scene, request, context);
+    take_light(scene, takes_file, request);
     if (!names(request, {"samples", "visibility"}) && settings.visibility == Visibility::z_reversed)
         settings.samples = usual_samples;
 }

@@ -28,9 +28,9 @@ double sphere_radius(const Bounds& bounds) {
 /// An eye at (e, z), across and toward the viewer, sees all points p with |p - e| <= slope * (z - p_z), which is
 /// z + e / slope >= high and z - e / slope >= low for the farthest points along (1 / slope, 1) and (-1 / slope, 1).
 struct Wedge {
-    double slope, high, low;  ///< all [m] but slope
-    double nearest() const { return 0.5 * (high + low); }           ///< z of the eye that both planes meet in
-    double middle() const { return 0.5 * slope * (high - low); }    ///< e of that eye
+    double slope, high, low;                                      ///< all [m] but slope
+    double nearest() const { return 0.5 * (high + low); }         ///< z of the eye that both planes meet in
+    double middle() const { return 0.5 * slope * (high - low); }  ///< e of that eye
     /// The place across, for an eye farther away, that `e` is or comes nearest to.
     double seen_from(double e, double z) const { return std::max(slope * (high - z), std::min(slope * (z - low), e)); }
 };
@@ -90,7 +90,7 @@ dvec3 place_eye(const Extent& extent, Slopes tight, double radius, Extent::Seen&
 /// A parallel camera at the eye's depth, the model's rectangle in its middle.
 /// @param smallest  [m] half the height of a point, or of a line seen from its end
 void make_parallel(Camera& camera, const Extent& extent, double aspect, double smallest, double fill,
- const dvec3& center, double z) {
+                   const dvec3& center, double z) {
     const Extent::Rectangle r = extent.rectangle();
     const double half_width = 0.5 * (r.left + r.right), half_height = 0.5 * (r.below + r.above);
     camera.half_height = std::max({half_height, half_width / aspect, smallest}) / fill;
@@ -113,9 +113,10 @@ Camera fit(const Scene& scene, const Bounds& bounds, double aspect, const dmat4&
     const Extent extent(scene, bounds, camera.to_world);
     dvec3 eye{0, 0, radius / std::min(tangent * a, tangent)};
     Extent::Seen seen{};
-    if (bounds.diagonal() > 1e-100) eye = place_eye(extent, {tangent * a * wishes.fill, tangent * wishes.fill}, radius, seen);
-    const dvec3 place =
-        center + (camera.to_world[0].xyz() * eye.x + camera.to_world[1].xyz() * eye.y + camera.to_world[2].xyz() * eye.z);
+    if (bounds.diagonal() > 1e-100)
+        eye = place_eye(extent, {tangent * a * wishes.fill, tangent * wishes.fill}, radius, seen);
+    const dvec3 place = center + (camera.to_world[0].xyz() * eye.x + camera.to_world[1].xyz() * eye.y +
+                                  camera.to_world[2].xyz() * eye.z);
     camera.to_world[3] = {place.x, place.y, place.z, 1};
     camera.z_near = std::max(eye.z - 1.05 * radius, 0.5 * (eye.z - seen.front));
     camera.z_far = eye.z + 1.05 * radius;

@@ -180,6 +180,7 @@ PictureRequest comparable(PictureRequest r) {
 void check_written(const std::vector<WorldValue>& values, const PictureRequest& of) {
     PictureRequest back;
     read_render_keys(values, back);
+    back.named = of.named;
     if (!(comparable(back) == comparable(of)))
         throw Error(ErrorCode::usage, "the request asks for something that no key of [render] says");
 }

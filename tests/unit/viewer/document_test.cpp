@@ -188,7 +188,7 @@ TEST_F(Looks, WhatAKeyDidIsSaidInWords) {
     EXPECT_EQ(effect(Command::shading), "shading: gouraud");
     EXPECT_EQ(effect(Command::lighting), "lighting: lambert");
     EXPECT_EQ(effect(Command::bump), "bump: none");
-    EXPECT_EQ(effect(Command::samples), "samples: 4");
+    EXPECT_EQ(effect(Command::samples), "samples: 8");
     EXPECT_EQ(effect(Command::engine), "engine: gl");
     EXPECT_EQ(effect(Command::wireframe), "wireframe: on");
     EXPECT_EQ(effect(Command::wireframe), "wireframe: off");
@@ -342,7 +342,7 @@ TEST_F(Looks, APixelIsFoundOnItsMaterial) {
     painter.paint({.model = m, .look = look, .width = width, .height = height, .number = 1});
     int answers = 0;
     std::optional<Painter::Hit> middle, corner;
-    painter.look_at_pixel(width / 2 - 8, height / 2, [&](auto hit) { middle = hit, ++answers; });
+    painter.look_at_pixel(width / 2 - 12, height / 2, [&](auto hit) { middle = hit, ++answers; });
     painter.look_at_pixel(0, 0, [&](auto hit) { corner = hit, ++answers; });
     while (answers < 2) painter.poll(), std::this_thread::yield();
     ASSERT_TRUE(middle);

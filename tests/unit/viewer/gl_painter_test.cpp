@@ -119,6 +119,7 @@ TEST_F(GlPainters, LeaveToASessionWhatTheyCannotDo) {
     EXPECT_EQ(painting->codes.size(), std::size_t(width * height));
     look_.channel = 0;
     look_.request.settings.visibility = Visibility::painter;
+    look_.request.settings.samples = 1;
     EXPECT_FALSE(painted(painter, job(gl, 2)));
     EXPECT_EQ(fault_->error.code(), ErrorCode::usage);
     EXPECT_FALSE(fault_->is_of_gl);

@@ -31,8 +31,8 @@ TEST(Marks, AreTheLinesOfEachThatIsWanted) {
     EXPECT_EQ(count({.seams = seams}), 7u);
     const std::size_t lights = count({.lights = true});
     EXPECT_GT(lights, 0u);
-    EXPECT_EQ(count({.lights = true, .light = 1}), lights);  // 0 is ambient
-    EXPECT_GT(count({.lights = true, .light = 1, .has_handles = true}), lights);
+    EXPECT_EQ(count({.lights = true, .light = 0}), lights);
+    EXPECT_GT(count({.lights = true, .light = 0, .has_handles = true}), lights);
 }
 
 TEST(Marks, TheWorstSeamsAreDrawn) {

@@ -27,7 +27,7 @@ TEST_F(Record, LightsThatFollowTheCameraGoAroundWithIt) {
     const auto m = model(write_model());
     const Look look = lit_from_the_camera(*m);
     const Look half = turned(look, *m, width, height, pi);
-    const dvec3 center = m->box.bounds().center(), before = (*look.lights)[0].light.position;
+    const dvec3 center = seen_eye(look, *m, width, height).focal, before = (*look.lights)[0].light.position;
     const dvec3 after = (*half.lights)[0].light.position;
     EXPECT_NEAR(after.x, 2 * center.x - before.x, 1e-9);
     EXPECT_NEAR(after.y, before.y, 1e-9);
