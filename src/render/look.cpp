@@ -46,14 +46,16 @@ bool take_camera(const Scene& scene, PictureRequest& request, Context& context) 
     const std::string lights = scene.lights.empty() ? "" : " and lights";
     if (share >= least_seen_share) {
         note(context, request,
-             "the file's camera" + (lights.empty() ? " is" : lights + " are") + " used: it shows " + of_it + "; 'view' default fits the model",
+             "the file's camera" + (lights.empty() ? " is" : lights + " are") + " used: it shows " + of_it +
+                 "; 'view' default fits the model",
              {"view"});
         return true;
     }
     request.view.side = "default";
     note(context, request,
-         "the file's camera shows " + of_it + ": the fitted view" + (lights.empty() ? " is" : " and the default light are") +
-             " used; 'view' file takes the file's camera" + lights,
+         "the file's camera shows " + of_it + ": the fitted view" +
+             (lights.empty() ? " is" : " and the default light are") + " used; 'view' file takes the file's camera" +
+             lights,
          {"view"});
     return false;
 }
@@ -61,11 +63,14 @@ bool take_camera(const Scene& scene, PictureRequest& request, Context& context) 
 /// Metallic-roughness materials are lit by the studio, where nobody has said what lights the scene.
 void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
     if (!takes_file && !names(request, {"light"})) request.default_lights = !scene.lights.empty();
-    if ((takes_file && !scene.lights.empty()) || scene.environment || request.fog || scene.fog.kind != FogKind::none)
-        return;
+    if (scene.environment || request.fog || scene.fog.kind != FogKind::none) return;
     if (names(request, {"light", "lighting", "shading", "specular", "hdri-file", "hdri-ambient", "hdri-skybox"}))
         return;
     if (!draws_metallic_roughness(scene)) return;
+    if (takes_file && !scene.lights.empty()) {  // they stay, and the studio gives what they leave dark
+        request.hdri_ambient = true;
+        return;
+    }
     request.studio_lights = true, request.default_lights = false;
     if (names(request, {"shadows"})) return;
     request.settings.shadows = true;

@@ -59,7 +59,8 @@ class Case(unittest.TestCase):
 
     def run_program(self, *arguments, **environment):
         """Pictures are plain ones, by the options alone, unless the test names a look."""
-        if arguments[:1] in (("render",), ("explain",), ("stages",)) and "--look" not in arguments:
+        draws = arguments[:1] in (("render",), ("explain",), ("stages",)) or (arguments[:1] == ("compare",) and "--engines" in arguments)
+        if draws and "--look" not in arguments:
             arguments += ("--look", "plain")
         return Result(subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=300,
                                      stdin=subprocess.DEVNULL, env={**os.environ, **environment}))

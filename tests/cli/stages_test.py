@@ -204,7 +204,7 @@ class Stages(program.Case):
         self.assertEqual(len(lit), 5)  # an ambient term, and two of each of two lights
         for name in lit:
             self.assertAlmostEqual(foggy[name] / clear[name], share, delta=0.02)
-        both = self.sum_of_terms_is_the_mean_of_the_picture("--hdri-ambient", "--fog", "exp2:0.3", "--shading", "gouraud", "--light", "directional:0,-1,0")
+        both = self.sum_of_terms_is_the_mean_of_the_picture("--hdri-ambient", "--fog", "exp2:0.3", "--shading", "gouraud", "--light", "directional:0,-1,0", "--light-intensity", "0.3")
         self.assertEqual(len(both), 7)
 
     def test_exposure_and_tone_curve_are_in_the_picture_and_shown_before_and_after(self):
