@@ -28,7 +28,7 @@ std::vector<Light> default_lights(const dmat4& camera_to_world) {
 }
 
 std::vector<Light> studio_lights(const dmat4& camera_to_world) {
-    return {directional("studio key", 0.45f, camera_to_world, {-0.5, 0.7, 0.8})};
+    return {directional("studio key", 0.3f, camera_to_world, {-0.5, 0.7, 0.8})};
 }
 
 }  // namespace rakelight

@@ -9,6 +9,9 @@
 namespace rakelight {
 namespace {
 
+/// Of the built-in studio, so that a white surface that faces it and its key light (studio_lights()) is not above 1.
+constexpr double beside_key = 0.75;
+
 /// Decoded once, so that what the caller asked for is not left out silently; the engine decodes it again.
 ImageHandle environment_file(const std::string& path, Context& context) {
     try {
@@ -44,7 +47,9 @@ Scene with_environment(Scene scene, const PictureRequest& request, Context& cont
     if (!request.hdri_file.empty()) environment.image = environment_file(request.hdri_file, context);
     environment.is_light = request.hdri_ambient.value_or(environment.is_light || request.studio_lights);
     environment.is_background = request.hdri_skybox.value_or(environment.is_background);
-    environment.intensity = float(request.hdri_intensity.value_or(double(environment.intensity)));
+    const bool is_studio = request.studio_lights && !scene.environment && request.hdri_file.empty();
+    environment.intensity =
+        float(request.hdri_intensity.value_or(is_studio ? beside_key : double(environment.intensity)));
     if (request.view.world_up) environment.up = normalize_or(*request.view.world_up, environment.up);
     environment.rotation_rad = request.hdri_rotation_rad.value_or(environment.rotation_rad);
     const bool is_unseen = !environment.is_light && !environment.is_background;
