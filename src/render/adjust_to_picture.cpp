@@ -31,6 +31,8 @@ Frame small_picture(const RenderSettings& of, Session& session, const Camera& ca
     settings.height = std::max(1, int(std::lround(of.height * scale)));
     settings.window = {};
     settings.channels = 0;
+    settings.lighting_name.clear(),
+        settings.lighting_text.clear();  // engine soft draws it for the viewer, without GLSL
     settings.samples = 1;
     settings.shadows = false;
     settings.background = {0, 0, 0, 0};
